@@ -1,0 +1,1 @@
+"""The textbook's agents, one file each."""

@@ -1,0 +1,14 @@
+"""What all tabular agents ask of their parameters."""
+
+from edugym.mdp.checks import above, between
+
+
+def check_learning(learning_rate: float, discount: float) -> None:
+    """Refuse a learning rate that is not above 0 and up to 1, and a discount that is not from 0 to 1.
+
+    Raises:
+        ValueError: one of them is not.
+    """
+    above("learning_rate", learning_rate, 0)
+    between("learning_rate", learning_rate, 0, 1)
+    between("discount", discount, 0, 1)

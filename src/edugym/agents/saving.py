@@ -1,0 +1,90 @@
+"""Saving agents and loading them, as plain arrays and numbers: without pickle, a stranger's file runs no code."""
+
+import importlib
+import json
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+AGENT_MODULES = ("exploration", "q_learning", "count_based", "go_explore")
+
+
+def save(agent: Any, path: str | Path) -> None:
+    """Write an agent, its tables and its settings, to a file in NumPy's `.npz` format.
+
+    Args:
+        agent: a NamedTuple of arrays, numbers and other such NamedTuples.
+        path: where to; an existing file is replaced only when the new one is complete.
+
+    Raises:
+        ValueError: the agent holds something else, which could not be loaded again.
+        OSError: the file cannot be written.
+    """
+    arrays: dict[str, Any] = {}
+    structure = _structure(agent, "agent", arrays)
+    target = Path(path)
+    partial = target.with_name(target.name + ".part")
+    try:
+        with partial.open("wb") as file:
+            np.savez_compressed(file, structure=np.array(json.dumps(structure)), **arrays)
+        partial.replace(target)
+    finally:
+        partial.unlink(missing_ok=True)
+
+
+def load(path: str | Path, kinds: Iterable[type] = ()) -> Any:
+    """Read an agent back.
+
+    Args:
+        path: a file that `save` wrote.
+        kinds: the classes in it that are not EduGym's own, such as an agent from a notebook.
+
+    Raises:
+        ValueError: the file is no saved agent, or holds a class that is neither EduGym's nor among `kinds`.
+        OSError: the file cannot be read.
+    """
+    known = {kind.__name__: kind for module in AGENT_MODULES for kind in _classes(f"edugym.agents.{module}")}
+    known.update({kind.__name__: kind for kind in kinds})
+    try:
+        with np.load(path, allow_pickle=False) as file:
+            arrays = {name: file[name] for name in file.files}
+        structure = json.loads(str(arrays.pop("structure")))
+    except (ValueError, KeyError, EOFError) as error:
+        raise ValueError(f"path must name a file that save() wrote, but {str(path)!r} is none: {error}") from error
+    return _build(structure, arrays, known)
+
+
+def _structure(value: Any, name: str, arrays: dict[str, Any]) -> Any:
+    """The value as JSON, its arrays put aside."""
+    if isinstance(value, np.ndarray) and value.dtype.kind in "biuf":
+        arrays[name] = value
+        return {"array": name}
+    if isinstance(value, tuple) and hasattr(value, "_fields"):
+        parts = zip(value._fields, value, strict=True)
+        fields = {key: _structure(part, f"{name}.{key}", arrays) for key, part in parts}
+        return {"kind": type(value).__name__, "fields": fields}
+    if isinstance(value, np.generic):
+        value = value.item()
+    if value is None or isinstance(value, bool | int | float | str):
+        return {"value": value}
+    raise ValueError(f"an agent that is saved must hold numbers, arrays and NamedTuples, but {name} is {value!r}")
+
+
+def _build(structure: Any, arrays: dict[str, Any], known: dict[str, type]) -> Any:
+    if "array" in structure:
+        return arrays[structure["array"]]
+    if "kind" not in structure:
+        return structure["value"]
+    if structure["kind"] not in known:
+        raise ValueError(
+            f"kinds must hold the class {structure['kind']}, which the file names and EduGym does not have"
+        )
+    fields = {key: _build(part, arrays, known) for key, part in structure["fields"].items()}
+    return known[structure["kind"]](**fields)
+
+
+def _classes(module: str) -> list[type]:
+    """The NamedTuple classes of a module."""
+    return [kind for kind in vars(importlib.import_module(module)).values() if hasattr(kind, "_fields")]

@@ -1,0 +1,167 @@
+"""Boulder: exploration under sparse reward."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from gymnasium import spaces
+
+from edugym.mdp.checks import whole_number
+from edugym.mdp.env import MDPEnv
+from edugym.mdp.protocol import Integers, Random
+from edugym.rendering.figures import flag, smiley
+from edugym.rendering.palette import CRACK, GRASS, SKY, STONE, WALL
+from edugym.rendering.scene import Circle, Line, Rectangle, Scene, Shape, Text
+
+
+class Boulder(NamedTuple):
+    """Climb a wall on which only one grip holds at every height (a chain with sparse reward).
+
+    Attributes:
+        height: H, how many right grips lead to the top.
+        n_grips: N, how many grips there are to choose from at every height.
+        grips: shape (height,): the grip that holds at each height.
+        max_steps: after how many steps an episode is truncated.
+    """
+
+    height: int
+    n_grips: int
+    grips: Integers
+    max_steps: int
+
+    def initial(self, rng: Random) -> int:
+        """The ground: position 0."""
+        return 0
+
+    def transition(self, state: int, action: int, rng: Random) -> int:
+        """The right grip leads one up; any other lets the climber fall to the ground, which is no end."""
+        return state + 1 if action == self.grips[state] else 0
+
+    def reward(self, state: int, action: int, next_state: int, rng: Random) -> float:
+        """1 for reaching the top, else 0."""
+        return 1.0 if next_state == self.height else 0.0
+
+    def terminal(self, state: int) -> bool:
+        """The top is the end."""
+        return state == self.height
+
+    def observation(self, state: int, rng: Random) -> int:
+        """The position on the wall: everything there is to know."""
+        return state
+
+    @property
+    def observation_space(self) -> spaces.Discrete:
+        """The position, from 0 (ground) to `height` (top)."""
+        return spaces.Discrete(self.height + 1)
+
+    @property
+    def action_space(self) -> spaces.Discrete:
+        """The grip to jump to."""
+        return spaces.Discrete(self.n_grips)
+
+
+class BoulderEnv(MDPEnv[Boulder]):
+    """Climb a wall on which only one grip holds at every height.
+
+    ## Description
+    Challenge: exploration under sparse reward. A climber stands before a wall. At every height there are `n_grips`
+    grips; one holds, the others are cracked and send the climber back to the ground. Only the top is rewarded, so
+    until it has been reached once there is nothing to learn from. A climber who chooses grips at random reaches the
+    top after (N^(H+1) - N)/(N - 1) steps on average: 2 046 for two grips and height 10, and 2.5e30 for height 100.
+
+    ## Observation space
+    `Discrete(height + 1)`: the position on the wall, from 0 (ground) to `height` (top).
+
+    ## Action space
+    `Discrete(n_grips)`: the grip to jump to.
+
+    ## State
+    The position, and the number of steps that this episode has taken. The position is observed; the step count is
+    not, so near the step limit the observation is not Markov (an agent that bootstraps at truncation need not mind).
+
+    ## Dynamics
+    The grip that holds leads one up; any other leads to the ground, which does not end the episode.
+
+    ## Reward
+    1 for reaching the top, else 0. The best return is 1, after `height` steps (discount 1).
+
+    ## Initial state
+    The ground.
+
+    ## Episode end
+    Terminated at the top; truncated after `max_steps` steps.
+
+    ## Parameters
+    - `height` (10): H, 1 or more.
+    - `n_grips` (2): N, 2 or more.
+    - `max_steps` (10 * height): 1 or more.
+    - `layout_seed` (0): from which the right grips are drawn, uniformly; 0 or more.
+
+    ## Info
+    - `right_grip`: the grip that holds at the present height; -1 at the top.
+
+    ## Choices
+    - The paper gives N^H as the number of steps that a random climber needs; that counts attempts. The number of
+      steps is (N^(H+1) - N)/(N - 1).
+    - The paper's state space is `Discrete(H)`; here the top is a position of its own, since it is observed at the end.
+
+    ## References
+    Moerland et al. (2023), EduGym, appendix A.1; the chain of Strens (2000).
+    """
+
+    def __init__(
+        self,
+        height: int = 10,
+        n_grips: int = 2,
+        max_steps: int | None = None,
+        layout_seed: int = 0,
+        render_mode: str | None = None,
+    ) -> None:
+        """See the class for the parameters.
+
+        Raises:
+            ValueError: a parameter is not as the class says.
+        """
+        whole_number("height", height, 1)
+        whole_number("n_grips", n_grips, 2)
+        max_steps = 10 * height if max_steps is None else max_steps
+        whole_number("max_steps", max_steps, 1)
+        whole_number("layout_seed", layout_seed, 0)
+        grips = np.random.default_rng(layout_seed).integers(0, n_grips, height)
+        super().__init__(Boulder(height, n_grips, grips, max_steps), render_mode)
+
+    def info(self) -> dict[str, Any]:
+        """The grip that holds where the climber is, or -1 at the top."""
+        return {"right_grip": int(self.mdp.grips[self.state]) if self.state < self.mdp.height else -1}
+
+    def scene(self) -> Scene:
+        """A wall from the front: the grip that holds grey, the others black and cracked, the climber on its grip."""
+        height, n_grips, grips = self.mdp.height, self.mdp.n_grips, self.mdp.grips
+        width, top = n_grips + 3.0, 2.0
+        ground = top + height + 0.5
+        shapes: list[Shape] = [
+            Rectangle(1.0, top, n_grips + 1.0, height + 0.5, 0.3, fill=WALL),
+            Rectangle(0.0, ground, width, 1.5, fill=GRASS, glyph="░"),
+            *flag(width - 1.5, top, 1.2),
+        ]
+        for level in range(height):
+            y = ground - level - 0.75
+            for grip in range(n_grips):
+                shapes += _grip(grip + 2.0, y, holds=grip == grips[level])
+            if height <= 40 or (level + 1) % 10 == 0:
+                shapes.append(Text(0.5, y, str(level + 1), size=0.4))
+        state = 0 if self.state is None else int(self.state)
+        if state == 0:
+            climber = (width / 2, ground + 0.5)
+        elif state == height:
+            climber = (width / 2, top - 0.45)
+        else:
+            climber = (float(grips[state - 1]) + 2.0, ground - state + 0.25)
+        shapes += smiley(*climber, 0.42)
+        return Scene(width, ground + 1.5, shapes, SKY, f"Boulder: {state} of {height}", columns=2 * int(width))
+
+
+def _grip(x: float, y: float, holds: bool) -> list[Shape]:
+    if holds:
+        return [Circle(x, y, 0.3, fill=STONE, glyph="●")]
+    crack = ((x - 0.12, y - 0.2), (x + 0.06, y - 0.04), (x - 0.06, y + 0.04), (x + 0.12, y + 0.2))
+    return [Circle(x, y, 0.3, fill=CRACK, glyph="×"), Line(crack, colour=WALL)]

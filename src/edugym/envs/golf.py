@@ -1,0 +1,257 @@
+"""Golf: stochastic dynamics."""
+
+import math
+from typing import Any, NamedTuple
+
+from gymnasium import spaces
+
+from edugym.mdp.checks import above, at_least, whole_number
+from edugym.mdp.env import MDPEnv
+from edugym.mdp.protocol import Random
+from edugym.rendering.figures import Mood, flag, smiley
+from edugym.rendering.palette import GRASS, GREEN, SAND, WATER, WHITE, blend
+from edugym.rendering.scene import Circle, Line, Rectangle, Scene, Shape, Text
+
+SWINGS = (("putt", 1.0), ("chip", 4.0), ("drive", 10.0))
+
+
+class Ball(NamedTuple):
+    """Where the ball lies, in cells from the corner left of the tee, and how often it was hit."""
+
+    x: float
+    y: float
+    hits: int
+
+
+class Golf(NamedTuple):
+    """Get the ball on the green in few hits; the harder the hit, the less it goes where it should.
+
+    Attributes:
+        width: of the course, in cells.
+        length: of the course, in cells.
+        green_radius: the green is all that is closer to the flag than this.
+        max_hits: the game is lost when the ball is not on the green after so many.
+        stochasticity_level: the skill of the player: the standard deviation of a hit over d cells is this times d².
+    """
+
+    width: int
+    length: int
+    green_radius: float
+    max_hits: int
+    stochasticity_level: float
+
+    def initial(self, rng: Random) -> Ball:
+        """The tee, in the middle of the near end."""
+        return Ball(self.width / 2, 0.0, 0)
+
+    def transition(self, state: Ball, action: int, rng: Random) -> Ball:
+        """The ball flies d cells towards the flag, and Gaussian noise is added to both coordinates."""
+        d = 1.0 if action == 0 else (4.0 if action == 1 else 10.0)
+        deviation = self.stochasticity_level * d * d
+        to_flag_x = self.width / 2 - state.x
+        to_flag_y = self.length - self.width / 2 - state.y
+        distance = math.sqrt(to_flag_x * to_flag_x + to_flag_y * to_flag_y)
+        x = state.x + d * to_flag_x / distance + rng.normal(0.0, deviation)
+        y = state.y + d * to_flag_y / distance + rng.normal(0.0, deviation)
+        return Ball(x, y, state.hits + 1)
+
+    def reward(self, state: Ball, action: int, next_state: Ball, rng: Random) -> float:
+        """From 1 down to 0 by the number of hits on the green; -1 off the course or after the last hit; else 0."""
+        if self.off_course(next_state):
+            return -1.0
+        if self.on_green(next_state):
+            return 1.0 - (next_state.hits - 1) / self.max_hits
+        return -1.0 if next_state.hits == self.max_hits else 0.0
+
+    def terminal(self, state: Ball) -> bool:
+        """On the green, off the course, or out of hits."""
+        return self.off_course(state) or self.on_green(state) or state.hits == self.max_hits
+
+    def on_green(self, state: Ball) -> bool:
+        """Whether the ball is closer to the flag than `green_radius`."""
+        x = state.x - self.width / 2
+        y = state.y - (self.length - self.width / 2)
+        return math.sqrt(x * x + y * y) < self.green_radius
+
+    def off_course(self, state: Ball) -> bool:
+        """Whether the ball has left the course."""
+        return state.x < 0.0 or state.x >= self.width or state.y < 0.0 or state.y >= self.length
+
+    def observation(self, state: Ball, rng: Random) -> tuple[int, ...]:
+        """The cell of the ball; of one that has left the course, the nearest."""
+        x = min(max(math.floor(state.x), 0), self.width - 1)
+        y = min(max(math.floor(state.y), 0), self.length - 1)
+        return x, y
+
+    @property
+    def observation_space(self) -> spaces.MultiDiscrete:
+        """The cells of the course."""
+        return spaces.MultiDiscrete([self.width, self.length])
+
+    @property
+    def action_space(self) -> spaces.Discrete:
+        """Putt, chip or drive."""
+        return spaces.Discrete(3)
+
+
+class GolfWithHits(Golf):
+    """Golf in which the agent also sees how often it has hit the ball."""
+
+    __slots__ = ()
+
+    def observation(self, state: Ball, rng: Random) -> tuple[int, ...]:
+        """The cell of the ball and the number of hits so far."""
+        x = min(max(math.floor(state.x), 0), self.width - 1)
+        y = min(max(math.floor(state.y), 0), self.length - 1)
+        return x, y, state.hits
+
+    @property
+    def observation_space(self) -> spaces.MultiDiscrete:
+        """The cells of the course, and 0 to `max_hits` hits."""
+        return spaces.MultiDiscrete([self.width, self.length, self.max_hits + 1])
+
+
+class GolfEnv(MDPEnv[Golf]):
+    """Get the ball on the green in few hits; the harder the hit, the less it goes where it should.
+
+    ## Description
+    Challenge: stochastic dynamics. From the tee in the middle of the near end the ball must get onto the green around
+    the flag. Every hit aims at the flag; the player chooses how hard. The ball misses its aim by Gaussian noise that
+    grows with the square of the distance hit, so a drive is fast and risky, and putts are slow and safe. Water
+    surrounds the course.
+
+    ## Observation space
+    `MultiDiscrete([width, length])`: the cell of the ball; with `observe_hits`, `MultiDiscrete([width, length,
+    max_hits + 1])`: the hits so far as well.
+
+    ## Action space
+    `Discrete(3)`: 0 putt, 1 chip, 2 drive: 1, 4 and 10 cells.
+
+    ## State
+    The coordinates of the ball and the number of hits. The observation is not Markov: it rounds the coordinates down
+    to a cell, and hides the hits unless `observe_hits` is set, on which the reward and the end of the game depend.
+
+    ## Dynamics
+    ball += d u + N(0, s² I), with d the swing's distance, u the unit vector from the ball to the flag, and
+    s = `stochasticity_level` d². The tee is at (width/2, 0), the flag at (width/2, length - width/2).
+
+    ## Reward
+    On the green (closer to the flag than `green_radius`): 1 - (hits - 1)/max_hits. Off the course, or not on the
+    green after `max_hits` hits: -1. Else 0. At the defaults the best return is about 0.86: a drive, then a chip or a
+    putt (discount 1).
+
+    ## Initial state
+    The ball on the tee.
+
+    ## Episode end
+    Terminated on the green, off the course, or after `max_hits` hits, which is part of the task; never truncated.
+
+    ## Parameters
+    - `width` (7): an odd number of cells, 3 or more.
+    - `length` (17): in cells, `width` or more.
+    - `green_radius` (2.1): greater than 0, and less than the distance from the tee to the flag.
+    - `max_hits` (10): 1 or more.
+    - `stochasticity_level` (0.015): 0 or more.
+    - `observe_hits` (False): whether the agent sees the number of hits.
+
+    ## Info
+    - `ball`: the coordinates (x, y) of the ball, in cells.
+    - `hits`: how often it was hit.
+
+    ## Choices
+    - The noise is the same in all directions, as in the paper's main text; its appendix speaks of the transverse
+      direction only.
+    - A ball that is off the course is lost, also where the green would reach beyond the edge.
+    - Without noise, parameters with which no straight hits end on the green are refused.
+
+    ## References
+    Moerland et al. (2023), EduGym, section 3 h and appendix A.8.
+    """
+
+    def __init__(
+        self,
+        width: int = 7,
+        length: int = 17,
+        green_radius: float = 2.1,
+        max_hits: int = 10,
+        stochasticity_level: float = 0.015,
+        observe_hits: bool = False,
+        render_mode: str | None = None,
+    ) -> None:
+        """See the class for the parameters.
+
+        Raises:
+            ValueError: a parameter is not as the class says.
+        """
+        whole_number("width", width, 3)
+        if width % 2 == 0:
+            raise ValueError(f"width must be odd, so that the flag stands in the middle of a cell, but is {width!r}")
+        whole_number("length", length, width)
+        above("green_radius", green_radius, 0)
+        if green_radius >= length - width / 2:
+            raise ValueError(
+                f"green_radius must be less than {length - width / 2}, so that the tee is not on the green, "
+                f"but is {green_radius!r}"
+            )
+        whole_number("max_hits", max_hits, 1)
+        at_least("stochasticity_level", stochasticity_level, 0)
+        if not isinstance(observe_hits, bool):
+            raise ValueError(f"observe_hits must be True or False, but is {observe_hits!r}")
+        kind = GolfWithHits if observe_hits else Golf
+        golf = kind(width, length, float(green_radius), max_hits, float(stochasticity_level))
+        if stochasticity_level == 0 and not _reachable(golf):
+            raise ValueError(
+                f"green_radius must be larger or max_hits higher: without noise no {max_hits!r} hits end on a green "
+                f"of radius {green_radius!r}"
+            )
+        super().__init__(golf, render_mode)
+
+    def info(self) -> dict[str, Any]:
+        """Where the ball lies exactly, and how often it was hit."""
+        return {"ball": (float(self.state.x), float(self.state.y)), "hits": int(self.state.hits)}
+
+    def scene(self) -> Scene:
+        """The course in water, from above, with the last aim and a circle of two standard deviations around it."""
+        golf, margin = self.mdp, 1.5
+        flag_x, flag_y = golf.width / 2, golf.length - golf.width / 2
+        height = golf.length + 2 * margin
+
+        def at(x: float, y: float) -> tuple[float, float]:
+            return x + margin, height - margin - y  # the far end is at the top of the picture
+
+        left, top = at(0.0, float(golf.length))
+        shapes: list[Shape] = [
+            Rectangle(left, top, golf.width, golf.length, 0.6, fill=GRASS, glyph="."),
+            Circle(*at(flag_x, flag_y), golf.green_radius, fill=blend(GRASS, GREEN, 0.7), outline=None),
+            Rectangle(left + flag_x - 0.6, at(0.0, 0.35)[1], 1.2, 0.3, 0.1, fill=SAND),
+            *flag(*at(flag_x, flag_y), 1.6),
+        ]
+        ball = golf.initial(self.np_random) if self.state is None else self.state
+        text = "on the tee"
+        if self.last_state is not None:
+            name, d = SWINGS[self.last_action]
+            aim = golf._replace(stochasticity_level=0.0).transition(self.last_state, self.last_action, self.np_random)
+            spread = 2 * golf.stochasticity_level * d * d
+            shapes.append(Line((at(self.last_state.x, self.last_state.y), at(aim.x, aim.y)), colour=WHITE))
+            shapes.append(Circle(*at(aim.x, aim.y), spread, fill=None, outline=WHITE))
+            text = f"hit {ball.hits}: {name}"
+        mood: Mood = "happy" if golf.on_green(ball) else "sad" if golf.off_course(ball) else "flat"
+        x, y = at(ball.x, ball.y)
+        shapes.append(Circle(x, y, 0.22, fill=WHITE, glyph="o"))
+        shapes += smiley(min(max(x - 0.9, 0.6), golf.width + 2 * margin - 0.6), min(y, height - 0.6), 0.5, mood)
+        shapes.append(Text((golf.width + 2 * margin) / 2, 0.7, text, size=0.7))
+        return Scene(golf.width + 2 * margin, height, shapes, WATER, f"Golf: {text}", columns=2 * (golf.width + 3))
+
+
+def _reachable(golf: Golf) -> bool:
+    """Whether some straight hits, each at most `max_hits` long in sequence, end on the green."""
+    import numpy as np
+
+    rng = np.random.default_rng(0)  # asked for noise of deviation 0 only
+    balls = {golf.initial(rng)}
+    for _ in range(golf.max_hits):
+        balls = {golf.transition(ball, swing, rng) for ball in balls for swing in range(3)}
+        balls = {ball for ball in balls if not golf.off_course(ball)}
+        if any(golf.on_green(ball) for ball in balls):
+            return True
+    return False

@@ -1,0 +1,1 @@
+"""Training, repetition and the experiments of the paper."""

@@ -1,0 +1,1 @@
+"""Markov decision processes as small values, and the four ways to run them."""

@@ -1,0 +1,47 @@
+"""Checks of parameters: each raises a `ValueError` that names the parameter, its value and what is allowed."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+
+def at_least(name: str, value: Any, low: float) -> None:
+    """Refuse a `value` that is not a number of `low` or more."""
+    _number(name, value, f"{low} or more")
+    if not value >= low:
+        raise ValueError(f"{name} must be {low} or more, but is {value!r}")
+
+
+def between(name: str, value: Any, low: float, high: float) -> None:
+    """Refuse a `value` that is not a number from `low` to `high`, ends included."""
+    _number(name, value, f"from {low} to {high}")
+    if not low <= value <= high:
+        raise ValueError(f"{name} must be from {low} to {high}, but is {value!r}")
+
+
+def above(name: str, value: Any, low: float) -> None:
+    """Refuse a `value` that is not a number greater than `low`."""
+    _number(name, value, f"greater than {low}")
+    if not value > low:
+        raise ValueError(f"{name} must be greater than {low}, but is {value!r}")
+
+
+def whole_number(name: str, value: Any, low: int, high: int | None = None) -> None:
+    """Refuse a `value` that is not a whole number of `low` or more (and, if given, of `high` or less)."""
+    allowed = f"{low} or more" if high is None else f"from {low} to {high}"
+    if isinstance(value, bool | np.bool_) or not isinstance(value, int | np.integer):
+        raise ValueError(f"{name} must be a whole number, {allowed}, but is {value!r}")
+    if value < low or (high is not None and value > high):
+        raise ValueError(f"{name} must be {allowed}, but is {value!r}")
+
+
+def one_of(name: str, value: Any, allowed: Sequence[Any]) -> None:
+    """Refuse a `value` that is not one of those `allowed`."""
+    if value not in allowed:
+        raise ValueError(f"{name} must be one of {', '.join(map(repr, allowed))}, but is {value!r}")
+
+
+def _number(name: str, value: Any, allowed: str) -> None:
+    if isinstance(value, bool | np.bool_) or not isinstance(value, int | float | np.integer | np.floating):
+        raise ValueError(f"{name} must be a number, {allowed}, but is {value!r}")

@@ -1,0 +1,105 @@
+"""What an MDP and an agent are: small immutable values with pure functions.
+
+Nothing inherits from these protocols at run time. A `typing.NamedTuple` with the right methods *is* an MDP or an agent,
+also when a student writes it in a notebook cell; the protocols say so to the type checker and to the reader.
+"""
+
+from typing import Any, Protocol, TypeAlias, TypeVar
+
+import numpy as np
+from gymnasium import Space
+
+Integers: TypeAlias = np.ndarray[tuple[int, ...], np.dtype[np.int64]]
+Reals: TypeAlias = np.ndarray[tuple[int, ...], np.dtype[np.float64]]
+Random: TypeAlias = np.random.Generator
+
+State = TypeVar("State")
+Observation = TypeVar("Observation")
+Observation_co = TypeVar("Observation_co", covariant=True)
+Observation_contra = TypeVar("Observation_contra", contravariant=True)
+
+
+class MDP(Protocol[State, Observation_co]):
+    """A Markov decision process (S, A, p, r) with integer actions 0, 1, ..., and what the agent sees of its state.
+
+    Every method is a pure function: all randomness comes from `rng`, and a `state` passed in is never written to.
+    A task with a step limit also has an attribute or property `max_steps`; without one its episodes end by themselves.
+    """
+
+    @property
+    def observation_space(self) -> Space[Any]:
+        """The Gymnasium space of what the agent sees."""
+
+    @property
+    def action_space(self) -> Space[Any]:
+        """The Gymnasium space of the actions."""
+
+    def initial(self, rng: Random) -> State:
+        """Draw the state in which an episode starts."""
+
+    def transition(self, state: State, action: int, rng: Random) -> State:
+        """Draw the next state from the dynamics p(s'|s, a)."""
+
+    def reward(self, state: State, action: int, next_state: State, rng: Random) -> float:
+        """Draw the reward of a transition, r(s, a, s')."""
+
+    def terminal(self, state: State) -> bool:
+        """Whether the task ends in this state (a step limit is not an end of the task: it truncates)."""
+
+    def observation(self, state: State, rng: Random) -> Observation_co:
+        """Draw what the agent sees in this state."""
+
+
+class Actor(Protocol[Observation_contra]):
+    """Something that chooses actions: a policy."""
+
+    def act(self, state: Observation_contra, rng: Random) -> int:
+        """Choose an action in `state`, which is what the agent observes of the environment's state."""
+
+
+class Agent(Actor[Observation_contra], Protocol[Observation_contra]):
+    """An agent that learns from single transitions, after each of them.
+
+    What else an agent may have:
+
+    * the class attribute `on_policy = True`: the next action is chosen before learning, and `learn` takes it after
+      `next_state` (SARSA); without it the next action is chosen after learning (Q-learning);
+    * a last argument `truncated` of `learn`: whether the step limit ended the episode after this transition, for agents
+      that learn from more than one transition at a time;
+    * `greedy(state, rng)`: the action that it believes best, by which it is evaluated; without it, `act` is.
+    """
+
+    def learn(
+        self,
+        state: Observation_contra,
+        action: int,
+        reward: float,
+        next_state: Observation_contra,
+        terminated: bool,
+    ) -> None:
+        """Learn from one transition, bootstrapping from `next_state` unless `terminated`: a step limit is no end."""
+
+
+def step_limit(mdp: MDP[Any, Any]) -> int | None:
+    """The number of steps after which an episode of `mdp` is truncated, or None when there is no limit."""
+    limit = getattr(mdp, "max_steps", None)
+    return None if limit is None else int(limit)
+
+
+def coerced(value: Any) -> Any:
+    """The same MDP or agent with every field of the type that its class declares (an `int` for a `float` becomes one).
+
+    Machine code is made for types, so without this `learning_rate=1` and `learning_rate=0.1` would be compiled twice.
+    """
+    if not (isinstance(value, tuple) and hasattr(value, "_fields")):
+        return value
+    kinds = type(value).__annotations__
+    fields = {}
+    for name, field in zip(value._fields, value, strict=True):
+        if kinds.get(name) in (float, "float") and isinstance(field, int | np.number):
+            fields[name] = float(field)
+        elif kinds.get(name) in (int, "int") and isinstance(field, np.integer):
+            fields[name] = int(field)
+        else:
+            fields[name] = coerced(field)
+    return type(value)(**fields)

@@ -1,0 +1,98 @@
+"""Scenes as SVG: for notebooks, pages and print."""
+
+from collections.abc import Sequence
+from xml.sax.saxutils import escape
+
+from edugym.rendering.scene import (
+    Arc,
+    Circle,
+    Ellipse,
+    Filled,
+    Line,
+    Point,
+    Polygon,
+    Rectangle,
+    Scene,
+    Shape,
+    Stroke,
+    Text,
+)
+
+
+def to_svg(scene: Scene, width_pixels: int | None = None) -> str:
+    """Draw a scene as a standalone SVG picture, one line for each shape.
+
+    The same scene always gives the same text. It holds no ids and no style sheet, so that any number of pictures can
+    stand on one page.
+
+    Args:
+        scene: What to draw.
+        width_pixels: Width on the page in CSS pixels, as in ``Scene.size_in_pixels``.
+
+    Returns:
+        The SVG document.
+
+    Raises:
+        ValueError: If the width is not positive.
+        TypeError: If the scene has a shape of an unknown class.
+    """
+    width, height = scene.size_in_pixels(width_pixels)
+    head = (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}"'
+        f' viewBox="0 0 {_number(scene.width)} {_number(scene.height)}" stroke-linejoin="round" stroke-linecap="round"'
+        ' font-family="FreeSans, Helvetica, Arial, sans-serif" font-weight="bold">'
+    )
+    title = f"<title>{escape(scene.title)}</title>"
+    background = f'<rect width="100%" height="100%" fill="{scene.background}"/>'
+    return "\n".join((head, title, background, *(_element(shape, scene) for shape in scene.shapes), "</svg>"))
+
+
+def _element(shape: Shape, scene: Scene) -> str:
+    match shape:
+        case Rectangle():
+            corners = f' rx="{_number(shape.radius)}"' if shape.radius else ""
+            place = f'x="{_number(shape.x)}" y="{_number(shape.y)}"'
+            size = f'width="{_number(shape.width)}" height="{_number(shape.height)}"'
+            return f"<rect {place} {size}{corners} {_paint(shape, scene)}/>"
+        case Circle():
+            place = f'cx="{_number(shape.x)}" cy="{_number(shape.y)}"'
+            return f'<circle {place} r="{_number(shape.radius)}" {_paint(shape, scene)}/>'
+        case Ellipse():
+            place = f'cx="{_number(shape.x)}" cy="{_number(shape.y)}"'
+            size = f'rx="{_number(shape.radius_x)}" ry="{_number(shape.radius_y)}"'
+            return f"<ellipse {place} {size} {_paint(shape, scene)}/>"
+        case Polygon():
+            return f'<polygon points="{_points(shape.points)}" {_paint(shape, scene)}/>'
+        case Line():
+            return f'<polyline points="{_points(shape.points)}" {_paint(shape, scene)}/>'
+        case Arc():
+            radius, points = _number(shape.radius), shape.points
+            start, stop = _points(points[:1]), _points(points[-1:])
+            is_large = int(shape.stop - shape.start > 180)
+            return f'<path d="M {start} A {radius} {radius} 0 {is_large} 1 {stop}" {_paint(shape, scene)}/>'
+        case Text():
+            em = scene.text_size if shape.size is None else shape.size
+            place = f'x="{_number(shape.x)}" y="{_number(shape.baseline(em))}"'
+            look = f'font-size="{_number(em)}" text-anchor="{shape.anchor}" fill="{shape.colour}"'
+            return f"<text {place} {look}>{escape(shape.content)}</text>"
+    raise TypeError(f"no SVG for a shape of class {type(shape).__name__}")
+
+
+def _paint(shape: Filled | Stroke, scene: Scene) -> str:
+    if isinstance(shape, Filled):
+        fill, edge, width = shape.fill, shape.outline, shape.outline_width
+    else:
+        fill, edge, width = None, shape.colour, shape.line_width
+    inside = f'fill="{fill or "none"}"'
+    if edge is None:
+        return inside
+    return f'{inside} stroke="{edge}" stroke-width="{_number(scene.outline_width if width is None else width)}"'
+
+
+def _points(points: Sequence[Point]) -> str:
+    return " ".join(f"{_number(x)},{_number(y)}" for x, y in points)
+
+
+def _number(value: float) -> str:
+    """Write a number shortly: five digits place a point to a small part of a pixel."""
+    return f"{float(value):.5g}" if value else "0"

@@ -1,0 +1,1 @@
+"""MDPs and environments that change what another one shows."""
