@@ -34,8 +34,13 @@ class Entry(NamedTuple):
 
 ENVIRONMENTS = (
     Entry("Boulder", "edugym.envs.boulder", "Exploration", "exploration"),
+    Entry("Roadrunner", "edugym.envs.roadrunner", "Credit assignment: on- and off-policy", "on_off_policy"),
+    Entry("Study", "edugym.envs.study", "Credit assignment: depth", "depth"),
+    Entry("Catch", "edugym.envs.catch", "Dimensionality", "dimensionality"),
     Entry("MemoryCorridor", "edugym.envs.memory_corridor", "Partial observability", "memory"),
+    Entry("Tamagotchi", "edugym.envs.tamagotchi", "Amount of signal", "signal"),
     Entry("Golf", "edugym.envs.golf", "Stochasticity", "stochasticity"),
+    Entry("Supermarket", "edugym.envs.supermarket", "Model-based reinforcement learning", "model_based"),
 )
 
 

@@ -149,20 +149,20 @@ class Softmax(NamedTuple):
         highest = best_value(Q, state)
         total = 0.0
         for action in range(Q.shape[1]):
-            total += math.exp((Q[state, action] - highest) / self.temperature)
+            total += math.exp((float(Q[state, action]) - highest) / self.temperature)
         left = rng.random() * total
         for action in range(Q.shape[1] - 1):
-            left -= math.exp((Q[state, action] - highest) / self.temperature)
+            left -= math.exp((float(Q[state, action]) - highest) / self.temperature)
             if left < 0.0:
                 return action
         return Q.shape[1] - 1
 
 
 class UCB(NamedTuple):
-    """Optimism in the face of uncertainty: the action with the highest Q(s, a) + c √(ln N(s) / N(s, a)), equation 2.10.
+    """Optimism in the face of uncertainty: the action with the highest Q(s, a) + c √(ln t / N(s, a)), equation 2.10.
 
     An action that was never chosen in a state comes first. Equation 2.10 is for bandits; here every state counts for
-    itself.
+    itself: t is the number of choices made there, the present one included.
 
     Attributes:
         counts: shape (n_states, n_actions): N(s, a), how often each action was chosen in each state.
@@ -184,16 +184,16 @@ class UCB(NamedTuple):
 
     def choose(self, Q: Reals, state: int, rng: Random) -> int:
         """The action with the highest upper bound, ties broken at random, and count it."""
-        visits = 0
+        t = 1
         for action in range(Q.shape[1]):
-            visits += self.counts[state, action]
+            t += self.counts[state, action]
         best = 0
         ties = 0
         highest = 0.0
         for action in range(Q.shape[1]):
             bound = math.inf
             if self.counts[state, action] > 0:
-                bound = Q[state, action] + self.c * math.sqrt(math.log(visits) / self.counts[state, action])
+                bound = Q[state, action] + self.c * math.sqrt(math.log(t) / self.counts[state, action])
             if ties == 0 or bound > highest:
                 best = action
                 highest = bound

@@ -1,14 +1,17 @@
 """Saving agents and loading them, as plain arrays and numbers: without pickle, a stranger's file runs no code."""
 
 import importlib
+import io
 import json
-from collections.abc import Iterable
+import pkgutil
+import zipfile
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-AGENT_MODULES = ("exploration", "q_learning", "count_based", "go_explore")
+from edugym import agents
 
 
 def save(agent: Any, path: str | Path) -> None:
@@ -45,15 +48,19 @@ def load(path: str | Path, kinds: Iterable[type] = ()) -> Any:
         ValueError: the file is no saved agent, or holds a class that is neither EduGym's nor among `kinds`.
         OSError: the file cannot be read.
     """
-    known = {kind.__name__: kind for module in AGENT_MODULES for kind in _classes(f"edugym.agents.{module}")}
-    known.update({kind.__name__: kind for kind in kinds})
+    known = {kind.__name__: kind for kind in (*_own_classes(), *kinds)}
+    content = io.BytesIO(Path(path).read_bytes())
     try:
-        with np.load(path, allow_pickle=False) as file:
-            arrays = {name: file[name] for name in file.files}
-        structure = json.loads(str(arrays.pop("structure")))
-    except (ValueError, KeyError, EOFError) as error:
-        raise ValueError(f"path must name a file that save() wrote, but {str(path)!r} is none: {error}") from error
-    return _build(structure, arrays, known)
+        if not zipfile.is_zipfile(content):
+            raise ValueError("it is not in the .npz format")
+        content.seek(0)
+        with np.load(content, allow_pickle=False) as archive:
+            arrays = {name: archive[name] for name in archive.files}
+        return _build(json.loads(str(arrays.pop("structure"))), arrays, known)
+    except Exception as error:  # there is no end to what can be wrong with a damaged file
+        raise ValueError(
+            f"path must name a file that save() wrote, but {str(path)!r} cannot be loaded: {error}"
+        ) from error
 
 
 def _structure(value: Any, name: str, arrays: dict[str, Any]) -> Any:
@@ -85,6 +92,7 @@ def _build(structure: Any, arrays: dict[str, Any], known: dict[str, type]) -> An
     return known[structure["kind"]](**fields)
 
 
-def _classes(module: str) -> list[type]:
-    """The NamedTuple classes of a module."""
-    return [kind for kind in vars(importlib.import_module(module)).values() if hasattr(kind, "_fields")]
+def _own_classes() -> Iterator[type]:
+    """The NamedTuple classes of all agents and strategies of the package."""
+    for module in pkgutil.iter_modules(agents.__path__, f"{agents.__name__}."):
+        yield from (kind for kind in vars(importlib.import_module(module.name)).values() if hasattr(kind, "_fields"))

@@ -12,6 +12,9 @@ from edugym.rendering.figures import flag, smiley
 from edugym.rendering.palette import CRACK, GRASS, SKY, STONE, WALL
 from edugym.rendering.scene import Circle, Line, Rectangle, Scene, Shape, Text
 
+MOST_LEVELS = 12
+"""How much of a high wall the picture shows."""
+
 
 class Boulder(NamedTuple):
     """Climb a wall on which only one grip holds at every height (a chain with sparse reward).
@@ -133,31 +136,40 @@ class BoulderEnv(MDPEnv[Boulder]):
         """The grip that holds where the climber is, or -1 at the top."""
         return {"right_grip": int(self.mdp.grips[self.state]) if self.state < self.mdp.height else -1}
 
+    def named_actions(self) -> dict[str, Any]:
+        """The grips, from the left."""
+        return {f"grip {grip}": grip for grip in range(self.mdp.n_grips)}
+
     def scene(self) -> Scene:
-        """A wall from the front: the grip that holds grey, the others black and cracked, the climber on its grip."""
+        """A wall from the front: the grip that holds grey, the others black and cracked, the climber on its grip.
+
+        Of a high wall it shows the part where the climber is.
+        """
         height, n_grips, grips = self.mdp.height, self.mdp.n_grips, self.mdp.grips
+        state = 0 if self.state is None else int(self.state)
+        shown = min(height, MOST_LEVELS)
+        first = min(max(0, state - shown // 2), height - shown)  # the lowest level that is in the picture
         width, top = n_grips + 3.0, 2.0
-        ground = top + height + 0.5
-        shapes: list[Shape] = [
-            Rectangle(1.0, top, n_grips + 1.0, height + 0.5, 0.3, fill=WALL),
-            Rectangle(0.0, ground, width, 1.5, fill=GRASS, glyph="░"),
-            *flag(width - 1.5, top, 1.2),
-        ]
-        for level in range(height):
-            y = ground - level - 0.75
+        bottom = top + shown + 0.5
+        edge = top if first + shown == height else -1.0  # a wall that goes on goes on beyond the picture
+        shapes: list[Shape] = [Rectangle(1.0, edge, n_grips + 1.0, bottom + 3.0 - edge, 0.3, fill=WALL)]
+        if first == 0:
+            shapes.append(Rectangle(0.0, bottom, width, 1.5, fill=GRASS, glyph="░"))
+        if first + shown == height:
+            shapes += flag(width - 1.5, top, 1.2)
+        for level in range(first, first + shown):
+            y = bottom - (level - first) - 0.75
+            shapes.append(Text(0.5, y, str(level + 1), size=0.4))
             for grip in range(n_grips):
                 shapes += _grip(grip + 2.0, y, holds=grip == grips[level])
-            if height <= 40 or (level + 1) % 10 == 0:
-                shapes.append(Text(0.5, y, str(level + 1), size=0.4))
-        state = 0 if self.state is None else int(self.state)
         if state == 0:
-            climber = (width / 2, ground + 0.5)
+            climber = (width / 2, bottom + 0.5)
         elif state == height:
             climber = (width / 2, top - 0.45)
         else:
-            climber = (float(grips[state - 1]) + 2.0, ground - state + 0.25)
+            climber = (float(grips[state - 1]) + 2.0, bottom - (state - first) + 0.25)
         shapes += smiley(*climber, 0.42)
-        return Scene(width, ground + 1.5, shapes, SKY, f"Boulder: {state} of {height}", columns=2 * int(width))
+        return Scene(width, bottom + 1.5, shapes, SKY, f"Boulder: {state} of {height}", columns=2 * int(width))
 
 
 def _grip(x: float, y: float, holds: bool) -> list[Shape]:

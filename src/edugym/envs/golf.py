@@ -48,12 +48,15 @@ class Golf(NamedTuple):
         """The ball flies d cells towards the flag, and Gaussian noise is added to both coordinates."""
         d = 1.0 if action == 0 else (4.0 if action == 1 else 10.0)
         deviation = self.stochasticity_level * d * d
+        x, y = self.aim(state, d)
+        return Ball(x + rng.normal(0.0, deviation), y + rng.normal(0.0, deviation), state.hits + 1)
+
+    def aim(self, state: Ball, d: float) -> tuple[float, float]:
+        """The point d cells from the ball in the direction of the flag."""
         to_flag_x = self.width / 2 - state.x
         to_flag_y = self.length - self.width / 2 - state.y
         distance = math.sqrt(to_flag_x * to_flag_x + to_flag_y * to_flag_y)
-        x = state.x + d * to_flag_x / distance + rng.normal(0.0, deviation)
-        y = state.y + d * to_flag_y / distance + rng.normal(0.0, deviation)
-        return Ball(x, y, state.hits + 1)
+        return state.x + d * to_flag_x / distance, state.y + d * to_flag_y / distance
 
     def reward(self, state: Ball, action: int, next_state: Ball, rng: Random) -> float:
         """From 1 down to 0 by the number of hits on the green; -1 off the course or after the last hit; else 0."""
@@ -79,8 +82,8 @@ class Golf(NamedTuple):
 
     def observation(self, state: Ball, rng: Random) -> tuple[int, ...]:
         """The cell of the ball; of one that has left the course, the nearest."""
-        x = min(max(math.floor(state.x), 0), self.width - 1)
-        y = min(max(math.floor(state.y), 0), self.length - 1)
+        x = math.floor(min(max(state.x, 0.0), self.width - 1.0))
+        y = math.floor(min(max(state.y, 0.0), self.length - 1.0))
         return x, y
 
     @property
@@ -101,8 +104,8 @@ class GolfWithHits(Golf):
 
     def observation(self, state: Ball, rng: Random) -> tuple[int, ...]:
         """The cell of the ball and the number of hits so far."""
-        x = min(max(math.floor(state.x), 0), self.width - 1)
-        y = min(max(math.floor(state.y), 0), self.length - 1)
+        x = math.floor(min(max(state.x, 0.0), self.width - 1.0))
+        y = math.floor(min(max(state.y, 0.0), self.length - 1.0))
         return x, y, state.hits
 
     @property
@@ -195,6 +198,8 @@ class GolfEnv(MDPEnv[Golf]):
             )
         whole_number("max_hits", max_hits, 1)
         at_least("stochasticity_level", stochasticity_level, 0)
+        if not math.isfinite(stochasticity_level):
+            raise ValueError(f"stochasticity_level must be a finite number, but is {stochasticity_level!r}")
         if not isinstance(observe_hits, bool):
             raise ValueError(f"observe_hits must be True or False, but is {observe_hits!r}")
         kind = GolfWithHits if observe_hits else Golf
@@ -209,6 +214,10 @@ class GolfEnv(MDPEnv[Golf]):
     def info(self) -> dict[str, Any]:
         """Where the ball lies exactly, and how often it was hit."""
         return {"ball": (float(self.state.x), float(self.state.y)), "hits": int(self.state.hits)}
+
+    def named_actions(self) -> dict[str, Any]:
+        """The swings."""
+        return {name: swing for swing, (name, _) in enumerate(SWINGS)}
 
     def scene(self) -> Scene:
         """The course in water, from above, with the last aim and a circle of two standard deviations around it."""
@@ -230,10 +239,10 @@ class GolfEnv(MDPEnv[Golf]):
         text = "on the tee"
         if self.last_state is not None:
             name, d = SWINGS[self.last_action]
-            aim = golf._replace(stochasticity_level=0.0).transition(self.last_state, self.last_action, self.np_random)
+            aim = at(*golf.aim(self.last_state, d))
             spread = 2 * golf.stochasticity_level * d * d
-            shapes.append(Line((at(self.last_state.x, self.last_state.y), at(aim.x, aim.y)), colour=WHITE))
-            shapes.append(Circle(*at(aim.x, aim.y), spread, fill=None, outline=WHITE))
+            shapes.append(Line((at(self.last_state.x, self.last_state.y), aim), colour=WHITE))
+            shapes.append(Circle(*aim, spread, fill=None, outline=WHITE))
             text = f"hit {ball.hits}: {name}"
         mood: Mood = "happy" if golf.on_green(ball) else "sad" if golf.off_course(ball) else "flat"
         x, y = at(ball.x, ball.y)
@@ -245,13 +254,14 @@ class GolfEnv(MDPEnv[Golf]):
 
 def _reachable(golf: Golf) -> bool:
     """Whether some straight hits, each at most `max_hits` long in sequence, end on the green."""
-    import numpy as np
-
-    rng = np.random.default_rng(0)  # asked for noise of deviation 0 only
-    balls = {golf.initial(rng)}
+    balls = {(golf.width / 2, 0.0)}
+    seen: set[tuple[float, float]] = set()
     for _ in range(golf.max_hits):
-        balls = {golf.transition(ball, swing, rng) for ball in balls for swing in range(3)}
-        balls = {ball for ball in balls if not golf.off_course(ball)}
-        if any(golf.on_green(ball) for ball in balls):
+        balls = {golf.aim(Ball(x, y, 0), d) for x, y in balls for _, d in SWINGS}
+        balls = {ball for ball in balls if not golf.off_course(Ball(*ball, 0))} - seen
+        seen |= balls
+        if any(golf.on_green(Ball(*ball, 0)) for ball in balls):
             return True
+        if not balls:
+            break
     return False

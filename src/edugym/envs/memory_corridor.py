@@ -148,6 +148,10 @@ class MemoryCorridorEnv(MDPEnv[MemoryCorridor]):
         doors, position, _ = self.state
         return {"length": len(doors), "position": int(position), "right_door": int(doors[position])}
 
+    def named_actions(self) -> dict[str, Any]:
+        """The doors, from the left."""
+        return {f"door {k}": k for k in range(self.mdp.num_doors)}
+
     def scene(self) -> Scene:
         """Numbered doors with windows, a lamp over each, lit over the marked door, and the place in the corridor."""
         doors, position, locked_in = (np.zeros(1, np.int64), 0, False) if self.state is None else self.state

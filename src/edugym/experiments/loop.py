@@ -155,6 +155,11 @@ class OneStepOnPolicyAgent(NamedTuple):
 
     agent: Any
 
+    @property
+    def on_policy(self) -> bool:
+        """So that the loop chooses the next action before it learns."""
+        return True
+
     def act(self, state: Any, rng: Random) -> int:
         """The agent's action."""
         action: int = self.agent.act(state, rng)

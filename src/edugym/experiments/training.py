@@ -14,6 +14,7 @@ import numpy as np
 from gymnasium.wrappers import OrderEnforcing, PassiveEnvChecker
 
 from edugym.experiments.gymnasium_loop import learn_in_gymnasium, play_in_gymnasium, start_in_gymnasium
+from edugym.experiments.interrupts import interrupts
 from edugym.experiments.loop import (
     GreedyActor,
     Log,
@@ -97,41 +98,41 @@ def train(
     Raises:
         ValueError: a parameter is not as above, or the observations or actions do not fit a table.
     """
+    whole_number("n_steps", n_steps, 1)
     every = max(1, n_steps // 100) if evaluate_every is None else evaluate_every
-    for name, value in (("n_steps", n_steps), ("evaluate_every", every), ("evaluation_episodes", evaluation_episodes)):
-        whole_number(name, value, 1)
+    whole_number("evaluate_every", every, 1)
+    whole_number("evaluation_episodes", evaluation_episodes, 1)
+    whole_number("seed", seed, 0)
     if max_steps is not None:
         whole_number("max_steps", max_steps, 1)
     began = time.perf_counter()
     agent = coerced(agent)
     task = coerced(_task(environment, agent))
     environment_rng, agent_rng, *evaluation_rngs = map(np.random.default_rng, np.random.SeedSequence(seed).spawn(4))
-    limit = max_steps or step_limit(task)
+    limit = max_steps or _step_limit(task)
     log = Log(np.zeros(1), np.zeros(1, np.int64))
-    learner, actor = told_of_truncation(agent), GreedyActor(agent) if hasattr(agent, "greedy") else agent
-    rest = (task, learner, limit or NO_LIMIT, environment_rng, agent_rng, log)
+    rest = (task, told_of_truncation(agent), limit or NO_LIMIT, environment_rng, agent_rng, log)
     scores = np.zeros(evaluation_episodes)
+    watch: tuple[Any, ...] = (limit or EVALUATION_LIMIT, *evaluation_rngs, scores)
     learn: Callable[..., Moment]
     advance: Callable[..., Moment]
     play: Callable[..., None]
     if isinstance(task, gymnasium.Env):
-        moment = start_in_gymnasium(task, agent, environment_rng, agent_rng)
+        play, played = play_in_gymnasium, copy.deepcopy(task)  # before it draws anything that cannot be copied
         learn = advance = learn_in_gymnasium
-        play, played = play_in_gymnasium, copy.deepcopy(task)
+        moment = start_in_gymnasium(task, agent, environment_rng, agent_rng)
     else:
         moment = start(task, agent, environment_rng, agent_rng)
         learn = on_policy if getattr(agent, "on_policy", False) else off_policy
         advance = executable(learn, (*rest, moment), expected=n_steps)
-        play, played = play_episodes, task
-    watch: tuple[Any, ...] = (played, actor, limit or EVALUATION_LIMIT, *evaluation_rngs, scores)
-    if play is play_episodes:
-        play = executable(play_episodes, watch, expected=n_steps, rehearsed=1)
+        play = executable(play_episodes, (task, _actor(agent), *watch), expected=n_steps, rehearsed=1)
+        played = task
     chunk = INTERPRETED_CHUNK if advance is learn else CHUNK
 
     points: list[tuple[int, float, float, int]] = []
 
     def measure(steps: int) -> None:
-        play(evaluation_episodes, *watch)
+        play(evaluation_episodes, played, _actor(agent), *watch)
         episodes = int(log.episodes[0])
         points.append((steps, scores.mean(), log.returns[0] / episodes if episodes else math.nan, episodes))
         log.returns[0] = log.episodes[0] = 0
@@ -139,15 +140,17 @@ def train(
     done = 0
     bar = progress_bar(n_steps, "steps") if progress else None
     try:
-        measure(0)
-        while done < n_steps and not (stop is not None and stop.is_set()):
-            take = min(chunk, n_steps - done, every - done % every)
-            moment = advance(take, *rest, moment)
-            done += take
-            if done % every == 0 or done == n_steps:
-                measure(done)
-            if bar is not None:
-                bar.update(take)
+        with interrupts(deferred=advance is not learn) as check:
+            measure(0)
+            while done < n_steps and not (stop is not None and stop.is_set()):
+                take = min(chunk, n_steps - done, every - done % every)
+                moment = advance(take, *rest, moment)
+                done += take
+                if done % every == 0 or done == n_steps:
+                    measure(done)
+                if bar is not None:
+                    bar.update(take)
+                check()
     except KeyboardInterrupt:
         if stop is None:
             warnings.warn(f"interrupted after {done} of {n_steps} steps: this is what was done", stacklevel=2)
@@ -175,16 +178,27 @@ def told_of_truncation(agent: Any) -> Any:
     return OneStepAgent(agent) if parameters == 5 else agent
 
 
+def _actor(agent: Any) -> Any:
+    """The agent as it acts when it is evaluated; where that may leave traces in it, a copy of it."""
+    return GreedyActor(agent) if hasattr(agent, "greedy") else copy.deepcopy(agent)
+
+
 def _task(environment: Any, agent: Any) -> Any:
     """The MDP behind an environment, if there is one and nothing changes it; else the Gymnasium environment."""
     if isinstance(environment, str):
         environment = gymnasium.make(environment)
-    if isinstance(environment, gymnasium.Env) and isinstance(environment.unwrapped, MDPEnv):
-        wrappers = environment.spec.additional_wrappers if environment.spec else ()
-        layers, layer = [], environment
-        while isinstance(layer, gymnasium.Wrapper):
-            layers.append(type(layer))
-            layer = layer.env
-        if not wrappers and set(layers) <= {PassiveEnvChecker, OrderEnforcing}:
-            environment = environment.unwrapped.mdp
+    inside = environment
+    while isinstance(inside, PassiveEnvChecker | OrderEnforcing):
+        inside = inside.env
+    if isinstance(inside, MDPEnv) and inside.only_plays_its_mdp:
+        environment = inside.mdp
     return environment if getattr(agent, "tabular", True) is False else tabular(environment)
+
+
+def _step_limit(task: Any) -> int | None:
+    """The step limit of an MDP or Gymnasium environment, as far as it is known."""
+    if not isinstance(task, gymnasium.Env):
+        return step_limit(task)
+    if isinstance(task.unwrapped, MDPEnv):
+        return step_limit(task.unwrapped.mdp)
+    return task.spec.max_episode_steps if task.spec else None

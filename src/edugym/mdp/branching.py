@@ -2,30 +2,40 @@
 
 Code asks a random number a question: is it below 0.3? which whole number is `int(rng.random() * 5)`? `branches` runs
 the code once for each sequence of possible answers, and keeps the probability of each. A number that is asked twice
-answers
-consistently: it is known only up to an interval, which each answer narrows.
+answers consistently: it is known only up to an interval, which each answer narrows.
 """
 
 import math
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
+MOST_ANSWERS = 1_000
+"""After so many answers on one way the code is taken to go on for ever, as rejection sampling may."""
+ROUNDING = 1e-12
+"""Less likely answers are not taken: they come from sums of probabilities that are not quite 1."""
+
 
 def branches(draw: Callable[[Any], Any], means: bool = False) -> Iterator[tuple[float, Any]]:
     """Every way that `draw(rng)` can go: pairs of its probability and the value that `draw` returns.
 
     Args:
-        draw: a function of a random generator alone. It may use `random`, `uniform`, `integers` and `choice`, compare
-            what it gets with numbers, and round it down to whole numbers.
-        means: whether continuous noise may be replaced by its mean (right where it is only added, as in rewards).
+        draw: a function of a random generator alone. It may use `random`, `uniform`, `integers` and `choice`, multiply
+            what it gets by numbers and add to it, compare it with numbers, and round it down to whole numbers.
+        means: whether a value that is still random in the end may be replaced by its mean, and `normal` be used as well
+            (right for rewards).
 
     Raises:
-        ValueError: `draw` does something else with it, such as returning a continuous random number.
+        ValueError: `draw` does something else with it, such as returning a continuous random number, or does not end.
     """
     untried: list[tuple[int, ...]] = [()]
     while untried:
         rng = BranchingGenerator(untried.pop(), means)
-        value = draw(rng)
+        try:
+            value = draw(rng)
+        except TypeError as error:
+            if not any(kind.__name__ in str(error) for kind in (Unknown, BranchingGenerator)):
+                raise
+            raise ValueError(f"an exact model cannot follow what is done with a random number: {error}") from error
         if isinstance(value, Unknown):
             value = value.mean()
         yield rng.probability, value
@@ -33,13 +43,13 @@ def branches(draw: Callable[[Any], Any], means: bool = False) -> Iterator[tuple[
 
 
 class BranchingGenerator:
-    """In the place of a `numpy.random.Generator`: answers by given choices, then by the first possible."""
+    """In the place of a `numpy.random.Generator`: answers by a sequence of choices, then by the first possible."""
 
     def __init__(self, choices: tuple[int, ...], means: bool) -> None:
         """Follow `choices` as far as they go."""
         self.probability = 1.0
+        self.means = means
         self.untried: list[tuple[int, ...]] = []
-        self._means = means
         self._given = choices
         self._taken: tuple[int, ...] = ()
 
@@ -47,6 +57,8 @@ class BranchingGenerator:
         """Take one of several ways, by their probabilities; note the others, to be taken in later runs."""
         possible = [k for k, p in enumerate(probabilities) if p > 0]
         step = len(self._taken)
+        if step == MOST_ANSWERS:
+            raise ValueError(f"an exact model cannot follow more than {MOST_ANSWERS} random choices in one step")
         if step < len(self._given):
             choice = self._given[step]
         else:
@@ -58,27 +70,31 @@ class BranchingGenerator:
 
     def random(self) -> "Unknown":
         """A number uniform on [0, 1)."""
-        return Unknown(Draw(self), 1.0, 0.0)
+        return Unknown({Draw(self): 1.0}, 0.0)
 
     def uniform(self, low: float = 0.0, high: float = 1.0) -> "Unknown":
         """A number uniform on [low, high)."""
-        return Unknown(Draw(self), high - low, low)
+        return Unknown({Draw(self): high - low}, low)
 
     def integers(self, low: int, high: int | None = None) -> int:
         """A whole number uniform on low, ..., high - 1 (or 0, ..., low - 1)."""
-        first, last = (0, low) if high is None else (low, high)
-        return int(first) + self.decide([1.0 / (last - first)] * int(last - first))
+        first, last = (0, int(low)) if high is None else (int(low), int(high))
+        if first >= last:
+            raise ValueError(f"rng.integers has nothing to draw from: {first} is not below {last}")
+        return first + self.decide([1.0 / (last - first)] * (last - first))
 
-    def choice(self, options: Any, p: Sequence[float] | None = None) -> Any:
+    def choice(self, options: Any, *, p: Sequence[float] | None = None) -> Any:
         """One of the options (0, ..., options - 1 for a number)."""
-        options = range(options) if isinstance(options, int) else options
-        return options[self.decide(p if p is not None else [1.0 / len(options)] * len(options))]
+        values = options if hasattr(options, "__len__") else range(options)
+        return values[self.decide([1.0 / len(values)] * len(values) if p is None else p)]
 
-    def normal(self, loc: float = 0.0, scale: float = 1.0) -> float:
-        """The mean of a normal distribution, where means will do."""
-        if not self._means and scale > 0:
+    def normal(self, loc: float = 0.0, scale: float = 1.0) -> "Unknown | float":
+        """A normally distributed number, where means will do."""
+        if scale == 0:
+            return loc
+        if not self.means:
             raise ValueError("a finite model cannot follow rng.normal: what it draws is continuous")
-        return loc
+        return Unknown({Noise(self): scale}, loc)
 
     def __getattr__(self, name: str) -> Any:
         """Any other draw cannot be followed."""
@@ -96,8 +112,8 @@ class Draw:
     def below(self, threshold: float) -> bool:
         """Whether it is below a threshold: where that is open, both ways are taken."""
         share = (threshold - self.low) / (self.high - self.low)
-        if share <= 0.0 or share >= 1.0:
-            return share >= 1.0
+        if share <= ROUNDING or share >= 1.0 - ROUNDING:
+            return share > 0.5
         if self.rng.decide([share, 1.0 - share]) == 0:
             self.high = threshold
             return True
@@ -105,74 +121,123 @@ class Draw:
         return False
 
 
-class Unknown:
-    """A random number `scale * draw + offset`, which can be calculated with, compared and rounded down."""
+class Noise(Draw):
+    """A number drawn from a distribution around 0, of which nothing but the mean is ever known."""
 
-    def __init__(self, draw: Draw, scale: float, offset: float) -> None:
-        """A multiple of a draw, moved."""
-        self.draw, self.scale, self.offset = draw, scale, offset
+    def __init__(self, rng: BranchingGenerator) -> None:
+        """Its mean is 0."""
+        super().__init__(rng)
+        self.low, self.high = -math.inf, math.inf
+
+    def below(self, threshold: float) -> bool:
+        """Not possible."""
+        raise ValueError("an exact model can only add normal noise to a reward, not compare it or round it")
+
+
+class Unknown:
+    """A sum of random numbers, each times a factor, and a number.
+
+    With a single random number in it, it can be compared and rounded down.
+    """
+
+    __array_ufunc__ = None  # so that NumPy's numbers leave the arithmetic to this class
+
+    def __init__(self, terms: dict[Draw, float], offset: float) -> None:
+        """The factor of each draw, and what is added."""
+        self.terms = {draw: factor for draw, factor in terms.items() if factor != 0}
+        self.offset = offset
+
+    def __repr__(self) -> str:
+        """For messages."""
+        return "a continuous random number"
 
     def mean(self) -> float:
         """Its mean, given what is known of it."""
-        if not self.draw.rng._means:
-            raise ValueError("a finite model cannot hold a continuous random number in a state")
-        return self.scale * (self.draw.low + self.draw.high) / 2 + self.offset
+        total = float(self.offset)
+        for draw, factor in self.terms.items():
+            if not draw.rng.means:
+                raise ValueError("a finite model cannot hold a continuous random number in a state")
+            total += 0.0 if isinstance(draw, Noise) else factor * (draw.low + draw.high) / 2
+        return total
 
-    def __lt__(self, other: float) -> bool:
-        """Is it below a number? That it equals one has probability 0."""
-        threshold = (other - self.offset) / self.scale
-        return self.draw.below(threshold) if self.scale > 0 else not self.draw.below(threshold)
+    def _single(self) -> tuple[Draw, float] | None:
+        """The one draw in it and its factor, or None where there is none."""
+        if len(self.terms) > 1:
+            raise ValueError("an exact model cannot compare or round what is made of several random numbers")
+        return next(iter(self.terms.items()), None)
 
-    def __le__(self, other: float) -> bool:
-        """As `<`."""
-        return self < other
+    def __lt__(self, other: Any) -> bool:
+        """Whether it is below another one (equality has probability 0)."""
+        difference: Unknown = self - other
+        single = difference._single()
+        if single is None:
+            return bool(difference.offset < 0)
+        draw, factor = single
+        threshold = -difference.offset / factor
+        return draw.below(threshold) if factor > 0 else not draw.below(threshold)
 
-    def __gt__(self, other: float) -> bool:
-        """Is it above a number?"""
+    __le__ = __lt__
+
+    def __gt__(self, other: Any) -> bool:
+        """Is it above another one?"""
         return not self < other
 
-    def __ge__(self, other: float) -> bool:
+    def __ge__(self, other: Any) -> bool:
         """As `>`."""
         return not self < other
 
-    def __add__(self, other: float) -> "Unknown":
-        """Moved."""
-        return Unknown(self.draw, self.scale, self.offset + other)
-
-    def __sub__(self, other: float) -> "Unknown":
-        """Moved."""
-        return self + -other
+    def __add__(self, other: Any) -> "Unknown":
+        """The sum with a number or with another one."""
+        if not isinstance(other, Unknown):
+            return Unknown(self.terms, self.offset + other)
+        terms = {draw: self.terms.get(draw, 0.0) + other.terms.get(draw, 0.0) for draw in self.terms | other.terms}
+        return Unknown(terms, self.offset + other.offset)
 
     def __mul__(self, other: float) -> "Unknown":
-        """Scaled."""
-        return Unknown(self.draw, self.scale * other, self.offset * other)
+        """Every term times a number."""
+        if isinstance(other, Unknown):
+            raise ValueError("an exact model cannot follow the product of two random numbers")
+        return Unknown({draw: factor * other for draw, factor in self.terms.items()}, self.offset * other)
+
+    def __sub__(self, other: Any) -> "Unknown":
+        """The difference."""
+        negative: Unknown | float = -other
+        return self + negative
+
+    def __rsub__(self, other: float) -> "Unknown":
+        """The difference from a number."""
+        return (-self) + other
 
     def __truediv__(self, other: float) -> "Unknown":
-        """Scaled."""
+        """Every term divided by a number."""
         return self * (1.0 / other)
 
     def __neg__(self) -> "Unknown":
-        """Mirrored."""
+        """Every term times -1."""
         return self * -1.0
-
-    def __rsub__(self, other: float) -> "Unknown":
-        """Mirrored and moved."""
-        return -self + other
 
     __radd__ = __add__
     __rmul__ = __mul__
 
     def __floor__(self) -> int:
         """The whole number below: the way is taken for every one that is possible."""
-        ends = sorted((self.scale * end + self.offset) for end in (self.draw.low, self.draw.high))
-        whole = math.floor(ends[0])
-        while whole + 1 < ends[1] and not self < whole + 1:
+        single = self._single()
+        if single is None:
+            return math.floor(self.offset)
+        draw, factor = single
+        lowest, highest = sorted((factor * draw.low + self.offset, factor * draw.high + self.offset))
+        whole = math.floor(lowest) if math.isfinite(lowest) else 0
+        while whole + 1 < highest and not self < whole + 1:
             whole += 1
         return whole
 
+    def __ceil__(self) -> int:
+        """The whole number above."""
+        return -math.floor(-self)
+
     def __int__(self) -> int:
         """The whole number towards zero."""
-        return math.floor(self) if not self < 0 else -math.floor(-self)
+        return math.floor(self) if not self < 0 else math.ceil(self)
 
     __trunc__ = __int__
 

@@ -3,6 +3,7 @@
 import hashlib
 import sys
 from collections.abc import Callable, Iterator
+from enum import Enum
 from functools import cache
 from pathlib import Path
 from types import CodeType, FunctionType, ModuleType
@@ -12,7 +13,7 @@ import numpy as np
 
 LIBRARIES = frozenset({"builtins", "math", "numba", "numpy", "typing", "collections", "gymnasium", "operator"})
 """Packages whose code does not change under the feet of a session."""
-NAMEDTUPLE_OWN = frozenset({"_make", "_replace", "_asdict", "_fields", "_field_defaults", "count", "index"})
+NAMEDTUPLE_OWN = frozenset({"_make", "_replace", "_asdict", "_fields", "_field_defaults"})
 """What every NamedTuple has."""
 
 
@@ -29,7 +30,7 @@ class Code:
         """Walk through all that `loop(*values)` can reach."""
         self.classes: dict[type, None] = {}
         self.functions: dict[FunctionType, None] = {}
-        self._seen: set[int] = set()
+        self._seen: dict[int, int] = {}
         self._kept: list[Any] = []  # ids stay unique while the objects live
         self._hash = hashlib.sha256()
         self._add(_compilers_own_code())
@@ -57,10 +58,15 @@ class Code:
         return ", ".join(own or [kind.__name__ for kind in self.classes])
 
     def _visit(self, thing: Any) -> None:
-        if id(thing) in self._seen:
+        if isinstance(thing, bool | int | float | complex | str | bytes | slice | Enum | np.generic | None):
+            self._add(type(thing), thing)
             return
-        self._seen.add(id(thing))
+        known = self._seen.setdefault(id(thing), len(self._seen))
+        self._add(known)  # which of the things met before it is, if it is one of them
+        if known < len(self._kept):
+            return
         self._kept.append(thing)
+        self._add(package(thing), getattr(thing, "__qualname__", None), getattr(thing, "__name__", None))
         if isinstance(thing, FunctionType):
             if package(thing) not in LIBRARIES:
                 self._function(thing)
@@ -68,11 +74,10 @@ class Code:
             self._class(thing)
         elif isinstance(thing, np.ndarray):
             self._add(thing.dtype, thing.shape, thing.tobytes())
-        elif isinstance(thing, bool | int | float | complex | str | bytes | np.generic | None):
-            self._add(type(thing), thing)
-        elif isinstance(thing, tuple | frozenset):
+        elif isinstance(thing, tuple | frozenset | dict):
             self._add(len(thing))
-            for part in thing:
+            self._visit(type(thing))
+            for part in thing.items() if isinstance(thing, dict) else thing:
                 self._visit(part)
         elif hasattr(thing, "py_func"):  # already decorated with Numba's own @njit
             self._visit(thing.py_func)
@@ -98,22 +103,26 @@ class Code:
 
     def _function(self, function: FunctionType) -> None:
         self.functions[function] = None
-        self._add(function.__qualname__, function.__defaults__, function.__kwdefaults__)
-        for name in sorted(self._code(function.__code__)):
-            if name in function.__globals__:
-                value = function.__globals__[name]
-                self._add(name)
-                if isinstance(value, ModuleType):
-                    self._module(value, function.__code__.co_names)
-                else:
-                    self._visit(value)
+        self._add(function.__qualname__)
+        self._visit(function.__defaults__)
+        self._visit(function.__kwdefaults__)
+        names = self._code(function.__code__)
+        for name in sorted(names & function.__globals__.keys()):
+            self._add(name)
+            self._reached(function.__globals__[name], names)
         for cell in function.__closure__ or ():
             self._visit(cell.cell_contents)
 
-    def _module(self, module: ModuleType, names: tuple[str, ...]) -> None:
-        if package(module) not in LIBRARIES:
-            for name in names:
-                self._visit(getattr(module, name, None))
+    def _reached(self, value: Any, names: set[str]) -> None:
+        """What a global name stands for; of a module, what the code may take from it by one of the names it uses."""
+        if not isinstance(value, ModuleType):
+            self._visit(value)
+            return
+        self._add(value.__name__)
+        if package(value) not in LIBRARIES:
+            for name in sorted(names & vars(value).keys()):
+                self._add(name)
+                self._reached(vars(value)[name], names - {name})
 
     def _code(self, code: CodeType) -> set[str]:
         """Hash the byte code and give the names it uses, those of inner functions and comprehensions included."""

@@ -1,4 +1,4 @@
-"""From plain Python to machine code: the one file that knows Numba.
+"""From plain Python to machine code: the one file that knows Numba (and `edugym.mdp.generators`, for it).
 
 An MDP, an agent and a loop over them are plain Python. `compiled(loop, *arguments)` makes one machine-code function of
 them all. Numba compiles functions of NamedTuples but does not know their methods; `_teach_numba` adds that, once: a
@@ -16,17 +16,20 @@ import os
 import re
 import shutil
 import threading
+import warnings
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from types import FunctionType
 from typing import Any
 
+import numpy as np
+
 from edugym.mdp.code import NAMEDTUPLE_OWN, Code
 
 Function = Callable[..., Any]
 
-_built: dict[tuple[Any, ...], Function] = {}
+_built: dict[tuple[Any, ...], Any] = {}
 _lock = threading.RLock()
 # Of the build in progress, of which there is one at a time: Numba's options, the plain functions that may be compiled
 # along, and those that were so far.
@@ -39,6 +42,10 @@ class CompilationError(Exception):
     """Something in the loop cannot be compiled: `str(error)` says what and, if known, where."""
 
 
+class NoCompiler(CompilationError):
+    """Nothing can be compiled here: Numba is not installed, or was switched off."""
+
+
 def compiled(loop: Function, *arguments: Any, code: Code | None = None) -> Function:
     """The machine code of `loop` for arguments like these: same results, bit for bit, without the interpreter.
 
@@ -48,33 +55,56 @@ def compiled(loop: Function, *arguments: Any, code: Code | None = None) -> Funct
         code: what the loop can reach, where the caller has walked through it already.
 
     Returns:
-        A function with the behaviour of `loop`. Array indices are checked, except where arrays are made in code that is
-        all the package's own.
+        A function with the behaviour of `loop`; array indices are checked (a table made for another environment is an
+        `IndexError`, no crash).
 
     Raises:
-        CompilationError: something in it cannot be compiled, or there is no compiler here.
+        CompilationError: something in it cannot be compiled.
+        NoCompiler: there is no compiler here.
     """
     numba = _numba()
     code = code or Code(loop, arguments)
+    streams = [k for k, argument in enumerate(arguments) if isinstance(argument, np.random.Generator)]
     try:
-        signature = tuple(numba.typeof(argument) for argument in arguments)
-        key = (loop, code.fingerprint, *code.classes, signature)
-        with _lock:
-            if key not in _built:
-                _built[key] = _build(numba, loop, signature, code)
-        machine_code: Function = _built[key]
+        signature = tuple(map(numba.typeof, _located(arguments, streams)))
     except Exception as error:  # Numba has no one class for all that can be wrong
         raise CompilationError(_reason(error)) from error
+    machine_code = _made(numba, loop, signature, code)
+    namesake = False  # whether Numba's fast path, which compares names, takes a class for another one of the same name
 
-    def run(*arguments: Any) -> Any:
-        try:
-            return machine_code(*arguments)
-        except TypeError as error:
-            if "No matching definition" not in str(error):
-                raise
-        return compiled(loop, *arguments)(*arguments)  # types have changed on the way: an int became a float
+    def run(*given: Any) -> Any:
+        nonlocal namesake
+        arguments = _located(given, streams)
+        if not namesake:
+            try:
+                return machine_code(*arguments)
+            except TypeError as error:
+                if "No matching definition" not in str(error):
+                    raise
+        if tuple(map(numba.typeof, arguments)) == signature:
+            namesake = True
+            return machine_code.overloads[signature].entry_point(*arguments)
+        return compiled(loop, *given)(*given)  # types have changed on the way: an int became a float
 
     return run
+
+
+def _located(arguments: tuple[Any, ...], streams: list[int]) -> tuple[Any, ...]:
+    """The arguments, with the random generators in the places `streams` as machine code takes them."""
+    located, values = _locate(), list(arguments)
+    for k in streams:
+        values[k] = located(values[k])
+    return tuple(values)
+
+
+@cache
+def _locate() -> Callable[[Any], Any]:
+    """What finds the addresses of a random generator, or gives it back as it is where Numba is not as expected."""
+    try:
+        located: Callable[[Any], Any] = importlib.import_module("edugym.mdp.generators").located
+    except (ImportError, AttributeError):
+        return lambda rng: rng
+    return located
 
 
 def cache_directory() -> Path:
@@ -85,7 +115,8 @@ def cache_directory() -> Path:
 
 def is_built(loop: Function, code: Code) -> bool:
     """Whether this process holds machine code of the loop over this code."""
-    return any(key[:2] == (loop, code.fingerprint) for key in _built)
+    made_of = (loop, code.fingerprint, *code.classes)
+    return any(key[: len(made_of)] == made_of for key in _built)
 
 
 def is_on_disk(code: Code) -> bool:
@@ -99,7 +130,21 @@ def _folders(code: Code) -> tuple[Path, Path]:
     return cache_directory() / f"{name}-lean", cache_directory() / name
 
 
-def _build(numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) -> Function:
+def _made(numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) -> Any:
+    """The build, made when it is first asked for; what cannot be built is not tried again."""
+    key = (loop, code.fingerprint, *code.classes, signature)
+    with _lock:
+        if key not in _built:
+            try:
+                _built[key] = _build(numba, loop, signature, code)
+            except Exception as error:
+                _built[key] = CompilationError(_reason(error))
+    if isinstance(_built[key], CompilationError):
+        raise CompilationError(str(_built[key]))
+    return _built[key]
+
+
+def _build(numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) -> Any:
     """Compile: if possible without reference counts, else with them.
 
     Where nothing allocates, reference counts do nothing but cost: without them the loop is faster, and checks of array
@@ -114,7 +159,7 @@ def _build(numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) -
         except Exception:  # something allocates: what is wrong besides will show in the build that may
             pass
         shutil.rmtree(lean, ignore_errors=True)
-    return _compile(numba, loop, signature, counting, code, {"boundscheck": code.foreign})
+    return _compile(numba, loop, signature, counting, code, {"boundscheck": True})
 
 
 def _compile(
@@ -131,7 +176,9 @@ def _compile(
     _options.update(options)
     _helpers.update(code.functions)
     try:
-        made.compile(signature)
+        with warnings.catch_warnings():  # what Numba finds remarkable says nothing to a student
+            warnings.simplefilter("ignore", importlib.import_module("numba.core.errors").NumbaWarning)
+            made.compile(signature)
     finally:
         _options.clear()
         _helpers.clear()
@@ -194,7 +241,9 @@ def _numba() -> Any:
     try:
         numba = importlib.import_module("numba")
     except ImportError as error:
-        raise CompilationError("Numba is not installed") from error
+        raise NoCompiler("Numba is not installed") from error
+    if numba.config.DISABLE_JIT:
+        raise NoCompiler("Numba is switched off by NUMBA_DISABLE_JIT")
     _teach_numba(numba)
     return numba
 
@@ -232,6 +281,8 @@ def _teach_numba(numba: Any) -> None:
         """How any NamedTuple's method of this name is called."""
 
         def method(context: Any, builder: Any, signature: Any, values: Any) -> Any:
+            if len(values) < len(signature.args):  # Numba leaves out a self without fields
+                values = [context.make_tuple(builder, signature.args[0], ()), *values]
             return call(context, builder, _member(signature.args[0], name), signature.args, values)
 
         key = (types.BaseNamedTuple, name)

@@ -37,10 +37,10 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         state: the full state of the task, also what the agent does not see; None before the first `reset`.
         steps: how many steps this episode has taken.
         last_state: the state before this one; None at the start of an episode.
-        last_action: the action that led here; None at the start of an episode.
+        actions: the actions of this episode, in order.
 
     Raises:
-        ValueError: there is no such render mode.
+        ValueError: there is no such render mode, or the MDP numbers its actions otherwise than 0, 1, ...
     """
 
     metadata = RENDERING
@@ -48,6 +48,8 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
     def __init__(self, mdp: M, render_mode: str | None = None) -> None:
         """See the class."""
         one_of("render_mode", render_mode, [None, *self.metadata["render_modes"]])
+        if isinstance(mdp.action_space, spaces.Discrete) and mdp.action_space.start != 0:
+            raise ValueError(f"action_space of an MDP must number the actions from 0, but is {mdp.action_space}")
         self.mdp = mdp
         self.observation_space = mdp.observation_space
         self.action_space = mdp.action_space
@@ -55,7 +57,7 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         self.state: Any = None
         self.steps = 0
         self.last_state: Any = None
-        self.last_action: Any = None
+        self.actions: list[Any] = []
         self._limit = step_limit(mdp)
         self._over = True
         self._shown = as_element_of(mdp.observation_space)
@@ -80,7 +82,7 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         rng = self.np_random
         self.state = self.mdp.initial(rng)
         self.steps = 0
-        self.last_state = self.last_action = None
+        self.last_state, self.actions = None, []
         self._over = False
         observation = self._shown(self.mdp.observation(self.state, rng))
         if self.render_mode == "human":
@@ -112,15 +114,37 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         observation = self._shown(mdp.observation(next_state, rng))
         self.steps += 1
         truncated = self.steps == self._limit and not terminated
-        self.state, self.last_state, self.last_action = next_state, state, action
+        self.state, self.last_state = next_state, state
+        self.actions.append(action)
         self._over = terminated or truncated
         if self.render_mode == "human":
             self.render()
         return observation, reward, terminated, truncated, self.info()
 
+    @property
+    def last_action(self) -> Any:
+        """The action that led here; None at the start of an episode."""
+        return self.actions[-1] if self.actions else None
+
+    @property
+    def only_plays_its_mdp(self) -> bool:
+        """Whether its MDP alone gives the same episodes, so that training may run that, as machine code.
+
+        A subclass that extends `reset` or `step` says so itself where it changes nothing by that.
+        """
+        return type(self).reset is MDPEnv.reset and type(self).step is MDPEnv.step
+
     def info(self) -> dict[str, Any]:
         """What a teacher may want to plot and an agent may not use: a new dictionary at every call."""
         return {}
+
+    def named_actions(self) -> dict[str, Any]:
+        """The actions that a person who plays may choose from, by what they mean: labels for buttons and keys.
+
+        Empty where each action goes by its number. An MDP whose actions are whole numbers may name them in an attribute
+        or property, `action_names = ("left", "right")`; an environment with other actions says which to choose from.
+        """
+        return {name: action for action, name in enumerate(getattr(self.mdp, "action_names", ()))}
 
     def scene(self) -> "Scene":
         """The picture of the present state; in a notebook it shows itself."""

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from edugym.mdp.code import Code
-from edugym.mdp.compiler import CompilationError, compiled, is_built, is_on_disk
+from edugym.mdp.compiler import CompilationError, NoCompiler, compiled, is_built, is_on_disk
 
 Loop = Callable[..., Any]
 
@@ -54,6 +54,8 @@ def executable(
     try:
         _announce(code)
         fast = compiled(loop, rehearsed, *arguments, code=code)
+    except NoCompiler:
+        return loop
     except CompilationError as error:
         _warn_once(code, error)
         return loop
@@ -97,6 +99,6 @@ def _announce(code: Code) -> None:
 
 def _warn_once(code: Code, error: CompilationError) -> None:
     message = f"{code.names()} cannot be compiled and runs interpreted, some hundred times slower: {error}"
-    if message not in _warned and str(error) != "Numba is not installed":
+    if message not in _warned:
         _warned.add(message)
         warnings.warn(message, stacklevel=4)

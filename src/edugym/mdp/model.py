@@ -10,11 +10,12 @@ from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
+from gymnasium import spaces
 
 from edugym.mdp.branching import branches
 from edugym.mdp.protocol import MDP, Integers, Reals
 
-MAX_STATES = 1_000_000
+MAX_STATES = 50_000
 
 
 class Outcome(NamedTuple):
@@ -70,13 +71,14 @@ class FiniteModel(NamedTuple):
         return mean
 
     def row(self, state: Any) -> int:
-        """The row of a state.
+        """The row of a state, which may also be given as an array, as Gymnasium's observations are.
 
         Raises:
             ValueError: the task has no such state.
         """
+        numbers = state.tolist() if isinstance(state, np.ndarray) else state
         try:
-            return self.rows[_plain(state)]
+            return self.rows[_plain(tuple(numbers) if isinstance(numbers, list) else numbers)]
         except (KeyError, ValueError):
             raise ValueError(f"state must be one of the task's {len(self.states)} states, but is {state!r}") from None
 
@@ -104,48 +106,51 @@ def finite_model(mdp: MDP[Any, Any], max_states: int = MAX_STATES) -> FiniteMode
         max_states: how many states to look at before giving up.
 
     Raises:
-        ValueError: the task is not finite: it has too many states, states that hold arrays, or dynamics that draw
-        from a
-            continuous distribution.
+        ValueError: the task is not finite: it has too many states, states that hold arrays, or dynamics that draw from
+            a continuous distribution.
     """
-    name, n_actions = type(mdp).__name__, getattr(mdp.action_space, "n", None)
-    if n_actions is None:
-        raise ValueError(f"{name} has no finite model: its action space is {mdp.action_space}")
+    try:
+        return _explored(mdp, max_states)
+    except ValueError as error:
+        raise ValueError(f"{type(mdp).__name__} has no finite model: {error}") from error
+
+
+def _explored(mdp: MDP[Any, Any], max_states: int) -> FiniteModel:
+    if not isinstance(mdp.action_space, spaces.Discrete):
+        raise ValueError(f"its action space is {mdp.action_space}")
+    n_actions = int(mdp.action_space.n)
     states: list[Any] = []
     rows: dict[Any, int] = {}
 
     def row_of(state: Any) -> int:
         if state not in rows:
             if len(states) == max_states:
-                raise ValueError(f"{name} has no finite model: it has more than {max_states} states")
+                raise ValueError(f"it has more than {max_states} states")
             rows[state] = len(states)
             states.append(state)
         return rows[state]
 
     def reached(draw: Callable[[Any], Any]) -> dict[int, float]:
         """The states that a draw can give, by row, with their probabilities."""
-        try:
-            ways = [(p, _plain(state)) for p, state in branches(draw)]
-        except ValueError as error:
-            raise ValueError(f"{name} has no finite model: {error}") from error
         total: dict[int, float] = {}
-        for p, state in ways:
-            total[row_of(state)] = total.get(row_of(state), 0.0) + p
+        for p, state in branches(draw):
+            row = row_of(_plain(state))
+            total[row] = total.get(row, 0.0) + p
         return total
 
     first = reached(mdp.initial)
     table: list[list[list[tuple[int, float, float]]]] = []  # by state, action and outcome: successor, p, reward
     for s, state in enumerate(states):  # grows on the way
         if mdp.terminal(state):
-            table.append([[(s, 1.0, 0.0)]] * int(n_actions))
+            table.append([[(s, 1.0, 0.0)]] * n_actions)
             continue
         table.append([])
-        for action in range(int(n_actions)):
+        for action in range(n_actions):
             successors = reached(partial(mdp.transition, state, action))
             table[s].append([(n, p, _mean_reward(mdp, state, action, states[n])) for n, p in successors.items()])
 
     width = max(len(outcomes) for by_action in table for outcomes in by_action)
-    full = np.zeros((3, len(states), int(n_actions), width))
+    full = np.zeros((3, len(states), n_actions, width))
     for s, by_action in enumerate(table):
         for a, outcomes in enumerate(by_action):
             full[:, s, a, : len(outcomes)] = np.transpose(outcomes)

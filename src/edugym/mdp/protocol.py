@@ -4,6 +4,7 @@ Nothing inherits from these protocols at run time. A `typing.NamedTuple` with th
 also when a student writes it in a notebook cell; the protocols say so to the type checker and to the reader.
 """
 
+import inspect
 from typing import Any, Protocol, TypeAlias, TypeVar
 
 import numpy as np
@@ -24,6 +25,8 @@ class MDP(Protocol[State, Observation_co]):
 
     Every method is a pure function: all randomness comes from `rng`, and a `state` passed in is never written to.
     A task with a step limit also has an attribute or property `max_steps`; without one its episodes end by themselves.
+    One that observes arrays may also have a method `observe_into(state, rng, out)`, which fills `out` with the same as
+    `observation` gives: the vector environment then makes no array for each copy.
     """
 
     @property
@@ -93,12 +96,15 @@ def coerced(value: Any) -> Any:
     """
     if not (isinstance(value, tuple) and hasattr(value, "_fields")):
         return value
-    kinds = type(value).__annotations__
+    kinds: dict[str, Any] = {}
+    for base in reversed(type(value).__mro__):
+        kinds |= inspect.get_annotations(base)
     fields = {}
     for name, field in zip(value._fields, value, strict=True):
-        if kinds.get(name) in (float, "float") and isinstance(field, int | np.number):
+        kind = getattr(kinds.get(name), "__forward_arg__", kinds.get(name))  # as text, if it was written so
+        if kind in (float, "float") and isinstance(field, int | np.number):
             fields[name] = float(field)
-        elif kinds.get(name) in (int, "int") and isinstance(field, np.integer):
+        elif kind in (int, "int") and isinstance(field, np.integer):
             fields[name] = int(field)
         else:
             fields[name] = coerced(field)

@@ -1,5 +1,6 @@
 """Any MDP as a Gymnasium vector environment: n copies stepped in one call of machine code."""
 
+import copy
 from typing import Any, Generic, NamedTuple
 
 import numpy as np
@@ -9,7 +10,7 @@ from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 
 from edugym.mdp.checks import whole_number
-from edugym.mdp.columns import Storage, columns, holds_arrays, listed
+from edugym.mdp.columns import Storage, observation_rows, storage
 from edugym.mdp.env import RENDERING, M, MDPEnv
 from edugym.mdp.execution import executable
 from edugym.mdp.protocol import MDP, Random, step_limit
@@ -17,6 +18,7 @@ from edugym.mdp.protocol import MDP, Random, step_limit
 NO_LIMIT = 2**62
 ACTION_OUTSIDE = -1
 NOTHING = np.empty(0, np.int64)
+TRIED = 100  # steps
 MODES = [AutoresetMode.NEXT_STEP, AutoresetMode.SAME_STEP, AutoresetMode.DISABLED]
 NEXT_STEP, SAME_STEP, DISABLED = range(3)
 
@@ -47,7 +49,8 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
         self.autoreset_mode = AutoresetMode(autoreset_mode)
         self.metadata = {**RENDERING, "autoreset_mode": self.autoreset_mode}
         self.num_envs = num_envs
-        self.mdp, self.render_mode, self._env = env.mdp, env.render_mode, env
+        self.mdp, self.render_mode = env.mdp, env.render_mode
+        self._env = copy.copy(env)  # to draw with
         self.single_observation_space, self.single_action_space = env.observation_space, env.action_space
         self.observation_space = batch_space(env.observation_space, num_envs)
         self.action_space = batch_space(env.action_space, num_envs)
@@ -56,6 +59,7 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
         self._steps = np.zeros(num_envs, np.int64)
         self._over = np.zeros(num_envs, np.bool_)
         self._states: Storage | None = None
+        self._rows: Any = None
         self._code: dict[Any, Any] = {}
 
     def reset(
@@ -66,16 +70,16 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
         Raises:
             ValueError: the mask is something else.
         """
-        super().reset(seed=seed)
         mask = (options or {}).get("reset_mask", np.ones(self.num_envs, np.bool_))
         if not (isinstance(mask, np.ndarray) and mask.shape == self._over.shape and mask.dtype == np.bool_):
             raise ValueError(f"reset_mask must be an array of {self.num_envs} booleans, but is {mask!r}")
+        super().reset(seed=seed)
         if self._states is None:
-            self._states = self._storage()
+            self._make_room()
             mask = np.ones(self.num_envs, np.bool_)
         batch = self._batch()
         self._run(reset_copies, self.np_random, mask, batch)
-        return batch.observations, {}
+        return batch.observations.rows, {}
 
     def step(self, actions: Any) -> tuple[Any, Any, Any, Any, dict[str, Any]]:
         """Take one step in every copy.
@@ -113,9 +117,9 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
         if finished and self.autoreset_mode is AutoresetMode.SAME_STEP:
             over = batch.terminations | batch.truncations
             infos = {"final_obs": np.full(self.num_envs, None, object), "_final_obs": over}
-            for i in np.flatnonzero(over):
-                infos["final_obs"][i] = batch.final_observations[i]
-        return batch.observations, batch.rewards, batch.terminations, batch.truncations, infos
+            for i in np.flatnonzero(over).tolist():
+                infos["final_obs"][i] = batch.final_observations.rows[i]
+        return batch.observations.rows, batch.rewards, batch.terminations, batch.truncations, infos
 
     def state(self, i: int) -> Any:
         """The full state of the i-th copy.
@@ -127,13 +131,20 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
             raise ResetNeeded("there are no states before the first reset")
         return self._states.load(i)
 
+    def showing(self, i: int) -> MDPEnv[M]:
+        """An environment that is as the i-th copy now is, until this is called again: to draw it, or for its `info`.
+
+        Stepping or resetting it does not change the copy.
+        """
+        env = self._env
+        env.state = None if self._states is None else self._states.load(i)
+        env.steps = int(self._steps[i])
+        env.last_state, env.actions = None, []
+        return env
+
     def render(self) -> tuple[Any, ...] | None:
         """Draw every copy, as `render_mode` says."""
-        frames = []
-        for i in range(self.num_envs):
-            self._env.state, self._env.steps = self.state(i), int(self._steps[i])
-            frames.append(self._env.render())
-        return tuple(frames)
+        return tuple(self.showing(i).render() for i in range(self.num_envs))
 
     def close_extras(self, **kwargs: Any) -> None:
         """Close the window, if there is one."""
@@ -148,25 +159,36 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
             self._states,
             self._steps,
             self._over,
-            np.empty((n, *shape), space.dtype),
-            np.empty((finals, *shape), space.dtype),
+            self._rows(np.empty((n, *shape), space.dtype)),
+            self._rows(np.empty((finals, *shape), space.dtype)),
             np.empty(n),
             np.empty(n, np.bool_),
             np.empty(n, np.bool_),
         )
 
-    def _storage(self) -> Storage:
-        sample = self.mdp.initial(np.random.default_rng(0))
-        return listed([sample] * self.num_envs) if holds_arrays(sample) else columns(sample, self.num_envs)
+    def _make_room(self) -> None:
+        """Find out, from some random steps, of what shape and types states and observations are."""
+        rng, actions = np.random.default_rng(0), copy.deepcopy(self.single_action_space)
+        actions.seed(0)
+        state = self.mdp.initial(rng)
+        states = [state]
+        for _ in range(TRIED):
+            over = self.mdp.terminal(state)
+            action = int(actions.sample()) if self._n_actions else actions.sample()
+            state = self.mdp.initial(rng) if over else self.mdp.transition(state, action, rng)
+            states.append(state)
+        self._states = storage(states, self.num_envs)
+        self._rows = observation_rows(self.mdp, self.mdp.observation(state, rng))
 
     def _checked(self, actions: Any) -> np.ndarray[Any, Any]:
         array = np.asarray(actions)
-        kind = np.integer if self._n_actions else self.single_action_space.dtype
-        if array.shape != self.action_space.shape or not np.issubdtype(array.dtype, kind):
+        if self._n_actions:  # whether each is an action is looked at in `step_copies`
+            fits = array.shape == self.action_space.shape and array.dtype.kind in "iu"
+        else:
+            fits = array.dtype == self.action_space.dtype and self.action_space.contains(array)
+        if not fits:
             raise ValueError(f"actions {actions!r} are not in the action space {self.action_space}")
-        if not self._n_actions and not self.action_space.contains(array):
-            raise ValueError(f"actions {actions!r} are not in the action space {self.action_space}")
-        return array.astype(np.int64) if self._n_actions else array
+        return array.astype(np.int64, copy=False) if self._n_actions else array
 
     def _run(self, loop: Any, *arguments: Any) -> Any:
         """Run one of the loops below over all copies, compiled when it is first needed."""
@@ -199,7 +221,7 @@ def reset_copies(n: int, mdp: MDP[Any, Any], rng: Random, mask: Any, batch: Batc
             batch.states.store(i, mdp.initial(rng))
             batch.steps[i] = 0
             batch.over[i] = False
-        batch.observations[i] = mdp.observation(batch.states.load(i), rng)
+        batch.observations.put(i, mdp, batch.states.load(i), rng)
 
 
 def step_copies(
@@ -222,7 +244,7 @@ def step_copies(
         if batch.over[i] and autoreset == NEXT_STEP:
             state = mdp.initial(rng)
             batch.states.store(i, state)
-            batch.observations[i] = mdp.observation(state, rng)
+            batch.observations.put(i, mdp, state, rng)
             batch.steps[i] = 0
             batch.over[i] = False
             batch.rewards[i] = 0.0
@@ -233,7 +255,6 @@ def step_copies(
         next_state = mdp.transition(state, actions[i], rng)
         batch.rewards[i] = mdp.reward(state, actions[i], next_state, rng)
         terminated = mdp.terminal(next_state)
-        batch.observations[i] = mdp.observation(next_state, rng)
         batch.steps[i] += 1
         truncated = batch.steps[i] == max_steps and not terminated
         batch.terminations[i] = terminated
@@ -242,10 +263,10 @@ def step_copies(
         if batch.over[i]:
             finished += 1
             if autoreset == SAME_STEP:
-                batch.final_observations[i] = batch.observations[i]
+                batch.final_observations.put(i, mdp, next_state, rng)
                 next_state = mdp.initial(rng)
-                batch.observations[i] = mdp.observation(next_state, rng)
                 batch.steps[i] = 0
                 batch.over[i] = False
+        batch.observations.put(i, mdp, next_state, rng)
         batch.states.store(i, next_state)
     return finished

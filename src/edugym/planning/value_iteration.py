@@ -47,7 +47,7 @@ def value_iteration(
         horizon: with a number, the values of an episode that is cut off after so many steps; the policy may then
             depend on the steps that are left. Without one, episodes last until the task ends.
         tolerance: stop when no value changes by more; greater than 0.
-        max_sweeps: give up after so many sweeps.
+        max_sweeps: give up after so many sweeps, 1 or more.
 
     Raises:
         ValueError: a parameter is not as above, or the values do not settle (at discount 1, some episodes may never
@@ -60,6 +60,7 @@ def value_iteration(
     between("discount", discount, 0, 1)
     between("epsilon", epsilon, 0, 1)
     above("tolerance", tolerance, 0)
+    whole_number("max_sweeps", max_sweeps, 1)
     if horizon is not None:
         whole_number("horizon", horizon, 1)
     V = np.zeros(len(model.states))

@@ -1,6 +1,7 @@
 """Scenes in a window on the screen, for ``render_mode="human"``."""
 
 import time
+from collections import deque
 from typing import TYPE_CHECKING
 
 from gymnasium.error import DependencyNotInstalled
@@ -30,6 +31,7 @@ class Window:
         self.is_closed = False
         self._window: pygame.Window | None = None
         self._last_shown = 0.0
+        self._keys: deque[str] = deque()
 
     def show(self, scene: Scene, frames_per_second: float = 30.0) -> None:
         """Show a scene, after waiting as long as the frame rate asks.
@@ -54,6 +56,18 @@ class Window:
         time.sleep(max(0.0, self._last_shown + 1.0 / frames_per_second - time.monotonic()))
         window.flip()
         self._last_shown = time.monotonic()
+
+    def next_key(self) -> str | None:
+        """Wait until a key has been pressed in the window since the last one.
+
+        Returns:
+            What the key writes ("a", "1"), or else its name ("left", "escape"); None when the window is closed or was
+            never opened.
+        """
+        while not self._keys and not self.is_closed and self._window is not None:
+            self._handle_events()
+            time.sleep(0.01)
+        return self._keys.popleft() if self._keys else None
 
     def close(self) -> None:
         """Close the window; closing it twice does nothing."""
@@ -97,5 +111,8 @@ class Window:
                 pygame.event.post(event)
             elif event.type == pygame.WINDOWCLOSE:
                 self.is_closed = True
+            elif event.type == pygame.KEYDOWN:
+                written = event.unicode.isprintable() and event.unicode
+                self._keys.append(written or pygame.key.name(event.key))
         if self.is_closed:
             self.close()

@@ -17,10 +17,12 @@ class Tabular(NamedTuple):
     Attributes:
         mdp: the task, which observes a tuple of whole numbers.
         sizes: how many values each of them takes.
+        lows: the lowest value of each.
     """
 
     mdp: Any
     sizes: tuple[int, ...]
+    lows: tuple[int, ...]
 
     @property
     def observation_space(self) -> spaces.Discrete:
@@ -62,7 +64,7 @@ class Tabular(NamedTuple):
         parts = self.mdp.observation(state, rng)
         row = 0
         for k in range(len(self.sizes)):
-            row = row * self.sizes[k] + int(parts[k])
+            row = row * self.sizes[k] + int(parts[k]) - self.lows[k]
         return row
 
 
@@ -121,14 +123,16 @@ def tabular(environment: MDP[Any, Any] | gymnasium.Env[Any, Any]) -> Any:
     """The MDP or Gymnasium environment with its observations as the rows of a table; the same where they are already.
 
     Raises:
-        ValueError: its observations are not whole numbers.
+        ValueError: its observations are not whole numbers, or an MDP does not number them from 0.
     """
     space = environment.observation_space
     if isinstance(space, spaces.Discrete) and space.start == 0:
         return environment
     if isinstance(environment, gymnasium.Env):
         return TabularObservation(environment)
-    return Tabular(environment, table_sizes(space))
+    if isinstance(space, spaces.Discrete):
+        raise ValueError(f"an MDP must number its observations from 0, but its observation space is {space}")
+    return Tabular(environment, table_sizes(space), tuple(_lows(space)))
 
 
 def table_size(environment: Any) -> tuple[int, int]:
@@ -138,12 +142,14 @@ def table_size(environment: Any) -> tuple[int, int]:
         environment: an MDP, a Gymnasium environment, or the shape itself.
 
     Raises:
-        ValueError: its observations or actions are not whole numbers.
+        ValueError: it is no environment, its observations are not whole numbers, or its actions are not 0, 1, ...
     """
     if isinstance(environment, tuple) and not hasattr(environment, "_fields"):
         return int(environment[0]), int(environment[1])
+    if not hasattr(environment, "action_space"):
+        raise ValueError(f"environment must be an MDP, a Gymnasium environment or a shape, but is {environment!r}")
     actions = environment.action_space
-    if not isinstance(actions, spaces.Discrete):
-        raise ValueError(f"a table needs actions that are whole numbers, but the action space is {actions}")
+    if not isinstance(actions, spaces.Discrete) or actions.start != 0:
+        raise ValueError(f"a table needs the actions 0, 1, ..., but the action space is {actions}")
     n_states: int = math.prod(table_sizes(environment.observation_space))
     return n_states, int(actions.n)

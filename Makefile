@@ -1,0 +1,39 @@
+# What can be done with a checkout of EduGym. Needed: make and Python 3.11 or newer; all else goes into .venv.
+#
+#   make lab        open the lessons in JupyterLab   (make lab ARGS=--no-browser)
+#   make test       run every check and every test   (make test ARGS="-k boulder" for some of the tests)
+#   make reproduce  recompute the results of the paper
+#   make clean      remove .venv and what tools left behind
+
+PYTHON ?= python3
+ARGS ?=
+RUN := .venv/bin/python -m
+
+.PHONY: lab test reproduce clean
+
+# JupyterLab refuses to run as root, as in a container, unless told that this is meant.
+lab: .venv/lab.installed
+	$(RUN) jupyterlab $(if $(filter 0,$(shell id -u)),--allow-root) $(ARGS) notebooks
+
+test: .venv/dev.installed
+	$(RUN) ruff check
+	$(RUN) ruff format --check
+	$(RUN) mypy
+	$(RUN) pytest -n 2 $(ARGS)
+	.venv/bin/python lessons/build.py --check
+
+reproduce: .venv/lab.installed
+	.venv/bin/edugym reproduce $(ARGS)
+
+clean:
+	rm -rf .venv build dist .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	find . -name __pycache__ -prune -exec rm -rf {} +
+
+# Each extra of pyproject.toml is installed once, and again when what it depends on changes.
+.venv/%.installed: pyproject.toml constraints.txt
+	@$(PYTHON) -c "import sys; sys.exit(sys.version_info < (3, 11))" || \
+		{ echo "EduGym needs Python 3.11 or newer, which '$(PYTHON)' is not. Name one: make PYTHON=python3.12" >&2; exit 1; }
+	@echo "Installing EduGym and what it needs into .venv; this takes a minute or two."
+	test -x .venv/bin/python || $(PYTHON) -m venv .venv
+	$(RUN) pip install --quiet --constraint constraints.txt --editable ".[$*]"
+	touch $@

@@ -1,0 +1,111 @@
+"""`python -m benchmarks`: measure everything, and print a table."""
+
+import argparse
+import json
+import os
+import platform
+from collections.abc import Iterator
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+from benchmarks.comparisons import comparisons
+from benchmarks.imports import MODULES, TARGET, import_times
+from benchmarks.measure import Measured, Spread, measure, number
+
+LINE = "{:44} {:>9} {:>19}   {:>8} {:>17}   {}"
+
+
+def main(arguments: list[str] | None = None) -> None:
+    """Measure what is asked for, and print it."""
+    options = parser().parse_args(arguments)
+    rounds, seconds = (1, 0.001) if options.quick else (options.rounds, options.seconds)
+    about = machine()
+    print("   ".join(f"{name} {value}" for name, value in about.items()))
+    print(
+        f"{rounds} rounds in turns, each about {seconds} s of processor time on one core; median (lowest - highest)\n"
+    )
+    print(LINE.format("", "per sec", "", "EduGym", "", ""))
+    results = []
+    for comparison in comparisons():
+        if options.only in comparison.name:
+            measured = measure(comparison, rounds, seconds)
+            print("\n".join(table(measured)), flush=True)
+            results.append(measured)
+    imports = import_times(rounds) if options.only in "import" else {}
+    print("\n".join(import_table(imports)))
+    if options.json:
+        options.json.write_text(json.dumps(as_data(about, results, imports), indent=2, ensure_ascii=False) + "\n")
+
+
+def parser() -> argparse.ArgumentParser:
+    """What can be asked for."""
+    parser = argparse.ArgumentParser("python -m benchmarks", description=__doc__)
+    parser.add_argument("--json", type=Path, metavar="PATH", help="write the results there as well")
+    parser.add_argument("--only", default="", metavar="TEXT", help="measure only what has this in its name")
+    parser.add_argument("--rounds", type=int, default=7, help="turns for each contender (%(default)s)")
+    parser.add_argument("--seconds", type=float, default=0.3, help="length of a turn (%(default)s)")
+    parser.add_argument("--quick", action="store_true", help="hardly measure anything: only see whether it runs")
+    return parser
+
+
+def machine() -> dict[str, str]:
+    """Where this was measured, and with which versions."""
+    names = [line.split(":")[1].strip() for line in _cpu_lines() if line.startswith("model name")]
+    cpu = names[0] if names else platform.machine()
+    packages = {name: version(name) for name in ("edugym", "gymnasium", "numba", "numpy")}
+    load = f"{os.getloadavg()[0]:.1f}" if hasattr(os, "getloadavg") else "?"
+    return {
+        "cpu": f"{cpu} x {os.cpu_count()}",
+        "load": load,
+        "python": platform.python_version(),
+        **packages,
+    }
+
+
+def _cpu_lines() -> list[str]:
+    path = Path("/proc/cpuinfo")
+    return path.read_text().splitlines() if path.exists() else []
+
+
+def table(measured: Measured) -> Iterator[str]:
+    """The lines for one comparison."""
+    ours = measured.comparison.ours.name
+    aims = ", ".join(f"{aim} {'met' if met else 'MISSED'}" for aim, met in measured.targets().items())
+    yield f"{measured.comparison.name} ({measured.comparison.unit} a second)"
+    for name, rate in measured.rates.items():
+        rates = number(rate.median), f"({number(rate.low)}- {number(rate.high)})"
+        ratio = measured.ratios.get(name)
+        times = ("", "") if ratio is None else (f"{ratio.median:.3g} x", f"({ratio.low:.3g} - {ratio.high:.3g})")
+        yield LINE.format(f"  {name}", *rates, *times, aims if name == ours else "")
+
+
+def import_table(imports: dict[str, Spread]) -> Iterator[str]:
+    """The lines for imports."""
+    if imports:
+        yield "import (seconds of processor time)"
+    for module, taken in imports.items():
+        met = "" if module != MODULES[0] else f"<= {TARGET} s {'met' if taken.median <= TARGET else 'MISSED'}"
+        yield LINE.format(f"  {module}", f"{taken.median:.3f} ", f"({taken.low:.3f} - {taken.high:.3f})", "", "", met)
+
+
+def as_data(about: dict[str, str], results: list[Measured], imports: dict[str, Spread]) -> dict[str, Any]:
+    """Everything, for a file."""
+    return {
+        "machine": about,
+        "comparisons": [
+            {
+                "name": measured.comparison.name,
+                "unit": measured.comparison.unit,
+                "per_second": {name: rate._asdict() for name, rate in measured.rates.items()},
+                "edugym_is_times_as_fast_as": {name: ratio._asdict() for name, ratio in measured.ratios.items()},
+                "targets": measured.targets(),
+            }
+            for measured in results
+        ],
+        "import_seconds": {module: taken._asdict() for module, taken in imports.items()},
+    }
+
+
+if __name__ == "__main__":
+    main()

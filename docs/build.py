@@ -1,0 +1,124 @@
+"""Writes the pages of the environments, `docs/environments/`, from what the code says of itself.
+
+The text of a page is the docstring of the environment's class, its table the row in the registry, its parameters the
+constructor's own: there is no second copy of any of them. A picture and a short animation are drawn by the environment.
+
+    python docs/build.py            write everything
+    python docs/build.py --check    write nothing; fail if a page is not what the code says
+"""
+
+import argparse
+import inspect
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from PIL import Image
+
+from edugym import QLearning, train
+from edugym.playing.films import play_episode, record
+from edugym.registration import ENVIRONMENTS, Entry
+from edugym.rendering.pixels import to_pixels
+from edugym.rendering.scene import Scene
+from edugym.rendering.svg import to_svg
+
+PAGES = Path(__file__).parent / "environments"
+FRAMES = 24
+
+# Who plays in the animation, where Q-learning on what the agent sees would not show the task.
+ACTORS: dict[str, Callable[[Any], Any]] = {
+    "MemoryCorridor": lambda env: lambda observation: env.info()["right_door"],
+}
+
+
+def parameters(entry: Entry) -> str:
+    """The parameters of an environment with their defaults, as in a call."""
+    signature = inspect.signature(entry.load())
+    return ", ".join(f"{name}={p.default!r}" for name, p in signature.parameters.items() if name != "render_mode")
+
+
+def page(entry: Entry) -> str:
+    """The page of one environment."""
+    name = entry.name.lower()
+    return "\n".join(
+        [
+            f"# {entry.name}",
+            "",
+            f"**{entry.challenge}** · `{entry.id}` · lesson: {entry.lesson}",
+            "",
+            f"![The picture of {entry.name}]({name}.svg) ![An episode of {entry.name}]({name}.gif)",
+            "",
+            "```python",
+            f'gymnasium.make("{entry.id}", {parameters(entry)})',
+            "```",
+            "",
+            inspect.cleandoc(entry.load().__doc__ or ""),
+            "",
+        ]
+    )
+
+
+def index() -> str:
+    """The table of all environments."""
+    rows = [
+        f"| [![{e.name}]({e.name.lower()}.svg)]({e.name.lower()}.md) | [{e.name}]({e.name.lower()}.md) | {e.challenge} "
+        f"| `{parameters(e)}` |"
+        for e in ENVIRONMENTS
+    ]
+    head = ["| | environment | its one challenge | parameters and defaults |", "|---|---|---|---|"]
+    return "\n".join(["# The environments", "", *head, *rows, ""])
+
+
+def pages() -> dict[Path, str]:
+    """The text of every page."""
+    return {PAGES / "README.md": index(), **{PAGES / f"{e.name.lower()}.md": page(e) for e in ENVIRONMENTS}}
+
+
+def draw(entry: Entry) -> Scene:
+    """Draw the picture, in the middle of an episode, and the animation; and give the picture."""
+    env = entry.load()()
+    if entry.name in ACTORS:
+        actor = ACTORS[entry.name](env)
+    else:
+        actor = QLearning.create(env, learning_rate=0.1, discount=0.95)
+        train(env, actor, 300_000, seed=1)
+    frames = play_episode(env, actor, seed=1, max_steps=FRAMES)
+    picture = frames[len(frames) // 2].picture
+    assert isinstance(picture, Scene), "every environment of the course has a scene"
+    (PAGES / f"{entry.name.lower()}.svg").write_text(to_svg(picture, 240), encoding="utf-8")
+    record(frames, PAGES / f"{entry.name.lower()}.gif", frames_per_second=3.0)
+    return picture
+
+
+def montage(pictures: list[Scene], columns: int = 3, side: int = 240, gap: int = 16) -> Image.Image:
+    """All pictures in rows on one sheet, each scaled to fit a square."""
+    rows = -(-len(pictures) // columns)
+    sheet = Image.new("RGB", (columns * (side + gap) + gap, rows * (side + gap) + gap), "white")
+    for k, picture in enumerate(pictures):
+        image = Image.fromarray(to_pixels(picture))
+        image.thumbnail((side, side))
+        x, y = gap + k % columns * (side + gap), gap + k // columns * (side + gap)
+        sheet.paste(image, (x + (side - image.width) // 2, y + (side - image.height) // 2))
+    return sheet
+
+
+def main() -> int:
+    """The command line."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--check", action="store_true", help="write nothing, and fail if a page is out of date")
+    if parser.parse_args().check:
+        written = {path: path.read_text(encoding="utf-8") if path.exists() else None for path in pages()}
+        stale = [path for path, text in pages().items() if written[path] != text]
+        for path in stale:
+            print(f"{path} is not what the code says: run python docs/build.py", file=sys.stderr)
+        return 1 if stale else 0
+    PAGES.mkdir(exist_ok=True)
+    for path, text in pages().items():
+        path.write_text(text, encoding="utf-8")
+    montage([draw(entry) for entry in ENVIRONMENTS]).save(PAGES / "all.png", optimize=True)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

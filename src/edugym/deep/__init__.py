@@ -1,0 +1,54 @@
+"""Adapters that hand an environment to libraries for deep reinforcement learning; nothing else in EduGym loads them.
+
+They come with the extra `deep`: `pip install "edugym[deep]"`.
+"""
+
+from typing import TYPE_CHECKING, Any
+
+from gymnasium.error import DependencyNotInstalled
+
+from edugym.mdp.env import MDPEnv
+from edugym.mdp.vector import MDPVectorEnv
+from edugym.registration import find
+
+if TYPE_CHECKING:
+    from edugym.deep.vec_env import MDPVecEnv
+
+
+def stable_baselines3_env(
+    environment: "str | MDPEnv[Any] | MDPVectorEnv[Any]", num_envs: int | None = None, **parameters: Any
+) -> "MDPVecEnv":
+    """Copies of an environment for an agent of Stable-Baselines3.
+
+        PPO("MlpPolicy", stable_baselines3_env("Catch", 64, rows=5)).learn(100_000)
+
+    Args:
+        environment: the name or id of an environment, an environment of one's own such as `MDPEnv(Walk(7))`, or a
+            vector environment that resets its copies in the same step (`autoreset_mode="SameStep"`).
+        num_envs: how many copies, 1 or more; by default one, or as many as the vector environment has.
+        **parameters: what the environment is made with, where it is given by its name.
+
+    Returns:
+        A `VecEnv`. It gives what Stable-Baselines3's own `DummyVecEnv` does, many times faster. `VecMonitor` around it
+        adds the statistics of episodes.
+
+    Raises:
+        DependencyNotInstalled: Stable-Baselines3 is not there.
+        ValueError: there is no such environment, a parameter is not as its class says, or the vector environment has
+            another number of copies or resets them in another way.
+    """
+    try:
+        from edugym.deep.vec_env import MDPVecEnv
+    except ImportError as error:
+        raise DependencyNotInstalled('Stable-Baselines3 is missing: pip install "edugym[deep]"') from error
+    if isinstance(environment, str):
+        environment = find(environment).load()(**parameters)
+    elif parameters:
+        raise ValueError(f"parameters are for an environment given by its name, but are {parameters!r}")
+    if isinstance(environment, MDPEnv):
+        environment = MDPVectorEnv(environment, 1 if num_envs is None else num_envs, "SameStep")
+    if not isinstance(environment, MDPVectorEnv):
+        raise ValueError(f"environment must be a name, an MDPEnv or an MDPVectorEnv, but is {environment!r}")
+    if num_envs not in (None, environment.num_envs):
+        raise ValueError(f"num_envs must be {environment.num_envs}, as the vector environment has, but is {num_envs!r}")
+    return MDPVecEnv(environment)

@@ -1,0 +1,222 @@
+"""Roadrunner: on- and off-policy credit assignment."""
+
+from typing import Any, NamedTuple
+
+from gymnasium import spaces
+
+from edugym.mdp.checks import between, whole_number
+from edugym.mdp.env import MDPEnv
+from edugym.mdp.protocol import Random
+from edugym.rendering.figures import Mood, sign, smiley
+from edugym.rendering.palette import GRASS, INK, ROAD, SAND, SKY, WALL, WHITE
+from edugym.rendering.scene import Circle, Line, Polygon, Rectangle, Scene, Shape, Text
+
+
+class Runner(NamedTuple):
+    """Where the runner is, and how fast.
+
+    Attributes:
+        x: its cell, from 0; `size`, which is no cell any more, after a fall.
+        dx: its speed, in cells a step; -1 after a stall.
+    """
+
+    x: int
+    dx: int
+
+
+class Roadrunner(NamedTuple):
+    """Run to the edge of a cliff, as fast as possible but not over it.
+
+    Attributes:
+        size: W, how many cells there are; the last one, T = W - 1, is the target, and beyond it is the drop.
+        max_speed: the highest speed, in cells a step.
+        negative_reward: R, for falling off the cliff or slowing down below a speed of 0.
+        stop_zone: coming this close to the target is an end too, with less reward than at the target.
+        max_steps: after how many steps an episode is truncated.
+    """
+
+    size: int
+    max_speed: int
+    negative_reward: float
+    stop_zone: int
+    max_steps: int
+
+    def initial(self, rng: Random) -> Runner:
+        """At cell 0, standing."""
+        return Runner(0, 0)
+
+    def transition(self, state: Runner, action: int, rng: Random) -> Runner:
+        """First the speed changes by -1, 0 or +1, then the position by the speed: to W, when that is beyond T."""
+        dx = min(state.dx + action - 1, self.max_speed)
+        if dx < 0:
+            return Runner(state.x, dx)
+        return Runner(min(state.x + dx, self.size), dx)
+
+    def reward(self, state: Runner, action: int, next_state: Runner, rng: Random) -> float:
+        """+1 at T, one less for each cell before it in the stop zone; R for a fall or a stall; else -1."""
+        if self.has_failed(next_state):
+            return self.negative_reward
+        distance = self.size - 1 - next_state.x
+        return 1.0 - distance if distance <= self.stop_zone else -1.0
+
+    def terminal(self, state: Runner) -> bool:
+        """At T, in the stop zone before it, beyond it, or at a speed below 0."""
+        return state.dx < 0 or state.x >= self.size - 1 - self.stop_zone
+
+    def has_failed(self, state: Runner) -> bool:
+        """Whether the runner fell off the cliff or stalled."""
+        return state.dx < 0 or state.x == self.size
+
+    def observation(self, state: Runner, rng: Random) -> tuple[int, ...]:
+        """The position and the speed; a stalled runner is seen standing."""
+        return state.x, max(state.dx, 0)
+
+    @property
+    def observation_space(self) -> spaces.MultiDiscrete:
+        """The position, 0 to W, and the speed, 0 to `max_speed`."""
+        return spaces.MultiDiscrete([self.size + 1, self.max_speed + 1])
+
+    @property
+    def action_space(self) -> spaces.Discrete:
+        """Slower, same speed, faster."""
+        return spaces.Discrete(3)
+
+
+class RoadrunnerEnv(MDPEnv[Roadrunner]):
+    """Run to the edge of a cliff, as fast as possible but not over it.
+
+    ## Description
+    Challenge: on- and off-policy credit assignment. A runner speeds along a road that ends at a cliff. It must stop
+    exactly at the last cell, the target T = W - 1; beyond it is the drop, and slowing down below a speed of 0 (a
+    stall) loses as well. The best run ends one exploring step away from disaster. An off-policy method learns it all
+    the same; an on-policy method learns what its own exploring costs, and prefers to arrive more slowly and safely.
+
+    ## Observation space
+    `MultiDiscrete([size + 1, max_speed + 1])`: the position x and the speed dx.
+
+    ## Action space
+    `Discrete(3)`: 0, 1 and 2 change the speed by -1, 0 and +1.
+
+    ## State
+    The position x, the speed dx, and the number of steps that this episode has taken. A stalled runner has dx = -1,
+    and is seen with 0. The step count is not observed, so near the step limit the observation is not Markov (an agent
+    that bootstraps at truncation need not mind).
+
+    ## Dynamics
+    The speed changes first, up to `max_speed`; then x += dx. A runner that would come beyond T is set to W. A speed
+    below 0 leaves x as it was.
+
+    ## Reward
+    Reaching T: +1. A fall or a stall: R = `negative_reward`. Coming to a cell in the stop zone: 1 - (T - x). Every
+    other step: -1. The best return at the defaults is -2, in 4 steps; without a stop zone it is -3 at W = 15, -4 at
+    W = 20 and -5 at W = 25 (discount 1).
+
+    ## Initial state
+    At x = 0 with a speed of 0.
+
+    ## Episode end
+    Terminated at T, by a fall, by a stall, or on coming to one of the `stop_zone` cells before T; truncated after
+    `max_steps` steps.
+
+    ## Parameters
+    - `size` (10): W, the number of cells, 2 or more.
+    - `max_speed` (10): 1 or more.
+    - `negative_reward` (-100.0): R, from -1 000 000 to 0.
+    - `stop_zone` (0): how many cells before T also end the episode, from 0 to W - 2 (the start is not one of them).
+    - `max_steps` (5 * size): 1 or more.
+
+    ## Info
+    - `distance`: how many cells the runner is away from T; -1 beyond it.
+    - `stalled`: whether the speed fell below 0.
+
+    ## Choices
+    - The paper's text speaks of moving beyond W and of hitting W; here, as in its description, the drop is all that
+      is beyond T, and a runner in it is at W.
+    - The paper's space has W positions and `max_speed` speeds; here both have one more, since W and `max_speed`
+      themselves can be reached.
+    - The stop zone adds what the paper's main text says ("how close it ends up to the edge") and its appendix does
+      not; without it only T ends a run well.
+    - The paper has no step limit; without one a runner that stands still would never end.
+
+    ## References
+    Moerland et al. (2023), EduGym, section 3 b and appendix A.2.
+    """
+
+    def __init__(
+        self,
+        size: int = 10,
+        max_speed: int = 10,
+        negative_reward: float = -100.0,
+        stop_zone: int = 0,
+        max_steps: int | None = None,
+        render_mode: str | None = None,
+    ) -> None:
+        """See the class for the parameters.
+
+        Raises:
+            ValueError: a parameter is not as the class says.
+        """
+        whole_number("size", size, 2)
+        whole_number("max_speed", max_speed, 1)
+        between("negative_reward", negative_reward, -1_000_000, 0)
+        whole_number("stop_zone", stop_zone, 0, size - 2)
+        max_steps = 5 * size if max_steps is None else max_steps
+        whole_number("max_steps", max_steps, 1)
+        super().__init__(Roadrunner(size, max_speed, float(negative_reward), stop_zone, max_steps), render_mode)
+
+    def info(self) -> dict[str, Any]:
+        """The distance to the target, and whether the runner stalled."""
+        return {"distance": int(self.mdp.size - 1 - self.state.x), "stalled": bool(self.state.dx < 0)}
+
+    def named_actions(self) -> dict[str, Any]:
+        """The changes of speed."""
+        return {"slower": 0, "same speed": 1, "faster": 2}
+
+    def scene(self) -> Scene:
+        """The road to the cliff from the side, with the danger sign at its end and the runner's speed on the runner."""
+        task = self.mdp
+        x, dx = Runner(0, 0) if self.state is None else self.state
+        scale = max(1.0, task.size / 20)  # of all but the cells: on a long road the runner stays visible
+        edge, ground, bottom = task.size + 0.5, 3.6 * scale, 5.6 * scale
+        width = max(edge + 2.5 * scale, 10.0)
+        notch = (edge - 0.3 * scale, ground + 1.1 * scale)
+        shapes: list[Shape] = [
+            Polygon(((0.0, ground), (edge, ground), notch, (edge, bottom), (0.0, bottom)), fill=WALL),
+            Rectangle(0.0, ground, edge, 0.75 * scale, fill=GRASS, glyph="░"),
+            Rectangle(0.5, ground, task.size, 0.4 * scale, fill=ROAD, glyph="="),
+        ]
+        shapes += [
+            Rectangle(cell + 0.5, ground, 1.0, 0.4 * scale, fill=SAND, glyph="_")
+            for cell in range(task.size - 1 - task.stop_zone, task.size)
+        ]
+        if task.size <= 50:
+            marks = [((cell + 0.5, ground), (cell + 0.5, ground + 0.4 * scale)) for cell in range(1, task.size)]
+            shapes += [Line(mark, colour=WHITE) for mark in marks]
+        shapes += sign(edge - 0.15, ground, 2.3 * scale)
+        place = (x + 1.0, ground - 0.45 * scale)
+        mood: Mood = "happy"
+        text = f"position {x} of {task.size - 1}, speed {max(dx, 0)}"
+        if x == task.size:
+            place, mood, text = (edge + 1.2 * scale, ground + 1.2 * scale), "sad", "over the edge!"
+        elif dx < 0:
+            mood, text = "sad", f"stalled at position {x} of {task.size - 1}"
+        elif task.terminal(Runner(x, dx)):
+            text = f"there, at position {x} of {task.size - 1}"
+        shapes += _runner(*place, 0.45 * scale, dx, mood)
+        shapes.append(Text(width / 2, 0.7 * scale, text, size=0.6 * scale))
+        return Scene(width, bottom, shapes, SKY, f"Roadrunner: {text}", columns=round(4 * width / scale))
+
+
+def _runner(x: float, y: float, radius: float, dx: int, mood: Mood) -> list[Shape]:
+    """The smiley with its speed on a plate, and a line behind it for each of its first three units of speed."""
+    wind = [
+        Line(((x - (1.3 + length) * radius, y + dy * radius), (x - 1.3 * radius, y + dy * radius)), colour=WHITE)
+        for dy, length in ((0.0, 1.2), (-0.5, 0.8), (0.5, 0.8))[: max(dx, 0)]
+    ]
+    plate = (x + 0.85 * radius, y + 0.65 * radius)
+    return [
+        *wind,
+        *smiley(x, y, radius, mood),
+        Circle(*plate, 0.55 * radius, fill=WHITE),
+        Text(*plate, str(dx), size=0.8 * radius, colour=INK),
+    ]

@@ -1,0 +1,275 @@
+"""Study: the depth of credit assignment."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from gymnasium import spaces
+
+from edugym.mdp.checks import between, whole_number
+from edugym.mdp.env import MDPEnv
+from edugym.mdp.protocol import Integers, Random, Reals
+from edugym.rendering.figures import Mood, gauge, smiley
+from edugym.rendering.palette import BLUE, GREEN, INK, ORANGE, RED, SHADE, WHITE, blend
+from edugym.rendering.scene import Line, Rectangle, Scene, Shape, Text
+
+STUDY, SLEEP, GO_OUT = 0, 1, 2
+MOST_ENERGY = 4
+EXAM_REWARD = 10.0
+MOST_ROWS = 6
+"""How much of a long calendar the picture shows."""
+
+
+class Student(NamedTuple):
+    """What the student has, and which day it is."""
+
+    knowledge: int
+    energy: int
+    day: int
+
+
+class Study(NamedTuple):
+    """Pass an exam on the last day: a few right days among many that only add noise to the return.
+
+    Attributes:
+        total_days: H: the days are 0 to H - 1, and the exam is on the last.
+        lectures: shape (total_days,): 1 on the days that have a lecture, else 0.
+        lectures_needed: K, the knowledge that the exam asks for.
+        energy_needed: E; the exam asks for more energy than this.
+        action_rewards: shape (n_actions,): r_a, the mean reward of every action.
+        sigma: the standard deviation of those rewards.
+    """
+
+    total_days: int
+    lectures: Integers
+    lectures_needed: int
+    energy_needed: int
+    action_rewards: Reals
+    sigma: float
+
+    def initial(self, rng: Random) -> Student:
+        """No knowledge, no energy, day 0."""
+        return Student(0, 0, 0)
+
+    def transition(self, state: Student, action: int, rng: Random) -> Student:
+        """Studying helps on a lecture day; sleep gives energy, up to 4; going out takes it; all else does nothing."""
+        knowledge, energy = state.knowledge, state.energy
+        if action == STUDY and self.lectures[state.day] == 1:
+            knowledge += 1
+        elif action == SLEEP:
+            energy = min(energy + 1, MOST_ENERGY)
+        elif action == GO_OUT:
+            energy = max(energy - 1, 0)
+        return Student(knowledge, energy, state.day + 1)
+
+    def reward(self, state: Student, action: int, next_state: Student, rng: Random) -> float:
+        """The noisy reward of the action, N(r_a, sigma), and 10 more for passing the exam."""
+        reward: float = rng.normal(self.action_rewards[action], self.sigma)
+        return reward + EXAM_REWARD if self.passes(state, action) else reward
+
+    def passes(self, state: Student, action: int) -> bool:
+        """Whether this is the exam, passed: studying on the last day, with enough knowledge and energy that morning."""
+        return action == STUDY and state.day == self.total_days - 1 and self.missing(state) == 0
+
+    def missing(self, state: Student) -> int:
+        """How much knowledge and energy is still missing for the exam."""
+        return max(self.lectures_needed - state.knowledge, 0) + max(self.energy_needed + 1 - state.energy, 0)
+
+    def terminal(self, state: Student) -> bool:
+        """The end of the last day."""
+        return state.day == self.total_days
+
+    def observation(self, state: Student, rng: Random) -> tuple[int, ...]:
+        """All there is to know."""
+        return state.knowledge, state.energy, state.day
+
+    @property
+    def observation_space(self) -> spaces.MultiDiscrete:
+        """Knowledge, energy and day."""
+        return spaces.MultiDiscrete([int(self.lectures.sum()) + 1, MOST_ENERGY + 1, self.total_days + 1])
+
+    @property
+    def action_space(self) -> spaces.Discrete:
+        """Study, sleep, go out, and others."""
+        return spaces.Discrete(len(self.action_rewards))
+
+
+class StudyEnv(MDPEnv[Study]):
+    """Pass an exam on the last day: a few right days among many that only add noise to the return.
+
+    ## Description
+    Challenge: the depth of credit assignment. Every day a student studies, sleeps, goes out or does something else.
+    Studying helps only on the days of a lecture, and the exam at the end asks for knowledge and for energy. A few days
+    decide; the others, and their noisy rewards, only blur the return. Deep back-ups (Monte Carlo) carry the exam's
+    reward to the first day at once, but with all that noise in it; one-step back-ups are slow to carry it, and filter
+    the noise out.
+
+    ## Observation space
+    `MultiDiscrete([lecture_days + 1, 5, total_days + 1])`: knowledge, energy and day.
+
+    ## Action space
+    `Discrete(n_actions)`: 0 study, 1 sleep, 2 go out, 3 and more other things.
+
+    ## State
+    Knowledge, energy and day, all of them observed.
+
+    ## Dynamics
+    Studying on a lecture day adds 1 to knowledge. Sleep adds 1 to energy, up to 4; going out takes 1 from it, down to
+    0. Everything else changes nothing. Then it is the next day.
+
+    ## Reward
+    Every action a pays N(r_a, `action_reward_noise_sigma`). Studying on the last day, H - 1, pays 10 more if that
+    morning knowledge >= `lectures_needed` and energy > `energy_needed`: the exam is passed. The best expected return
+    at the defaults is about 8.98 (discount 1); for other parameters, plan on `finite_model`.
+
+    ## Initial state
+    Knowledge 0, energy 0, day 0.
+
+    ## Episode end
+    Terminated after the last day, so always after `total_days` steps; never truncated.
+
+    ## Parameters
+    - `total_days` (10): H, 3 or more.
+    - `n_actions` (5): 2 or more.
+    - `lecture_days` (3): how many of the days before the exam have a lecture, from 1 to H - 1.
+    - `lectures_needed` (2): from 1 to `lecture_days`.
+    - `energy_needed` (1): from 0 to 3; the exam asks for more. The days before the exam must be enough:
+      `lectures_needed` + `energy_needed` + 1 <= H - 1.
+    - `action_reward_noise_mean` (0.5): the r_a are drawn uniformly from minus this to 0; from 0 to 1 000 000.
+    - `action_reward_noise_sigma` (0.05): the standard deviation of the reward of an action, from 0 to 1 000 000.
+    - `layout_seed` (0): from which the lecture days and the r_a are drawn; 0 or more.
+
+    ## Info
+    - `lecture`: whether there is a lecture today.
+    - `passed`: whether the exam has been passed.
+
+    ## Choices
+    - The paper's state space has 5 levels of knowledge; here it has one for each lecture that can be attended, and one
+      more day, since what follows the exam is observed.
+    - The exam's reward comes on top of the reward that studying pays on any day.
+    - The exam looks at knowledge and energy as they are that morning; there is no lecture that day.
+    - With `n_actions` = 2 there is no going out.
+
+    ## References
+    Moerland et al. (2023), EduGym, section 3 c and appendix A.3.
+    """
+
+    def __init__(
+        self,
+        total_days: int = 10,
+        n_actions: int = 5,
+        lecture_days: int = 3,
+        lectures_needed: int = 2,
+        energy_needed: int = 1,
+        action_reward_noise_mean: float = 0.5,
+        action_reward_noise_sigma: float = 0.05,
+        layout_seed: int = 0,
+        render_mode: str | None = None,
+    ) -> None:
+        """See the class for the parameters.
+
+        Raises:
+            ValueError: a parameter is not as the class says.
+        """
+        whole_number("total_days", total_days, 3)
+        whole_number("n_actions", n_actions, 2)
+        whole_number("lecture_days", lecture_days, 1, total_days - 1)
+        whole_number("lectures_needed", lectures_needed, 1, lecture_days)
+        whole_number("energy_needed", energy_needed, 0, MOST_ENERGY - 1)
+        if lectures_needed + energy_needed + 1 > total_days - 1:
+            raise ValueError(
+                f"total_days must be {lectures_needed + energy_needed + 2} or more, for lectures_needed "
+                f"{lectures_needed!r} and energy_needed {energy_needed!r}, but is {total_days!r}"
+            )
+        between("action_reward_noise_mean", action_reward_noise_mean, 0, 1_000_000)
+        between("action_reward_noise_sigma", action_reward_noise_sigma, 0, 1_000_000)
+        whole_number("layout_seed", layout_seed, 0)
+        rng = np.random.default_rng(layout_seed)
+        lectures = np.zeros(total_days, np.int64)
+        lectures[rng.permutation(total_days - 1)[:lecture_days]] = 1
+        rewards = rng.uniform(-action_reward_noise_mean, 0.0, n_actions)
+        sigma = float(action_reward_noise_sigma)
+        super().__init__(Study(total_days, lectures, lectures_needed, energy_needed, rewards, sigma), render_mode)
+
+    def info(self) -> dict[str, Any]:
+        """Whether there is a lecture today, and whether the exam has been passed."""
+        lecture = self.state.day < self.mdp.total_days and self.mdp.lectures[self.state.day] == 1
+        return {"lecture": bool(lecture), "passed": self._passed()}
+
+    def named_actions(self) -> dict[str, Any]:
+        """Study, sleep, go out, and others."""
+        n = len(self.mdp.action_rewards)
+        names = [*("study", "sleep", "go out")[:n], *(f"other {k}" for k in range(1, n - 2))]
+        return {name: action for action, name in enumerate(names)}
+
+    def _passed(self) -> bool:
+        return self.last_state is not None and bool(self.mdp.passes(self.last_state, self.last_action))
+
+    def scene(self) -> Scene:
+        """A calendar, five days a row, with what the student did, and how far knowledge and energy have come.
+
+        What was done is green where it brought the student closer to passing the exam (or passed it), red where it led
+        away (or failed it), and grey where it did neither. Of a long time it shows the weeks around today.
+        """
+        study = self.mdp
+        state = study.initial(self.np_random) if self.state is None else self.state
+        today, over = min(state.day, study.total_days - 1), bool(study.terminal(state))
+        rows = (study.total_days + 4) // 5
+        shown = min(rows, MOST_ROWS)
+        first = 5 * min(max(0, today // 5 - shown // 2), rows - shown)
+        days = range(first, min(first + 5 * shown, study.total_days))
+
+        def corner(day: int) -> tuple[float, float]:
+            return 0.6 + 2.0 * (day % 5), 2.65 + 2.0 * ((day - first) // 5)
+
+        shapes = [
+            *_bar(0.6, "Knowledge", state.knowledge, study.lectures_needed, int(study.lectures.sum()), BLUE),
+            *_bar(6.0, "Energy", state.energy, study.energy_needed + 1, MOST_ENERGY, ORANGE),
+        ]
+        for day in days:
+            kind = "Exam" if day == study.total_days - 1 else "Lecture" if study.lectures[day] == 1 else "Free"
+            shapes += _page(*corner(day), day, kind)
+        # The last action is in the list only when `step` returns, after it has drawn a window.
+        before, names = study.initial(self.np_random), list(self.named_actions())
+        for day, action in enumerate(self.actions):
+            if action is None:  # a copy of a vector environment, which keeps no calendar
+                break
+            after = study.transition(before, action, self.np_random)
+            gain = study.missing(before) - study.missing(after)
+            if day == study.total_days - 1:
+                gain = 1 if study.passes(before, action) else -1
+            if day in days:
+                shapes += _done(*corner(day), names[action], GREEN if gain > 0 else RED if gain < 0 else SHADE)
+            before = after
+        mood: Mood = "flat" if not over or self.last_state is None else "happy" if self._passed() else "sad"
+        x, y = corner(today)
+        shapes += smiley(x + 0.9, y + 0.9, 0.35, mood)
+        title = f"Study: day {state.day} of {study.total_days}, knowledge {state.knowledge}, energy {state.energy}"
+        return Scene(11.0, 3.0 + 2.0 * shown, shapes, title=title, columns=66)
+
+
+def _bar(x: float, label: str, value: int, needed: int, most: int, colour: str) -> list[Shape]:
+    """A gauge with a mark at what the exam asks for."""
+    mark = x + 4.4 * needed / most
+    return [
+        *gauge(x, 1.35, 4.4, 0.45, f"{label} {value} (exam: {needed})", value / most, colour),
+        Line(((mark, 1.35), (mark, 2.0)), glyph="|"),
+    ]
+
+
+def _page(x: float, y: float, day: int, kind: str) -> list[Shape]:
+    """A page of the calendar, without what was done."""
+    colour = {"Exam": RED, "Lecture": BLUE, "Free": SHADE}[kind]
+    return [
+        Rectangle(x, y, 1.8, 1.85, 0.1, fill=WHITE),
+        Rectangle(x, y, 1.8, 0.5, 0.1, fill=colour),
+        Text(x + 0.9, y + 0.25, kind, size=0.36, colour=INK if kind == "Free" else WHITE),
+        Text(x + 0.12, y + 0.75, str(day), size=0.26, anchor="start"),
+    ]
+
+
+def _done(x: float, y: float, name: str, colour: str) -> list[Shape]:
+    """What was done on a day, at the foot of its page."""
+    return [
+        Rectangle(x + 0.1, y + 1.29, 1.6, 0.46, 0.1, fill=blend(colour, WHITE, 0.3)),
+        Text(x + 0.9, y + 1.52, name, size=0.34),
+    ]

@@ -1,0 +1,301 @@
+"""Tamagotchi: how much the observation tells of the state."""
+
+import math
+import textwrap
+from typing import Any, NamedTuple
+
+import numpy as np
+from gymnasium import spaces
+
+from edugym.mdp.checks import at_least, whole_number
+from edugym.mdp.env import MDPEnv
+from edugym.mdp.protocol import Random
+from edugym.rendering.figures import Mood, gauge, smiley, speech_bubble
+from edugym.rendering.palette import BLUE, GREEN, INK, ORANGE, PAPER, PURPLE, RED, SKY, WHITE, blend
+from edugym.rendering.scene import Circle, Polygon, Rectangle, Scene, Shape, Text
+
+NEEDS = ("play", "sleep", "feed", "clean")
+TIE_BREAK = 1e-6
+"""What is added to the urgency of the wanted action, so that it wins ties in the message."""
+
+Variables = tuple[int, int, int, int]
+
+
+class Toy(NamedTuple):
+    """How the toy is (hidden), and what it shows and says.
+
+    Attributes:
+        variables: v, how well it is off for play, sleep, food and cleanness, each from 0 to 100.
+        hp: its hit points, from 0 to 100.
+        wanted: the action that it wants next.
+        message: its words as one number, the digits of base `vocab_size`, the first word first.
+    """
+
+    variables: Variables
+    hp: int
+    wanted: int
+    message: int
+
+
+class Tamagotchi(NamedTuple):
+    """Keep a toy happy whose needs show only in what it says, which may be noisy.
+
+    Attributes:
+        tau: τ, the temperature of the message: 0 names what is wanted, infinity is pure noise.
+        max_msg_length: how many words a message has.
+        vocab_size: H, how many words there are.
+        steps_per_episode: after how many steps an episode is truncated.
+    """
+
+    tau: float
+    max_msg_length: int
+    vocab_size: int
+    steps_per_episode: int
+
+    def initial(self, rng: Random) -> Toy:
+        """All variables and the hit points at 100."""
+        return self.settled((100, 100, 100, 100), 100, rng)
+
+    def transition(self, state: Toy, action: int, rng: Random) -> Toy:
+        """The variables change, and with them the hit points, by a tenth of the happiness, rounded down."""
+        variables = (
+            self.changed(state, 0, action),
+            self.changed(state, 1, action),
+            self.changed(state, 2, action),
+            self.changed(state, 3, action),
+        )
+        hp = math.floor(state.hp + happiness(variables) / 10)
+        return self.settled(variables, min(max(hp, 0), 100), rng)
+
+    def changed(self, state: Toy, need: int, action: int) -> int:
+        """A variable after an action: 30 more for its own, else 5 less; 10 less if it was not the wanted one."""
+        change = 30 if action == need else -5
+        if action != state.wanted:
+            change -= 10
+        return min(max(state.variables[need] + change, 0), 100)
+
+    def settled(self, variables: Variables, hp: int, rng: Random) -> Toy:
+        """The toy decides what it wants, the most urgent (among equals, one at random), and says so."""
+        wanted = 0
+        ties = 1
+        for need in range(1, 4):
+            if variables[need] < variables[wanted]:
+                wanted = need
+                ties = 1
+            elif variables[need] == variables[wanted]:
+                ties += 1
+                if (
+                    rng.random() * ties < 1.0
+                ):  # the k-th of the equals replaces the one kept so far with probability 1/k
+                    wanted = need
+        message = 0
+        for _ in range(self.max_msg_length):
+            message = message * self.vocab_size + self.word(self.named(variables, wanted, rng), rng)
+        return Toy(variables, hp, wanted, message)
+
+    def named(self, variables: Variables, wanted: int, rng: Random) -> int:
+        """The need that a word is about: need i with probability softmax(u / τ)."""
+        total = 0.0
+        for need in range(4):
+            total += self.weight(variables, need, wanted)
+        draw = rng.random() * total
+        for need in range(3):
+            draw = draw - self.weight(variables, need, wanted)
+            if draw < 0.0:
+                return need
+        return 3
+
+    def weight(self, variables: Variables, need: int, wanted: int) -> float:
+        """exp(u_i / τ) of a need, as a share of that of the wanted one, which is the greatest."""
+        if need == wanted:
+            return 1.0
+        if self.tau == 0.0:
+            return 0.0
+        return math.exp((urgency(variables[need]) - urgency(variables[wanted]) - TIE_BREAK) / self.tau)
+
+    def word(self, need: int, rng: Random) -> int:
+        """A word for need i: any of i, i + 4, i + 8, ... (synonyms); of fewer than four words, i mod H (ambiguous)."""
+        if self.vocab_size < 4:
+            return need % self.vocab_size
+        synonyms = (self.vocab_size - need + 3) // 4
+        return need + 4 * int(rng.random() * synonyms)
+
+    def reward(self, state: Toy, action: int, next_state: Toy, rng: Random) -> float:
+        """The happiness, in which what is low weighs most."""
+        return happiness(next_state.variables)
+
+    def terminal(self, state: Toy) -> bool:
+        """No hit points are left."""
+        return state.hp == 0
+
+    def observation(self, state: Toy, rng: Random) -> Any:
+        """The hit points, then the words."""
+        seen = np.empty(self.max_msg_length + 1, np.int64)
+        self.observe_into(state, rng, seen)
+        return seen
+
+    def observe_into(self, state: Toy, rng: Random, seen: Any) -> None:
+        """The same, written into `seen`, shape (max_msg_length + 1,)."""
+        seen[0] = state.hp
+        message = state.message
+        for k in range(self.max_msg_length, 0, -1):
+            seen[k] = message % self.vocab_size
+            message = message // self.vocab_size
+
+    @property
+    def max_steps(self) -> int:
+        """`steps_per_episode`, the paper's name for it."""
+        return self.steps_per_episode
+
+    @property
+    def observation_space(self) -> spaces.MultiDiscrete:
+        """The hit points, 0 to 100, and the words."""
+        return spaces.MultiDiscrete([101] + [self.vocab_size] * self.max_msg_length)
+
+    @property
+    def action_space(self) -> spaces.Discrete:
+        """Play, sleep, feed or clean."""
+        return spaces.Discrete(4)
+
+
+def urgency(variable: int) -> float:
+    """The lower a variable, the more urgent its need: u = exp(-v/100)."""
+    return math.exp(-variable / 100)
+
+
+def happiness(variables: Variables) -> float:
+    """From -200 to 74: Σ (v - 50) u."""
+    total = 0.0
+    for variable in variables:
+        total += (variable - 50) * urgency(variable)
+    return total
+
+
+class TamagotchiEnv(MDPEnv[Tamagotchi]):
+    """Keep a toy happy whose needs show only in what it says, which may be noisy.
+
+    ## Description
+    Challenge: the amount of signal. A toy needs to play, to sleep, to be fed and to be cleaned; for each it has a
+    hidden variable that falls until it is cared for. At every step it wants one of the four, and an action that it
+    does not want harms it. The agent sees only its hit points and what it says. `tau` is the noise of what it says:
+    doing what it says returns 6 707 at 0, 5 993 at 0.02, 3 317 at 0.05, 120 at 0.1 and -676 at infinity, where it
+    tells nothing and acting at random does as well. (An agent that remembers its last action needs no message: taking
+    the four in turn returns 6 652.)
+
+    ## Observation space
+    `MultiDiscrete([101, H, ..., H])`: the hit points, then the `max_msg_length` words of the message, each one of
+    0, ..., H - 1, with H = `vocab_size`.
+
+    ## Action space
+    `Discrete(4)`: 0 play, 1 sleep, 2 feed, 3 clean.
+
+    ## State
+    The four variables v, whole numbers from 0 to 100; the hit points, a whole number from 0 to 100; the action that the
+    toy wants; the message; and the number of steps of this episode. The agent sees the hit points and the message
+    only, so the observation is not Markov. At `tau` = 0 with four words or more it still tells the best action.
+
+    ## Dynamics
+    1. The action's own variable grows by 30, the others fall by 5. If the action is not the wanted one, all four fall
+       by another 10. Then they are clipped to 0, ..., 100.
+    2. The urgency of need i is u_i = exp(-v_i/100); the happiness is Σ (v_i - 50) u_i.
+    3. The hit points change by a tenth of the happiness, are rounded down and clipped to 0, ..., 100.
+    4. The toy wants what is most urgent; among equals it chooses at random.
+    5. It says `max_msg_length` words, each drawn independently: about need i with probability softmax(u/tau)_i, where
+       10^-6 is added to the urgency of the wanted action; at `tau` = 0 always about the wanted action. With H >= 4,
+       need i is said with any of the words i, i + 4, i + 8, ..., uniformly (synonyms); with H < 4, with the word
+       i mod H, so that a word can mean several needs.
+
+    ## Reward
+    The happiness after the action, from -200 to 74. At the defaults doing what the toy says returns 6 707 (discount 1);
+    exact planning with the whole state finds nothing better.
+
+    ## Initial state
+    All variables and the hit points at 100; what the toy wants first is drawn uniformly.
+
+    ## Episode end
+    Terminated when no hit points are left; truncated after `steps_per_episode` steps.
+
+    ## Parameters
+    - `tau` (0.0): 0 or more; may be infinite.
+    - `max_msg_length` (1): from 1 to what leaves at most 2^56 different messages: 28 with four words, never above 56.
+    - `vocab_size` (4): H, from 1 to 2^31.
+    - `steps_per_episode` (100): 1 or more.
+
+    ## Info
+    - `variables`: how well the toy is off for each of the four needs.
+    - `wanted`: the action that it wants.
+
+    ## Choices
+    - The paper gives 100 values to the hit points, and lets them start at 100; here they are 0, ..., 100.
+    - The paper does not say how the hit points follow from the variables, how urgency and happiness are computed, nor
+      what the words mean. Everything under Dynamics that it does not say is a choice, and so is that a tie in the
+      message falls to the wanted action.
+    - A message always has `max_msg_length` words.
+    - The end at 0 hit points carries no penalty: an unhappy life returns the more, the shorter it is.
+
+    ## References
+    Moerland et al. (2023), EduGym, section 3 f and appendix A.6.
+    """
+
+    def __init__(
+        self,
+        tau: float = 0.0,
+        max_msg_length: int = 1,
+        vocab_size: int = 4,
+        steps_per_episode: int = 100,
+        render_mode: str | None = None,
+    ) -> None:
+        """See the class for the parameters.
+
+        Raises:
+            ValueError: a parameter is not as the class says.
+        """
+        at_least("tau", tau, 0)
+        whole_number("vocab_size", vocab_size, 1, 2**31)
+        longest = max(length for length in range(1, 57) if int(vocab_size) ** length <= 2**56)
+        whole_number("max_msg_length", max_msg_length, 1, longest)
+        whole_number("steps_per_episode", steps_per_episode, 1)
+        mdp = Tamagotchi(float(tau), int(max_msg_length), int(vocab_size), int(steps_per_episode))
+        super().__init__(mdp, render_mode)
+
+    def info(self) -> dict[str, Any]:
+        """What the toy feels and wants."""
+        return {"variables": tuple(map(int, self.state.variables)), "wanted": int(self.state.wanted)}
+
+    def named_actions(self) -> dict[str, Any]:
+        """The buttons of the toy."""
+        return {need: action for action, need in enumerate(NEEDS)}
+
+    def scene(self) -> Scene:
+        """An egg-shaped toy with four buttons, its face and hit points on the screen, and its words in a bubble."""
+        toy = self.state or Toy((100, 100, 100, 100), 100, 0, 0)
+        seen = [int(part) for part in self.mdp.observation(toy, self.np_random)]
+        hp, words = seen[0], " ".join(meaning(word, self.mdp.vocab_size) for word in seen[1:])
+        mood: Mood = "happy" if hp > 66 else "flat" if hp > 33 else "sad"
+        lines = textwrap.wrap(words, 26, max_lines=3, placeholder=" ...")
+        shell = blend(PURPLE, WHITE, 0.35)
+        height = 1.0 + 0.8 * len(lines)
+        turns = [math.tau * k / 72 for k in range(72)]
+        egg = [(6.0 + (4.0 + 0.5 * math.sin(t)) * math.cos(t), 9.2 + 5.1 * math.sin(t)) for t in turns]
+        shapes: list[Shape] = [
+            Polygon(egg, fill=shell),
+            Rectangle(3.4, 6.2, 5.2, 4.6, 0.5, fill=blend(GREEN, PAPER, 0.75)),
+            *smiley(6.0, 7.9, 1.2, mood),
+            *gauge(4.0, 10.1, 4.0, 0.35, f"HP {hp}", hp / 100, GREEN if hp > 33 else RED),
+            *speech_bubble(0.6, 3.6 - height, 10.8, height, "", (6.0, 6.4)),
+        ]
+        for k, line in enumerate(lines):
+            shapes.append(Text(6.0, 4.5 - height + 0.8 * k, line, size=0.65, glyph=f'"{line}"'))
+        for action, (need, colour) in enumerate(zip(NEEDS, (ORANGE, BLUE, RED, GREEN), strict=True)):
+            x, y = 3.75 + 1.5 * action, 11.75 if action in (0, 3) else 12.05
+            pressed = action == self.last_action
+            shapes.append(Circle(x, y, 0.42, fill=INK if pressed else colour, glyph="●" if pressed else "○"))
+            shapes.append(Text(x, y + 0.75, need, size=0.45))
+        return Scene(12.0, 14.6, shapes, SKY, f"Tamagotchi: HP {hp}, says {words}", columns=44)
+
+
+def meaning(word: int, vocab_size: int) -> str:
+    """What a word may be about, for a person: "play", a synonym of it, "play2", or "play/feed" if it is ambiguous."""
+    if vocab_size < 4:
+        return "/".join(NEEDS[need] for need in range(word, 4, vocab_size))
+    return NEEDS[word % 4] + (str(word // 4 + 1) if word >= 4 else "")

@@ -1,0 +1,85 @@
+"""Play an environment with buttons."""
+
+from functools import partial
+from typing import Any
+
+import ipywidgets
+
+from edugym.notebook.panel import Panel, picture_html, text_html
+from edugym.playing.game import Game
+from edugym.rendering.scene import Scene
+
+
+class Buttons(Panel):
+    """A game with a button for each action.
+
+    Attributes:
+        game: the game, which can also be played by code: `game.step("putt")`, then `show()`.
+        actions: the button of each action, by its name.
+        new_episode: the button that starts an episode.
+    """
+
+    def __init__(self, game: Game) -> None:
+        """Make the widgets."""
+        self.game = game
+        self.actions = {name: ipywidgets.Button(description=name, tooltip=name) for name in game.actions}
+        self.new_episode = ipywidgets.Button(description="New episode")
+        for name, button in self.actions.items():
+            button.on_click(self.calling(partial(self.step, name)))
+        self.new_episode.on_click(self.calling(self.reset))
+        self._picture, self._line, self._history = (ipywidgets.HTML() for _ in range(3))
+        in_rows = ipywidgets.Layout(flex_flow="row wrap", width="auto")
+        controls = ipywidgets.VBox(
+            [
+                ipywidgets.HBox([*self.actions.values()], layout=in_rows),
+                self.new_episode,
+                self._line,
+                self._history,
+            ],
+            layout=ipywidgets.Layout(width="340px"),
+        )
+        self.show()
+        super().__init__(ipywidgets.HBox([self._picture, controls], layout=in_rows))
+
+    def step(self, action: Any) -> None:
+        """Take a step, by the action or its name, and show what comes of it."""
+        self.game.step(action)
+        self.show()
+
+    def reset(self) -> None:
+        """Start an episode and show it."""
+        self.game.reset()
+        self.show()
+
+    def show(self) -> None:
+        """Show the game as it is now."""
+        self._picture.value = picture_html(self.game.picture())
+        self._line.value = text_html(self.game.line())
+        self._history.value = text_html(self.game.history())
+        for button in self.actions.values():
+            button.disabled = self.game.over
+        self.new_episode.button_style = "primary" if self.game.over else ""
+
+    def still(self) -> dict[str, str]:
+        """The present picture and score."""
+        frame = self.game.frame()
+        if isinstance(frame.picture, Scene):
+            return {"image/svg+xml": frame.with_caption()._repr_svg_()}
+        return {"text/html": f"{picture_html(frame.picture)}<br>{text_html(frame.line)}"}
+
+
+def play(environment: Any, *, seed: int | None = 0, **parameters: Any) -> Buttons:
+    """Play an environment with buttons: `play("Boulder", height=5)`.
+
+    Args:
+        environment: its name, the id of any Gymnasium environment, an environment, an MDP, or a `Game`.
+        seed: of the first episode; those after it go on from there. None for other games each time.
+        parameters: of the environment, where its name or id is given.
+
+    Returns:
+        The game with its buttons, which shows itself as the last value of a cell.
+
+    Raises:
+        ValueError: as `edugym.playing.Game`.
+    """
+    return Buttons(environment if isinstance(environment, Game) else Game(environment, seed=seed, **parameters))

@@ -1,0 +1,60 @@
+"""Show the code that really runs, so that a lesson's equation and its code cannot drift apart."""
+
+import inspect
+import textwrap
+from typing import Any, NamedTuple
+
+
+class Listing(NamedTuple):
+    """Code as it stands in its file. In a notebook it shows itself, highlighted.
+
+    Attributes:
+        module: where it is.
+        code: the lines.
+    """
+
+    module: str
+    code: str
+
+    def __repr__(self) -> str:
+        """The lines, for where there is no highlighting."""
+        return self.code
+
+    def _repr_markdown_(self) -> str:
+        return f"From `{self.module}`:\n\n```python\n{self.code}\n```"
+
+
+def source(subject: Any, *names: str) -> Listing:
+    """Show the source of a class, or of some of its methods: `source(QLearning)`, `source(QLearning, "act", "learn")`.
+
+    Args:
+        subject: a class, a function, a method (`QLearning.learn`), or a value whose class is meant.
+        names: of the methods and properties to show instead of the whole class.
+
+    Returns:
+        The code, which shows itself as the last value of a cell.
+
+    Raises:
+        ValueError: there is no such method, or no source, as of what is written in C.
+    """
+    whole = subject if inspect.isclass(subject) or inspect.isroutine(subject) else type(subject)
+    parts = [inspect.getattr_static(whole, name, None) for name in names] or [whole]
+    for name, part in zip(names, parts, strict=False):
+        if part is None:
+            raise ValueError(f"names must be of methods of {whole.__name__}, but {name!r} is none")
+    return Listing(whole.__module__, "\n\n".join(map(_code, parts)))
+
+
+def _code(part: Any) -> str:
+    """The lines of a class or function, decorators included, from the left margin."""
+    for inside in (
+        "fget",
+        "__func__",
+        "func",
+        "py_func",
+    ):  # a property, a class method, a cached property, compiled code
+        part = getattr(part, inside, None) or part
+    try:
+        return textwrap.dedent(inspect.getsource(part)).rstrip()
+    except (OSError, TypeError) as error:
+        raise ValueError(f"subject must have Python source, but {part!r} has none here") from error

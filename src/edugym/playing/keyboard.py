@@ -1,0 +1,218 @@
+"""Play with keys, in a terminal or in a window."""
+
+import os
+import re
+import string
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import closing, contextmanager, suppress
+from pathlib import Path
+from typing import Any, Protocol, TextIO
+
+from edugym.extras import require
+from edugym.mdp.checks import one_of
+from edugym.playing.films import record
+from edugym.playing.game import Game
+from edugym.rendering.ansi import to_text
+from edugym.rendering.scene import Scene
+from edugym.rendering.window import Window
+
+QUIT, AGAIN = "q", "r"
+KEYS = [*string.digits, *(letter for letter in string.ascii_lowercase if letter not in (QUIT, AGAIN))]
+
+ARROWS = {"A": "up", "B": "down", "C": "right", "D": "left"}
+"""What an arrow key ends with in a terminal, after ESC [ or ESC O."""
+WINDOWS_ARROWS = {"H": "up", "P": "down", "M": "right", "K": "left"}
+"""The same in a console of Windows, after a first character."""
+CLEAR = "\x1b[H\x1b[2J"
+
+
+class Display(Protocol):
+    """Where a game is shown, and where its keys come from."""
+
+    def show(self, game: Game, message: str) -> None:
+        """Show the game as it is now, with a message below it."""
+
+    def key(self) -> str | None:
+        """Wait for a key: what it writes, or "up", "down", "left", "right"; None when no more can come."""
+
+
+def play(
+    environment: Any,
+    *,
+    render: str = "ansi",
+    seed: int | None = None,
+    gif: str | Path | None = None,
+    keyboard: TextIO | None = None,
+    screen: TextIO | None = None,
+    **parameters: Any,
+) -> Game:
+    """Play with keys until q is pressed, the window is closed, the input ends, or Ctrl-C.
+
+    In a terminal each key counts at once. Where the input is no terminal (a pipe, a file), each line is a key, or the
+    name of an action.
+
+    Args:
+        environment: its name ("Boulder"), the id of any Gymnasium environment, an environment, an MDP, or a `Game`.
+        render: "ansi" for characters on the screen, "human" for a window.
+        seed: of the first episode; None for another one each time.
+        gif: a file to which the last finished episode is written at the end; where none was finished, the last one.
+        keyboard: where the keys come from, in a terminal; by default the standard input.
+        screen: what the game is written to; by default the standard output.
+        parameters: of the environment, where its name or id is given.
+
+    Returns:
+        The game, with its score.
+
+    Raises:
+        ValueError: as `Game`, `render` is neither of these, there are more actions than keys, or there is no scene for
+            a window or a GIF, or no folder for it.
+        gymnasium.error.DependencyNotInstalled: pygame is needed for a window or a GIF, or Pillow for a GIF.
+    """
+    one_of("render", render, ["ansi", "human"])
+    keyboard, screen = keyboard or sys.stdin, screen or sys.stdout
+    game = environment if isinstance(environment, Game) else Game(environment, seed=seed, picture="ansi", **parameters)
+    keys = keys_of(list(game.actions))
+    if (render == "human" or gif is not None) and not isinstance(game.frames[0].picture, Scene):
+        raise ValueError(f"a window and a GIF need an environment that has a scene, and {game.name} has none")
+    if gif is not None:
+        require("plot", "PIL")
+        if not Path(gif).parent.is_dir():
+            raise ValueError(f"gif must be in a folder that exists, but is {str(gif)!r}")
+    with suppress(KeyboardInterrupt):
+        if render == "human":
+            with closing(Window(game.name)) as window:
+                _play(game, keys, InWindow(window))
+        else:
+            with key_presses(keyboard) as presses:
+                _play(game, keys, InTerminal(presses, screen))
+    _write(screen, f"{'' if game.over else game.line()}\n{game.history()}\n")
+    if gif is not None:
+        record(game.replay(), gif)
+        _write(screen, f"The last episode is in {gif}\n")
+    return game
+
+
+def keys_of(names: list[str]) -> dict[str, str]:
+    """The key of every action: its name where all names are single characters, else its number, and then letters.
+
+    Args:
+        names: of the actions, in order.
+
+    Returns:
+        The name of the action, for each key.
+
+    Raises:
+        ValueError: there are more actions than keys.
+    """
+    if len(names) > len(KEYS):
+        raise ValueError(f"actions must be at most {len(KEYS)} to be played by keys, but are {len(names)}")
+    single = all(name in KEYS for name in names)
+    return {name if single else key: name for key, name in zip(KEYS, names, strict=False)}
+
+
+def _play(game: Game, keys: dict[str, str], display: Display) -> None:
+    """Do what the keys say, until there are no more."""
+    actions = [f"[{key}]" if key == name else f"[{key}] {name}" for key, name in keys.items()]
+    message = ""
+    while True:
+        choices = [message, *([] if game.over else actions), f"[{AGAIN}] new episode", f"[{QUIT}] quit"]
+        display.show(game, "   ".join(filter(None, choices)))
+        key = display.key()
+        name = keys.get(key or "", key)
+        message = ""
+        if key is None or key == QUIT:
+            return
+        if key == AGAIN:
+            game.reset()
+        elif game.over:
+            message = "The episode is over:"
+        elif name in game.actions:
+            game.step(name)
+        else:
+            message = f"{key!r} is no key here:"
+
+
+class InTerminal:
+    """A game in a terminal, as characters; what is written to a file instead comes without colours."""
+
+    def __init__(self, presses: Iterator[str], screen: TextIO) -> None:
+        """Take the keys from `presses`."""
+        self._presses = presses
+        self._screen = screen
+
+    def show(self, game: Game, message: str) -> None:
+        """Show the game in the place of the one before."""
+        live = self._screen.isatty()
+        picture = game.picture()
+        if isinstance(picture, Scene):
+            picture = to_text(picture, colour=live and "NO_COLOR" not in os.environ)
+        text = str(picture).strip("\n")
+        _write(self._screen, f"{CLEAR if live else ''}{text}\n\n{game.line()}\n{message}\n\n")
+
+    def key(self) -> str | None:
+        """The next key; None at the end of the input."""
+        return next(self._presses, None)
+
+
+class InWindow:
+    """A game in a window, which also takes the keys."""
+
+    def __init__(self, window: Window) -> None:
+        """Show it in `window`."""
+        self._window = window
+
+    def show(self, game: Game, message: str) -> None:
+        """Show the game with its score and the message below it."""
+        self._window.show(game.frame().with_caption(message), float("inf"))
+
+    def key(self) -> str | None:
+        """The next key; None when the window has been closed."""
+        return self._window.next_key()
+
+
+def _write(screen: TextIO, text: str) -> None:
+    """Write at once, with a question mark for what the screen's encoding does not have."""
+    encoding = screen.encoding or "utf-8"
+    screen.write(text.encode(encoding, "replace").decode(encoding))
+    screen.flush()
+
+
+@contextmanager
+def key_presses(keyboard: TextIO) -> Iterator[Iterator[str]]:
+    """The keys as they are pressed, or the lines of an input that is no terminal; a terminal is left as it was."""
+    if not keyboard.isatty():
+        yield (line.strip() for line in iter(keyboard.readline, ""))
+    elif sys.platform == "win32":
+        import msvcrt
+
+        yield windows_keys(msvcrt.getwch)
+    else:
+        import termios
+        import tty
+
+        before = termios.tcgetattr(keyboard)
+        tty.setcbreak(keyboard)  # no Enter needed, nothing echoed, and Ctrl-C still interrupts
+        try:
+            yield unix_keys(keyboard.fileno())
+        finally:
+            termios.tcsetattr(keyboard, termios.TCSADRAIN, before)
+
+
+def unix_keys(file_descriptor: int) -> Iterator[str]:
+    """Yield the keys of a terminal until Ctrl-D or until it goes away; an empty one for those that write nothing."""
+    sequences = re.compile(r"\x1b[\[O]([A-D])|\x1b\[[0-9;]*[A-Za-z~]|\x1bO[A-Z]|(.)", flags=re.DOTALL)
+    with suppress(OSError):
+        while typed := os.read(file_descriptor, 1024).decode(errors="replace"):
+            for arrow, key in sequences.findall(typed):
+                if key == "\x04":
+                    return
+                yield ARROWS.get(arrow, key)
+
+
+def windows_keys(next_character: Callable[[], str]) -> Iterator[str]:
+    """Yield the keys of a Windows console until Ctrl-D or Ctrl-Z; Ctrl-C interrupts."""
+    while (key := next_character()) not in ("\x04", "\x1a"):
+        if key == "\x03":
+            raise KeyboardInterrupt
+        yield WINDOWS_ARROWS.get(next_character(), "") if key in ("\x00", "\xe0") else key

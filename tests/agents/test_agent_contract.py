@@ -1,0 +1,275 @@
+"""What holds for every agent of the package, whatever it learns."""
+
+import copy
+from typing import Any, NamedTuple
+
+import gymnasium
+import numpy as np
+import pytest
+from gymnasium import spaces
+
+from agents.cases import AGENTS, CASES, STRATEGIES, Case, package_classes, same
+from edugym import CountBased, GoExplore, QLearning, TabularObservation, load, make_mdp, save, train
+from edugym.experiments.loop import Log, off_policy, on_policy, start
+from edugym.experiments.training import told_of_truncation
+from edugym.mdp.compiler import compiled
+from edugym.mdp.protocol import Random
+from edugym.wrappers.tabular import tabular
+
+MDPS = ("Boulder", "Golf", "MemoryCorridor")  # states that are numbers, tuples, and hold arrays
+
+
+def latest(name: str) -> str:
+    """The id of the newest version that this Gymnasium has: they change from release to release."""
+    return max(key for key in gymnasium.registry if key.startswith(f"{name}-v"))
+
+
+TOY_TEXT = tuple(map(latest, ("FrozenLake", "CliffWalking", "Taxi", "Blackjack")))
+
+
+class Cycle(NamedTuple):
+    """One state and one action that pays 1; it ends the task, or goes on for ever."""
+
+    ends: bool
+    max_steps: int = 1
+
+    def initial(self, rng: Random) -> int:
+        """The one state."""
+        return 0
+
+    def transition(self, state: int, action: int, rng: Random) -> int:
+        """Back to it, or to the end."""
+        return 1 if self.ends else 0
+
+    def reward(self, state: int, action: int, next_state: int, rng: Random) -> float:
+        """Always 1."""
+        return 1.0
+
+    def terminal(self, state: int) -> bool:
+        """The end."""
+        return state == 1
+
+    def observation(self, state: int, rng: Random) -> int:
+        """The state."""
+        return state
+
+    @property
+    def observation_space(self) -> spaces.Discrete:
+        """The state and the end."""
+        return spaces.Discrete(2)
+
+    @property
+    def action_space(self) -> spaces.Discrete:
+        """One action."""
+        return spaces.Discrete(1)
+
+
+def run_loop(mdp: Any, agent: Any, n_steps: int, seed: int, compile_it: bool) -> tuple[Any, ...]:
+    """Run the loop for `n_steps` and give everything that it left behind."""
+    environment_rng, agent_rng = np.random.default_rng([seed, 0]), np.random.default_rng([seed, 1])
+    log = Log(np.zeros(1), np.zeros(1, np.int64))
+    moment = start(mdp, agent, environment_rng, agent_rng)
+    loop: Any = on_policy if getattr(agent, "on_policy", False) else off_policy
+    arguments = (mdp, told_of_truncation(agent), 40, environment_rng, agent_rng, log, moment)
+    if compile_it:
+        loop = compiled(loop, n_steps, *arguments)
+    moment = loop(n_steps, *arguments)
+    return agent, environment_rng, agent_rng, log, moment
+
+
+def play_by_hand(env: gymnasium.Env[Any, Any], agent: Any, n_steps: int, agent_rng: Random, first_seed: int) -> Any:
+    """The loop as one writes it for any Gymnasium environment; gives the last observation."""
+    on = getattr(agent, "on_policy", False)
+    told = told_of_truncation(agent)
+    observation, _ = env.reset(seed=first_seed)
+    action = agent.act(observation, agent_rng) if on else None
+    for _ in range(n_steps):
+        if not on:
+            action = agent.act(observation, agent_rng)
+        assert env.action_space.contains(action)
+        next_observation, reward, terminated, truncated, _ = env.step(action)
+        if on:
+            next_action = agent.act(next_observation, agent_rng)
+            told.learn(observation, action, float(reward), next_observation, next_action, terminated, truncated)
+            action = next_action
+        else:
+            told.learn(observation, action, float(reward), next_observation, terminated, truncated)
+        observation = next_observation
+        if terminated or truncated:
+            observation, _ = env.reset()
+            action = agent.act(observation, agent_rng) if on else None
+    return observation
+
+
+def tables(agent: Any) -> list[np.ndarray[Any, Any]]:
+    """All arrays in an agent."""
+    if isinstance(agent, np.ndarray):
+        return [agent]
+    return [table for part in agent for table in tables(part)] if isinstance(agent, tuple) else []
+
+
+def experienced(case: Case, environment: Any) -> Any:
+    """A new agent whose value tables are filled at random, so that every update changes something."""
+    agent = case.create(environment)
+    for table in tables(agent):
+        if table.ndim > 1 and table.dtype == np.float64:
+            table[...] = np.random.default_rng(9).normal(size=table.shape)
+    return agent
+
+
+def test_every_agent_and_every_strategy_of_the_package_is_in_the_table() -> None:
+    """No new agent escapes these tests."""
+    assert {case.kind for case in AGENTS.values()} == set(package_classes("learn"))
+    assert {type(make((2, 2))) for make in STRATEGIES.values()} == set(package_classes("choose"))
+
+
+@pytest.mark.parametrize("name", MDPS)
+@pytest.mark.parametrize("case", AGENTS.values(), ids=AGENTS)
+def test_compiled_is_bit_identical_to_interpreted(case: Case, name: str) -> None:
+    """Tables, random streams, sums and the moment at which the loop stops: all the same."""
+    mdp = tabular(make_mdp(name))
+    one = run_loop(mdp, experienced(case, mdp), 2_000, 3, compile_it=True)
+    other = run_loop(mdp, experienced(case, mdp), 2_000, 3, compile_it=False)
+    assert all(map(same, one, other))
+    assert not same(one[0], experienced(case, mdp))
+
+
+@pytest.mark.parametrize("make", STRATEGIES.values(), ids=STRATEGIES)
+def test_every_strategy_compiled_is_bit_identical_to_interpreted(make: Any) -> None:
+    """The same for every way to explore."""
+    mdp = make_mdp("Boulder", height=3)
+    one = run_loop(mdp, QLearning.create(mdp, exploration=make(mdp)), 3_000, 1, compile_it=True)
+    other = run_loop(mdp, QLearning.create(mdp, exploration=make(mdp)), 3_000, 1, compile_it=False)
+    assert all(map(same, one, other))
+
+
+@pytest.mark.parametrize("env_id", [*TOY_TEXT, "edugym/Golf-v0"])
+@pytest.mark.parametrize("case", CASES.values(), ids=CASES)
+def test_a_plain_gymnasium_loop_trains_it(case: Case, env_id: str) -> None:
+    """A hand-written loop needs nothing of ours but the agent and, where observations have parts, the wrapper."""
+    env = TabularObservation(gymnasium.make(env_id))
+    agent = experienced(case, env)
+    before = copy.deepcopy(agent)
+    observation = play_by_hand(env, agent, 150, np.random.default_rng(0), 0)
+    assert env.observation_space.contains(observation)
+    assert not same(agent, before)
+    assert all(not np.isnan(table).any() for table in tables(agent))
+    env.close()
+
+
+@pytest.mark.parametrize("env_id", TOY_TEXT)
+@pytest.mark.parametrize("case", AGENTS.values(), ids=AGENTS)
+def test_train_in_a_gymnasium_environment_is_that_loop(case: Case, env_id: str) -> None:
+    """`train` with an id gives, bit for bit, what the loop written by hand gives on the same random streams."""
+    env = TabularObservation(gymnasium.make(env_id))
+    by_hand, trained = experienced(case, env), experienced(case, env)
+    environment_rng, agent_rng, _, _ = map(np.random.default_rng, np.random.SeedSequence(5).spawn(4))
+    play_by_hand(env, by_hand, 300, agent_rng, int(environment_rng.integers(2**31)))
+    run = train(env_id, trained, 300, seed=5, evaluate_every=150)
+    assert run.complete
+    assert same(trained, by_hand)
+    env.close()
+
+
+class Unchanged(gymnasium.Wrapper[Any, Any, Any, Any]):
+    """A wrapper that changes nothing, but of which `train` cannot know it."""
+
+
+@pytest.mark.parametrize("case", AGENTS.values(), ids=AGENTS)
+def test_the_gymnasium_loop_and_machine_code_are_one(case: Case) -> None:
+    """In an environment without chance both give the same run: resets, truncation and all."""
+    results = []
+    for wrap in (Unchanged, lambda env: env):
+        env = wrap(gymnasium.make("edugym/Boulder-v0", height=4, max_steps=9))
+        agent = case.create(env)
+        run = train(env, agent, 6_000, seed=2, evaluate_every=1_000, evaluation_episodes=2)
+        results.append((agent, run.steps, run.training_returns, run.episodes))
+    assert all(map(same, *results))
+    assert results[0][3].sum() >= 6_000 // 9
+
+
+@pytest.mark.parametrize("case", [c for c in AGENTS.values() if c.estimates_return], ids=lambda c: c.kind.__name__)
+def test_it_bootstraps_at_truncation_and_not_at_termination(case: Case) -> None:
+    """Every episode is one step long. Cut off, the step is worth 1 + γ + γ² + ... = 2 at γ = 1/2; as an end, 1.
+
+    At α = 1/2 the first two updates are
+        cut off      0 + (1 + 0/2 - 0)/2 = 1/2,  1/2 + (1 + 1/4 - 1/2)/2 = 7/8;
+        as an end    0 + (1 - 0)/2 = 1/2,        1/2 + (1 - 1/2)/2 = 3/4.
+    """
+    for ends, second, limit in ((False, 7 / 8, 2.0), (True, 3 / 4, 1.0)):
+        agent = case.create(Cycle(ends))
+        train(Cycle(ends), agent, 2)
+        assert agent.Q[0, 0] == second
+        train(Cycle(ends), agent, 200)
+        assert agent.Q[0, 0] == pytest.approx(limit, abs=1e-9)
+        assert agent.Q[1, 0] == 0.0
+
+
+@pytest.mark.parametrize("case", CASES.values(), ids=CASES)
+def test_a_saved_agent_goes_on_as_if_nothing_had_happened(case: Case, tmp_path: Any) -> None:
+    """Train, save, load, train on: every table is what it is without the break."""
+    mdp = tabular(make_mdp("Golf"))
+    agent = case.create(mdp)
+    run_loop(mdp, agent, 500, 0, compile_it=False)
+    save(agent, tmp_path / "agent.npz")
+    loaded = load(tmp_path / "agent.npz")
+    assert same(loaded, agent)
+    one = run_loop(mdp, agent, 500, 1, compile_it=False)
+    other = run_loop(mdp, loaded, 500, 1, compile_it=False)
+    assert all(map(same, one, other))
+    assert not same(agent, load(tmp_path / "agent.npz"))
+
+
+@pytest.mark.parametrize("case", AGENTS.values(), ids=AGENTS)
+@pytest.mark.parametrize("n_steps", [50_000, 200])
+def test_an_agent_for_a_smaller_environment_is_refused(case: Case, n_steps: int) -> None:
+    """Machine code checks its indices like the interpreter: a table that is too small is an error, never a crash."""
+    for name in ("Boulder", "MemoryCorridor"):
+        with pytest.raises(IndexError, match="out of bounds"):
+            train(make_mdp(name), case.create((2, 2)), n_steps)
+
+
+@pytest.mark.parametrize("kind", {case.kind for case in AGENTS.values()})
+@pytest.mark.parametrize(
+    ("parameter", "value", "allowed"),
+    [
+        ("learning_rate", 0, "greater than 0"),
+        ("learning_rate", -0.1, "greater than 0"),
+        ("learning_rate", 1.5, "from 0 to 1"),
+        ("learning_rate", float("nan"), "greater than 0"),
+        ("learning_rate", "0.1", "a number"),
+        ("learning_rate", True, "a number"),
+        ("discount", -0.1, "from 0 to 1"),
+        ("discount", 1.1, "from 0 to 1"),
+        ("discount", float("nan"), "from 0 to 1"),
+        ("discount", None, "a number"),
+    ],
+)
+def test_settings_out_of_range_are_refused(kind: Any, parameter: str, value: Any, allowed: str) -> None:
+    """The message names the parameter, its value and what is allowed."""
+    with pytest.raises(ValueError, match=rf"{parameter} must be .*{allowed}.*, but is {value!r}"):
+        kind.create((4, 2), **{parameter: value})
+
+
+@pytest.mark.parametrize(
+    ("kind", "parameter", "value", "allowed"),
+    [
+        (CountBased, "bonus", -1, "0 or more"),
+        (CountBased, "bonus", float("nan"), "0 or more"),
+        (GoExplore, "explore_steps", 0, "1 or more"),
+        (GoExplore, "explore_steps", 2.5, "a whole number"),
+        (GoExplore, "longest", 0, "1 or more"),
+    ],
+)
+def test_settings_of_one_agent_out_of_range_are_refused(kind: Any, parameter: str, value: Any, allowed: str) -> None:
+    """The same for what only one agent has."""
+    with pytest.raises(ValueError, match=rf"{parameter} must be .*{allowed}.*, but is {value!r}"):
+        kind.create((4, 2), **{parameter: value})
+
+
+@pytest.mark.parametrize("kind", {case.kind for case in AGENTS.values()})
+def test_settings_at_the_ends_of_their_ranges_are_accepted(kind: Any) -> None:
+    """A learning rate of 1 and the discounts 0 and 1 are legitimate."""
+    for settings in ({"learning_rate": 1}, {"discount": 0}, {"discount": 1}):
+        agent = kind.create((4, 2), **settings)
+        assert settings.items() <= agent._asdict().items()

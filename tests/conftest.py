@@ -1,0 +1,32 @@
+"""What all tests share: one folder of machine code for a session, and random examples that come again in every run."""
+
+import os
+import shutil
+import tempfile
+
+import pytest
+from hypothesis import settings
+
+os.environ["SDL_VIDEODRIVER"] = "dummy"  # windows open on a pretended screen
+
+settings.register_profile("repeatable", derandomize=True, deadline=None, database=None)
+settings.register_profile("search", deadline=None)  # new examples each time: pytest --hypothesis-profile=search
+settings.load_profile("repeatable")
+
+_folders: list[str] = []
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Compile once a session: the processes of pytest-xdist inherit the folder from the one that starts them.
+
+    A developer who sets EDUGYM_CACHE_DIR keeps the machine code from one session to the next.
+    """
+    if not os.environ.get("EDUGYM_CACHE_DIR"):
+        _folders.append(tempfile.mkdtemp(prefix="edugym-tests-"))
+        os.environ["EDUGYM_CACHE_DIR"] = _folders[0]
+
+
+def pytest_unconfigure(config: pytest.Config) -> None:
+    """Leave nothing behind."""
+    for folder in _folders:
+        shutil.rmtree(folder, ignore_errors=True)

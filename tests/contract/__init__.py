@@ -1,0 +1,1 @@
+"""What every environment of the registry has to keep."""

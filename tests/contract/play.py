@@ -1,0 +1,71 @@
+"""How the contract tests play: the registry as test parameters, and episodes as plain values that can be compared."""
+
+import copy
+from typing import Any
+
+import gymnasium
+import numpy as np
+import pytest
+
+from contract.parameters import PARAMETERS
+from edugym.registration import ENVIRONMENTS
+
+CORNERS = [
+    (entry, corner) for entry in ENVIRONMENTS if entry.name in PARAMETERS for corner in PARAMETERS[entry.name].corners
+]
+
+every_environment = pytest.mark.parametrize("entry", ENVIRONMENTS, ids=[entry.name for entry in ENVIRONMENTS])
+every_corner = pytest.mark.parametrize(
+    ("entry", "keywords"), CORNERS, ids=[f"{entry.name}-{corner or 'defaults'}" for entry, corner in CORNERS]
+)
+
+Env = gymnasium.Env[Any, Any]
+
+
+class Player:
+    """Plays an environment, four of five actions well where it is known how, and resets it when an episode is over.
+
+    Copied or pickled, it takes its environment along: both continue in the same way.
+    """
+
+    def __init__(self, env: Env, name: str, seed: int = 0) -> None:
+        """Start an episode."""
+        self.env, self.name = env, name
+        self.bare: Any = env.unwrapped
+        self.rng = np.random.default_rng(seed)
+        self.actions = copy.deepcopy(env.action_space)
+        self.actions.seed(seed)
+        self.observation, self.info = env.reset(seed=seed)
+
+    def choose(self) -> Any:
+        """The next action."""
+        informed = PARAMETERS[self.name].informed
+        action, well = self.actions.sample(), self.rng.random() < 0.8
+        return informed(self.info, self.bare) if informed and well else action
+
+    def play(self, n_steps: int) -> list[Any]:
+        """All that can be seen during some steps."""
+        seen = []
+        for _ in range(n_steps):
+            action = self.choose()
+            self.observation, reward, terminated, truncated, self.info = self.env.step(action)
+            seen.append(plain((action, self.observation, reward, terminated, truncated, self.info)))
+            if terminated or truncated:
+                self.observation, self.info = self.env.reset()
+                seen.append(plain((self.observation, self.info)))
+        return seen
+
+
+def plain(value: Any) -> Any:
+    """A value without arrays, which compares with == (and exactly: by type and bit for bit)."""
+    if isinstance(value, dict):
+        return {key: plain(part) for key, part in value.items()}
+    if isinstance(value, tuple | list):
+        return tuple(plain(part) for part in value)
+    if isinstance(value, np.ndarray):
+        return str(value.dtype), value.shape, plain(value.ravel().tolist())
+    if isinstance(value, np.generic):
+        return value.item()
+    if isinstance(value, np.random.Generator):
+        return plain(value.bit_generator.state)
+    return value

@@ -1,0 +1,151 @@
+"""Machine code does what the interpreter does, bit for bit, for every environment."""
+
+import copy
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+from gymnasium import spaces
+
+from contract.parameters import Keywords
+from contract.play import every_corner, every_environment, plain
+from edugym.agents.q_learning import QLearning
+from edugym.experiments.loop import GreedyActor, Log, OneStepAgent, off_policy, on_policy, play_episodes, start
+from edugym.mdp.compiler import compiled
+from edugym.mdp.protocol import Random, step_limit
+from edugym.registration import Entry
+from edugym.wrappers.tabular import tabular
+
+N_STEPS = 2_000
+LARGEST_TABLE = 100_000
+
+
+class Witness(NamedTuple):
+    """An on-policy agent that acts at random and writes down everything that it is told.
+
+    Attributes:
+        n_actions: how many actions there are.
+        time: shape (1,): how much was written down.
+        seen: shape (N_STEPS, ...): the observations.
+        next_seen: shape (N_STEPS, ...): those after the step.
+        told: shape (N_STEPS, 5): the action, the reward, the next action, and the two kinds of end.
+    """
+
+    n_actions: int
+    time: Any
+    seen: Any
+    next_seen: Any
+    told: Any
+
+    @property
+    def on_policy(self) -> bool:
+        """It is told its next action."""
+        return True
+
+    def act(self, state: Any, rng: Random) -> int:
+        """Any action."""
+        return int(rng.random() * self.n_actions)
+
+    def learn(
+        self,
+        state: Any,
+        action: int,
+        reward: float,
+        next_state: Any,
+        next_action: int,
+        terminated: bool,
+        truncated: bool,
+    ) -> None:
+        """Write it down."""
+        t = self.time[0]
+        self.seen[t] = state
+        self.next_seen[t] = next_state
+        self.told[t, 0] = action
+        self.told[t, 1] = reward
+        self.told[t, 2] = next_action
+        self.told[t, 3] = 1.0 if terminated else 0.0
+        self.told[t, 4] = 1.0 if truncated else 0.0
+        self.time[0] += 1
+
+
+def witness(mdp: Any) -> Witness:
+    """A witness of what happens in an MDP."""
+    space = mdp.observation_space
+    seen = np.zeros((N_STEPS, *(space.shape or ())), space.dtype)
+    return Witness(int(mdp.action_space.n), np.zeros(1, np.int64), seen, seen.copy(), np.zeros((N_STEPS, 5)))
+
+
+def as_table(mdp: Any) -> Any:
+    """The MDP with its observations as rows of a table, or as it is where they do not fit one."""
+    return mdp if isinstance(mdp.observation_space, spaces.Box) else tabular(mdp)
+
+
+def both(loop: Any, n: int, *arguments: Any) -> tuple[Any, Any]:
+    """What a loop gives and leaves in its arguments, interpreted and compiled."""
+    outcomes = []
+    for run in (loop, compiled(loop, n, *arguments)):
+        mine = copy.deepcopy(arguments)
+        given = run(n, *mine)
+        outcomes.append(plain((given, mine)))
+    return outcomes[0], outcomes[1]
+
+
+def streams(n: int) -> Any:
+    """Random streams."""
+    return (np.random.default_rng([n, k]) for k in range(100))
+
+
+@every_corner
+def test_on_policy(entry: Entry, keywords: Keywords) -> None:
+    """The on-policy loop shows an agent the same, step by step."""
+    mdp = as_table(entry.load()(**keywords).mdp)
+    if not isinstance(mdp.action_space, spaces.Discrete):
+        pytest.skip("agents in loops have whole numbers for actions")
+    agent, log = witness(mdp), Log(np.zeros(1), np.zeros(1, np.int64))
+    rng, agent_rng, start_rng, agent_start_rng, *_ = streams(1)
+    moment = start(mdp, agent, start_rng, agent_start_rng)
+    limit = step_limit(mdp) or 50
+    interpreted, machine_code = both(on_policy, N_STEPS, mdp, agent, limit, rng, agent_rng, log, moment)
+    assert interpreted == machine_code
+    _, (_, seen, *_) = interpreted
+    assert seen[1][2] == (N_STEPS,)
+
+
+@every_corner
+def test_off_policy_and_evaluation(entry: Entry, keywords: Keywords) -> None:
+    """Q-learning learns the same table, and is evaluated alike."""
+    mdp = as_table(entry.load()(**keywords).mdp)
+    if isinstance(mdp.observation_space, spaces.Box):
+        pytest.skip("Q-learning needs a table")
+    if int(mdp.observation_space.n) * int(mdp.action_space.n) > LARGEST_TABLE:
+        pytest.skip("its table would be too large")
+    agent, log = QLearning.create(mdp), Log(np.zeros(1), np.zeros(1, np.int64))
+    rng, agent_rng, start_rng, agent_start_rng, *_ = streams(2)
+    moment = start(mdp, agent, start_rng, agent_start_rng)
+    limit = step_limit(mdp) or 50
+    arguments = (mdp, OneStepAgent(agent), limit, rng, agent_rng, log, moment)
+    interpreted, machine_code = both(off_policy, N_STEPS, *arguments)
+    assert interpreted == machine_code
+    off_policy(N_STEPS, *arguments)
+    watch = (mdp, GreedyActor(agent), min(limit, 200), rng, agent_rng, np.zeros(20))
+    interpreted, machine_code = both(play_episodes, 20, *watch)
+    assert interpreted == machine_code
+
+
+@every_environment
+def test_chunks(entry: Entry) -> None:
+    """A run in pieces of any size is the same as one run."""
+    mdp = as_table(entry.load()().mdp)
+    if not isinstance(mdp.action_space, spaces.Discrete):
+        pytest.skip("agents in loops have whole numbers for actions")
+    outcomes = []
+    for pieces in ([N_STEPS], [1, 2, 997, 700, 300]):
+        agent, log = witness(mdp), Log(np.zeros(1), np.zeros(1, np.int64))
+        rng, agent_rng, *_ = streams(3)
+        moment = start(mdp, agent, rng, agent_rng)
+        arguments = (mdp, agent, step_limit(mdp) or 50, rng, agent_rng, log)
+        run = compiled(on_policy, N_STEPS, *arguments, moment)
+        for n in pieces:
+            moment = run(n, *arguments, moment)
+        outcomes.append(plain((agent, log, moment, rng, agent_rng)))
+    assert outcomes[0] == outcomes[1]

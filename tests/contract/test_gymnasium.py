@@ -1,0 +1,321 @@
+"""Every environment keeps Gymnasium's contract, at its defaults, at the extremes and between them."""
+
+import copy
+import json
+import math
+import os
+import pickle
+import subprocess
+import sys
+from typing import Any
+
+import gymnasium
+import numpy as np
+import pytest
+from gymnasium import spaces
+from gymnasium.envs.registration import EnvSpec
+from gymnasium.error import ResetNeeded
+from gymnasium.utils.env_checker import check_env
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from contract.parameters import PARAMETERS, Keywords
+from contract.play import Env, Player, every_corner, every_environment, plain
+from edugym.mdp.protocol import step_limit
+from edugym.registration import ENVIRONMENTS, Entry
+
+RENDER_MODES = [None, "ansi", "rgb_array", "human"]
+
+
+def make(entry: Entry, **keywords: Any) -> Env:
+    """An environment as its user gets it, all of Gymnasium's wrappers around it."""
+    env: Env = gymnasium.make(entry.id, **keywords)
+    env.unwrapped.metadata = {**env.unwrapped.metadata, "render_fps": math.inf}  # no waiting between two pictures
+    return env
+
+
+@every_corner
+def test_check_env(entry: Entry, keywords: Keywords) -> None:
+    """Gymnasium's own checker finds nothing to say, in any render mode (warnings are errors here)."""
+    for mode in RENDER_MODES if not keywords else [None]:
+        env: Any = make(entry, **keywords, render_mode=mode)
+        if step_limit(env.unwrapped.mdp) != 1:  # Gymnasium's checker takes a limit of one step for a mistake
+            check_env(env.unwrapped, skip_render_check=mode == "human")
+        env.close()
+
+
+@every_corner
+def test_make(entry: Entry, keywords: Keywords) -> None:
+    """What `gymnasium.make` gives runs through Gymnasium's wrappers, which check every step."""
+    env = make(entry, **keywords)
+    seen = Player(env, entry.name).play(50)
+    assert seen == Player(entry.load()(**keywords), entry.name).play(50)
+    assert env.spec is not None
+    assert env.spec.kwargs == keywords
+    assert env.spec.max_episode_steps is None  # the environment keeps its limit itself
+
+
+@every_environment
+@given(data=st.data())
+@settings(max_examples=60, suppress_health_check=[HealthCheck.too_slow])
+def test_observations(entry: Entry, data: st.DataObject) -> None:
+    """Under any valid parameters every observation lies in its space, and the rest of a step is what it has to be."""
+    keywords = data.draw(PARAMETERS[entry.name].valid)
+    env = entry.load()(**keywords)
+    player = Player(env, entry.name, seed=data.draw(st.integers(0, 1000)))
+    limit = getattr(env.mdp, "max_steps", math.inf)
+    steps = 0
+    for _ in range(60):
+        assert env.observation_space.contains(player.observation)
+        player.observation, reward, terminated, truncated, player.info = env.step(player.choose())
+        steps += 1
+        assert env.observation_space.contains(player.observation)
+        assert type(reward) is float
+        assert math.isfinite(reward)
+        assert type(terminated) is bool
+        assert type(truncated) is bool
+        assert not (terminated and truncated)
+        assert truncated == (steps == limit and not terminated)
+        assert env.steps == steps <= limit
+        assert terminated == env.mdp.terminal(env.state)
+        if terminated or truncated:
+            player.observation, player.info = env.reset()
+            assert not env.mdp.terminal(env.state)
+            steps = 0
+
+
+@every_corner
+def test_seeds(entry: Entry, keywords: Keywords) -> None:
+    """A seed repeats everything after it; where there is chance, different seeds differ, and elsewhere they do not."""
+
+    def play(reset_seed: int) -> list[Any]:
+        player = Player(make(entry, **keywords), entry.name)
+        player.observation, player.info = player.env.reset(seed=reset_seed)
+        return [plain((player.observation, player.info)), *player.play(40)]
+
+    runs = [play(seed) for seed in range(8)]
+    assert [play(seed) for seed in range(8)] == runs
+    if not keywords:
+        assert len(set(map(str, runs))) > 1 if PARAMETERS[entry.name].random else len(set(map(str, runs))) == 1
+
+
+@every_environment
+def test_random_stream_goes_on(entry: Entry) -> None:
+    """A reset without a seed does not start the random stream anew, and a seed gives a stream like Gymnasium's own."""
+    env = make(entry)
+    player = Player(env, entry.name, seed=3)
+    drawn = env.unwrapped.np_random.bit_generator.state
+    player.play(100)
+    assert (plain(env.unwrapped.np_random) != plain(drawn)) == PARAMETERS[entry.name].random
+    before = plain(env.unwrapped.np_random)
+    env.reset(seed=3)
+    assert plain(env.unwrapped.np_random) == plain(drawn)
+    assert (plain(env.unwrapped.np_random) != before) == PARAMETERS[entry.name].random
+
+
+DIGESTS = """
+import sys, json
+from contract.play import Player
+from edugym.registration import ENVIRONMENTS
+print(json.dumps({entry.name: repr(Player(entry.load()(**given), entry.name, seed=5).play(200))
+    for entry in ENVIRONMENTS for given in [json.loads(sys.argv[1]).get(entry.name, {})]}))
+"""
+
+
+def test_one_task_in_every_process() -> None:
+    """An id, its parameters and a seed name one fixed run, also in another process."""
+    layouts = {
+        e.name: {"layout_seed": 7} for e in ENVIRONMENTS if any(b.name == "layout_seed" for b in PARAMETERS[e.name].bad)
+    }
+    for keywords in ({}, layouts):
+        here = {
+            e.name: repr(Player(e.load()(**keywords.get(e.name, {})), e.name, seed=5).play(200)) for e in ENVIRONMENTS
+        }
+        path = os.pathsep.join(filter(None, sys.path))
+        environment = {**os.environ, "PYTHONPATH": path, "PYTHONHASHSEED": "77"}
+        command = [sys.executable, "-c", DIGESTS, json.dumps(keywords)]
+        there = subprocess.run(command, env=environment, capture_output=True, text=True, check=True).stdout
+        assert json.loads(there) == here
+
+
+@every_environment
+def test_layout_seed(entry: Entry) -> None:
+    """A layout seed fixes the task, which no seed of `reset` changes; other layout seeds give other tasks."""
+    if not any(bad.name == "layout_seed" for bad in PARAMETERS[entry.name].bad):
+        return
+    table = PARAMETERS[entry.name]
+
+    def task(**keywords: Any) -> Any:
+        env = entry.load()(**table.layout, **keywords)
+        return plain((tuple(env.mdp), env.finite_model.rewards if table.finite else None))
+
+    layouts = [task(layout_seed=seed) for seed in range(10)]
+    assert len(set(map(repr, layouts))) > 5
+    assert layouts == [task(layout_seed=seed) for seed in range(10)]
+    assert layouts[0] == task()
+    env = entry.load()(layout_seed=4)
+    before = plain(tuple(env.mdp))
+    for seed in range(5):
+        env.reset(seed=seed)
+        assert plain(tuple(env.mdp)) == before
+
+
+@every_corner
+def test_copies_continue_alike(entry: Entry, keywords: Keywords) -> None:
+    """A copy, and what was pickled and read again, continue an episode as the environment itself does."""
+    player = Player(make(entry, **keywords), entry.name, seed=11)
+    player.play(7)
+    copied, restored = copy.deepcopy(player), pickle.loads(pickle.dumps(player))
+    seen = player.play(60)
+    assert copied.play(60) == seen
+    assert restored.play(60) == seen
+    assert copied.bare.state is not player.bare.state or isinstance(player.bare.state, int)
+
+
+@every_corner
+def test_spec_as_text(entry: Entry, keywords: Keywords) -> None:
+    """The specification of an environment survives being written as JSON, and makes the same environment."""
+    env = make(entry, **keywords)
+    assert env.spec is not None
+    spec = EnvSpec.from_json(env.spec.to_json())
+    assert spec.kwargs == env.spec.kwargs == keywords
+    assert Player(gymnasium.make(spec), entry.name).play(30) == Player(env, entry.name).play(30)
+
+
+def bad_actions(space: spaces.Space[Any]) -> list[Any]:
+    """What is not in an action space."""
+    inside = space.sample()
+    wrong = [None, "left", math.nan, [inside, inside], {"action": inside}, np.array([[inside]])]
+    if isinstance(space, spaces.Discrete):
+        n = int(space.n)
+        return [
+            *wrong,
+            -1,
+            n,
+            n + 3,
+            10**30,
+            -(10**30),
+            0.0,
+            0.5,
+            np.float64(0),
+            np.int64(n),
+            np.int8(-1),
+            [0],
+            np.array([0]),
+        ]
+    if isinstance(space, spaces.MultiDiscrete):
+        return [*wrong, 0, inside[:-1], inside.astype(float), space.nvec, -np.ones_like(inside)]
+    assert isinstance(space, spaces.Box)
+    return [*wrong, 0.0, inside[:-1], space.high * 1.01, space.low * 1.01, np.full_like(inside, math.nan)]
+
+
+@every_corner
+def test_bad_actions(entry: Entry, keywords: Keywords) -> None:
+    """An action outside the action space raises a ValueError that names both, and nothing happens."""
+    env = entry.load()(**keywords)
+    player = Player(env, entry.name)
+    before = plain((env.state, env.steps, env.last_action, env.np_random))
+    for action in bad_actions(env.action_space):
+        with pytest.raises(ValueError, match="is not in the action space") as caught:
+            pytest.fail(f"{action!r} is taken as an action: {env.step(action)}")
+        assert repr(action) in str(caught.value)
+        assert str(env.action_space) in str(caught.value)
+        assert plain((env.state, env.steps, env.last_action, env.np_random)) == before
+    player.play(5)
+
+
+@every_environment
+def test_numpy_actions(entry: Entry) -> None:
+    """A whole number of NumPy's is the same action as Python's own."""
+    if not isinstance(entry.load()().action_space, spaces.Discrete):
+        return
+    for kind in (np.int64, np.int8, np.uint16, np.array):
+        player, other = (Player(entry.load()(), entry.name, seed=2) for _ in range(2))
+        for _ in range(20):
+            action = player.choose()
+            *seen, player.info = player.env.step(kind(action))
+            assert plain((*seen, player.info)) == other.play(1)[0][1:]
+            assert type(player.bare.last_action) is int
+            if seen[2] or seen[3]:
+                _, player.info = player.env.reset()
+
+
+@every_environment
+def test_reset_is_needed(entry: Entry) -> None:
+    """A step before the first reset, and after the end of an episode until the next reset, raises ResetNeeded."""
+    env = entry.load()()
+    for call in (lambda: env.step(env.action_space.sample()), env.render):
+        with pytest.raises(ResetNeeded, match="before the first reset"):
+            call()
+    player = Player(env, entry.name)
+    for _ in range(3):
+        terminated = truncated = False
+        while not (terminated or truncated):
+            player.observation, _, terminated, truncated, player.info = env.step(player.choose())
+        over = plain((env.state, env.steps, env.np_random))
+        for _ in range(2):
+            with pytest.raises(ResetNeeded, match="of a finished episode"):
+                env.step(env.action_space.sample())
+        assert plain((env.state, env.steps, env.np_random)) == over
+        player.observation, player.info = env.reset()
+
+
+@every_environment
+def test_info_is_new(entry: Entry) -> None:
+    """What is done to an `info` changes neither the environment nor the next one."""
+    player, other = (Player(entry.load()(), entry.name, seed=1) for _ in range(2))
+    for _ in range(20):
+        assert player.play(1) == other.play(1)
+        player.info.clear()
+        player.info = player.bare.info()
+
+
+@every_environment
+def test_rendering_changes_nothing(entry: Entry) -> None:
+    """Drawing, as often as one likes, leaves the episode and its random stream as they are, in every render mode."""
+    for mode in ("ansi", "rgb_array", "human"):
+        play_drawn(entry, mode)
+
+
+def play_drawn(entry: Entry, mode: str) -> None:
+    """Play twice, drawing one of both, and look at what is drawn."""
+    drawn, undrawn = (Player(make(entry, render_mode=m), entry.name, seed=9) for m in (mode, None))
+    for _ in range(12):
+        for _ in range(2):
+            frame = drawn.env.render()
+            drawn.bare.scene()
+        assert drawn.play(1) == undrawn.play(1)
+        assert plain(drawn.bare.np_random) == plain(undrawn.bare.np_random)
+    if mode == "ansi":
+        assert isinstance(frame, str)
+        assert frame.strip()
+    elif mode == "rgb_array":
+        assert isinstance(frame, np.ndarray)
+        assert (frame.dtype.name, frame.ndim, frame.shape[2]) == ("uint8", 3, 3)
+    else:
+        assert frame is None
+        copied = copy.deepcopy(drawn)  # without its window
+        assert copied.play(2) == drawn.play(2)
+        copied.env.close()
+    drawn.env.close()
+    drawn.env.close()
+
+
+@every_corner
+def test_pictures_at_the_extremes(entry: Entry, keywords: Keywords) -> None:
+    """There is a picture of every task, before the first reset, at the start, on the way and at the end."""
+    env = entry.load()(**keywords, render_mode="ansi")
+    assert env.scene()._repr_svg_().startswith("<svg")
+    player = Player(env, entry.name)
+    for _ in range(30):
+        assert env.render().strip()
+        player.play(1)
+
+
+def test_vector_of_gymnasium() -> None:
+    """All environments can be put into Gymnasium's own vector environments."""
+    for entry in ENVIRONMENTS:
+        envs = gymnasium.make_vec(entry.id, num_envs=2, vectorization_mode="sync")
+        envs.reset(seed=0)
+        envs.step(envs.action_space.sample())
+        envs.close()

@@ -1,0 +1,144 @@
+"""The exact model and `step` are one truth, and what is not finite has no model."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from contract.parameters import PARAMETERS, Keywords
+from contract.play import every_corner, every_environment, plain
+from edugym.mdp.model import FiniteModel, Outcome, finite_model
+from edugym.registration import Entry
+
+SAMPLES = 400
+"""How often each state and action is tried, where there is chance."""
+SIGMAS = 6
+"""How many standard deviations a frequency may be off: among a million of them none is, by chance."""
+
+
+@every_environment
+def test_tables(entry: Entry) -> None:
+    """Probabilities are probabilities, and a terminal state leads to itself and pays nothing."""
+    for keywords in PARAMETERS[entry.name].finite:
+        mdp = entry.load()(**keywords).mdp
+        model = finite_model(mdp)
+        n_states, n_actions, width = model.successors.shape
+        assert (n_states, n_actions) == (len(model.states), mdp.action_space.n)
+        assert model.probabilities.shape == model.rewards.shape == (n_states, n_actions, width)
+        assert (model.probabilities >= 0).all()
+        np.testing.assert_allclose(model.probabilities.sum(axis=2), 1, rtol=0, atol=1e-12)
+        np.testing.assert_allclose(model.p.sum(axis=2), 1, rtol=0, atol=1e-12)
+        np.testing.assert_allclose(model.initial.sum(), 1, rtol=0, atol=1e-12)
+        assert [bool(mdp.terminal(state)) for state in model.states] == model.terminal.tolist()
+        assert model.initial[model.terminal].sum() == 0
+        ends = np.flatnonzero(model.terminal)
+        assert len(ends) > 0
+        assert (model.p[ends, :, ends] == 1).all()
+        assert (model.r[ends] == 0).all()
+        assert all(model.row(state) == s for s, state in enumerate(model.states))
+        assert (model.p[~model.terminal].sum(axis=(0, 1)) + model.initial > 0).all()  # every state can be reached
+
+
+@every_environment
+def test_steps_follow_the_model(entry: Entry) -> None:
+    """From every state, every action has the outcomes of the model, as often as it says; without chance, exactly."""
+    for keywords in PARAMETERS[entry.name].finite:
+        env = entry.load()(**keywords)
+        model: FiniteModel = env.finite_model
+        env.reset(seed=1)
+        for s in np.flatnonzero(~model.terminal).tolist():
+            for action in range(env.action_space.n):
+                outcomes = env.descriptive_model(model.states[s], action)
+                compare(outcomes, [stepped(env, model.states[s], action) for _ in range(tries(outcomes))])
+        starts: dict[Any, int] = dict.fromkeys(range(len(model.states)), 0)
+        for _ in range(SAMPLES):
+            env.reset()
+            starts[model.row(env.state)] += 1
+        for s, p in enumerate(model.initial):
+            assert abs(starts[s] - SAMPLES * p) <= SIGMAS * np.sqrt(SAMPLES * p * (1 - p))
+
+
+def stepped(env: Any, state: Any, action: int) -> tuple[Any, float, bool]:
+    """The next state, reward and end of one step from any state."""
+    env.reset()
+    env.state = state
+    _, reward, terminated, _, _ = env.step(action)
+    return env.state, reward, terminated
+
+
+def tries(outcomes: list[Outcome]) -> int:
+    """How many steps to compare: with a single outcome only the reward can vary."""
+    return SAMPLES if len(outcomes) > 1 else 20
+
+
+def compare(outcomes: list[Outcome], steps: list[tuple[Any, float, bool]]) -> None:
+    """Compare steps with the model of them."""
+    known = {outcome.next_state: outcome for outcome in outcomes}
+    assert len(known) == len(outcomes)
+    assert {state for state, _, _ in steps} <= set(known)
+    for state, outcome in known.items():
+        rewards = np.array([reward for next_state, reward, _ in steps if next_state == state])
+        assert all(ends == outcome.terminated for next_state, _, ends in steps if next_state == state)
+        n, p = len(steps), outcome.probability
+        assert abs(len(rewards) - n * p) <= SIGMAS * np.sqrt(n * p * (1 - p))
+        if len(rewards) > 1:
+            assert abs(rewards.mean() - outcome.reward) <= SIGMAS * rewards.std(ddof=1) / np.sqrt(len(rewards)) + 1e-12
+
+
+@every_environment
+def test_ways_to_ask(entry: Entry) -> None:
+    """`model` is a short form of the descriptive and the generative model, which draw nothing from the environment."""
+    for keywords in PARAMETERS[entry.name].finite:
+        env = entry.load()(**keywords)
+        env.reset(seed=0)
+        before = plain(env.np_random)
+        for state in env.finite_model.states[:50]:
+            for action in range(env.action_space.n):
+                outcomes = env.descriptive_model(state, action)
+                assert env.model(state, action) == env.model(state, action, kind="descriptive") == outcomes
+                assert sum(outcome.probability for outcome in outcomes) == pytest.approx(1, abs=1e-12)
+                for drawn in (env.generative_model(state, action), env.model(state, action, "generative")):
+                    assert drawn.probability == 1
+                    assert drawn._replace(probability=0) in [outcome._replace(probability=0) for outcome in outcomes]
+        assert plain(env.np_random) == before
+        state = env.state
+        for wrong in (-1, env.action_space.n, 0.5, None):
+            for ask in (env.model, env.descriptive_model, env.generative_model):
+                with pytest.raises(ValueError, match="is not in the action space"):
+                    ask(state, wrong)
+        for wrong in ("nowhere", None, (), (10**9, 1, 2, 3)):
+            for ask in (env.model, env.descriptive_model, env.generative_model):
+                with pytest.raises(ValueError, match=r"state must be one of the task's \d+ states, but is"):
+                    ask(wrong, 0)
+        with pytest.raises(ValueError, match="kind must be one of 'descriptive', 'generative', but is 'exact'"):
+            env.model(state, 0, kind="exact")
+
+
+@every_environment
+def test_generative_model_is_seeded(entry: Entry) -> None:
+    """A seed repeats what the generative model draws as well, whatever the environment draws meanwhile."""
+    for keywords in PARAMETERS[entry.name].finite:
+        drawn = []
+        for steps in (0, 3):
+            env = entry.load()(**keywords)
+            env.reset(seed=5)
+            actions = list(range(env.action_space.n)) * 20
+            state = env.state
+            for action in actions[:steps]:
+                if any(env.step(action)[2:4]):
+                    env.reset()
+            drawn.append([env.generative_model(state, action) for action in actions])
+        assert drawn[0] == drawn[1]
+
+
+@every_corner
+def test_whether_there_is_a_model(entry: Entry, keywords: Keywords) -> None:
+    """Tasks that are not in the table as finite say that they are not, and why; no other error gets through."""
+    env = entry.load()(**keywords)
+    if PARAMETERS[entry.name].finite:
+        return
+    with pytest.raises(ValueError, match=f"{type(env.mdp).__name__} has no finite model: "):
+        finite_model(env.mdp)
+    env.reset(seed=0)
+    with pytest.raises(ValueError, match="has no finite model"):
+        env.model(env.state, env.action_space.sample())

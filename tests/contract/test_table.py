@@ -1,0 +1,51 @@
+"""The contract tests cover the whole registry, and what the table of parameters says is refused is refused."""
+
+import importlib
+import inspect
+from pathlib import Path
+
+import pytest
+
+from contract.parameters import PARAMETERS, refused
+from contract.play import CORNERS, every_environment
+from edugym.registration import ENVIRONMENTS, Entry
+
+
+def parameters_of(entry: Entry) -> set[str]:
+    """The names of an environment's own parameters."""
+    return set(inspect.signature(entry.load()).parameters) - {"render_mode"}
+
+
+def test_table_describes_the_registry() -> None:
+    """Every registered environment is in the table of parameters, and nothing else is."""
+    assert list(PARAMETERS) == [entry.name for entry in ENVIRONMENTS]
+
+
+def test_contract_runs_over_the_whole_registry() -> None:
+    """Every contract test about an environment runs for each of the registry, or for each corner of each."""
+    assert {entry for entry, _ in CORNERS} == set(ENVIRONMENTS)
+    runs = []
+    for path in Path(__file__).parent.glob("test_*.py"):
+        for name, test in vars(importlib.import_module(f"contract.{path.stem}")).items():
+            if name.startswith("test_") and "entry" in inspect.signature(test).parameters:
+                (cases,) = (mark.args for mark in test.pytestmark if mark.name == "parametrize")
+                runs.append((name, len(cases[1]), len(CORNERS if "keywords" in cases[0] else ENVIRONMENTS)))
+    assert [run for run in runs if run[1] != run[2]] == []
+    assert len(runs) >= 25
+
+
+@every_environment
+def test_table_describes_every_parameter(entry: Entry) -> None:
+    """Every parameter of a constructor has an extreme value and a bad one in the table, and there are no others."""
+    table = PARAMETERS[entry.name]
+    assert {name for corner in table.corners for name in corner} == parameters_of(entry)
+    assert {bad.name for bad in table.bad} == parameters_of(entry)
+
+
+@every_environment
+def test_bad_parameters(entry: Entry) -> None:
+    """A wrong parameter raises a ValueError that names the parameter and its value."""
+    for bad in (*PARAMETERS[entry.name].bad, *refused("render_mode", "svg", "", 1)):
+        with pytest.raises(ValueError, match=bad.name) as caught:
+            pytest.fail(f"{entry.name} takes {bad}: {entry.load()(**bad.given, **{bad.name: bad.value})}")
+        assert repr(bad.value) in str(caught.value), bad

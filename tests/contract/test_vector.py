@@ -1,0 +1,249 @@
+"""The vector environment is n copies of the single one, and behaves as Gymnasium's own vector environments do."""
+
+import copy
+import pickle
+from typing import Any
+
+import gymnasium
+import numpy as np
+import pytest
+from gymnasium import spaces
+from gymnasium.error import ResetNeeded
+from gymnasium.vector import AutoresetMode
+
+from contract.parameters import PARAMETERS, Keywords
+from contract.play import every_corner, every_environment, plain
+from edugym.envs.boulder import BoulderEnv
+from edugym.mdp.vector import MDPVectorEnv
+from edugym.registration import Entry
+
+MODES = [AutoresetMode.NEXT_STEP, AutoresetMode.SAME_STEP, AutoresetMode.DISABLED]
+
+
+class Copies:
+    """Single environments, interpreted, that share one random stream: what the vector environment has to equal."""
+
+    def __init__(self, entry: Entry, keywords: Keywords, n: int, mode: AutoresetMode, seed: int) -> None:
+        """Start n episodes."""
+        self.name, self.mode = entry.name, mode
+        self.envs = [entry.load()(**keywords) for _ in range(n)]
+        self.observations: list[Any] = [None] * n
+        self.infos: list[dict[str, Any]] = [{}] * n
+        self.over = [False] * n
+        for i, env in enumerate(self.envs):
+            env.np_random = self.envs[0].np_random
+            self.restart(i, seed if i == 0 else None)
+
+    def restart(self, i: int, seed: int | None = None) -> None:
+        """Start an episode in one copy."""
+        self.observations[i], self.infos[i] = self.envs[i].reset(seed=seed)
+        self.envs[i].np_random = self.envs[0].np_random
+        self.over[i] = False
+
+    def choose(self, rng: np.random.Generator) -> np.ndarray[Any, Any]:
+        """Actions, most of them good ones where it is known which are."""
+        informed = PARAMETERS[self.name].informed
+        actions = []
+        for env, info in zip(self.envs, self.infos, strict=True):
+            env.action_space.seed(int(rng.integers(2**31)))
+            good = informed and rng.random() < 0.8
+            actions.append(informed(info, env) if good and informed else env.action_space.sample())
+        return np.array(actions, self.envs[0].action_space.dtype)
+
+    def step(self, actions: np.ndarray[Any, Any]) -> tuple[Any, ...]:
+        """One step of all copies, and the last observation of the episodes that ended and started anew in it."""
+        n = len(self.envs)
+        rewards, terminations, truncations, last = [0.0] * n, [False] * n, [False] * n, [None] * n
+        for i, env in enumerate(self.envs):
+            if self.over[i] and self.mode is AutoresetMode.NEXT_STEP:
+                self.restart(i)
+                continue
+            self.observations[i], rewards[i], terminations[i], truncations[i], self.infos[i] = env.step(actions[i])
+            self.over[i] = terminations[i] or truncations[i]
+            if self.over[i] and self.mode is AutoresetMode.SAME_STEP:
+                last[i] = self.observations[i]
+                self.restart(i)
+        return rewards, terminations, truncations, last
+
+
+def batch(space: spaces.Space[Any], values: Any) -> Any:
+    """Elements of a space, as the rows of one array."""
+    return plain(np.array(values, space.dtype).reshape(len(values), *(space.shape or ())))
+
+
+@every_corner
+def test_copies(entry: Entry, keywords: Keywords) -> None:
+    """One copy is the single environment, and several are several that draw from one stream, in every mode."""
+    for mode in MODES:
+        for n in (1, 4):
+            rng = np.random.default_rng(n)
+            alone = Copies(entry, keywords, n, mode, seed=17)
+            vector = gymnasium.make_vec(entry.id, n, autoreset_mode=mode, **keywords).unwrapped
+            assert isinstance(vector, MDPVectorEnv)
+            space = vector.single_observation_space
+            assert plain(vector.reset(seed=17)) == (batch(space, alone.observations), {})
+            for _ in range(40):
+                actions = alone.choose(rng)
+                rewards, terminations, truncations, last = alone.step(actions)
+                observations, *seen, infos = vector.step(actions)
+                assert plain(observations) == batch(space, alone.observations)
+                assert plain(seen) == plain([np.array(rewards), np.array(terminations), np.array(truncations)])
+                assert vector.observation_space.contains(observations)
+                assert plain([vector.state(i) for i in range(n)]) == plain([env.state for env in alone.envs])
+                assert plain(vector.np_random) == plain(alone.envs[0].np_random)
+                ended = [observation is not None for observation in last]
+                assert set(infos) == ({"final_obs", "_final_obs"} if any(ended) else set())
+                if any(ended):
+                    assert infos["_final_obs"].tolist() == ended
+                    assert plain(list(infos["final_obs"])) == plain(last)
+                if mode is AutoresetMode.DISABLED and any(alone.over):
+                    with pytest.raises(ResetNeeded, match=rf"finished copies \[{np.flatnonzero(alone.over)[0]}"):
+                        vector.step(actions)
+                    mask = np.array(alone.over)
+                    for i in np.flatnonzero(mask):
+                        alone.restart(int(i))
+                    assert plain(vector.reset(options={"reset_mask": mask})) == (batch(space, alone.observations), {})
+
+
+@every_environment
+def test_as_gymnasium(entry: Entry) -> None:
+    """A single copy does in every mode what Gymnasium's own vector environment of it does."""
+    keywords = PARAMETERS[entry.name].corners[-1]
+    for mode in MODES:
+        ours = gymnasium.make_vec(entry.id, 1, autoreset_mode=mode, **keywords)
+        theirs = gymnasium.make_vec(entry.id, 1, "sync", vector_kwargs={"autoreset_mode": mode}, **keywords)
+        assert ours.single_observation_space == theirs.single_observation_space
+        assert ours.observation_space == theirs.observation_space
+        assert ours.action_space == theirs.action_space
+        assert ours.metadata["autoreset_mode"] == theirs.metadata["autoreset_mode"] == mode
+        assert plain(ours.reset(seed=4)[0]) == plain(theirs.reset(seed=4)[0])
+        ours.action_space.seed(1)
+        for _ in range(60):
+            actions = ours.action_space.sample()
+            *seen, infos = ours.step(actions)
+            *seen_there, infos_there = theirs.step(actions)
+            assert plain(seen) == plain(seen_there)
+            for key in ("final_obs", "_final_obs"):
+                assert (key in infos) == (key in infos_there)
+                assert plain(list(infos.get(key, []))) == plain(list(infos_there.get(key, [])))
+            over = seen[2] | seen[3]
+            if mode is AutoresetMode.DISABLED and over.any():
+                options = {"reset_mask": over}
+                assert plain(ours.reset(options=options)[0]) == plain(theirs.reset(options=options)[0])
+        theirs.close()
+
+
+@every_environment
+def test_bad_actions(entry: Entry) -> None:
+    """Wrong actions, also of one copy alone, raise a ValueError that names them and the space; nothing is stepped."""
+    vector = MDPVectorEnv(entry.load()(), 3)
+    with pytest.raises(ResetNeeded, match="before the first reset"):
+        vector.step(vector.action_space.sample())
+    vector.reset(seed=0)
+    good = vector.action_space.sample()
+    bad: list[Any] = [None, "left", good[:2], good[0], [good] * 3, good.astype(complex), np.array(["a", "b", "c"])]
+    if isinstance(vector.single_action_space, spaces.Discrete):
+        n = int(vector.single_action_space.n)
+        bad += [
+            [0, 0, n],
+            [-1, 0, 0],
+            [0, 2**62, 0],
+            np.array([0, 2**64 - 1, 0], np.uint64),
+            [0.0, 0.0, 0.0],
+            [0, 0, 0.5],
+        ]
+        bad += [[True, False, True], [0, None, 0]]
+    elif isinstance(vector.single_action_space, spaces.MultiDiscrete):
+        bad += [-np.ones_like(good), good + vector.single_action_space.nvec]
+    else:
+        bad += [good * 0 + 1.01, good * 0 - 1.01, good * np.nan]
+    before = plain(([vector.state(i) for i in range(3)], vector.np_random))
+    for actions in bad:
+        with pytest.raises(ValueError, match="not in the action space") as caught:
+            pytest.fail(f"{actions!r} are taken as actions: {vector.step(actions)}")
+        assert repr(actions) in str(caught.value)
+        assert str(vector.action_space) in str(caught.value)
+        assert plain(([vector.state(i) for i in range(3)], vector.np_random)) == before
+    vector.step(good)
+
+
+@every_environment
+def test_bad_masks(entry: Entry) -> None:
+    """A mask that is no array of n booleans raises a ValueError and changes nothing, the random stream included."""
+    vector = MDPVectorEnv(entry.load()(), 3)
+    vector.reset(seed=0)
+    before = plain(([vector.state(i) for i in range(3)], vector.np_random))
+    for mask in ([True] * 3, np.ones(2, np.bool_), np.ones(3, np.int64), np.ones((3, 1), np.bool_), None, True, "all"):
+        with pytest.raises(ValueError, match="reset_mask must be an array of 3 booleans, but is") as caught:
+            vector.reset(seed=5, options={"reset_mask": mask})
+        assert repr(mask) in str(caught.value)
+        assert plain(([vector.state(i) for i in range(3)], vector.np_random)) == before
+    vector.reset(options={"reset_mask": np.array([False, False, False])})
+    assert plain(([vector.state(i) for i in range(3)], vector.np_random)) == before
+    vector.reset(options={"reset_mask": np.array([True, True, True])})
+
+
+@every_environment
+def test_what_is_given_is_kept(entry: Entry) -> None:
+    """Arrays that a step has given are not written to by later ones."""
+    vector = MDPVectorEnv(entry.load()(), 2, "SameStep")
+    given: list[tuple[Any, ...]] = [vector.reset(seed=0)]
+    kept = [plain(given[0])]
+    vector.action_space.seed(0)
+    for _ in range(10):
+        actions = vector.action_space.sample()
+        action_before = plain(actions)
+        given.append(vector.step(actions))
+        assert plain(actions) == action_before
+        kept.append(plain(tuple(given[-1][:4])))
+    assert [plain(tuple(one[:4])) for one in given[1:]] == kept[1:]
+    assert plain(given[0]) == kept[0]
+
+
+@every_environment
+def test_copied(entry: Entry) -> None:
+    """A copied vector environment, and one that was pickled, continues in the same way, apart from the first."""
+    vector = MDPVectorEnv(entry.load()(), 3)
+    vector.reset(seed=0)
+    vector.action_space.seed(0)
+    plays = [vector.action_space.sample() for _ in range(20)]
+    for actions in plays[:5]:
+        vector.step(actions)
+    others = [copy.deepcopy(vector), pickle.loads(pickle.dumps(vector))]
+    runs = [[plain(one.step(actions)) for actions in plays] for one in (vector, *others)]
+    assert runs[1] == runs[0]
+    assert runs[2] == runs[0]
+
+
+@every_environment
+def test_pictures(entry: Entry) -> None:
+    """Rendering draws every copy, and changes neither the copies nor the environment that they were made of."""
+    env = entry.load()(render_mode="ansi")
+    env.reset(seed=3)
+    own = plain((env.state, env.steps, env.np_random))
+    vector = MDPVectorEnv(env, 2)
+    with pytest.raises(ResetNeeded):
+        vector.render()
+    vector.reset(seed=0)
+    other = MDPVectorEnv(entry.load()(), 2)
+    other.reset(seed=0)
+    vector.action_space.seed(0)
+    for _ in range(5):
+        frames = vector.render()
+        assert frames is not None
+        assert [type(frame) for frame in frames] == [str, str]
+        actions = vector.action_space.sample()
+        assert plain(vector.step(actions)) == plain(other.step(actions))
+    assert plain((env.state, env.steps, env.np_random)) == own
+    vector.close()
+
+
+def test_wrong_parameters() -> None:
+    """The number of copies is 1 or more, and the mode is one of Gymnasium's."""
+    env = BoulderEnv()
+    wrong: list[Any] = [0, -1, 1.0, "2", None, True]
+    for n in wrong:
+        with pytest.raises(ValueError, match="num_envs"):
+            MDPVectorEnv(env, n)
+    with pytest.raises(ValueError, match="Sometimes"):
+        MDPVectorEnv(env, 2, "Sometimes")

@@ -1,0 +1,1 @@
+"""Each environment against its paper."""

@@ -1,0 +1,141 @@
+"""Boulder: an episode on paper, and the number of steps that a random climber needs."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from edugym.envs.boulder import BoulderEnv
+from edugym.mdp.model import finite_model
+from edugym.planning.value_iteration import value_iteration
+from edugym.registration import make_mdp
+
+START = """
+
+3  × ●⚑
+2  × ●
+1  × ●
+░░░░░░░░░░
+░░░░☺░░░░░"""
+
+ON_THE_FIRST_GRIP = """
+
+3  × ●⚑
+2  × ●
+1  × ☺
+░░░░░░░░░░
+░░░░░░░░░░"""
+
+ON_THE_SECOND_GRIP = """
+
+3  × ●⚑
+2  × ☺
+1  × ●
+░░░░░░░░░░
+░░░░░░░░░░"""
+
+AT_THE_TOP = """
+    ☺
+3  × ●⚑
+2  × ●
+1  × ●
+░░░░░░░░░░
+░░░░░░░░░░"""
+
+
+def test_an_episode() -> None:
+    """Three right grips lead to the top; a wrong one on the way to the ground, which is no end."""
+    env = BoulderEnv(height=3, render_mode="ansi")
+    assert env.mdp.grips.tolist() == [1, 1, 1]
+    assert env.reset(seed=0) == (0, {"right_grip": 1})
+    assert env.render() == START
+    for action, seen, frame in (
+        (1, (1, 0.0, False, False, {"right_grip": 1}), ON_THE_FIRST_GRIP),
+        (0, (0, 0.0, False, False, {"right_grip": 1}), START),
+        (0, (0, 0.0, False, False, {"right_grip": 1}), START),
+        (1, (1, 0.0, False, False, {"right_grip": 1}), ON_THE_FIRST_GRIP),
+        (1, (2, 0.0, False, False, {"right_grip": 1}), ON_THE_SECOND_GRIP),
+        (1, (3, 1.0, True, False, {"right_grip": -1}), AT_THE_TOP),
+    ):
+        assert env.step(action) == seen
+        assert env.render() == frame
+
+
+@pytest.mark.parametrize(
+    ("parameters", "grips"),
+    [
+        ({}, [1, 1, 1, 0, 0, 0, 0, 0, 0, 1]),
+        ({"n_grips": 5, "layout_seed": 7}, [4, 3, 3, 4, 2, 3, 4, 1, 0, 1]),
+        ({"height": 4}, [1, 1, 1, 0]),
+    ],
+)
+def test_layouts(parameters: dict[str, Any], grips: list[int]) -> None:
+    """The walls that these parameters name are the same on every machine and in every version."""
+    assert make_mdp("Boulder", **parameters).grips.tolist() == grips
+
+
+def test_grips_are_uniform() -> None:
+    """At every height each grip holds equally often, over layouts."""
+    layouts = np.array([make_mdp("Boulder", height=6, n_grips=3, layout_seed=seed).grips for seed in range(900)])
+    counts = np.array([(layouts == grip).sum(axis=0) for grip in range(3)])
+    assert np.abs(counts - 300).max() < 5 * np.sqrt(900 * (1 / 3) * (2 / 3))
+
+
+@pytest.mark.parametrize("n_grips", [2, 3, 4, 7])
+@pytest.mark.parametrize("height", [1, 2, 5, 10])
+def test_random_climber(height: int, n_grips: int) -> None:
+    """A random climber needs (N^(H+1) - N)/(N - 1) steps: the linear equations of the exact model agree."""
+    model = finite_model(make_mdp("Boulder", height=height, n_grips=n_grips, layout_seed=5))
+    p = model.p.mean(axis=1)[: height + 1, : height + 1]
+    climbing = ~model.terminal
+    steps = np.linalg.solve(np.eye(height) - p[np.ix_(climbing, climbing)], np.ones(height))
+    assert steps[0] == pytest.approx((n_grips ** (height + 1) - n_grips) / (n_grips - 1), rel=1e-6)
+
+
+def test_random_climber_at_the_defaults() -> None:
+    """The docstring's 2 046 and 2.5e30 are these numbers."""
+    assert (2**11 - 2) / (2 - 1) == 2046
+    assert float(f"{2**101 - 2:.1e}") == 2.5e30
+    assert "2 046" in (BoulderEnv.__doc__ or "")
+    assert "2.5e30" in (BoulderEnv.__doc__ or "")
+
+
+def test_best_return() -> None:
+    """The best return is 1, in as many steps as the wall is high; with a step less it is 0."""
+    for height in (1, 10, 30):
+        model = finite_model(make_mdp("Boulder", height=height))
+        assert len(model.states) == height + 1
+        assert value_iteration(model).start == 1.0
+        assert value_iteration(model, horizon=height).start == 1.0
+        assert value_iteration(model, discount=0.5).start == pytest.approx(0.5 ** (height - 1))
+    assert value_iteration(finite_model(make_mdp("Boulder")), horizon=9).start == 0.0
+
+
+@pytest.mark.parametrize(("parameters", "limit"), [({}, 100), ({"height": 3}, 30), ({"height": 5, "max_steps": 7}, 7)])
+def test_step_limit(parameters: dict[str, Any], limit: int) -> None:
+    """A climber who never gets up is stopped after 10 steps for each height, unless told otherwise."""
+    env = BoulderEnv(**parameters)
+    env.reset(seed=0)
+    wrong = 1 - int(env.mdp.grips[0])
+    seen = [env.step(wrong) for _ in range(limit)]
+    assert all(step == (0, 0.0, False, False, {"right_grip": 1 - wrong}) for step in seen[:-1])
+    assert seen[-1] == (0, 0.0, False, True, {"right_grip": 1 - wrong})
+
+
+def test_the_top_at_the_last_moment() -> None:
+    """Who reaches the top in the last step has reached it: terminated, not truncated."""
+    env = BoulderEnv(height=4, max_steps=4)
+    env.reset(seed=0)
+    assert [env.step(int(grip))[1:4] for grip in env.mdp.grips] == [(0.0, False, False)] * 3 + [(1.0, True, False)]
+
+
+def test_pictures_of_high_walls() -> None:
+    """Of a high wall the picture shows the part where the climber is."""
+    env = BoulderEnv(height=100, render_mode="ansi")
+    env.reset(seed=0)
+    for height in range(100):
+        frame = env.render()
+        assert frame.count("☺") == 1
+        assert height == 0 or str(height) in frame.split()
+        env.step(int(env.mdp.grips[height]))
+    assert env.render().count("☺") == 1

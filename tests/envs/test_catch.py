@@ -1,0 +1,230 @@
+"""Catch: falls that a person can follow, the three observations of one task, and which balls can be caught."""
+
+import itertools
+from typing import Any
+
+import gymnasium
+import numpy as np
+import pytest
+from scipy import stats
+
+import edugym
+from edugym.envs.catch import BALL, PADDLE, Catch, CatchEnv, CatchGrid, CatchImage, Fall
+from edugym.mdp.model import finite_model
+from edugym.planning.value_iteration import value_iteration
+from edugym.rendering.palette import RED, YELLOW
+from edugym.rendering.scene import Circle, Rectangle
+
+LEFT, STAY, RIGHT = 0, 1, 2
+
+
+def drop(env: CatchEnv, column: int) -> None:
+    """Start an episode whose ball falls in a column."""
+    for seed in itertools.count():
+        env.reset(seed=seed)
+        if env.state.ball_x == column:
+            return
+
+
+def fall(column: int, actions: list[int], **parameters: Any) -> list[tuple[Any, ...]]:
+    """What each step gives of a ball in a column: ball x, ball y, paddle x, reward, terminated, truncated."""
+    env = CatchEnv(observation_type="vectorised", **parameters)
+    drop(env, column)
+    steps = [env.step(action) for action in actions]
+    return [(*observation.tolist(), *rest) for observation, *rest, _ in steps]
+
+
+def test_caught() -> None:
+    """The paddle starts in the middle and goes two columns to the left while the ball falls three rows."""
+    assert fall(0, [LEFT, STAY, LEFT], rows=4) == [
+        (0, 1, 1, 0.0, False, False),
+        (0, 2, 1, 0.0, False, False),
+        (0, 3, 0, 1.0, True, False),
+    ]
+
+
+def test_missed() -> None:
+    """One column off is missed."""
+    assert fall(4, [RIGHT, STAY, STAY], rows=4)[-1] == (4, 3, 3, -1.0, True, False)
+    assert fall(2, [STAY, STAY, RIGHT], rows=4)[-1] == (2, 3, 3, -1.0, True, False)
+
+
+def test_edges() -> None:
+    """The paddle stays on the board, and comes back from its edge at once."""
+    assert [step[2] for step in fall(0, [LEFT] * 3 + [RIGHT], rows=5, columns=3)] == [0, 0, 0, 1]
+    assert [step[2] for step in fall(0, [RIGHT] * 3 + [LEFT], rows=5, columns=3)] == [2, 2, 2, 1]
+    assert [step[2] for step in fall(0, [RIGHT, LEFT, STAY, RIGHT], rows=5, columns=1)] == [0, 0, 0, 0]
+
+
+def test_every_episode_has_as_many_steps_as_rows_below_the_first() -> None:
+    """Whatever the paddle does, the ball falls a row a step."""
+    for rows in (2, 3, 17):
+        env = CatchEnv(rows, 3)
+        env.action_space.seed(rows)
+        for seed in range(10):
+            env.reset(seed=seed)
+            assert [env.step(env.action_space.sample())[2:4] for _ in range(rows - 1)] == [
+                *[(False, False)] * (rows - 2),
+                (True, False),
+            ]
+
+
+@pytest.mark.parametrize("columns", range(1, 9))
+def test_start(columns: int) -> None:
+    """The paddle starts in column columns // 2; the ball in a column drawn uniformly (chi-squared, 1 in 1 000)."""
+    mdp, rng = Catch(9, columns), np.random.default_rng(columns)
+    starts = [mdp.initial(rng) for _ in range(4_000)]
+    assert {(start.ball_y, start.paddle_x) for start in starts} == {(0, columns // 2)}
+    counts = np.bincount([start.ball_x for start in starts], minlength=columns)
+    assert len(counts) == columns
+    if columns > 1:
+        assert stats.chisquare(counts).pvalue > 0.001
+
+
+def test_grid() -> None:
+    """A grid of zeros with a one at the ball and a one at the paddle."""
+    env = CatchEnv(3, 4)
+    drop(env, 3)
+    observation, *_ = env.step(LEFT)
+    assert observation.dtype == np.float32
+    assert observation.tolist() == [[0, 0, 0, 0], [0, 0, 0, 1], [0, 1, 0, 0]]
+    observation, *_ = env.step(STAY)
+    assert observation.tolist() == [[0, 0, 0, 0], [0, 0, 0, 0], [0, 1, 0, 1]]
+    drop(env, 1)
+    env.step(LEFT)
+    observation, reward, *_ = env.step(STAY)
+    assert (observation.tolist(), reward) == ([[0, 0, 0, 0], [0, 0, 0, 0], [0, 1, 0, 0]], 1.0)
+
+
+def test_image() -> None:
+    """A yellow ball and a red paddle on black; a ball on the paddle hides it."""
+    env = CatchEnv(3, 3, "rgb")
+    drop(env, 0)
+    observation, *_ = env.step(LEFT)
+    assert observation.dtype == np.uint8
+    assert observation.tolist() == [
+        [[0] * 3] * 3,
+        [[255, 210, 63], [0] * 3, [0] * 3],
+        [[232, 80, 91], [0] * 3, [0] * 3],
+    ]
+    observation, *_ = env.step(STAY)
+    assert observation.tolist() == [[[0] * 3] * 3, [[0] * 3] * 3, [[255, 210, 63], [0] * 3, [0] * 3]]
+    assert (BALL, PADDLE) == ((255, 210, 63), (232, 80, 91))
+
+
+def test_kinds() -> None:
+    """The observation types by name; the paper's "default" is the grid, and so is ours."""
+    assert [type(CatchEnv(observation_type=kind).mdp) for kind in ("grid", "default", "vectorised", "rgb")] == [
+        CatchGrid,
+        CatchGrid,
+        Catch,
+        CatchImage,
+    ]
+    assert type(CatchEnv().mdp) is CatchGrid
+    assert CatchEnv(7, 6).observation_space == gymnasium.spaces.Box(0.0, 1.0, (7, 6), np.float32)
+    assert CatchEnv(7, 6, "rgb").observation_space == gymnasium.spaces.Box(0, 255, (7, 6, 3), np.uint8)
+    assert CatchEnv(7, 6, "vectorised").observation_space == gymnasium.spaces.MultiDiscrete([6, 7, 6])
+
+
+def test_one_task() -> None:
+    """All three are the same task: the same states, rewards and ends from the same seed."""
+    envs = [CatchEnv(6, 5, kind) for kind in ("grid", "vectorised", "rgb")]
+    for seed in range(20):
+        for env in envs:
+            env.reset(seed=seed)
+        for action in np.random.default_rng(seed).integers(0, 3, 5):
+            steps = [(env.step(int(action))[1:4], env.state) for env in envs]
+            assert steps[0] == steps[1] == steps[2]
+
+
+@pytest.mark.parametrize("kind", ["grid", "rgb", "vectorised"])
+def test_observations_tell_the_state(kind: str) -> None:
+    """While the ball falls no two states look the same: as the lesson says, images and states are one-to-one."""
+    mdp = CatchEnv(5, 4, kind).mdp
+    states = [state for state in finite_model(mdp).states if not mdp.terminal(state)]
+    assert len({np.array(mdp.observation(state, np.random.default_rng(0))).tobytes() for state in states}) == len(
+        states
+    )
+
+
+def test_numbers_in_the_docstring() -> None:
+    """At the defaults: 250 rows of a table, 220 states, optimum 1, and -0.6 = 2/5 - 1 for a random agent."""
+    assert edugym.table_size(CatchEnv(observation_type="vectorised").mdp) == (250, 3)
+    assert CatchEnv().observation_space.shape == (10, 5)
+    assert CatchEnv(observation_type="rgb").observation_space.shape == (10, 5, 3)
+    for kind in ("vectorised", "grid"):
+        model = CatchEnv(observation_type=kind).finite_model
+        assert len(model.states) == 220
+        assert value_iteration(model).start == 1.0
+        assert value_iteration(model, epsilon=1.0).start == pytest.approx(-0.6)
+
+
+def test_every_ball_can_be_caught_exactly_when() -> None:
+    """The best return is 1 on every board with columns // 2 <= rows - 1; the others are refused."""
+    for rows, columns in itertools.product(range(2, 6), range(1, 13)):
+        best = value_iteration(finite_model(Catch(rows, columns))).start
+        assert (best == 1.0) == (columns // 2 <= rows - 1)
+        if best == 1.0:
+            assert CatchEnv(rows, columns).mdp.columns == columns
+        else:
+            with pytest.raises(ValueError, match=f"columns must be from 1 to {2 * rows - 1}, but is {columns}"):
+                CatchEnv(rows, columns)
+
+
+def test_info() -> None:
+    """Where the ball and the paddle are, as plain numbers."""
+    env = CatchEnv(rows=4)
+    drop(env, 1)
+    assert env.info() == {"ball": (1, 0), "paddle": 2}
+    assert env.step(np.int64(RIGHT))[4] == {"ball": (1, 1), "paddle": 3}
+    assert env.named_actions() == {"left": LEFT, "stay": STAY, "right": RIGHT}
+
+
+def test_q_learning_learns_it() -> None:
+    """On vectors Q-learning catches every ball after 20 000 steps; at the start it did not."""
+    mdp = edugym.make_mdp("Catch", observation_type="vectorised")
+    run = edugym.train(mdp, edugym.QLearning.create(mdp), 20_000, evaluation_episodes=50, seed=1)
+    assert run.returns[0] < 0.5
+    assert run.returns[-1] == 1.0
+
+
+def test_frames() -> None:
+    """The board in characters: ball, paddle, and the agent below, which sees 20 numbers."""
+    env = CatchEnv(4, 5, render_mode="ansi")
+    drop(env, 0)
+    assert env.render().splitlines()[1:] == [
+        "  20 numbers",
+        "  o·········",
+        "  ··········",
+        "  ··········",
+        "  ··········",
+        "░░░░░░▀▀░░░░░░",
+        "░░░░░░☺░░░░░░░",
+    ]
+    env.step(LEFT)
+    env.step(LEFT)
+    env.step(STAY)
+    assert env.render().splitlines()[2:] == [
+        "  ··········",
+        "  ··········",
+        "  ··········",
+        "  o·········",
+        "░░▀▀░░░░░░░░░░",
+        "░░☺░░░░░░░░░░░",
+    ]
+
+
+def test_scene() -> None:
+    """A yellow ball above a red paddle in the same column, in every corner of the board."""
+    env = CatchEnv(6, 3)
+    for ball_x, ball_y, paddle_x in itertools.product((0, 2), (0, 5), (0, 2)):
+        env.state = Fall(ball_x, ball_y, paddle_x)
+        scene = env.scene()
+        board, *_ = [shape for shape in scene.shapes if isinstance(shape, Rectangle) and shape.width == 3]
+        (ball,) = [shape for shape in scene.shapes if isinstance(shape, Circle) and shape.glyph == "o"]
+        (paddle,) = [shape for shape in scene.shapes if isinstance(shape, Rectangle) and shape.fill == RED]
+        assert ball.fill == YELLOW
+        assert (ball.x - board.x, paddle.x - board.x) == pytest.approx((ball_x + 0.5, paddle_x))
+        assert int(ball.y - board.y) == ball_y
+        assert ball.y + ball.radius <= paddle.y + 1e-9
+        assert paddle.y + paddle.height == pytest.approx(board.y + board.height)

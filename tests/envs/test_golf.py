@@ -1,0 +1,216 @@
+"""Golf: an episode on paper, the edges of green and course, and the noise of every swing."""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+from edugym.envs.golf import SWINGS, Ball, Golf, GolfEnv
+from edugym.mdp.model import finite_model
+from edugym.planning.value_iteration import value_iteration
+from edugym.registration import make_mdp
+
+RNG = np.random.default_rng(0)  # for what draws nothing
+
+ON_THE_TEE = """\
+ on the tee
+   ......
+   ......
+   ..⚑...
+   ......
+   ......
+   ......
+   ......
+    ☺o
+"""
+
+CHIPPED = """\
+hit 1: chip
+   ......
+   ......
+   ..⚑...
+   .☺o...
+   ......
+   ......
+   ......
+
+"""
+
+ON_THE_GREEN = """\
+hit 2: putt
+   ......
+   ......
+   .☺o...
+   ......
+   ......
+   ......
+   ......
+
+"""
+
+
+def golf(**parameters: Any) -> Golf:
+    """The task."""
+    task: Golf = make_mdp("Golf", **parameters)
+    return task
+
+
+def test_an_episode_without_noise() -> None:
+    """A drive, a putt and a putt along the middle: ten cells, one and one, and the ball is 1.5 from the flag."""
+    env = GolfEnv(stochasticity_level=0)
+    observation, info = env.reset(seed=0)
+    assert (observation.tolist(), info) == ([3, 0], {"ball": (3.5, 0.0), "hits": 0})
+    for action, cell, reward, terminated, ball in (
+        (2, [3, 10], 0.0, False, (3.5, 10.0)),
+        (0, [3, 11], 0.0, False, (3.5, 11.0)),
+        (0, [3, 12], 1 - 2 / 10, True, (3.5, 12.0)),
+    ):
+        observation, *seen, info = env.step(action)
+        assert observation.tolist() == cell
+        assert (*seen, info["ball"]) == (reward, terminated, False, ball)
+
+
+def test_an_episode_with_noise() -> None:
+    """What a seed gives, on every machine: the ball strays more the harder it is hit."""
+    env = GolfEnv(observe_hits=True)
+    env.reset(seed=1)
+    trace = []
+    for action in (0, 2, 0, 0):
+        observation, reward, terminated, _, info = env.step(action)
+        trace.append((observation.tolist(), reward, terminated, *np.round(info["ball"], 3).tolist()))
+    assert trace == [
+        ([3, 1, 1], 0.0, False, 3.505, 1.012),
+        ([3, 9, 2], 0.0, False, 3.997, 9.058),
+        ([3, 10, 3], 0.0, False, 3.899, 10.058),
+        ([3, 11, 4], 0.0, False, 3.776, 11.06),
+    ]
+
+
+@pytest.mark.parametrize("swing", range(3))
+@pytest.mark.parametrize("level", [0.015, 0.05])
+def test_noise(swing: int, level: float) -> None:
+    """Around the aim, d cells towards the flag, both coordinates are normal with s = level d², and independent."""
+    task, rng, n = golf(stochasticity_level=level), np.random.default_rng(swing), 20_000
+    d = SWINGS[swing][1]
+    deviation = level * d**2
+    for start in (Ball(3.5, 0.0, 0), Ball(0.5, 9.5, 3)):
+        away = np.array([3.5 - start.x, 13.5 - start.y])
+        aim = np.array([start.x, start.y]) + d * away / math.hypot(*away)
+        balls = np.array([task.transition(start, swing, rng)[:2] for _ in range(n)])
+        assert np.abs(balls.mean(axis=0) - aim).max() < 5 * deviation / math.sqrt(n)
+        assert np.abs(balls.std(axis=0, ddof=1) / deviation - 1).max() < 5 / math.sqrt(2 * n)
+        assert abs(np.corrcoef(balls.T)[0, 1]) < 5 / math.sqrt(n)
+        near = (np.abs(balls - aim) < 2 * deviation).mean(axis=0)
+        assert np.abs(near - 0.9545).max() < 5 * math.sqrt(0.9545 * 0.0455 / n)
+        assert task.transition(start, swing, rng).hits == start.hits + 1
+
+
+@pytest.mark.parametrize(
+    ("ball", "off_course"),
+    [
+        ((0.0, 0.0), False),
+        ((-1e-12, 5.0), True),
+        ((3.5, -1e-12), True),
+        ((7.0, 5.0), True),
+        ((math.nextafter(7.0, 0.0), 5.0), False),
+        ((3.5, 17.0), True),
+        ((3.5, math.nextafter(17.0, 0.0)), False),
+    ],
+)
+def test_edges_of_the_course(ball: tuple[float, float], off_course: bool) -> None:
+    """The near and the left edge belong to the course, the far and the right one do not."""
+    task = golf()
+    state = Ball(*ball, 1)
+    assert task.off_course(state) == off_course == task.terminal(state)
+    assert task.reward(Ball(3.5, 0.0, 0), 0, state, RNG) == (-1.0 if off_course else 0.0)
+
+
+@pytest.mark.parametrize(("distance", "on_green"), [(0.0, True), (2.0999, True), (2.1, False), (2.1001, False)])
+def test_edge_of_the_green(distance: float, on_green: bool) -> None:
+    """The green is what is closer to the flag than its radius, all around."""
+    task = golf()
+    for x, y in ((3.5 + distance, 13.5), (3.5 - distance, 13.5), (3.5, 13.5 + distance), (3.5, 13.5 - distance)):
+        exactly = math.hypot(x - 3.5, y - 13.5) < 2.1  # 13.5 - 2.1 is not quite a number of the machine
+        if distance != 2.1:
+            assert exactly == on_green
+        assert task.on_green(Ball(x, y, 1)) == exactly == task.terminal(Ball(x, y, 1))
+    assert task._replace(green_radius=2.0).on_green(Ball(3.5, 15.5, 1)) is False
+    assert task._replace(green_radius=2.0).on_green(Ball(5.4, 13.5, 1)) is True
+
+
+@pytest.mark.parametrize("hits", range(1, 11))
+def test_rewards(hits: int) -> None:
+    """On the green 1, 0.9, ..., 0.1 by the hits; elsewhere -1 after the last one; off the course always -1."""
+    task, anywhere = golf(), Ball(3.5, 5.0, hits - 1)
+    assert task.reward(anywhere, 0, Ball(3.5, 13.0, hits), RNG) == pytest.approx(1 - (hits - 1) / 10)
+    assert task.reward(anywhere, 0, Ball(3.5, 6.0, hits), RNG) == (-1.0 if hits == 10 else 0.0)
+    assert task.reward(anywhere, 0, Ball(-1.0, 6.0, hits), RNG) == -1.0
+    assert task.terminal(Ball(3.5, 6.0, hits)) == (hits == 10)
+
+
+def test_green_beyond_the_edge() -> None:
+    """A ball that is off the course is lost, also where it is close to the flag."""
+    task = golf(width=3, length=9, green_radius=4.0)
+    lost = Ball(-0.5, 7.5, 1)
+    assert task.on_green(lost)
+    assert task.terminal(lost)
+    assert task.reward(Ball(1.5, 0.0, 0), 0, lost, RNG) == -1.0
+
+
+@pytest.mark.parametrize(
+    ("ball", "cell"),
+    [
+        ((3.5, 0.0), (3, 0)),
+        ((6.999, 16.999), (6, 16)),
+        ((-3.0, 99.0), (0, 16)),
+        ((7.0, -0.1), (6, 0)),
+        ((1e300, -1e300), (6, 0)),
+    ],
+)
+def test_observations(ball: tuple[float, float], cell: tuple[int, int]) -> None:
+    """The cell of the ball; off the course, the nearest one."""
+    assert golf().observation(Ball(*ball, 4), RNG) == cell
+    assert golf(observe_hits=True).observation(Ball(*ball, 4), RNG) == (*cell, 4)
+
+
+def test_lost_after_the_last_hit() -> None:
+    """Without the green within `max_hits` hits the game is lost: terminated, as part of the task."""
+    env = GolfEnv(max_hits=3)
+    env.reset(seed=0)
+    assert [env.step(0)[1:4] for _ in range(3)] == [(0.0, False, False), (0.0, False, False), (-1.0, True, False)]
+
+
+def test_best_return_without_noise() -> None:
+    """Without noise a drive and a chip end on the green, half a cell behind the flag: 0.9, and nothing is better."""
+    task = golf(stochasticity_level=0)
+    assert value_iteration(finite_model(task)).start == pytest.approx(0.9)
+    ball = task.transition(task.transition(task.initial(RNG), 2, RNG), 1, RNG)
+    assert ball == Ball(3.5, 14.0, 2)
+    assert task.on_green(ball)
+
+
+def test_best_return() -> None:
+    """At the defaults a drive, and then whatever is likeliest to reach the green, returns about 0.86."""
+    task, rng, n = golf(), np.random.default_rng(0), 4000
+    returns = np.zeros(n)
+    for k in range(n):
+        ball = task.initial(rng)
+        while not task.terminal(ball):
+            distance = math.hypot(ball.x - 3.5, ball.y - 13.5)
+            action = 2 if distance > 8 else (1 if distance > 2.9 else 0)
+            after = task.transition(ball, action, rng)
+            returns[k] += task.reward(ball, action, after, rng)
+            ball = after
+    assert abs(returns.mean() - 0.86) < 0.015
+
+
+def test_pictures() -> None:
+    """A small course without noise: a chip takes the ball four cells on, to a cell from the flag, and a putt there."""
+    env = GolfEnv(width=3, length=7, green_radius=1.0, stochasticity_level=0, render_mode="ansi")
+    env.reset(seed=0)
+    assert env.render() == ON_THE_TEE
+    assert env.step(1)[1:4] == (0.0, False, False)
+    assert env.render() == CHIPPED
+    assert env.step(0)[1:4] == (0.9, True, False)
+    assert env.render() == ON_THE_GREEN

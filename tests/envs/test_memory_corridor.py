@@ -1,0 +1,183 @@
+"""MemoryCorridor: an episode on paper, perfect play, and doors without a pattern."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from edugym.envs.memory_corridor import Corridor, MemoryCorridor, MemoryCorridorEnv
+
+MARKED = """
+        Door 1 of 1
+     ○       ●       ○
+
+             !
+
+
+     0       1       2
+
+
+             ☺
+
+
+
+"""
+
+UNMARKED = """
+        Door 1 of 2
+     ○       ○       ○
+
+     ?       ?       ?
+
+
+     0       1       2
+
+
+             ☺
+
+
+
+"""
+
+LAST = """
+        Door 2 of 2
+     ○       ○       ●
+
+                     !
+
+
+     0       1       2
+
+
+             ☺
+
+
+
+"""
+
+LOCKED_IN = """
+        Door 2 of 2
+     ○       ○       ●
+
+                     !
+
+
+     0       1       2
+
+
+     ☺
+
+
+
+"""
+
+
+def test_an_episode() -> None:
+    """One marked door; then the same door unmarked and a marked one behind it; then a wrong one."""
+    env = MemoryCorridorEnv(render_mode="ansi")
+    assert env.reset(seed=1) == (1, {"length": 1, "position": 0, "right_door": 1})
+    assert env.render() == MARKED
+    assert env.step(1) == (3, 1.0, False, False, {"length": 2, "position": 0, "right_door": 1})
+    assert env.render() == UNMARKED
+    assert env.step(1) == (2, 1.0, False, False, {"length": 2, "position": 1, "right_door": 2})
+    assert env.render() == LAST
+    assert env.step(0) == (2, 0.0, True, False, {"length": 2, "position": 1, "right_door": 2})
+    assert env.render() == LOCKED_IN
+
+
+class Memory:
+    """A perfect player: writes down every door that is marked, and finds the others in its notes."""
+
+    def __init__(self, num_doors: int) -> None:
+        """Nothing written yet."""
+        self.num_doors, self.place = num_doors, 0
+        self.notes: list[int] = []
+
+    def choose(self, observation: int) -> int:
+        """The right door."""
+        if observation == self.num_doors:
+            self.place += 1
+            return self.notes[self.place - 1]
+        self.notes.append(observation)
+        self.place = 0
+        return observation
+
+
+@pytest.mark.parametrize("num_doors", [2, 3, 10])
+@pytest.mark.parametrize("length", [1, 4, 12])
+def test_perfect_play(num_doors: int, length: int) -> None:
+    """What is observed is enough to play on for ever; through the corridor of length L it returns L (L + 1)/2."""
+    env = MemoryCorridorEnv(num_doors)
+    observation, info = env.reset(seed=num_doors)
+    player, returned = Memory(num_doors), 0.0
+    doors: list[int] = []
+    while info["length"] <= length:
+        assert observation == (info["right_door"] if info["position"] == info["length"] - 1 else num_doors)
+        assert env.state.doors[:-1].tolist() == doors[: info["length"] - 1]
+        doors = env.state.doors.tolist()
+        action = player.choose(observation)
+        assert action == info["right_door"]
+        observation, reward, terminated, truncated, info = env.step(action)
+        assert (reward, terminated, truncated) == (1.0, False, False)
+        returned += float(reward)
+    assert returned == length * (length + 1) / 2
+    assert info == {"length": length + 1, "position": 0, "right_door": doors[0]}
+
+
+def test_step_limit() -> None:
+    """Perfect play is stopped after `max_steps` steps with as much reward; an error in the last one is an end."""
+    for last, seen in ((0, (1.0, False, True)), (1, (0.0, True, False))):
+        env = MemoryCorridorEnv(max_steps=20)
+        observation, info = env.reset(seed=0)
+        player = Memory(3)
+        for _ in range(19):
+            observation, reward, terminated, truncated, info = env.step(player.choose(observation))
+            assert (reward, terminated, truncated) == (1.0, False, False)
+        assert env.step((info["right_door"] + last) % 3)[1:4] == seen
+
+
+@pytest.mark.parametrize("wrong", [1, 2])
+def test_any_wrong_door_is_the_end(wrong: int) -> None:
+    """At any place, marked or not, every other door ends the episode without reward, and nobody moves."""
+    for steps in range(8):
+        env = MemoryCorridorEnv()
+        before, info = env.reset(seed=5)
+        for _ in range(steps):
+            before, *_, info = env.step(info["right_door"])
+        assert env.step((info["right_door"] + wrong) % 3) == (before, 0.0, True, False, info)
+
+
+def test_doors_have_no_pattern() -> None:
+    """The right doors are independent and uniform, and new ones in every episode."""
+    task = MemoryCorridor(3, 1000)
+    rng = np.random.default_rng(0)
+    pairs = np.zeros((3, 3))
+    n = 3000
+    for _ in range(n):
+        state = task.initial(rng)
+        longer = task.transition(state, int(state.doors[0]), rng)
+        assert longer.doors[0] == state.doors[0]
+        pairs[longer.doors[0], longer.doors[1]] += 1
+    assert np.abs(pairs - n / 9).max() < 5 * np.sqrt(n / 9 * 8 / 9)
+
+
+def test_states_are_not_written_to() -> None:
+    """A corridor that has grown shares nothing with the one before."""
+    task, rng = MemoryCorridor(3, 1000), np.random.default_rng(0)
+    state = Corridor(np.array([2, 0]), 1, False)
+    longer = task.transition(state, 0, rng)
+    longer.doors[:] = 7
+    assert state.doors.tolist() == [2, 0]
+    assert task.transition(state, 1, rng) == (state.doors, 1, True)
+
+
+@pytest.mark.parametrize("num_doors", [2, 40])
+def test_pictures(num_doors: int) -> None:
+    """There is a picture of corridors of any width and length."""
+    env: Any = MemoryCorridorEnv(num_doors, render_mode="ansi")
+    _, info = env.reset(seed=0)
+    for _ in range(400):
+        *_, info = env.step(info["right_door"])
+    frame = env.render()
+    assert f"Door {info['position'] + 1} of {info['length']}" in frame
+    assert frame.count("☺") == 1

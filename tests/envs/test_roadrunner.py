@@ -1,0 +1,181 @@
+"""Roadrunner: runs that a person can follow, every rule at its edges, and the optima."""
+
+from typing import Any
+
+import gymnasium
+import numpy as np
+import pytest
+
+from edugym.envs.roadrunner import RoadrunnerEnv, Runner
+from edugym.planning.value_iteration import value_iteration
+from edugym.rendering.scene import Arc
+
+SLOWER, SAME, FASTER = 0, 1, 2
+
+
+def run(actions: list[int], **parameters: Any) -> list[tuple[Any, ...]]:
+    """What each step of an episode gives: x, dx, reward, terminated, truncated."""
+    env = RoadrunnerEnv(**parameters)
+    env.reset(seed=0)
+    steps = [env.step(action) for action in actions]
+    return [(*observation.tolist(), *rest) for observation, *rest, _ in steps]
+
+
+def test_best_run() -> None:
+    """Four steps to the target, the speed changing before the position does."""
+    env = RoadrunnerEnv()
+    observation, info = env.reset(seed=0)
+    assert observation.tolist() == [0, 0]
+    assert info == {"distance": 9, "stalled": False}
+    assert run([FASTER, FASTER, FASTER, SAME]) == [
+        (1, 1, -1.0, False, False),
+        (3, 2, -1.0, False, False),
+        (6, 3, -1.0, False, False),
+        (9, 3, 1.0, True, False),
+    ]
+
+
+@pytest.mark.parametrize("size", [10, 9, 8])
+def test_fall(size: int) -> None:
+    """At 1, 3, 6 and then 10, however far that is beyond the target, the runner is set to W, and that is the end."""
+    assert run([FASTER] * 4, size=size, negative_reward=-7) == [
+        (1, 1, -1.0, False, False),
+        (3, 2, -1.0, False, False),
+        (6, 3, -1.0, False, False),
+        (size, 4, -7.0, True, False),
+    ]
+
+
+def test_stall() -> None:
+    """A speed below 0 ends the episode where the runner is; the state keeps the -1 that the observation hides."""
+    assert run([SLOWER]) == [(0, 0, -100.0, True, False)]
+    env = RoadrunnerEnv()
+    env.reset(seed=0)
+    for action, expected in [(FASTER, (1, 1)), (FASTER, (3, 2)), (SLOWER, (4, 1)), (SLOWER, (4, 0)), (SLOWER, (4, -1))]:
+        observation, reward, terminated, _, info = env.step(action)
+        assert env.state == Runner(*expected)
+    assert observation.tolist() == [4, 0]
+    assert (reward, terminated) == (-100.0, True)
+    assert info == {"distance": 5, "stalled": True}
+
+
+def test_standing_still() -> None:
+    """Standing costs 1 a step; after 5 W steps the episode is truncated."""
+    steps = run([SAME] * 50)
+    assert steps == [(0, 0, -1.0, False, k == 49) for k in range(50)]
+    assert run([SAME] * 3, max_steps=3)[-1] == (0, 0, -1.0, False, True)
+
+
+def test_speed_is_capped() -> None:
+    """No faster than `max_speed`."""
+    assert [x for x, *_ in run([FASTER] * 5, max_speed=2)] == [1, 3, 5, 7, 9]
+
+
+def test_stop_zone() -> None:
+    """Coming to one of the last cells before the target ends the run, for one less the further away it is."""
+    to_7, to_8, to_6 = [FASTER, FASTER, SAME, SAME], [FASTER] * 2 + [SAME] * 2 + [SLOWER], [FASTER] * 3
+    assert run(to_7, stop_zone=2)[-1] == (7, 2, -1.0, True, False)
+    assert run(to_7, stop_zone=1)[-1] == (7, 2, -1.0, False, False)
+    assert run(to_8, stop_zone=1)[-1] == (8, 1, 0.0, True, False)
+    assert run(to_6, stop_zone=3)[-1] == (6, 3, -2.0, True, False)
+    assert run([*to_6, SAME], stop_zone=2)[-1] == (9, 3, 1.0, True, False)
+    assert run([*to_6, FASTER], stop_zone=2)[-1] == (10, 4, -100.0, True, False)
+
+
+def test_stop_zone_leaves_the_start() -> None:
+    """The zone may reach to the first cell after the start, not to the start itself."""
+    assert run([SAME, FASTER], stop_zone=8) == [(0, 0, -1.0, False, False), (1, 1, -7.0, True, False)]
+    with pytest.raises(ValueError, match="stop_zone must be from 0 to 8, but is 9"):
+        RoadrunnerEnv(stop_zone=9)
+
+
+@pytest.mark.parametrize("stop_zone", [0, 1, 4])
+@pytest.mark.parametrize("max_speed", [1, 3, 12])
+def test_every_transition(max_speed: int, stop_zone: int) -> None:
+    """The model agrees with the rules in words, in every state that can be reached and for every action."""
+    env = RoadrunnerEnv(size=12, max_speed=max_speed, negative_reward=-5, stop_zone=stop_zone)
+    target, model = 11, env.finite_model
+    running = [state for state in model.states if not env.mdp.terminal(state)]
+    assert max(state.dx for state in running) == min(max_speed, 4 if stop_zone == 0 else 3)  # 1 + 2 + 3 + 4 is 10
+    for x, dx in running:
+        for action, change in enumerate([-1, 0, 1]):
+            speed = dx + change if dx + change < max_speed else max_speed
+            if speed < 0:
+                expected: tuple[Any, ...] = (x, -1), -5.0, True
+            elif x + speed > target:
+                expected = (12, speed), -5.0, True
+            elif x + speed == target:
+                expected = (target, speed), 1.0, True
+            elif target - (x + speed) <= stop_zone:
+                expected = (x + speed, speed), 1.0 - (target - (x + speed)), True
+            else:
+                expected = (x + speed, speed), -1.0, False
+            assert env.descriptive_model((x, dx), action) == [(1.0, *expected)]
+            assert env.generative_model(np.array([x, dx]), action) == (1.0, *expected)
+            env.reset()
+            env.state = Runner(x, dx)
+            _, reward, terminated, _, _ = env.step(action)
+            assert (env.state, reward, terminated) == expected
+
+
+@pytest.mark.parametrize(
+    ("size", "optimum", "steps"), [(10, -2.0, 4), (15, -3.0, 5), (20, -4.0, 6), (25, -5.0, 7), (2, 1.0, 1)]
+)
+def test_optimum(size: int, optimum: float, steps: int) -> None:
+    """The best return from the exact model, in that many steps and no fewer."""
+    model = RoadrunnerEnv(size=size).finite_model
+    assert value_iteration(model).start == optimum
+    assert value_iteration(model, horizon=steps).start == optimum
+    assert steps == 1 or value_iteration(model, horizon=steps - 1).start < optimum
+
+
+@pytest.mark.parametrize("penalty", [0.0, -1.0])
+def test_careless_penalty(penalty: float) -> None:
+    """Where failing costs next to nothing, the best of all is to stall at once."""
+    model = RoadrunnerEnv(negative_reward=penalty).finite_model
+    values = value_iteration(model)
+    assert values.start == penalty
+    assert values.Q[model.row((0, 0)), SLOWER] == penalty
+
+
+def test_frames() -> None:
+    """What a terminal shows of the best run, a fall and a stall."""
+    env = gymnasium.make("edugym/Roadrunner-v0", render_mode="ansi")
+    env.reset(seed=0)
+    for action in (FASTER, FASTER, FASTER):
+        env.step(action)
+    assert env.render() == (
+        "\n"
+        "              position 6 of 9, speed 3\n"
+        "\n"
+        "\n"
+        "                                         !\n"
+        "\n"
+        "                           ☺ 3\n"
+        "░░====================================____\n"
+        "░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░\n"
+        "\n"
+    )
+    env.step(FASTER)
+    fallen = str(env.render()).splitlines()
+    assert fallen[1].strip() == "over the edge!"
+    assert "☺" in fallen[9]
+    assert fallen[9].index("☺") > fallen[8].rindex("░")
+    env.reset()
+    env.step(SLOWER)
+    stalled = str(env.render()).splitlines()
+    assert stalled[1].strip() == "stalled at position 0 of 9"
+    assert stalled[6].split() == ["☺", "-1"]
+
+
+@pytest.mark.parametrize(
+    ("actions", "mood"), [([SAME], "happy"), ([FASTER] * 3 + [SAME], "happy"), ([FASTER] * 4, "sad"), ([SLOWER], "sad")]
+)
+def test_mood(actions: list[int], mood: str) -> None:
+    """The runner is sad where it has lost, and only there."""
+    env = RoadrunnerEnv()
+    env.reset(seed=0)
+    for action in actions:
+        env.step(action)
+    (mouth,) = (shape for shape in env.scene().shapes if isinstance(shape, Arc))
+    assert mouth.start == {"happy": 22, "sad": 222}[mood]

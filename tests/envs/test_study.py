@@ -1,0 +1,344 @@
+"""Study: days that a person can follow, the exam at its edges, the noise, and which plans are possible."""
+
+import itertools
+import pickle
+from typing import Any
+
+import gymnasium
+import numpy as np
+import pytest
+
+from edugym.envs.study import Student, Study, StudyEnv
+from edugym.planning.value_iteration import value_iteration
+from edugym.rendering.ansi import to_text
+from edugym.rendering.palette import GREEN, RED, SHADE, WHITE, blend
+from edugym.rendering.scene import Arc, Line, Rectangle, Scene, Text
+
+STUDY, SLEEP, GO_OUT, OTHER = 0, 1, 2, 3
+
+
+def task(lectures: list[int], **given: Any) -> Study:
+    """A task without noise whose actions pay 1, 2, 4 and 8 hundredths less than nothing."""
+    parameters = {"lectures_needed": 2, "energy_needed": 1, "sigma": 0.0, **given}
+    rewards = np.array([-0.01, -0.02, -0.04, -0.08])
+    return Study(len(lectures), np.array(lectures), action_rewards=rewards, **parameters)
+
+
+def episode(mdp: Study, actions: list[int]) -> list[tuple[Any, ...]]:
+    """What each day gives: knowledge, energy, day, reward, terminated, truncated."""
+    env = StudyEnv()
+    env.mdp = mdp
+    env.reset(seed=0)
+    steps = [env.step(action) for action in actions]
+    return [(*observation.tolist(), *rest) for observation, *rest, _ in steps]
+
+
+def test_passed_exam() -> None:
+    """Two lectures, two nights of sleep, and the exam; a lecture that is missed and a free day that is studied."""
+    assert episode(task([1, 0, 1, 0, 1, 0, 0]), [STUDY, STUDY, OTHER, SLEEP, STUDY, SLEEP, STUDY]) == [
+        (1, 0, 1, -0.01, False, False),
+        (1, 0, 2, -0.01, False, False),
+        (1, 0, 3, -0.08, False, False),
+        (1, 1, 4, -0.02, False, False),
+        (2, 1, 5, -0.01, False, False),
+        (2, 2, 6, -0.02, False, False),
+        (2, 2, 7, 9.99, True, False),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("knowledge", "energy", "day", "action", "reward"),
+    [
+        (2, 2, 4, STUDY, 9.99),
+        (3, 4, 4, STUDY, 9.99),
+        (1, 4, 4, STUDY, -0.01),  # too little knowledge
+        (3, 1, 4, STUDY, -0.01),  # as much energy as `energy_needed`, which must be less
+        (2, 2, 4, SLEEP, -0.02),  # not at the exam
+        (2, 1, 4, SLEEP, -0.02),
+        (2, 2, 4, OTHER, -0.08),
+        (2, 2, 3, STUDY, -0.01),  # not yet the exam
+    ],
+)
+def test_exam(knowledge: int, energy: int, day: int, action: int, reward: float) -> None:
+    """The exam asks for knowledge, for energy, and for studying on its day, as things stand that morning."""
+    mdp, rng = task([1, 1, 1, 0, 0]), np.random.default_rng(0)
+    state = Student(knowledge, energy, day)
+    after = mdp.transition(state, action, rng)
+    assert mdp.reward(state, action, after, rng) == reward
+    assert mdp.passes(state, action) == (reward > 0)
+    assert mdp.terminal(after) == (day == 4)
+
+
+def test_energy_has_bounds() -> None:
+    """Sleep fills up to 4, going out empties down to 0."""
+    actions = [GO_OUT, SLEEP, GO_OUT, GO_OUT, SLEEP, SLEEP, SLEEP, SLEEP, SLEEP, GO_OUT]
+    energies = [energy for _, energy, *_ in episode(task([1, 1, 0, 0, 0, 0, 0, 0, 0, 0]), actions)]
+    assert energies == [0, 1, 0, 0, 1, 2, 3, 4, 4, 3]
+
+
+def test_always_all_days() -> None:
+    """Whatever the student does, an episode ends after the last day and is never truncated."""
+    for total_days in (3, 10, 40):
+        env = StudyEnv(total_days=total_days, lecture_days=1, lectures_needed=1, energy_needed=0)
+        env.action_space.seed(1)
+        for seed in range(5):
+            env.reset(seed=seed)
+            ends = [env.step(env.action_space.sample())[2:4] for _ in range(total_days)]
+            assert ends == [(False, False)] * (total_days - 1) + [(True, False)]
+
+
+def test_optimum() -> None:
+    """At the defaults: two nights, three more days of study than the exam alone, and the dearest rest left out."""
+    env = StudyEnv()
+    optimum = value_iteration(env.finite_model).start
+    study, sleep, *others = env.mdp.action_rewards
+    assert optimum == pytest.approx(10 + 3 * study + 2 * sleep + 5 * max(study, sleep, *others))
+    assert optimum == pytest.approx(8.98, abs=0.005)  # as the docstring says
+    noisier = StudyEnv(action_reward_noise_sigma=3.0).finite_model
+    assert value_iteration(noisier).start == optimum  # noise that is only added changes no mean
+    means = [value_iteration(StudyEnv(layout_seed=seed).finite_model).start for seed in range(10)]
+    assert all(10 - 10 * 0.5 < mean < 10 for mean in means)
+    assert len(set(means)) == 10
+
+
+def test_model_against_step() -> None:
+    """In every state, each action leads where the model says, and pays what it says in the mean."""
+    env = StudyEnv(total_days=6, action_reward_noise_sigma=1.0)
+    model, n = env.finite_model, 200
+    env.reset(seed=3)
+    errors = []
+    for state in model.states:
+        if env.mdp.terminal(state):
+            continue
+        for action in range(5):
+            ((probability, next_state, mean, terminated),) = env.descriptive_model(state, action)
+            assert probability == 1.0
+            rewards = []
+            for _ in range(n):
+                env.reset()
+                env.state = state
+                _, reward, ended, _, _ = env.step(action)
+                rewards.append(float(reward))
+                assert (env.state, ended) == (next_state, terminated)
+            errors.append((np.mean(rewards) - mean) * n**0.5)
+    assert len(errors) > 100
+    assert np.abs(errors).max() < 4.5  # standard errors, of some hundred means
+    assert 0.8 < np.std(errors) < 1.2
+
+
+def test_noise() -> None:
+    """The reward of an action is normal with its mean and standard deviation, on the exam's day as well."""
+    mdp, rng, n = task([1, 1, 0, 0, 0], sigma=0.3), np.random.default_rng(5), 40_000
+    for state, action, mean in [
+        (Student(0, 0, 0), GO_OUT, -0.04),
+        (Student(2, 2, 4), STUDY, 9.99),
+        (Student(0, 2, 4), STUDY, -0.01),
+    ]:
+        after = mdp.transition(state, action, rng)
+        rewards = np.array([mdp.reward(state, action, after, rng) for _ in range(n)])
+        assert abs(rewards.mean() - mean) < 4.5 * 0.3 / n**0.5
+        assert abs(rewards.std() / 0.3 - 1) < 4.5 / (2 * n) ** 0.5
+        inside = np.mean(np.abs(rewards - mean) < 0.3)
+        assert abs(inside - 0.6827) < 4.5 * (0.6827 * 0.3173 / n) ** 0.5
+
+
+def test_layout() -> None:
+    """Lecture days are drawn uniformly among those before the exam, and mean rewards uniformly from [-mean, 0]."""
+    n = 2_000
+    tasks = [StudyEnv(layout_seed=seed, action_reward_noise_mean=0.8).mdp for seed in range(n)]
+    lectures = np.array([mdp.lectures for mdp in tasks])
+    assert set(lectures.sum(axis=1)) == {3}
+    assert lectures[:, 9].sum() == 0
+    assert np.abs(lectures[:, :9].mean(axis=0) - 1 / 3).max() < 4 * (2 / 9 / n) ** 0.5
+    rewards = np.array([mdp.action_rewards for mdp in tasks])
+    assert rewards.shape == (n, 5)
+    assert rewards.min() >= -0.8
+    assert rewards.max() <= 0.0
+    for share in (0.1, 0.5, 0.9):
+        assert (
+            np.abs((rewards < -0.8 * share).mean(axis=0) - (1 - share)).max() < 4.5 * (share * (1 - share) / n) ** 0.5
+        )
+
+
+def test_more_actions_leave_the_first_as_they_are() -> None:
+    """Adding actions that have nothing to do with the exam changes neither the lectures nor what the others pay."""
+    few, many = StudyEnv(n_actions=4).mdp, StudyEnv(n_actions=12).mdp
+    assert few.lectures.tolist() == many.lectures.tolist()
+    assert few.action_rewards.tolist() == many.action_rewards[:4].tolist()
+
+
+def can_pass(mdp: Study) -> bool:
+    """Whether some actions pass the exam, by trying all."""
+    rng = np.random.default_rng(0)
+    states = {mdp.initial(rng)}
+    for _ in range(mdp.total_days - 1):
+        states = {mdp.transition(state, action, rng) for state in states for action in range(4)}
+    return any(mdp.passes(state, action) for state in states for action in range(4))
+
+
+def test_impossible_plans_are_refused() -> None:
+    """Exactly the plans that nobody can carry out are refused, and the layout never matters to that."""
+    counts = {True: 0, False: 0}
+    for total_days, needed, energy in itertools.product(range(2, 8), range(1, 7), range(5)):
+        for lecture_days in range(1, total_days):
+            layouts = list(itertools.combinations(range(total_days - 1), lecture_days))
+            possible = set()
+            for layout in layouts:
+                lectures = [int(day in layout) for day in range(total_days)]
+                possible.add(can_pass(task(lectures, lectures_needed=needed, energy_needed=energy)))
+            assert len(possible) == 1
+            (expected,) = possible
+            plan: dict[str, Any] = {"lecture_days": lecture_days, "lectures_needed": needed, "energy_needed": energy}
+            try:
+                env = StudyEnv(total_days=total_days, **plan)
+            except ValueError:
+                accepted = False
+            else:
+                accepted = True
+                assert value_iteration(env.finite_model).start > 5
+            assert accepted == expected, (total_days, plan)
+            counts[accepted] += 1
+    assert counts[True] > 50
+    assert counts[False] > 50
+
+
+def test_too_few_days() -> None:
+    """The message names what cannot be had together."""
+    with pytest.raises(
+        ValueError, match="total_days must be 7 or more, for lectures_needed 3 and energy_needed 2, but is 6"
+    ):
+        StudyEnv(total_days=6, lectures_needed=3, energy_needed=2)
+
+
+def test_info() -> None:
+    """There is a lecture on the days of the layout; the exam is passed when it is."""
+    env = StudyEnv()
+    _, info = env.reset(seed=0)
+    infos = [info]
+    for day in range(10):
+        action = STUDY if day == 9 or env.mdp.lectures[day] else SLEEP
+        infos.append(env.step(action)[4])
+    assert [info["lecture"] for info in infos] == [day in (2, 4, 5) for day in range(11)]
+    assert [info["passed"] for info in infos] == [False] * 10 + [True]
+    _, info = env.reset()
+    assert not info["passed"]
+
+
+PLAYED = (
+    "\n\n"
+    "    Knowledge 1 (exam: 1)           Energy 1 (exam: 1)\n"
+    "\n"
+    "    ████████████|░░░░░░░░░░░░░      ██████|░░░░░░░░░░░░░░░░░░░\n"
+    "                |                         |\n"
+    "                |                         |\n"
+    "\n"
+    "     Lecture       Free      Lecture       Free        Exam\n"
+    "\n"
+    "    0           1           2           3           4   ☺\n"
+    "\n"
+    "      study       go out      sleep       study\n"
+    "\n"
+)
+SHORT: dict[str, Any] = {"total_days": 5, "lecture_days": 2, "lectures_needed": 1, "energy_needed": 0}
+DAYS = (STUDY, GO_OUT, SLEEP, STUDY)
+
+
+def test_frame() -> None:
+    """What a terminal shows: the calendar with what was done; the next episode starts with an empty one."""
+    env = gymnasium.make("edugym/Study-v0", render_mode="ansi", **SHORT)
+    env.reset(seed=0)
+    empty = env.render()
+    for action in DAYS:
+        env.step(action)
+    assert env.render() == PLAYED
+    env.reset(seed=0)
+    assert env.render() == empty
+    assert "study" not in str(empty)
+
+
+def test_window_shows_the_last_action(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The picture drawn inside `step` shows what that step did."""
+    env = StudyEnv(render_mode="human", **SHORT)
+    frames: list[str] = []
+    monkeypatch.setattr(env, "render", lambda: frames.append(to_text(env.scene())))
+    env.reset(seed=0)
+    for action in DAYS:
+        env.step(action)
+        assert frames[-1] == to_text(env.scene())
+    assert frames[-1] == PLAYED
+    assert len(frames) == 5
+
+
+def test_calendar_is_copied() -> None:
+    """An environment that was pickled draws the same calendar, and so does the original after the copy has gone on."""
+    env = StudyEnv(**SHORT)
+    env.reset(seed=0)
+    for action in DAYS:
+        env.step(action)
+    copied = pickle.loads(pickle.dumps(env))
+    copied.step(STUDY)
+    assert to_text(env.scene()) == PLAYED
+    assert to_text(copied.scene()) != PLAYED
+
+
+def colours(scene: Scene) -> list[str | None]:
+    """The colours behind what was done, day by day."""
+    return [shape.fill for shape in scene.shapes if isinstance(shape, Rectangle) and shape.height == 0.46]
+
+
+def test_colours() -> None:
+    """Green where it helped, red where it did harm, grey where it did neither; a failed exam is red."""
+    helped, harmed, neither = (blend(colour, WHITE, 0.3) for colour in (GREEN, RED, SHADE))
+    env = StudyEnv(**SHORT)
+    env.reset(seed=0)
+    for action in (STUDY, SLEEP, GO_OUT, SLEEP, STUDY):
+        env.step(action)
+    assert colours(env.scene()) == [helped, helped, harmed, helped, helped]
+    env.reset()
+    for action in (SLEEP, SLEEP, STUDY, STUDY, GO_OUT):
+        env.step(action)
+    # A second night is not needed, nor is a day of study without a lecture; the exam was missed.
+    assert colours(env.scene()) == [helped, neither, helped, neither, harmed]
+
+
+def test_smiley() -> None:
+    """The student is glad of an exam passed, sad about one failed, and neither before."""
+    env = StudyEnv(**SHORT)
+    for action, mood in ((STUDY, [22]), (OTHER, [222])):
+        env.reset(seed=0)
+        for day in range(5):
+            assert [shape for shape in env.scene().shapes if isinstance(shape, Arc)] == []
+            env.step(action if day == 4 else (STUDY, SLEEP)[day % 2])
+        assert [shape.start for shape in env.scene().shapes if isinstance(shape, Arc)] == mood
+
+
+def test_long_calendar() -> None:
+    """Of a hundred days the picture shows thirty, today among them, with marks at what the exam asks for."""
+    env = StudyEnv(total_days=100)
+    env.reset(seed=0)
+    for day in range(100):
+        scene = env.scene()
+        shown = [int(shape.content) for shape in scene.shapes if isinstance(shape, Text) and shape.content.isdigit()]
+        assert len(shown) == 30
+        assert day in shown
+        env.step(OTHER)
+    assert [line.points[0][0] for line in scene.shapes if isinstance(line, Line) and line.glyph] == pytest.approx(
+        [0.6 + 4.4 * 2 / 3, 6.0 + 4.4 * 2 / 4]
+    )
+
+
+def test_pictures_of_copies() -> None:
+    """A vector environment draws its copies, without a calendar of their past."""
+    envs = gymnasium.make_vec("edugym/Study-v0", num_envs=2, render_mode="ansi")
+    envs.reset(seed=0)
+    for _ in range(10):
+        envs.step(np.zeros(2, int))
+    frames = envs.render()
+    assert frames is not None
+    assert all("Knowledge 3" in str(frame) for frame in frames)
+
+
+def test_names_of_actions() -> None:
+    """Study, sleep, go out, and the others by number."""
+    assert StudyEnv(n_actions=2, energy_needed=0).named_actions() == {"study": 0, "sleep": 1}
+    assert list(StudyEnv().named_actions()) == ["study", "sleep", "go out", "other 1", "other 2"]

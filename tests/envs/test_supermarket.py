@@ -1,0 +1,348 @@
+"""Supermarket: a walk that a person can follow, every move, the noise of the model, and the clock."""
+
+import pickle
+from typing import Any, cast
+
+import gymnasium
+import numpy as np
+import pytest
+from gymnasium.error import ResetNeeded
+
+from edugym.envs.supermarket import MAP, Countdown, SupermarketEnv
+from edugym.mdp.model import finite_model
+from edugym.planning.value_iteration import value_iteration
+from edugym.registration import make_mdp
+from edugym.rendering.scene import Arc
+
+MOVES = {"U": 0, "D": 1, "L": 2, "R": 3}
+BEST_WALK = "DRRRRRRRDDDLLLDULLLDDDDRRRRRRD"
+ITEMS = {(1, 8): 0, (7, 2): 1, (5, 5): 2}
+
+
+def ravelled(y: int, x: int, *items: int) -> int:
+    """The number of a state, as the specification says it."""
+    return int(np.ravel_multi_index((y, x, *items), (10, 10, 2, 2, 2)))
+
+
+def walk(env: SupermarketEnv, moves: str) -> list[tuple[Any, ...]]:
+    """What each step gives: observation, reward, terminated, truncated."""
+    return [env.step(MOVES[move])[:4] for move in moves]
+
+
+def test_map() -> None:
+    """The map of the specification, entrance, exit, walls and items."""
+    rows = MAP.split()
+    assert [len(row) for row in rows] == [10] * 10
+    places = {(y, x): cell for y, row in enumerate(rows) for x, cell in enumerate(row)}
+    assert [place for place, cell in places.items() if cell == "s"] == [(0, 1)]
+    assert [place for place, cell in places.items() if cell == "e"] == [(9, 8)]
+    assert {place: int(cell) - 1 for place, cell in places.items() if cell.isdigit()} == ITEMS
+    assert [row.count("#") for row in rows] == [9, 2, 2, 7, 2, 4, 4, 4, 2, 9]
+
+
+def test_best_walk() -> None:
+    """All three items and the exit in 30 steps: 3 x 25 + 50 - 30."""
+    env = SupermarketEnv()
+    observation, info = env.reset(seed=0)
+    assert observation == ravelled(0, 1, 0, 0, 0) == 8
+    assert info == {"position": (0, 1), "items": (False, False, False)}
+    steps = walk(env, BEST_WALK)
+    assert len(steps) == 30
+    assert steps[0] == (ravelled(1, 1, 0, 0, 0), -1.0, False, False)
+    assert steps[7] == (ravelled(1, 8, 1, 0, 0), 24.0, False, False)
+    assert steps[8] == (ravelled(2, 8, 1, 0, 0), -1.0, False, False)
+    assert steps[14] == (ravelled(5, 5, 1, 0, 1), 24.0, False, False)
+    assert steps[15] == (ravelled(4, 5, 1, 0, 1), -1.0, False, False)
+    assert steps[-1] == (ravelled(9, 8, 1, 1, 1), 49.0, True, False)
+    assert sum(reward for _, reward, _, _ in steps) == 95.0
+    assert env.info() == {"position": (9, 8), "items": (True, True, True)}
+
+
+def test_optimum() -> None:
+    """The best return from the exact model is 95, in 30 steps and no fewer."""
+    model = SupermarketEnv().finite_model
+    assert value_iteration(model).start == 95.0
+    assert value_iteration(model, horizon=30).start == 95.0
+    assert value_iteration(model, horizon=29).start < 95.0
+
+
+def test_an_item_is_there_once() -> None:
+    """Coming back to where an item was gives nothing more."""
+    env = SupermarketEnv()
+    env.reset(seed=0)
+    rewards = [reward for _, reward, _, _ in walk(env, "DRRRRRRRLRLR")]
+    assert rewards == [-1.0] * 7 + [24.0] + [-1.0] * 4
+
+
+def test_leaving_with_nothing() -> None:
+    """The exit is the end, also for one who bought nothing: 50 less the way."""
+    env = SupermarketEnv()
+    env.reset(seed=0)
+    steps = walk(env, "DRRRRRRDDDRDDDDD")
+    assert steps[-1] == (ravelled(9, 8, 0, 0, 0), 49.0, True, False)
+    assert sum(reward for _, reward, _, _ in steps) == 34.0
+    with pytest.raises(ResetNeeded):
+        env.step(0)
+
+
+def test_truncation() -> None:
+    """Nothing but the step limit ends a walk against a wall."""
+    env = SupermarketEnv(max_steps=4)
+    env.reset(seed=0)
+    assert SupermarketEnv().mdp.max_steps == 500
+    assert walk(env, "ULRU") == [(8, -1.0, False, k == 3) for k in range(4)]
+
+
+def test_every_move() -> None:
+    """The model and `step` agree with the map, in every state that can be reached and for every action."""
+    env = SupermarketEnv()
+    rows = MAP.split()
+    model = env.finite_model
+    assert len(model.states) == 428
+    for state in model.states:
+        y, x, *items = (int(part) for part in np.unravel_index(state, (10, 10, 2, 2, 2)))
+        assert rows[y][x] != "#"
+        if (y, x) in ITEMS:
+            assert items[ITEMS[y, x]] == 1
+        if rows[y][x] == "e":
+            assert env.mdp.terminal(state)
+            continue
+        for action, (dy, dx) in enumerate([(-1, 0), (1, 0), (0, -1), (0, 1)]):
+            to_y, to_x, taken, reward = y + dy, x + dx, list(items), -1.0
+            if to_y < 0 or rows[to_y][to_x] == "#":
+                to_y, to_x = y, x
+            if (to_y, to_x) in ITEMS and not taken[ITEMS[to_y, to_x]]:
+                taken[ITEMS[to_y, to_x]] = 1
+                reward += 25.0
+            if rows[to_y][to_x] == "e":
+                reward += 50.0
+            expected = ravelled(to_y, to_x, *taken), reward, (to_y, to_x) == (9, 8)
+            assert env.descriptive_model(state, action) == [(1.0, *expected)]
+            assert env.generative_model(np.int64(state), action) == (1.0, *expected)
+            assert env.model(state, action, kind="generative") == (1.0, *expected)
+            env.reset()
+            env.state = state
+            assert env.step(action)[:3] == expected
+
+
+def test_planning_on_the_model_that_is_given() -> None:
+    """An agent that asks the paper's `model(s, a)` about what it observes, and looks ahead, takes the best walk."""
+    env = SupermarketEnv()
+    observation, _ = env.reset(seed=0)
+    model, ask = env.finite_model, cast(Any, env.model)
+    V, total, terminated = value_iteration(model).V, 0.0, False
+    while not terminated:
+        outcomes: list[Any] = [ask(observation, action, kind="descriptive")[0] for action in range(4)]
+        values = [outcome.reward + V[model.row(outcome.next_state)] for outcome in outcomes]
+        observation, reward, terminated, _, _ = env.step(int(np.argmax(values)))
+        total += float(reward)
+    assert (total, env.steps) == (95.0, 30)
+
+
+def test_noise_is_in_the_model_alone() -> None:
+    """Every state and action has one error, which all forms of the model share; `step` has none."""
+    exact, noisy = SupermarketEnv().finite_model, SupermarketEnv(noise=2.0)
+    model = noisy.finite_model
+    assert model.states == exact.states
+    assert np.array_equal(model.p, exact.p)
+    errors = (model.r - exact.r)[~exact.terminal]
+    assert np.all(model.r[exact.terminal] == 0.0)
+    n = errors.size
+    assert n > 1_600
+    assert len(np.unique(errors.round(9))) == n
+    assert abs(errors.mean()) < 4 * 2.0 / n**0.5
+    assert abs(errors.std() / 2.0 - 1) < 4 / (2 * n) ** 0.5
+    assert abs(np.mean(np.abs(errors) < 2.0) - 0.6827) < 4 * (0.6827 * 0.3173 / n) ** 0.5
+    state, action = model.states[17], 2
+    (outcome,) = noisy.descriptive_model(state, action)
+    assert outcome.reward == model.r[17, 2]
+    assert {noisy.generative_model(state, action).reward for _ in range(20)} == {outcome.reward}
+    assert noisy.model(state, action) == [outcome]
+    noisy.reset(seed=0)
+    plain = SupermarketEnv()
+    plain.reset(seed=0)
+    assert walk(noisy, BEST_WALK) == walk(plain, BEST_WALK)
+    assert np.array_equal(finite_model(noisy.mdp).rewards, exact.rewards)
+
+
+def test_noise_comes_from_the_layout_seed() -> None:
+    """The errors are the same each time, other ones for another layout seed, and grow with `noise`."""
+    exact = SupermarketEnv().finite_model.r
+    errors = [
+        SupermarketEnv(noise=noise, layout_seed=seed).finite_model.r - exact
+        for noise, seed in [(1.0, 0), (1.0, 0), (1.0, 1), (3.0, 0)]
+    ]
+    assert np.array_equal(errors[0], errors[1])
+    assert abs(np.corrcoef(errors[0].ravel(), errors[2].ravel())[0, 1]) < 0.1
+    assert errors[3] == pytest.approx(3 * errors[0])
+    env = SupermarketEnv(noise=1.0)
+    before = env.finite_model.r
+    env.reset(seed=123)
+    assert np.array_equal(env.finite_model.r, before)
+    assert np.array_equal(pickle.loads(pickle.dumps(env)).finite_model.r, before)
+
+
+class FakeClock:
+    """A clock that moves by a microsecond whenever it is looked at, and by somewhat more than asked in a sleep."""
+
+    def __init__(self) -> None:
+        """At some time."""
+        self.now, self.looks, self.asleep = 1000.0, 0, 0.0
+
+    def __call__(self) -> float:
+        """Look at it."""
+        self.now += 1e-6
+        self.looks += 1
+        return self.now
+
+    def sleep(self, seconds: float) -> None:
+        """Oversleep by a tenth and 0.1 ms, as operating systems may."""
+        assert seconds > 0
+        self.now += 1.1 * seconds + 1e-4
+        self.asleep += 1.1 * seconds + 1e-4
+
+
+@pytest.fixture
+def clock() -> FakeClock:
+    """A new clock."""
+    return FakeClock()
+
+
+def timed(clock: FakeClock, seconds: float) -> SupermarketEnv:
+    """An environment with that clock, started."""
+    env = SupermarketEnv(step_timeout=seconds)
+    assert env.time_until_step() == 0.0
+    env.countdown = Countdown(env.countdown.seconds, clock, clock.sleep)
+    env.reset(seed=0)
+    return env
+
+
+@pytest.mark.parametrize("seconds", [0.0, 0.0001, 0.001, 0.05, 1.0, 60.0])
+def test_step_blocks(clock: FakeClock, seconds: float) -> None:
+    """A step is done that many seconds after the last return, to a millisecond, nearly all of them asleep."""
+    env = timed(clock, seconds)
+    for move in (1, 3, 3):
+        returned, slept = clock.now, clock.asleep
+        env.step(move)
+        assert returned + seconds <= clock.now + 1e-9
+        assert clock.now < returned + seconds + 0.001
+        assert clock.asleep - slept >= seconds - 0.0004
+    assert clock.looks < 1500
+    assert env.info()["position"] == (1, 3)
+
+
+def test_time_until_step(clock: FakeClock) -> None:
+    """The time that is left to plan falls to 0; what has been spent planning is not waited for again."""
+    env = timed(clock, 2.0)
+    assert env.time_until_step() == pytest.approx(2.0, abs=1e-5)
+    clock.now += 1.5
+    assert env.time_until_step() == pytest.approx(0.5, abs=1e-5)
+    before = clock.now
+    env.step(1)
+    assert clock.now == pytest.approx(before + 0.5, abs=1e-3)
+    assert env.time_until_step() == pytest.approx(2.0, abs=1e-5)
+    clock.now += 7.0
+    assert env.time_until_step() == 0.0
+    before = clock.now
+    env.step(1)
+    assert clock.now == pytest.approx(before, abs=1e-4)
+
+
+def test_what_is_not_allowed_need_not_wait(clock: FakeClock) -> None:
+    """An action outside the action space, or a step too many, is refused at once."""
+    env = timed(clock, 5.0)
+    with pytest.raises(ValueError, match="action 4 is not in the action space"):
+        env.step(4)
+    assert clock.asleep == 0.0
+    assert env.time_until_step() > 4.9
+    walk(env, BEST_WALK)
+    slept = clock.asleep
+    with pytest.raises(ResetNeeded):
+        env.step(0)
+    assert clock.asleep == slept
+
+
+def test_interrupted_wait() -> None:
+    """Who interrupts the wait with Ctrl-C finds everything as it was, and can go on."""
+
+    def interrupted(seconds: float) -> None:
+        raise KeyboardInterrupt
+
+    env = SupermarketEnv()
+    env.countdown = Countdown(5.0, FakeClock(), interrupted)
+    env.reset(seed=0)
+    with pytest.raises(KeyboardInterrupt):
+        env.step(1)
+    assert (env.state, env.steps, env.last_action) == (8, 0, None)
+    env.countdown = Countdown(0.0)
+    assert env.step(1)[0] == ravelled(1, 1, 0, 0, 0)
+
+
+def test_clock_of_another_machine(clock: FakeClock) -> None:
+    """A copy on a machine whose clock started later waits for one timeout at most."""
+    env = timed(clock, 3.0)
+    clock.now -= 900.0
+    assert env.time_until_step() == 3.0
+
+
+def test_the_clock_is_not_the_task() -> None:
+    """The MDP, which simulations and vector environments run, knows neither the timeout nor the noise."""
+    for plain, timed_one in zip(
+        make_mdp("Supermarket"), make_mdp("Supermarket", step_timeout=3600, noise=5.0), strict=True
+    ):
+        assert np.array_equal(plain, timed_one)
+
+
+def test_frames() -> None:
+    """What a terminal shows at the start, on the way and at the exit."""
+    env = gymnasium.make("edugym/Supermarket-v0", render_mode="ansi")
+    env.reset(seed=0)
+    assert env.render() == (
+        "##☺ ################ to get\n"
+        "##              1 ##\n"
+        "##                ##  1\n"
+        "############      ##  2\n"
+        "##                ##\n"
+        "##    ##   3##    ##  3\n"
+        "##    ##    ##    ##\n"
+        "##   2##    ##    ##\n"
+        "##                ##\n"
+        "############exit  ##"
+    )
+    frames = []
+    for move in BEST_WALK:
+        env.step(MOVES[move])
+        frames.append(str(env.render()).splitlines())
+    assert frames[7][1:3] == ["##              ☺ ##", "##                ##  1 ✓"]
+    assert frames[-1] == [
+        "##  ################ to get",
+        "##                ##",
+        "##                ##  1 ✓",
+        "############      ##  2 ✓",
+        "##                ##",
+        "##    ##    ##    ##  3 ✓",
+        "##    ##    ##    ##",
+        "##    ##    ##    ##",
+        "##                ##",
+        "############exit☺ ##",
+    ]
+
+
+def test_smiley() -> None:
+    """The shopper is glad, but for a bump into a wall and an exit without all three items."""
+
+    def is_glad(env: SupermarketEnv) -> bool:
+        return any(isinstance(shape, Arc) for shape in env.scene().shapes)
+
+    env = SupermarketEnv()
+    env.reset(seed=0)
+    assert is_glad(env)
+    walk(env, "U")
+    assert not is_glad(env)
+    walk(env, "DRRRRRR")
+    assert is_glad(env)
+    walk(env, "DDDRDDDDD")
+    assert not is_glad(env)
+    env.reset()
+    walk(env, BEST_WALK)
+    assert is_glad(env)

@@ -1,0 +1,339 @@
+"""Tamagotchi: steps worked out by hand, what the toy wants and says against closed forms, and what play returns."""
+
+import itertools
+import math
+import pickle
+from functools import partial
+from typing import Any, NamedTuple, get_args
+
+import gymnasium
+import numpy as np
+import pytest
+from scipy import stats
+
+import edugym
+from edugym.agents.exploration import EpsilonGreedy
+from edugym.envs.tamagotchi import Tamagotchi, TamagotchiEnv, Toy, happiness, meaning, urgency
+from edugym.experiments.loop import play_episodes
+from edugym.mdp.branching import branches
+from edugym.mdp.execution import executable
+from edugym.mdp.protocol import Random
+from edugym.rendering.figures import Mood, smiley
+
+PLAY, SLEEP, FEED, CLEAN = range(4)
+E = math.e
+
+
+def task(tau: float = 0.0, max_msg_length: int = 1, vocab_size: int = 4) -> Tamagotchi:
+    """A task of 100 steps."""
+    return Tamagotchi(tau, max_msg_length, vocab_size, 100)
+
+
+def after(variables: tuple[int, int, int, int], hp: int, wanted: int, action: int) -> tuple[Any, ...]:
+    """The variables, the hit points, the reward and whether it is the end, after an action."""
+    mdp, rng = task(), np.random.default_rng(0)
+    state = Toy(variables, hp, wanted, wanted)
+    next_state = mdp.transition(state, action, rng)
+    reward = mdp.reward(state, action, next_state, rng)
+    return next_state.variables, next_state.hp, reward, mdp.terminal(next_state)
+
+
+def test_first_steps() -> None:
+    """By hand, from a start at which it wants to sleep: sleep, which it wanted, then feed, which it did not."""
+    env = TamagotchiEnv()
+    observation, info = next(
+        start for seed in itertools.count() if (start := env.reset(seed=seed))[1]["wanted"] == SLEEP
+    )
+    assert (observation.tolist(), info) == ([100, SLEEP], {"variables": (100, 100, 100, 100), "wanted": SLEEP})
+    observation, reward, terminated, truncated, info = env.step(SLEEP)
+    assert info["variables"] == (95, 100, 95, 95)
+    assert reward == pytest.approx(50 * E**-1 + 3 * 45 * E**-0.95)  # 70.6
+    assert info["wanted"] in (PLAY, FEED, CLEAN)
+    assert observation.tolist() == [100, info["wanted"]]
+    env.state = env.state._replace(wanted=CLEAN)
+    observation, reward, terminated, truncated, info = env.step(FEED)
+    assert info == {"variables": (80, 85, 100, 80), "wanted": info["wanted"]}  # 95 + 30 - 10 is more than 100
+    assert info["wanted"] in (PLAY, CLEAN)
+    assert reward == pytest.approx(2 * 30 * E**-0.8 + 35 * E**-0.85 + 50 * E**-1)
+    assert (terminated, truncated) == (False, False)
+
+
+def test_order_of_what_happens() -> None:
+    """The variables change by all that is due, and only then are clipped; happiness and hit points come after."""
+    assert after((85, 10, 5, 50), 100, SLEEP, PLAY)[0] == (100, 0, 0, 35)  # 85 + 30 - 10; clipped first: 90
+    assert after((85, 10, 5, 50), 100, PLAY, PLAY)[0] == (100, 5, 0, 45)
+    for wanted, action in itertools.product(range(4), range(4)):
+        expected = [40 + (30 if need == action else -5) - (0 if wanted == action else 10) for need in range(4)]
+        assert after((40, 40, 40, 40), 100, wanted, action)[0] == tuple(expected)
+
+
+def test_hit_points() -> None:
+    """A tenth of the happiness is added, and what comes out is rounded down and stays between 0 and 100."""
+    variables, hp, reward, end = after((90, 90, 90, 90), 50, FEED, FEED)
+    assert (variables, hp, end) == ((85, 85, 100, 85), 56, False)  # 50 + 6.327
+    assert reward == pytest.approx(3 * 35 * E**-0.85 + 50 * E**-1)
+    variables, hp, reward, end = after((0, 0, 0, 0), 50, PLAY, SLEEP)
+    assert (variables, hp, end) == ((0, 20, 0, 0), 32, False)  # 50 - 17.456 = 32.54
+    assert reward == pytest.approx(-150 - 30 * E**-0.2)
+    assert after((0, 0, 0, 0), 18, PLAY, SLEEP)[1::2] == (0, True)  # 0.54 is less than a hit point
+    assert after((0, 0, 0, 0), 19, PLAY, SLEEP)[1::2] == (1, False)
+    assert after((0, 0, 0, 0), 3, PLAY, SLEEP)[1::2] == (0, True)
+    assert after((100, 100, 100, 100), 99, PLAY, PLAY)[1::2] == (100, False)
+
+
+def test_range_of_the_reward() -> None:
+    """Happiness lies between -200 and 74, the paper's range being up to 75."""
+    levels = range(0, 101, 10)
+    values = [happiness((a, b, c, d)) for a, b, c, d in itertools.product(levels, levels, levels, levels)]
+    assert min(values) == happiness((0, 0, 0, 0)) == -200.0
+    assert max(values) == happiness((100, 100, 100, 100)) == pytest.approx(200 / E)
+    assert [urgency(0), urgency(100)] == pytest.approx([1.0, 1 / E])
+
+
+def test_what_it_wants() -> None:
+    """The lowest variable; among equals each with the same probability, exactly."""
+    mdp = task()
+    for variables, chances in (
+        ((50, 40, 60, 45), {SLEEP: 1.0}),
+        ((0, 100, 100, 100), {PLAY: 1.0}),
+        ((50, 40, 60, 40), {SLEEP: 0.5, CLEAN: 0.5}),
+        ((30, 30, 99, 30), {PLAY: 1 / 3, SLEEP: 1 / 3, CLEAN: 1 / 3}),
+        ((0, 0, 0, 0), {PLAY: 0.25, SLEEP: 0.25, FEED: 0.25, CLEAN: 0.25}),
+    ):
+        assert distribution(mdp, variables, "wanted") == pytest.approx(chances)
+    starts = [mdp.initial(np.random.default_rng(seed)).wanted for seed in range(2_000)]
+    assert stats.chisquare(np.bincount(starts, minlength=4)).pvalue > 0.001
+
+
+def distribution(mdp: Tamagotchi, variables: tuple[int, int, int, int], part: str) -> dict[int, float]:
+    """The exact probabilities of a part of the state that follows from these variables."""
+    total: dict[int, float] = {}
+    for p, state in branches(partial(mdp.settled, variables, 50)):
+        value = getattr(state, part)
+        total[value] = total.get(value, 0.0) + p
+    return {value: p for value, p in total.items() if p > 0}
+
+
+def closed_form(variables: tuple[int, int, int, int], wanted: int, tau: float) -> np.ndarray[Any, Any]:
+    """The softmax of the urgencies, by NumPy."""
+    u = np.exp(-np.array(variables) / 100)
+    u[wanted] += 1e-6
+    weights = np.exp((u - u.max()) / tau)
+    p: np.ndarray[Any, Any] = weights / weights.sum()
+    return p
+
+
+@pytest.mark.parametrize("tau", [1e-300, 1e-7, 0.01, 0.05, 0.3, 2.0, 1e300, math.inf])
+def test_words(tau: float) -> None:
+    """A word is about need i with probability softmax(u/tau): exactly, and in what is said (chi-squared, 0.001)."""
+    variables = (70, 55, 90, 60)
+    expected = closed_form(variables, SLEEP, tau)
+    exact = distribution(task(tau), variables, "message")
+    assert [exact.get(word, 0.0) for word in range(4)] == pytest.approx(expected, abs=1e-12)
+    rng = np.random.default_rng(5)
+    said = [task(tau).settled(variables, 50, rng).message for _ in range(5_000)]
+    counts = np.bincount(said, minlength=4)
+    likely = expected * len(said) > 1
+    assert counts[~likely].sum() < 20
+    if likely.sum() > 1:
+        assert (
+            stats.chisquare(counts[likely], expected[likely] / expected[likely].sum() * counts[likely].sum()).pvalue
+            > 0.001
+        )
+
+
+def test_ties_in_the_message() -> None:
+    """Among equals the wanted one is named: for certain as tau goes to 0, by a millionth's share else."""
+    variables = (40, 40, 40, 40)
+    for tau in (0.0, 1e-300, 1e-9):
+        for _, state in branches(partial(task(tau).settled, variables, 50)):
+            assert state.message == state.wanted
+    mdp, rng = task(0.05), np.random.default_rng(0)
+    shares = np.array([mdp.weight(variables, need, FEED) for need in range(4)])
+    assert shares / shares.sum() == pytest.approx(closed_form(variables, FEED, 0.05), abs=1e-15)
+    assert 0.25 < shares[FEED] / shares.sum() < 0.25001
+    assert {mdp.settled(variables, 50, rng).message for _ in range(100)} == {0, 1, 2, 3}
+
+
+@pytest.mark.parametrize("vocab_size", [1, 2, 3, 4, 5, 6, 9, 12])
+def test_vocabulary(vocab_size: int) -> None:
+    """With four words or more need i has the words i, i + 4, ..., each as likely; with fewer it has i mod H."""
+    mdp = task(0.0, 1, vocab_size)
+    for need in range(4):
+        chances: dict[int, float] = {}
+        for p, word in branches(partial(mdp.word, need)):
+            chances[word] = chances.get(word, 0.0) + p
+        words = list(range(need, vocab_size, 4)) if vocab_size >= 4 else [need % vocab_size]
+        assert chances == pytest.approx({word: 1 / len(words) for word in words})
+
+
+def test_message() -> None:
+    """Words are independent, the first first, and kept as one number: no state holds an array."""
+    mdp = task(0.3, 3, 5)
+    exact = distribution(mdp, (70, 55, 90, 60), "message")
+    one = distribution(task(0.3, 1, 5), (70, 55, 90, 60), "message")
+    assert exact == pytest.approx({25 * a + 5 * b + c: one[a] * one[b] * one[c] for a in one for b in one for c in one})
+    state = Toy((1, 2, 3, 4), 77, 0, 25 * 4 + 5 * 0 + 2)
+    assert mdp.observation(state, np.random.default_rng(0)).tolist() == [77, 4, 0, 2]
+    longest = TamagotchiEnv(tau=1.0, max_msg_length=28)
+    observation, _ = longest.reset(seed=0)
+    assert longest.state.message == sum(int(word) * 4 ** (27 - k) for k, word in enumerate(observation[1:])) > 4**26
+    assert hash(longest.state) == hash(pickle.loads(pickle.dumps(longest.state)))
+    assert {type(part) for part in longest.state} == {int, tuple}
+
+
+def test_space() -> None:
+    """The hit points from 0 to 100, then as many words as a message has."""
+    assert TamagotchiEnv().observation_space == gymnasium.spaces.MultiDiscrete([101, 4])
+    assert TamagotchiEnv(max_msg_length=3, vocab_size=7).observation_space == gymnasium.spaces.MultiDiscrete(
+        [101, 7, 7, 7]
+    )
+
+
+def test_step_limit() -> None:
+    """A toy that is cared for lives until the step limit, which truncates; one that is not dies, which is an end."""
+    env = TamagotchiEnv(steps_per_episode=7)
+    env.reset(seed=0)
+    ends = [env.step(env.state.wanted)[2:4] for _ in range(7)]
+    assert ends == [(False, False)] * 6 + [(False, True)]
+    env = TamagotchiEnv()
+    env.reset(seed=0)
+    while not env.step(PLAY)[2]:
+        assert env.steps < 20
+    assert env.state.hp == 0
+
+
+class Obedient(NamedTuple):
+    """Does what the first word says."""
+
+    share: float
+
+    def act(self, state: Any, rng: Random) -> int:
+        """The need that it is about, with probability `share`, else anything."""
+        return int(state[1]) % 4 if rng.random() < self.share else int(rng.random() * 4)
+
+
+def returns(mdp: Tamagotchi, share: float, n_episodes: int) -> tuple[float, float]:
+    """The mean return of an obedient player, and half the width of its 99.9 % interval."""
+    log = np.zeros(n_episodes)
+    rest = (mdp, Obedient(share), 100, np.random.default_rng(0), np.random.default_rng(1), log)
+    executable(play_episodes, rest, rehearsed=1)(n_episodes, *rest)
+    return log.mean(), 3.3 * log.std() / math.sqrt(n_episodes)
+
+
+def test_numbers_in_the_docstring() -> None:
+    """What doing what it says returns as the noise grows, and what acting at random does."""
+    assert returns(task(), 1.0, 20) == pytest.approx((6706.85, 0.0), abs=0.005)
+    for tau, expected in ((0.02, 5993), (0.05, 3317), (0.1, 120), (math.inf, -676)):
+        mean, margin = returns(task(tau), 1.0, 10_000)
+        assert mean == pytest.approx(expected, abs=margin + 10)
+    mean, margin = returns(task(), 0.0, 10_000)
+    assert mean == pytest.approx(-676, abs=margin + 1)
+
+
+def test_signal_from_memory() -> None:
+    """A player that never looks, but takes the four actions in turn, gets 99 % of the best return."""
+    mdp, rng, totals = task(math.inf), np.random.default_rng(0), []
+    for _ in range(100):
+        state, total = mdp.initial(rng), 0.0
+        for step in range(100):
+            next_state = mdp.transition(state, step % 4, rng)
+            total += mdp.reward(state, step % 4, next_state, rng)
+            state = next_state
+            assert not mdp.terminal(state)
+        totals.append(total)
+    assert np.mean(totals) / 6706.85 == pytest.approx(0.992, abs=0.002)
+
+
+def test_optimum() -> None:
+    """Exact planning with the whole state, written anew with NumPy, finds nothing better than to do what it says."""
+    levels = 5 * np.stack(np.meshgrid(*[np.arange(21)] * 4, indexing="ij"), axis=-1).reshape(-1, 4)
+    pay = ((levels - 50) * np.exp(-levels / 100)).sum(axis=1)
+    lowest = levels == levels.min(axis=1, keepdims=True)
+    chances = lowest / lowest.sum(axis=1, keepdims=True)
+
+    def successors(action: int, loss: int) -> np.ndarray[Any, Any]:
+        changed = np.clip(levels + np.where(np.arange(4) == action, 30, -5) - loss, 0, 100) // 5
+        rows: np.ndarray[Any, Any] = changed @ np.array([21**3, 21**2, 21, 1])
+        return rows
+
+    wished, other = ([successors(action, loss) for action in range(4)] for loss in (0, 10))
+    values = np.zeros(len(levels))
+    for _ in range(100):
+        gain = pay + values
+        unwanted = np.array([gain[rows] for rows in other])
+        values = sum(
+            chances[:, wanted] * np.maximum(gain[wished[wanted]], np.delete(unwanted, wanted, axis=0).max(axis=0))
+            for wanted in range(4)
+        )
+    assert values[-1] == pytest.approx(6706.85, abs=0.005)
+
+
+@pytest.mark.slow
+def test_q_learning_at_three_temperatures() -> None:
+    """Q-learning gets all at tau = 0, about 3 000 at 0.05 and about 0 at 0.1 (ten seeds)."""
+    means = []
+    for tau in (0.0, 0.05, 0.1):
+        mdp, finals = task(tau), []
+        for seed in range(10):
+            agent = edugym.QLearning.create(mdp, learning_rate=0.02, discount=0.5, exploration=EpsilonGreedy(0.1))
+            run = edugym.train(mdp, agent, 400_000, evaluate_every=400_000, evaluation_episodes=100, seed=seed)
+            finals.append(run.returns[-1])
+        means.append(np.mean(finals))
+    assert means == pytest.approx([6706.85, 3100, 40], abs=300)
+    assert means[0] == pytest.approx(6706.85, abs=0.005)
+
+
+def test_meaning() -> None:
+    """What a person reads in the bubble: synonyms by number, ambiguous words by all that they may mean."""
+    assert [meaning(word, 9) for word in range(9)] == [
+        "play",
+        "sleep",
+        "feed",
+        "clean",
+        "play2",
+        "sleep2",
+        "feed2",
+        "clean2",
+        "play3",
+    ]
+    assert [meaning(word, 3) for word in range(3)] == ["play/clean", "sleep", "feed"]
+    assert [meaning(word, 2) for word in range(2)] == ["play/feed", "sleep/clean"]
+    assert meaning(0, 1) == "play/sleep/feed/clean"
+    assert TamagotchiEnv().named_actions() == {"play": PLAY, "sleep": SLEEP, "feed": FEED, "clean": CLEAN}
+
+
+def test_frame() -> None:
+    """In characters: what it says, its face and hit points, and the buttons, of which the last one pressed is full."""
+    env = TamagotchiEnv(max_msg_length=2, render_mode="ansi")
+    env.reset(seed=1)
+    env.step(FEED)
+    env.state = Toy((50, 20, 50, 50), 50, SLEEP, 4 * SLEEP + CLEAN)
+    assert [line.strip() for line in env.render().splitlines() if line] == [
+        '"sleep clean"',
+        "☺",
+        "HP 50",
+        "███████░░░░░░░",
+        "○                ○",
+        "○    ●",
+        "play sleep feed clean",
+    ]
+
+
+def test_face() -> None:
+    """It smiles above two thirds of its hit points, and is sad in the last third."""
+    env = TamagotchiEnv()
+    env.reset(seed=0)
+    for hp, mood in ((100, "happy"), (67, "happy"), (66, "flat"), (34, "flat"), (33, "sad"), (0, "sad")):
+        env.state = env.state._replace(hp=hp)
+        mouths = {name: smiley(6.0, 7.9, 1.2, name)[-1] in env.scene().shapes for name in get_args(Mood)}
+        assert mouths == {name: name == mood for name in get_args(Mood)}
+
+
+def test_long_messages_are_cut() -> None:
+    """A bubble holds three lines; what does not fit is left out."""
+    env = TamagotchiEnv(tau=1.0, max_msg_length=28)
+    env.reset(seed=0)
+    says = [shape.glyph for shape in env.scene().shapes if shape.glyph.startswith('"')]
+    assert len(says) == 3
+    assert says[-1].endswith('..."')

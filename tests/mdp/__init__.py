@@ -1,0 +1,1 @@
+"""The core: what an MDP is turned into."""

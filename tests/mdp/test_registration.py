@@ -1,0 +1,122 @@
+"""The registry, in this process and in fresh ones that import nothing but Gymnasium."""
+
+import json
+import subprocess
+import sys
+import warnings
+
+import gymnasium
+import pytest
+from gymnasium.error import NameNotFound
+
+import edugym
+from edugym.registration import ENVIRONMENTS, find, make_mdp, register_environments
+
+HEAVY = [
+    "numba",
+    "pygame",
+    "matplotlib",
+    "pandas",
+    "scipy",
+    "joblib",
+    "ipywidgets",
+    "IPython",
+    "torch",
+    "tqdm",
+    "typer",
+]
+
+
+def in_a_fresh_process(code: str) -> str:
+    """What a program prints."""
+    done = subprocess.run([sys.executable, "-W", "error", "-c", code], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def test_importing_is_light() -> None:
+    """`import edugym` registers everything, imports nothing heavy, and draws no random number."""
+    code = f"""
+import sys, json, random
+import numpy
+before = numpy.random.get_state()[1].tolist(), random.getstate()
+import edugym, gymnasium
+assert (numpy.random.get_state()[1].tolist(), random.getstate()) == before
+heavy = [name for name in {HEAVY} if name in sys.modules]
+environments = [name for name in sys.modules if name.startswith("edugym.envs.")]
+print(json.dumps([heavy, environments, [entry.id in gymnasium.registry for entry in edugym.ENVIRONMENTS]]))
+"""
+    assert json.loads(in_a_fresh_process(code)) == [[], [], [True] * len(ENVIRONMENTS)]
+
+
+def test_making_one_environment_is_light() -> None:
+    """Making and playing an environment without pictures imports its own module only, and no compiler."""
+    code = f"""
+import sys, json, gymnasium, edugym
+env = gymnasium.make("edugym/Boulder-v0")
+env.reset(seed=0)
+env.step(0)
+print(json.dumps([[name for name in {HEAVY} if name in sys.modules],
+    [name for name in sys.modules if name.startswith("edugym.envs.")]]))
+"""
+    assert json.loads(in_a_fresh_process(code)) == [[], ["edugym.envs.boulder"]]
+
+
+def test_ids_that_name_the_package() -> None:
+    """`edugym:edugym/...` imports the package by itself, in `make` and in `make_vec`, for every environment."""
+    code = f"""
+import gymnasium
+for name in {[entry.name for entry in ENVIRONMENTS]}:
+    env = gymnasium.make(f"edugym:edugym/{{name}}-v0")
+    env.reset(seed=0)
+    envs = gymnasium.make_vec(f"edugym:edugym/{{name}}-v0", num_envs=2)
+    print(type(env.unwrapped).__name__, type(envs.unwrapped).__name__, envs.num_envs)
+"""
+    expected = [f"{entry.name}Env MDPVectorEnv 2" for entry in ENVIRONMENTS]
+    assert in_a_fresh_process(code).splitlines() == expected
+
+
+def test_entries() -> None:
+    """Every entry has an id, a class of its own, a challenge and a lesson of its own."""
+    assert len({entry.name for entry in ENVIRONMENTS}) == len(ENVIRONMENTS)
+    assert len({entry.challenge for entry in ENVIRONMENTS}) == len(ENVIRONMENTS)
+    assert len({entry.lesson for entry in ENVIRONMENTS}) == len(ENVIRONMENTS)
+    for entry in ENVIRONMENTS:
+        assert entry.id == f"edugym/{entry.name}-v0"
+        assert find(entry.name) is find(entry.id) is entry
+        env = gymnasium.make(entry.id)
+        assert type(env.unwrapped) is entry.load()
+        assert entry.load().__name__ == f"{entry.name}Env"
+        assert type(make_mdp(entry.name)) is type(make_mdp(entry.id)) is type(entry.load()().mdp)
+
+
+def test_registering_again() -> None:
+    """A second call changes nothing and says nothing."""
+    before = dict(gymnasium.registry)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        register_environments()
+    assert gymnasium.registry == before
+
+
+def test_unknown_names() -> None:
+    """A name that is not there is answered with those that are."""
+    for call in (find, make_mdp):
+        for name in ("Boulders", "", "edugym/Boulder-v1"):
+            with pytest.raises(ValueError, match=f"environment must be one of Boulder, .*, but is {name!r}"):
+                call(name)
+    with pytest.raises(NameNotFound):
+        gymnasium.make("edugym/Boulders-v0")
+    for module in (edugym, edugym.registration):
+        with pytest.raises(AttributeError, match="has no attribute 'make_Boulders_vector'"):
+            _ = module.make_Boulders_vector
+
+
+def test_public_names() -> None:
+    """Every public name is there, and is what its home module calls so."""
+    assert sorted(set(edugym.__all__)) == sorted(edugym.__all__)
+    for name in edugym.__all__:
+        value = getattr(edugym, name)
+        home = getattr(value, "__module__", "edugym")
+        assert home.startswith("edugym"), name
+        assert getattr(value, "__name__", name) == name

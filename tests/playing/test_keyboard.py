@@ -1,0 +1,302 @@
+"""Playing with keys: through a pipe, in a terminal and in a window."""
+
+import io
+import os
+import pty
+import select
+import subprocess
+import sys
+import termios
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pygame
+import pytest
+from gymnasium.error import DependencyNotInstalled
+from PIL import Image
+from typer.testing import CliRunner, Result
+
+from edugym.cli import app
+from edugym.playing import play
+from edugym.playing.game import TERMINATED
+from edugym.playing.keyboard import CLEAR, key_presses, keys_of, windows_keys
+from edugym.rendering.scene import Scene
+from edugym.rendering.window import Window
+from playing.tasks import Walk
+
+
+def lines_of(keys: list[str], **options: Any) -> list[str]:
+    """What is written when these keys come through a pipe to the walk, a line each."""
+    screen = io.StringIO()
+    play(Walk(), keyboard=io.StringIO("\n".join(keys)), screen=screen, **options)
+    return screen.getvalue().splitlines()
+
+
+def test_play_through_a_pipe() -> None:
+    """Keys and names both work, wrong ones are named, a finished episode waits for r, the end of the input ends it."""
+    lines = lines_of(["1", "x", "", "right", "0", "r", "left"])
+    scores = [line for line in lines if line.startswith(("start", "step"))]
+    assert [score.split(",")[0] for score in scores] == [
+        *["start", "step 1: right", "step 1: right", "step 1: right", "step 2: right", "step 2: right"],
+        *["start", "step 1: left", "step 1: left"],
+    ]
+    assert "[0] left   [1] right   [r] new episode   [q] quit" in lines
+    assert "'x' is no key here:   [0] left   [1] right   [r] new episode   [q] quit" in lines
+    assert "'' is no key here:   [0] left   [1] right   [r] new episode   [q] quit" in lines
+    assert "The episode is over:   [r] new episode   [q] quit" in lines
+    assert lines.count(TERMINATED) == 2
+    assert lines[-1] == "Episodes finished: 1. Returns: 1.5. Mean: 1.5."
+    assert not any("\x1b" in line for line in lines)
+
+
+def test_quitting_ends_the_game() -> None:
+    """Nothing is read after q."""
+    lines = lines_of(["q", "1"])
+    assert sum(line.startswith(("start", "step")) for line in lines) == 2  # once on the screen, once at the end
+    assert lines[-1] == "No episode finished yet."
+
+
+def test_interrupts_end_the_game_with_its_score(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Ctrl-C while the game waits for a key is no error."""
+    screen = io.StringIO()
+    keyboard = io.StringIO()
+    lines = iter(["1\n", "1\n"])
+
+    def interrupted(size: int = -1) -> str:
+        for line in lines:
+            return line
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(keyboard, "readline", interrupted)
+    game = play(Walk(), keyboard=keyboard, screen=screen)
+    assert game.returns == [1.5]
+    assert screen.getvalue().endswith("Episodes finished: 1. Returns: 1.5. Mean: 1.5.\n")
+
+
+def test_a_screen_with_few_characters() -> None:
+    """What its encoding does not have becomes a question mark."""
+    written = io.BytesIO()
+    screen = io.TextIOWrapper(written, encoding="ascii")
+    play("Boulder", keyboard=io.StringIO(), screen=screen, height=2)
+    assert "1  ? ?" in written.getvalue().decode("ascii")
+
+
+class Terminal:
+    """A program that runs in a terminal of its own, as for a person who types."""
+
+    def __init__(self, code: str) -> None:
+        """Start it."""
+        self.master, self.slave = pty.openpty()
+        self.before = termios.tcgetattr(self.slave)
+        controlled = f"import fcntl, termios; fcntl.ioctl(0, termios.TIOCSCTTY, 0)\n{code}"
+        environment = {key: value for key, value in os.environ.items() if key != "NO_COLOR"}
+        self.process = subprocess.Popen(
+            [sys.executable, "-c", controlled],
+            stdin=self.slave,
+            stdout=self.slave,
+            stderr=self.slave,
+            start_new_session=True,
+            env=environment,
+        )
+        self.written = ""
+
+    def type(self, keys: str, until: str) -> str:
+        """Press keys, and return what is written from then on until a text appears."""
+        seen = len(self.written)
+        os.write(self.master, keys.encode())
+        deadline = time.monotonic() + 60
+        while until not in self.written[seen:]:
+            assert select.select([self.master], [], [], deadline - time.monotonic())[0], self.written
+            self.written += os.read(self.master, 4096).decode()
+        return self.written[seen:]
+
+    def end(self) -> int:
+        """Wait for the end; the exit status, once the terminal was found as it had been."""
+        status = self.process.wait(60)
+        assert termios.tcgetattr(self.slave) == self.before
+        os.close(self.master)
+        os.close(self.slave)
+        return status
+
+
+GAME = "from edugym.playing import play; play('Supermarket')"
+ARROW_RIGHT, ARROW_DOWN, DELETE = "\x1b[C", "\x1bOB", "\x1b[3~"
+
+
+def test_play_in_a_terminal() -> None:
+    """Single keys count at once and without echo, arrows are actions, the picture is redrawn in colour."""
+    terminal = Terminal(GAME)
+    first = terminal.type("", until="[q] quit")
+    assert CLEAR in first
+    assert "\x1b[38;2;" in first
+    assert "step 1: right, " in terminal.type(ARROW_RIGHT, until="[q] quit")
+    assert "step 3: right, " in terminal.type(f"{ARROW_DOWN}3", until="step 3: right")
+    assert "'' is no key here" in terminal.type(DELETE, until="is no key here")
+    assert "start, " in terminal.type("r", until="start, ")
+    terminal.type("q", until="No episode finished yet.")
+    assert terminal.end() == 0
+
+
+@pytest.mark.parametrize("key", ["\x03", "\x04"])
+def test_ctrl_c_and_ctrl_d_leave_the_terminal_as_it_was(key: str) -> None:
+    """The score is shown, there is no traceback, and the exit status is 0."""
+    terminal = Terminal(GAME)
+    terminal.type("", until="[q] quit")
+    terminal.type("1", until="step 1: down")
+    last = terminal.type(key, until="No episode finished yet.")
+    assert "step 1: down" in last
+    assert "Traceback" not in last
+    assert terminal.end() == 0
+
+
+def test_keys_of_a_windows_console() -> None:
+    """Arrows come as two characters, other such keys write nothing, and Ctrl-D and Ctrl-C end it."""
+
+    def typed(characters: str) -> Callable[[], str]:
+        return iter(characters).__next__
+
+    assert list(windows_keys(typed("1\xe0K\x00;a\x04b"))) == ["1", "left", "", "a"]
+    with pytest.raises(KeyboardInterrupt):
+        list(windows_keys(typed("1\x03")))
+
+
+def test_keys_of_actions() -> None:
+    """Numbers, then letters, or the names themselves; never the keys that quit and begin again."""
+    assert keys_of(["putt", "chip"]) == {"0": "putt", "1": "chip"}
+    assert keys_of(["5", "6"]) == {"5": "5", "6": "6"}
+    assert keys_of(["q", "r"]) == {"0": "q", "1": "r"}
+    many = keys_of([f"action {k}" for k in range(34)])
+    assert len(many) == 34
+    assert not {"q", "r"} & set(many)
+    assert many["a"] == "action 10"
+    with pytest.raises(ValueError, match="at most 34"):
+        keys_of([str(k) for k in range(35)])
+
+
+def test_lines_are_keys_where_there_is_no_terminal() -> None:
+    """Without the blanks around them."""
+    with key_presses(io.StringIO("1\n go out \n\nq")) as presses:
+        assert list(presses) == ["1", "go out", "", "q"]
+
+
+@pytest.fixture
+def windows(monkeypatch: pytest.MonkeyPatch) -> list[pygame.Window]:
+    """All windows that are opened, on the pretended screen of the tests."""
+    opened: list[pygame.Window] = []
+
+    class Recorded(pygame.Window):
+        def __init__(self, *arguments: Any) -> None:
+            super().__init__(*arguments)
+            opened.append(self)
+
+    monkeypatch.setattr(pygame, "Window", Recorded)
+    return opened
+
+
+def key_down(window: pygame.Window, key: int, written: str) -> pygame.event.Event:
+    """A key that is pressed in a window."""
+    return pygame.event.Event(pygame.KEYDOWN, key=key, unicode=written, window=window)
+
+
+def test_a_window_takes_keys(windows: list[pygame.Window]) -> None:
+    """By what they write or are called, in order, and only its own; a closed window has no more."""
+    first, second = Window("first"), Window("second")
+    assert first.next_key() is None
+    for window in (first, second):
+        window.show(Scene(10, 10, ()), float("inf"))
+    pygame.event.post(key_down(windows[0], pygame.K_LEFT, ""))
+    pygame.event.post(key_down(windows[1], pygame.K_b, "b"))
+    pygame.event.post(key_down(windows[0], pygame.K_a, "A"))
+    pygame.event.post(key_down(windows[0], pygame.K_RETURN, "\r"))
+    first.show(Scene(10, 10, ()), float("inf"))  # showing must not lose what was pressed
+    assert [first.next_key(), first.next_key(), first.next_key()] == ["left", "A", "return"]
+    assert second.next_key() == "b"
+    pygame.event.post(pygame.event.Event(pygame.WINDOWCLOSE, window=windows[0]))
+    assert first.next_key() is None
+    second.close()
+    assert second.next_key() is None
+
+
+def test_play_in_a_window(windows: list[pygame.Window], monkeypatch: pytest.MonkeyPatch) -> None:
+    """Keys and arrows count, the score is below the picture, and the user closes the window to end."""
+    shown: list[Scene] = []
+    titles: set[str] = set()
+    show = Window.show
+
+    def show_and_type(self: Window, scene: Scene, frames_per_second: float) -> None:
+        show(self, scene, frames_per_second)
+        shown.append(scene)
+        titles.add(windows[0].title)
+        if keys:
+            pygame.event.post(key_down(windows[0], *keys.pop(0)))
+        else:
+            pygame.event.post(pygame.event.Event(pygame.WINDOWCLOSE, window=windows[0]))
+
+    monkeypatch.setattr(Window, "show", show_and_type)
+    keys = [(pygame.K_RIGHT, ""), (pygame.K_1, "1")]
+    screen = io.StringIO()
+    game = play(Walk(), render="human", screen=screen)
+    assert game.returns == [1.5]
+    assert len(shown) == 3
+    texts = [getattr(shape, "content", "") for shape in shown[-1].shapes]
+    assert texts[-3:] == [
+        "step 2: right, observation 4, reward 1.5, return 1.5",
+        TERMINATED,
+        "[r] new episode   [q] quit",
+    ]
+    assert titles == {"Walk"}
+    assert screen.getvalue() == "\nEpisodes finished: 1. Returns: 1.5. Mean: 1.5.\n"
+
+
+def test_what_play_refuses(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A picture that there is not, before anybody has played in vain."""
+    with pytest.raises(ValueError, match="render must be one of 'ansi', 'human', but is 'svg'"):
+        play(Walk(), render="svg")
+    with pytest.raises(ValueError, match="need an environment that has a scene"):
+        play("CliffWalking-v1", gif=tmp_path / "cliff.gif", keyboard=io.StringIO())
+    with pytest.raises(ValueError, match="gif must be in a folder that exists"):
+        play(Walk(), gif=tmp_path / "missing" / "walk.gif", keyboard=io.StringIO())
+    monkeypatch.setattr("edugym.extras.find_spec", lambda library: None)
+    with pytest.raises(DependencyNotInstalled, match="PIL is not installed"):
+        play(Walk(), gif=tmp_path / "walk.gif", keyboard=io.StringIO())
+
+
+def test_the_last_episode_as_a_gif(tmp_path: Path) -> None:
+    """The finished episode of two steps, not the one that was begun after it."""
+    path = tmp_path / "walk.gif"
+    lines = lines_of(["1", "1", "r", "0"], gif=path)
+    assert lines[-1] == f"The last episode is in {path}"
+    with Image.open(path) as image:
+        assert getattr(image, "n_frames", 1) == 3
+        assert image.info["loop"] == 0
+
+
+def test_the_command() -> None:
+    """Parameters are read from the command line; what is wrong is a usage error, not a traceback."""
+
+    def run(*arguments: str, keys: str = "") -> Result:
+        return CliRunner().invoke(app, ["play", *arguments], input=keys)
+
+    played = run("Boulder", "--set", "height=2", "--set", "n_grips=3", "--seed", "1", keys="0\n1\nq\n")
+    assert (played.exit_code, played.output.count("[2] grip 2")) == (0, 3)
+    assert "step 2: grip 1" in played.output
+    assert (
+        run("FrozenLake-v1", "--set", "is_slippery=False", "--set", "map_name=8x8", keys="2\n").output.count(
+            "observation 1,"
+        )
+        == 2
+    )
+    wrong = {
+        ("Bolder",): "doesn't exist",
+        ("Boulder", "--set", "heigth=2"): "heigth",
+        ("Boulder", "--set", "height"): "name=value",
+        ("Boulder", "--set", "height=low"): "must be a whole number",
+        ("Boulder", "--gif", "/nowhere/x.gif"): "folder that exists",
+        ("Boulder", "--render", "svg"): "ansi",
+    }
+    for arguments, message in wrong.items():
+        refused = run(*arguments)
+        assert refused.exit_code == 2
+        assert message in refused.output

@@ -1,0 +1,172 @@
+"""The command `edugym`: what it writes, what it says, and its exit status."""
+
+import inspect
+import os
+import signal
+import subprocess
+import sys
+import threading
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import pytest
+from typer.testing import CliRunner, Result
+
+from edugym import Results
+from edugym.cli import app
+from edugym.experiments import lessons
+from edugym.experiments.claims import Above, Claim
+from edugym.experiments.lessons import Figure, Lines, Report
+from edugym.experiments.statistics import Interval
+from edugym.registration import ENVIRONMENTS
+
+
+def run(*arguments: str) -> Result:
+    """The command in this process, on a wide terminal."""
+    return CliRunner(env={"COLUMNS": "200"}).invoke(app, arguments)
+
+
+@pytest.fixture
+def lesson(monkeypatch: pytest.MonkeyPatch) -> dict[str, Any]:
+    """A lesson that takes no time: what it claims can be set, and what it was asked for is kept."""
+    asked: dict[str, Any] = {"shares": (0.9,)}
+
+    def report(**how: Any) -> Report:
+        asked.update(how)
+        x = np.arange(3.0)
+        claims = [
+            Claim("It works", "share", Interval(s, s - 0.1, s + 0.1, 9), Above(0.5), "why") for s in asked["shares"]
+        ]
+        return Report(claims, [Figure("picture", [[Lines("line", x, {"A": x}, "x", "y", {})]])])
+
+    monkeypatch.setitem(sys.modules, "made_up", SimpleNamespace(report=report))
+    monkeypatch.setitem(lessons.MODULES, "made_up", "made_up")
+    return asked
+
+
+def test_list_has_every_environment() -> None:
+    """With its challenge and the defaults of its parameters."""
+    said = run("list").output
+    assert len(ENVIRONMENTS) > 0
+    for entry in ENVIRONMENTS:
+        assert entry.id in said
+        assert entry.challenge in said
+    words = " ".join(said.split())
+    for name, parameter in inspect.signature(ENVIRONMENTS[0].load()).parameters.items():
+        assert (f"{name} ({parameter.default})" in words) is (name != "render_mode")
+
+
+def test_without_a_command_there_is_help() -> None:
+    """What there is to do."""
+    said = run()
+    assert "reproduce" in said.output
+    assert "list" in said.output
+
+
+def test_reproduce_writes_and_says_what_holds(lesson: dict[str, Any], tmp_path: Path) -> None:
+    """Figures in both forms, the claims as a table and a file, and status 0."""
+    result = run("reproduce", "made_up", "--output", str(tmp_path), "--repetitions", "7", "--seed", "3", "--jobs", "1")
+    assert result.exit_code == 0, result.output
+    assert (lesson["repetitions"], lesson["seed"], lesson["jobs"]) == (7, 3, 1)
+    assert lesson["folder"] == tmp_path / "made_up"
+    assert sorted(path.name for path in (tmp_path / "made_up").iterdir()) == [
+        "claims.csv",
+        "picture.png",
+        "picture.svg",
+    ]
+    (claim,) = pd.read_csv(tmp_path / "made_up" / "claims.csv").to_dict("records")
+    assert (claim["statement"], claim["low"], claim["expected"], claim["holds"]) == ("It works", 0.8, "> 0.5", True)
+    for part in ("It works", "0.9 [0.8, 1]", "> 0.5", "yes", "why", str(tmp_path)):
+        assert part in result.output
+
+
+def test_a_claim_that_does_not_hold_is_status_1(lesson: dict[str, Any], tmp_path: Path) -> None:
+    """One is enough, and it is said."""
+    lesson["shares"] = (0.9, 0.55)
+    result = run("reproduce", "made_up", "--output", str(tmp_path))
+    assert result.exit_code == 1
+    assert "NO" in result.output
+    assert "repetitions" not in lesson  # the lesson's own number
+
+
+def test_all_lessons_by_default(lesson: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each in a folder of its own."""
+    monkeypatch.setattr("edugym.cli.MODULES", {"made_up": "made_up"})
+    assert run("reproduce", "--output", str(tmp_path)).exit_code == 0
+    assert (tmp_path / "made_up" / "claims.csv").exists()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["explore"], "'explore' is none of: exploration"),
+        (["exploration", "--repetitions", "1"], "--repetitions"),
+        (["exploration", "--seed", "-1"], "--seed"),
+        (["exploration", "--jobs", "0"], "--jobs"),
+        (["exploration", "--colour"], "--colour"),
+    ],
+)
+def test_bad_usage_is_status_2(arguments: list[str], said: str, tmp_path: Path) -> None:
+    """And names what is wrong, before anything is written."""
+    result = run("reproduce", *arguments, "--output", str(tmp_path / "new"))
+    assert result.exit_code == 2
+    assert said in result.output
+    assert not (tmp_path / "new").exists()
+
+
+def test_an_unwritable_folder_is_status_2(lesson: dict[str, Any], tmp_path: Path) -> None:
+    """Before anything is computed."""
+    (tmp_path / "file").write_text("")
+    result = run("reproduce", "made_up", "--output", str(tmp_path / "file"))
+    assert result.exit_code == 2
+    assert "cannot write to" in result.output
+    assert "folder" not in lesson
+
+
+def test_ctrl_c_is_status_130(lesson: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whether the experiments heard of it, or it came between them."""
+
+    def interrupted(**how: Any) -> Report:
+        how["stop"].set()
+        return Report([], [])
+
+    def between(**how: Any) -> Report:
+        raise KeyboardInterrupt
+
+    for report in (interrupted, between):
+        monkeypatch.setitem(sys.modules, "made_up", SimpleNamespace(report=report))
+        result = run("reproduce", "made_up", "--output", str(tmp_path))
+        assert result.exit_code == 130
+        assert f"interrupted; what was done is in {tmp_path}" in result.output
+
+
+def test_without_typer_it_says_what_to_install() -> None:
+    """One line, no traceback."""
+    code = "import sys; sys.modules['typer'] = None; import edugym.cli"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.returncode == 1
+    assert done.stderr == 'edugym: typer is not installed, run `pip install "edugym[experiments]"`\n'
+
+
+@pytest.mark.slow
+def test_ctrl_c_writes_what_is_done(tmp_path: Path) -> None:
+    """The command itself, interrupted when its first file is there: it keeps that file, and says where it is."""
+    command = [sys.executable, "-c", "import signal; signal.signal(signal.SIGINT, signal.default_int_handler); "
+               "from edugym.cli import main; main()", "reproduce", "exploration", "--repetitions", "300"]  # fmt: skip
+    with subprocess.Popen(
+        [*command, "--output", str(tmp_path)], stderr=subprocess.PIPE, text=True, start_new_session=True
+    ) as child:
+        try:
+            first = tmp_path / "exploration" / "height_10.csv"
+            while not first.exists() and child.poll() is None:
+                threading.Event().wait(0.05)
+            os.killpg(child.pid, signal.SIGINT)
+            _, said = child.communicate(timeout=60)
+        finally:
+            child.kill()
+    assert child.returncode == 130, said
+    assert f"interrupted; what was done is in {tmp_path}" in said
+    assert Results.load(first).complete

@@ -1,0 +1,255 @@
+"""Value iteration against closed forms, brute force and linear algebra."""
+
+import itertools
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+from gymnasium import spaces
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from edugym import FiniteModel, finite_model, make_mdp, value_iteration
+from edugym.mdp.protocol import Random, Reals
+
+
+class Walk(NamedTuple):
+    """The random walk of example 6.2: from the middle of five states, left or right by chance; 1 for the right end."""
+
+    def initial(self, rng: Random) -> int:
+        """The middle."""
+        return 3
+
+    def transition(self, state: int, action: int, rng: Random) -> int:
+        """One step to either side."""
+        return state + 1 if rng.random() < 0.5 else state - 1
+
+    def reward(self, state: int, action: int, next_state: int, rng: Random) -> float:
+        """1 at the right end."""
+        return 1.0 if next_state == 6 else 0.0
+
+    def terminal(self, state: int) -> bool:
+        """Either end."""
+        return state in (0, 6)
+
+    def observation(self, state: int, rng: Random) -> int:
+        """The state."""
+        return state
+
+    @property
+    def observation_space(self) -> spaces.Discrete:
+        """Five states and two ends."""
+        return spaces.Discrete(7)
+
+    @property
+    def action_space(self) -> spaces.Discrete:
+        """There is nothing to choose."""
+        return spaces.Discrete(1)
+
+
+class Gambler(Walk):
+    """The gambler's problem of example 4.3: stake 1 to 50 of one's capital; heads with probability 0.4."""
+
+    __slots__ = ()
+
+    def initial(self, rng: Random) -> int:
+        """Half of what is wanted."""
+        return 50
+
+    def transition(self, state: int, action: int, rng: Random) -> int:
+        """The stake is won or lost; it is cut to what there is and what is needed."""
+        stake = min(action + 1, state, 100 - state)
+        return state + stake if rng.random() < 0.4 else state - stake
+
+    def reward(self, state: int, action: int, next_state: int, rng: Random) -> float:
+        """1 for reaching 100."""
+        return 1.0 if next_state == 100 else 0.0
+
+    def terminal(self, state: int) -> bool:
+        """Ruin, or 100."""
+        return state in (0, 100)
+
+    @property
+    def action_space(self) -> spaces.Discrete:
+        """The stake, from 1."""
+        return spaces.Discrete(50)
+
+
+class Loop(Walk):
+    """One state that pays 1 for staying (action 1) and nothing for the end (action 0)."""
+
+    __slots__ = ()
+
+    def transition(self, state: int, action: int, rng: Random) -> int:
+        """Stay in 3, or go to the end."""
+        return 3 if action == 1 else 6
+
+    def reward(self, state: int, action: int, next_state: int, rng: Random) -> float:
+        """1 for staying."""
+        return float(action)
+
+    @property
+    def action_space(self) -> spaces.Discrete:
+        """End or stay."""
+        return spaces.Discrete(2)
+
+
+def model_of(probabilities: Reals, rewards: Reals, initial: Reals) -> FiniteModel:
+    """A model in which every state leads to every state, but the last, which is the end."""
+    n, a, _ = probabilities.shape
+    terminal = np.arange(n) == n - 1
+    probabilities[-1], rewards[-1] = terminal, 0.0
+    successors = np.broadcast_to(np.arange(n), (n, a, n)).copy()
+    return FiniteModel(tuple(range(n)), {s: s for s in range(n)}, initial, terminal, successors, probabilities, rewards)
+
+
+def random_model(seed: int, n_states: int = 4, n_actions: int = 2) -> FiniteModel:
+    """One of these with random numbers in it."""
+    rng = np.random.default_rng(seed)
+    probabilities = rng.dirichlet(np.ones(n_states), (n_states, n_actions))
+    rewards = rng.normal(size=(n_states, n_actions, n_states))
+    return model_of(probabilities, rewards, rng.dirichlet(np.ones(n_states)))
+
+
+def value_of(model: FiniteModel, policy: Reals, discount: float) -> Reals:
+    """The values of a policy, shape (S, A), by solving its linear equations: V = r + γ P V."""
+    P = np.einsum("sa,san->sn", policy, model.p)
+    r = np.einsum("sa,sa->s", policy, model.r)
+    going_on = ~model.terminal
+    V = np.zeros(len(r))
+    inside = np.eye(going_on.sum()) - discount * P[np.ix_(going_on, going_on)]
+    V[going_on] = np.linalg.solve(inside, r[going_on])
+    return V
+
+
+def policies(model: FiniteModel, epsilon: float) -> list[Reals]:
+    """Every deterministic policy, taking a random action with probability ε."""
+    n_states, n_actions, _ = model.successors.shape
+    chosen = itertools.product(np.eye(n_actions), repeat=n_states)
+    return [(1 - epsilon) * np.array(rows) + epsilon / n_actions for rows in chosen]
+
+
+@pytest.mark.parametrize("discount", [0.5, 0.9, 1.0])
+def test_a_chain_is_worth_its_discounted_length(discount: float) -> None:
+    """On Boulder V(s) = γ^(H - 1 - s), and a wrong grip leads to the ground: Q(s, wrong) = γ V(0)."""
+    mdp = make_mdp("Boulder", height=6)
+    model = finite_model(mdp)
+    found = value_iteration(model, discount)
+    for state in range(6):
+        s, right = model.row(state), int(mdp.grips[state])
+        assert found.V[s] == pytest.approx(discount ** (5 - state))
+        assert found.Q[s, right] == pytest.approx(discount ** (5 - state))
+        assert found.Q[s, 1 - right] == pytest.approx(discount * discount**5)
+    assert found.V[model.row(6)] == 0.0
+    assert found.start == pytest.approx(discount**5)
+
+
+def test_the_random_walk() -> None:
+    """Example 6.2: the values are 1/6, ..., 5/6."""
+    model = finite_model(Walk())
+    found = value_iteration(model)
+    assert [found.V[model.row(s)] for s in range(7)] == pytest.approx([0, 1 / 6, 2 / 6, 3 / 6, 4 / 6, 5 / 6, 0])
+    assert found.start == pytest.approx(1 / 2)
+
+
+def test_the_gambler_plays_boldly() -> None:
+    """At p = 0.4 staking all is optimal: V(50) = p, V(25) = p², V(75) = p + (1 - p) p (figure 4.3)."""
+    model = finite_model(Gambler())
+    found = value_iteration(model)
+    for capital, value in ((50, 0.4), (25, 0.16), (75, 0.64), (0, 0.0), (100, 0.0)):
+        assert found.V[model.row(capital)] == pytest.approx(value)
+    assert found.Q[model.row(50), 49] == pytest.approx(0.4)
+    assert found.Q[model.row(50)].max() == pytest.approx(0.4)
+
+
+def test_a_reward_for_ever_is_a_geometric_series() -> None:
+    """1 + γ + γ² + ... = 1/(1 - γ)."""
+    found = value_iteration(finite_model(Loop()), 0.9)
+    assert found.start == pytest.approx(10.0)
+    assert sorted(found.Q[0]) == pytest.approx([0.0, 10.0])
+
+
+def test_a_reward_for_ever_without_discount_does_not_settle() -> None:
+    """The message says what to do about it."""
+    with pytest.raises(ValueError, match=r"values do not settle in 50 sweeps at discount 1\.0: give a horizon"):
+        value_iteration(finite_model(Loop()), max_sweeps=50)
+    assert value_iteration(finite_model(Loop()), horizon=7).start == 7.0
+    assert value_iteration(finite_model(Loop()), 0.5, horizon=3).start == 1.75
+
+
+def expected_return(model: FiniteModel, state: int, steps: int, discount: float, epsilon: float) -> float:
+    """The best that can be had in so many steps, by trying everything."""
+    if steps == 0:
+        return 0.0
+    values = []
+    for action in range(model.p.shape[1]):
+        ways = zip(model.probabilities[state, action], model.successors[state, action], strict=True)
+        after = [p * expected_return(model, n, steps - 1, discount, epsilon) for p, n in ways]
+        values.append(float(model.r[state, action]) + discount * float(sum(after)))
+    return (1 - epsilon) * max(values) + epsilon * sum(values) / len(values)
+
+
+@pytest.mark.parametrize("horizon", [1, 2, 3, 4])
+@pytest.mark.parametrize("epsilon", [0.0, 0.3])
+def test_a_horizon_is_looking_ahead_so_many_steps(horizon: int, epsilon: float) -> None:
+    """Against brute force."""
+    model = random_model(3, n_states=3)
+    found = value_iteration(model, 0.9, epsilon=epsilon, horizon=horizon)
+    by_force = [expected_return(model, state, horizon, 0.9, epsilon) for state in range(3)]
+    assert pytest.approx(by_force) == found.V
+    assert found.start == pytest.approx(float(model.initial @ by_force))
+
+
+def test_on_boulder_the_horizon_must_be_the_height() -> None:
+    """In fewer steps there is nothing to get."""
+    model = finite_model(make_mdp("Boulder", height=6))
+    assert [value_iteration(model, horizon=h).start for h in (5, 6, 100)] == [0.0, 1.0, 1.0]
+
+
+@settings(max_examples=30)
+@given(st.integers(0, 10**6), st.sampled_from([0.0, 0.2, 1.0]), st.sampled_from([0.0, 0.5, 0.95, 1.0]))
+def test_no_policy_is_better(seed: int, epsilon: float, discount: float) -> None:
+    """Of all 16 policies, each exploring with probability ε, the best in every state has these values."""
+    model = random_model(seed)
+    found = value_iteration(model, discount, epsilon=epsilon, tolerance=1e-13)
+    values = np.array([value_of(model, policy, discount) for policy in policies(model, epsilon)])
+    assert pytest.approx(values.max(axis=0), abs=1e-8) == found.V
+    greedy = np.eye(2)[found.Q.argmax(axis=1)] * (1 - epsilon) + epsilon / 2
+    assert value_of(model, greedy, discount) == pytest.approx(found.V, abs=1e-8)
+    assert pytest.approx(found.start, abs=1e-8) == float(model.initial @ found.V)
+
+
+def test_exploring_costs() -> None:
+    """With ε the chance of the right grip is 1 - ε/2: V solves the equations of that policy, and falls with ε."""
+    mdp = make_mdp("Boulder", height=10)
+    model = finite_model(mdp)
+    before = np.inf
+    for epsilon in (0.0, 0.1, 0.5, 1.0):
+        right = np.zeros((11, 2))
+        right[[model.row(s) for s in range(10)], mdp.grips] = 1.0
+        policy = (1 - epsilon) * right + epsilon / 2
+        found = value_iteration(model, 0.99, epsilon=epsilon, tolerance=1e-14)
+        assert pytest.approx(value_of(model, policy, 0.99), abs=1e-10) == found.V
+        assert found.start < before
+        before = found.start
+
+
+@pytest.mark.parametrize(
+    ("parameter", "value", "allowed"),
+    [
+        ("discount", -0.1, "from 0 to 1"),
+        ("discount", 1.1, "from 0 to 1"),
+        ("discount", float("nan"), "from 0 to 1"),
+        ("epsilon", 2, "from 0 to 1"),
+        ("epsilon", "0", "a number"),
+        ("horizon", 0, "1 or more"),
+        ("horizon", 2.0, "a whole number"),
+        ("tolerance", 0, "greater than 0"),
+        ("tolerance", float("nan"), "greater than 0"),
+        ("max_sweeps", 0, "1 or more"),
+    ],
+)
+def test_bad_parameters_are_refused(parameter: str, value: Any, allowed: str) -> None:
+    """The message names the parameter, its value and what is allowed."""
+    with pytest.raises(ValueError, match=rf"{parameter} must be .*{allowed}.*, but is {value!r}"):
+        value_iteration(finite_model(Walk()), **{parameter: value})
