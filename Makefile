@@ -3,13 +3,14 @@
 #   make lab        open the lessons in JupyterLab   (make lab ARGS=--no-browser)
 #   make test       run every check and every test   (make test ARGS="-k boulder" for some of the tests)
 #   make reproduce  recompute the results of the paper
+#   make bench      measure speed, against what one would use instead
 #   make clean      remove .venv and what tools left behind
 
 PYTHON ?= python3
 ARGS ?=
 RUN := .venv/bin/python -m
 
-.PHONY: lab test reproduce clean
+.PHONY: lab test reproduce bench clean
 
 # JupyterLab refuses to run as root, as in a container, unless told that this is meant.
 lab: .venv/lab.installed
@@ -21,6 +22,11 @@ test: .venv/dev.installed
 	$(RUN) mypy
 	$(RUN) pytest -n 2 $(ARGS)
 	.venv/bin/python lessons/build.py --check
+	.venv/bin/python docs/pages.py --check
+
+# How fast it is, side by side with what one would use instead.
+bench: .venv/dev.installed
+	$(RUN) benchmarks $(ARGS)
 
 reproduce: .venv/lab.installed
 	.venv/bin/edugym reproduce $(ARGS)

@@ -13,7 +13,7 @@ from benchmarks.comparisons import comparisons
 from benchmarks.imports import MODULES, TARGET, import_times
 from benchmarks.measure import Measured, Spread, measure, number
 
-LINE = "{:44} {:>9} {:>19}   {:>8} {:>17}   {}"
+LINE = "{:45} {:>8} {:>19} {:>10} {:>15}   {}"
 
 
 def main(arguments: list[str] | None = None) -> None:
@@ -22,10 +22,10 @@ def main(arguments: list[str] | None = None) -> None:
     rounds, seconds = (1, 0.001) if options.quick else (options.rounds, options.seconds)
     about = machine()
     print("   ".join(f"{name} {value}" for name, value in about.items()))
-    print(
-        f"{rounds} rounds in turns, each about {seconds} s of processor time on one core; median (lowest - highest)\n"
-    )
-    print(LINE.format("", "per sec", "", "EduGym", "", ""))
+    print(f"{rounds} rounds in turns, each about {seconds} s of processor time on one core; medians\n")
+    if options.json:
+        options.json.touch()  # better to fail now than in the end
+    print(LINE.format("", "a second", "lowest - highest", "EduGym is", "", "wanted"))
     results = []
     for comparison in comparisons():
         if options.only in comparison.name:
@@ -74,10 +74,12 @@ def table(measured: Measured) -> Iterator[str]:
     aims = ", ".join(f"{aim} {'met' if met else 'MISSED'}" for aim, met in measured.targets().items())
     yield f"{measured.comparison.name} ({measured.comparison.unit} a second)"
     for name, rate in measured.rates.items():
-        rates = number(rate.median), f"({number(rate.low)}- {number(rate.high)})"
         ratio = measured.ratios.get(name)
-        times = ("", "") if ratio is None else (f"{ratio.median:.3g} x", f"({ratio.low:.3g} - {ratio.high:.3g})")
-        yield LINE.format(f"  {name}", *rates, *times, aims if name == ours else "")
+        times = ("", "") if ratio is None else (f"{ratio.median:.3g} x", f"{ratio.low:.3g} - {ratio.high:.3g}")
+        range_of_rates = f"{number(rate.low)} - {number(rate.high)}"
+        yield LINE.format(
+            f"  {name}", number(rate.median), range_of_rates, *times, aims if name == ours else ""
+        ).rstrip()
 
 
 def import_table(imports: dict[str, Spread]) -> Iterator[str]:
@@ -86,7 +88,7 @@ def import_table(imports: dict[str, Spread]) -> Iterator[str]:
         yield "import (seconds of processor time)"
     for module, taken in imports.items():
         met = "" if module != MODULES[0] else f"<= {TARGET} s {'met' if taken.median <= TARGET else 'MISSED'}"
-        yield LINE.format(f"  {module}", f"{taken.median:.3f} ", f"({taken.low:.3f} - {taken.high:.3f})", "", "", met)
+        yield LINE.format(f"  {module}", f"{taken.median:.3f}", f"{taken.low:.3f} - {taken.high:.3f}", "", "", met)
 
 
 def as_data(about: dict[str, str], results: list[Measured], imports: dict[str, Spread]) -> dict[str, Any]:

@@ -107,7 +107,7 @@ def number(value: float) -> str:
     for size, letter in ((1e9, "G"), (1e6, "M"), (1e3, "k")):
         if value >= size:
             return f"{value / size:.3g} {letter}"
-    return f"{value:.3g} "
+    return f"{value:.3g}"
 
 
 def _amount(work: Work, seconds: float) -> int:

@@ -234,7 +234,7 @@ def climbs_back(height=100, repetitions=10):
     results = exploration.compare(height, repetitions=repetitions)
     shares = {
         method: np.mean(
-            [exploration.share_of_climbs(exploration.second_half(v)) for v in exploration.visits_of(results, method)],
+            [exploration.share_of_climbs(exploration.later(v)) for v in exploration.visits_of(results, method)],
             axis=0,
         )
         for method in results.methods

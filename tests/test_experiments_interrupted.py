@@ -77,10 +77,12 @@ def test_a_second_ctrl_c_insists() -> None:
         repeat("Boulder", {"Q": stopping(1, twice)}, 200, repetitions=2, jobs=1)
 
 
-def test_before_the_first_step() -> None:
-    """While the methods are compiled nothing is done yet, and that comes back: results without a row."""
+def test_before_the_first_step(tmp_path: Path) -> None:
+    """While the methods are compiled nothing is done yet, and that comes back: results without a row, and no file."""
+    path = tmp_path / "results.csv"
     with pytest.warns(UserWarning, match="interrupted: of 3 runs 0 are complete, and 0 are in part"):
-        results = repeat("Boulder", {"Q": stopping(0, interrupt)}, 200, repetitions=3, jobs=1)
+        results = repeat("Boulder", {"Q": stopping(0, interrupt)}, 200, repetitions=3, jobs=1, save_to=path)
+    assert not path.exists()
     assert results.methods == ["Q"]
     assert not results.complete
     assert str(results.share("Q", at_least=1)) == "not measured"
@@ -123,7 +125,7 @@ import joblib
 from edugym import QLearning, repeat
 
 signal.signal(signal.SIGINT, signal.default_int_handler)
-environment, backend, jobs = sys.argv[1], sys.argv[2], int(sys.argv[3])
+environment, backend, jobs, runs = sys.argv[1], sys.argv[2], int(sys.argv[3]), int(sys.argv[4])
 every = 1_000_000 if environment == "Boulder" else 2_000
 
 
@@ -155,8 +157,9 @@ if __name__ == "__main__":
     agents = {{"Q": make if environment == "Boulder" else make_announced}}
     with joblib.parallel_config(backend=backend, n_jobs=jobs), warnings.catch_warnings(record=True) as warned:
         warnings.simplefilter("always")
+        repeat(environment, agents, 100, max_steps=100, repetitions=4, jobs=None)  # every worker has worked
         os.write(1, b"ready\\n")
-        results = repeat(environment, agents, {HOURS}, evaluate_every=every, max_steps=100, repetitions=5, jobs=None)
+        results = repeat(environment, agents, {HOURS}, evaluate_every=every, max_steps=100, repetitions=runs, jobs=None)
     table = results.table
     steps = [int(steps) for steps in table.groupby("repetition")["step"].max()]
     done = int(table["complete"].sum())
@@ -166,38 +169,40 @@ if __name__ == "__main__":
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("environment", "backend", "jobs"),
+    ("environment", "backend", "jobs", "runs"),
     [
-        ("Boulder", "threading", 2),
-        ("CliffWalking-v1", "threading", 1),
-        ("CliffWalking-v1", "threading", 2),
-        ("CliffWalking-v1", "loky", 2),
+        ("Boulder", "threading", 2, 5),
+        ("CliffWalking-v1", "threading", 1, 5),
+        ("CliffWalking-v1", "threading", 2, 5),
+        ("CliffWalking-v1", "loky", 2, 5),
+        ("CliffWalking-v1", "loky", 2, 1),  # with an idle worker
     ],
 )
-def test_ctrl_c_in_the_middle(tmp_path: Path, environment: str, backend: str, jobs: int) -> None:
+def test_ctrl_c_in_the_middle(tmp_path: Path, environment: str, backend: str, jobs: int, runs: int) -> None:
     """Of runs that would take days, some steps come back, well before the test's patience ends."""
     script = tmp_path / "child.py"
     script.write_text(CHILD)
     with subprocess.Popen(
-        [sys.executable, str(script), environment, backend, str(jobs)],
+        [sys.executable, str(script), environment, backend, str(jobs), str(runs)],
         stdout=subprocess.PIPE,
         text=True,
         start_new_session=True,
     ) as child:
         assert child.stdout is not None
         try:
+            begun = min(jobs, runs)
             assert child.stdout.readline() == "ready\n"
             if environment == "Boulder":  # machine code announces nothing
                 threading.Event().wait(10)
             else:
-                assert {child.stdout.readline() for _ in range(jobs)} == {"learning\n"}
+                assert {child.stdout.readline() for _ in range(begun)} == {"learning\n"}
             os.killpg(child.pid, signal.SIGINT)  # as a terminal does: to all its processes
             lines, _ = child.communicate(timeout=60)
         finally:
             child.kill()
     found = json.loads(lines.splitlines()[-1])
-    assert found["warned"] == [f"interrupted: of 5 runs 0 are complete, and {jobs} are in part"]
-    assert len(found["steps"]) == jobs
+    assert found["warned"] == [f"interrupted: of {runs} runs 0 are complete, and {begun} are in part"]
+    assert len(found["steps"]) == begun
     assert all(0 < steps < HOURS for steps in found["steps"])
     assert found["done"] == 0
     assert child.returncode == 0

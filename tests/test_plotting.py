@@ -97,8 +97,8 @@ def test_a_single_run_has_no_band(ax: Axes) -> None:
 
 def test_smoothing_looks_back(ax: Axes) -> None:
     """Each point averages itself and what came before it."""
-    learning_curves(results(), ax, methods=["B"], smooth=2)
-    assert heights(ax.lines[0]) == [11.5, 12.0, 13.0, 14.0]
+    learning_curves(results(), ax, methods=["B"], smooth=3)
+    assert heights(ax.lines[0]) == [11.5, 12.0, 12.5, 13.5]
     with pytest.raises(ValueError, match="smooth must be 1 or more, but is 0"):
         learning_curves(results(), ax, smooth=0)
 
@@ -164,6 +164,7 @@ def test_maps_show_states_upwards(ax: Axes) -> None:
     shown = image.get_array()
     assert isinstance(shown, np.ma.MaskedArray)
     assert image.origin == "lower"
+    assert (image.norm.vmin, image.norm.vmax) == (0.4, 4)
     assert shown.filled(0).tolist() == visits.T.tolist()
     assert shown.mask.tolist() == [[False, False], [False, False], [True, False]]
     assert list(image.get_extent()) == [0, 1_000, -0.5, 2.5]

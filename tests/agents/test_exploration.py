@@ -9,7 +9,17 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from edugym import UCB, EpsilonGreedy, ExponentialDecay, Greedy, LinearDecay, ScheduledEpsilonGreedy, Softmax
+from edugym import (
+    UCB,
+    CountBased,
+    EpsilonGreedy,
+    ExponentialDecay,
+    Greedy,
+    LinearDecay,
+    QLearning,
+    ScheduledEpsilonGreedy,
+    Softmax,
+)
 from edugym.agents.exploration import best_value, greedy_action
 from edugym.mdp.branching import branches
 from edugym.mdp.protocol import Integers, Random, Reals
@@ -242,3 +252,36 @@ def test_strategies_draw_nothing_they_do_not_need(seed: int) -> None:
     rng: Random = np.random.default_rng(seed)
     Greedy().choose(np.array([[0.0, 1.0, 2.0]]), 0, rng)
     assert rng.random() == np.random.default_rng(seed).random()
+
+
+@pytest.mark.parametrize(
+    ("exploration", "message"),
+    [
+        (EpsilonGreedy(2.0), "epsilon must be from 0 to 1, but is 2.0"),
+        (EpsilonGreedy(-0.1), "epsilon must be from 0 to 1, but is -0.1"),
+        (Softmax(0.0), "temperature must be greater than 0, but is 0.0"),
+        (0.1, "exploration must be a strategy with a method choose, but is 0.1"),
+    ],
+)
+def test_agents_refuse_strategies_that_make_no_sense(exploration: Any, message: str) -> None:
+    """A tuple cannot check itself, so the agent that gets the strategy does."""
+    with pytest.raises(ValueError, match=message):
+        QLearning.create((2, 2), exploration=exploration)
+    with pytest.raises(ValueError, match=message):
+        CountBased.create((2, 2), exploration=exploration)
+
+
+@pytest.mark.parametrize(
+    ("schedule", "message"),
+    [
+        (LinearDecay(1.5, 0.1, 10), "start must be from 0 to 1, but is 1.5"),
+        (LinearDecay(1.0, 0.1, 0), "steps must be 1 or more, but is 0"),
+        (ExponentialDecay(1.0, -0.1, 0.9), "end must be from 0 to 1, but is -0.1"),
+        (ExponentialDecay(1.0, 0.1, 0.0), "rate must be greater than 0, but is 0.0"),
+        (0.1, "schedule must have a method value, but is 0.1"),
+    ],
+)
+def test_schedules_that_make_no_sense_are_refused(schedule: Any, message: str) -> None:
+    """Where the strategy that follows them is made."""
+    with pytest.raises(ValueError, match=message):
+        ScheduledEpsilonGreedy.create(schedule)

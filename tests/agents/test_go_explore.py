@@ -128,6 +128,17 @@ def test_the_end_of_the_episode_ends_the_try(end: str) -> None:
     assert agent.now.goal[0] == 0
 
 
+def test_a_new_try_begins_with_the_return_to_its_goal() -> None:
+    """Also when the last one ended in the middle of its exploration."""
+    agent = explorer()
+    walk(agent, (0, 1, 1), terminated=True)
+    assert agent.now.explored[0] == 1
+    agent.visits[:] = [9, 9, 1]
+    agent.Q[2] = [[0.0, 1.0], [1.0, 0.0], [0.0, 0.0]]
+    assert [agent.act(state, RNG) for state in (0, 1)] == [1, 0]
+    assert agent.now.explored[0] == 0
+
+
 def test_a_try_is_no_longer_than_its_memory() -> None:
     """After `longest` steps it is learned from and a new one begins, far from the goal or not."""
     agent = explorer(longest=3)

@@ -98,6 +98,26 @@ def test_a_missing_file_is_an_ordinary_error(tmp_path: Path) -> None:
         load(tmp_path / "nowhere.npz")
 
 
+class Trap:
+    """What a stranger may put into a file: something that writes a file when it is unpickled."""
+
+    def __init__(self, path: Path) -> None:
+        """Where to."""
+        self.path = path
+
+    def __reduce__(self) -> Any:
+        """Called by whoever unpickles it."""
+        return Path.touch, (self.path,)
+
+
+def test_a_strangers_file_runs_no_code(tmp_path: Path) -> None:
+    """Objects are refused before they are made."""
+    np.savez(tmp_path / "agent.npz", structure=np.array([Trap(tmp_path / "trapped")], object))
+    with pytest.raises(ValueError, match="cannot be loaded"):
+        load(tmp_path / "agent.npz")
+    assert not (tmp_path / "trapped").exists()
+
+
 def npz(**arrays: Any) -> bytes:
     """A file of arrays."""
     buffer = io.BytesIO()

@@ -243,7 +243,7 @@ PARAMETERS: dict[str, Parameters] = {
         corners=(
             {},
             {"tau": 0.05, "max_msg_length": 4, "vocab_size": 9},
-            {"tau": inf, "vocab_size": 1, "max_msg_length": 20},
+            {"tau": inf, "vocab_size": 1, "max_msg_length": 2},
             {"tau": 1e-300, "vocab_size": 2, "max_msg_length": 56},
             {"tau": 1e300, "vocab_size": 2**31, "steps_per_episode": 1},
         ),

@@ -6,6 +6,7 @@ from typing import Any
 import gymnasium
 import numpy as np
 import pytest
+from gymnasium.vector import AutoresetMode
 
 from contract.parameters import PARAMETERS
 from edugym.registration import ENVIRONMENTS
@@ -20,6 +21,8 @@ every_corner = pytest.mark.parametrize(
 )
 
 Env = gymnasium.Env[Any, Any]
+
+MODES = [AutoresetMode.NEXT_STEP, AutoresetMode.SAME_STEP, AutoresetMode.DISABLED]
 
 
 class Player:
@@ -54,6 +57,40 @@ class Player:
                 self.observation, self.info = self.env.reset()
                 seen.append(plain((self.observation, self.info)))
         return seen
+
+
+class Copies:
+    """Single environments that share one random stream: what a vector environment of them has to equal."""
+
+    def __init__(self, envs: list[Any], mode: AutoresetMode, seed: int) -> None:
+        """Start an episode in each."""
+        self.envs, self.mode = envs, mode
+        self.observations: list[Any] = [None] * len(envs)
+        self.infos: list[dict[str, Any]] = [{}] * len(envs)
+        self.over = [False] * len(envs)
+        for i, env in enumerate(envs):
+            env.np_random = envs[0].np_random
+            self.restart(i, seed if i == 0 else None)
+
+    def restart(self, i: int, seed: int | None = None) -> None:
+        """Start an episode in one of them."""
+        self.observations[i], self.infos[i] = self.envs[i].reset(seed=seed)
+        self.over[i] = False
+
+    def step(self, actions: Any) -> tuple[Any, ...]:
+        """One step of all, and the last observation of the episodes that ended and started anew in it."""
+        n = len(self.envs)
+        rewards, terminations, truncations, last = [0.0] * n, [False] * n, [False] * n, [None] * n
+        for i, env in enumerate(self.envs):
+            if self.over[i] and self.mode is AutoresetMode.NEXT_STEP:
+                self.restart(i)
+                continue
+            self.observations[i], rewards[i], terminations[i], truncations[i], self.infos[i] = env.step(actions[i])
+            self.over[i] = terminations[i] or truncations[i]
+            if self.over[i] and self.mode is AutoresetMode.SAME_STEP:
+                last[i] = self.observations[i]
+                self.restart(i)
+        return rewards, terminations, truncations, last
 
 
 def plain(value: Any) -> Any:

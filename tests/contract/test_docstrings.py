@@ -50,7 +50,7 @@ def test_parameters(entry: Entry) -> None:
     assert [name for name, _ in described] == list(defaults)
     env = entry.load()()
     for name, says in described:
-        value = eval(says, {"inf": math.inf}, defaults)
+        value = eval(says.strip("`"), {"inf": math.inf}, defaults)
         if defaults[name] is None and value is not None:  # worked out from the other parameters
             assert getattr(env.mdp, name) == value
         else:

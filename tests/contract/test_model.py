@@ -134,11 +134,7 @@ def test_generative_model_is_seeded(entry: Entry) -> None:
 @every_corner
 def test_whether_there_is_a_model(entry: Entry, keywords: Keywords) -> None:
     """Tasks that are not in the table as finite say that they are not, and why; no other error gets through."""
-    env = entry.load()(**keywords)
-    if PARAMETERS[entry.name].finite:
-        return
-    with pytest.raises(ValueError, match=f"{type(env.mdp).__name__} has no finite model: "):
-        finite_model(env.mdp)
-    env.reset(seed=0)
-    with pytest.raises(ValueError, match="has no finite model"):
-        env.model(env.state, env.action_space.sample())
+    task = entry.load()(**keywords).mdp
+    if not PARAMETERS[entry.name].finite:
+        with pytest.raises(ValueError, match=f"{type(task).__name__} has no finite model: "):
+            finite_model(task, max_states=1000)

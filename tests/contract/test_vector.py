@@ -12,58 +12,21 @@ from gymnasium.error import ResetNeeded
 from gymnasium.vector import AutoresetMode
 
 from contract.parameters import PARAMETERS, Keywords
-from contract.play import every_corner, every_environment, plain
+from contract.play import MODES, Copies, every_corner, every_environment, plain
 from edugym.envs.boulder import BoulderEnv
 from edugym.mdp.vector import MDPVectorEnv
 from edugym.registration import Entry
 
-MODES = [AutoresetMode.NEXT_STEP, AutoresetMode.SAME_STEP, AutoresetMode.DISABLED]
 
-
-class Copies:
-    """Single environments, interpreted, that share one random stream: what the vector environment has to equal."""
-
-    def __init__(self, entry: Entry, keywords: Keywords, n: int, mode: AutoresetMode, seed: int) -> None:
-        """Start n episodes."""
-        self.name, self.mode = entry.name, mode
-        self.envs = [entry.load()(**keywords) for _ in range(n)]
-        self.observations: list[Any] = [None] * n
-        self.infos: list[dict[str, Any]] = [{}] * n
-        self.over = [False] * n
-        for i, env in enumerate(self.envs):
-            env.np_random = self.envs[0].np_random
-            self.restart(i, seed if i == 0 else None)
-
-    def restart(self, i: int, seed: int | None = None) -> None:
-        """Start an episode in one copy."""
-        self.observations[i], self.infos[i] = self.envs[i].reset(seed=seed)
-        self.envs[i].np_random = self.envs[0].np_random
-        self.over[i] = False
-
-    def choose(self, rng: np.random.Generator) -> np.ndarray[Any, Any]:
-        """Actions, most of them good ones where it is known which are."""
-        informed = PARAMETERS[self.name].informed
-        actions = []
-        for env, info in zip(self.envs, self.infos, strict=True):
-            env.action_space.seed(int(rng.integers(2**31)))
-            good = informed and rng.random() < 0.8
-            actions.append(informed(info, env) if good and informed else env.action_space.sample())
-        return np.array(actions, self.envs[0].action_space.dtype)
-
-    def step(self, actions: np.ndarray[Any, Any]) -> tuple[Any, ...]:
-        """One step of all copies, and the last observation of the episodes that ended and started anew in it."""
-        n = len(self.envs)
-        rewards, terminations, truncations, last = [0.0] * n, [False] * n, [False] * n, [None] * n
-        for i, env in enumerate(self.envs):
-            if self.over[i] and self.mode is AutoresetMode.NEXT_STEP:
-                self.restart(i)
-                continue
-            self.observations[i], rewards[i], terminations[i], truncations[i], self.infos[i] = env.step(actions[i])
-            self.over[i] = terminations[i] or truncations[i]
-            if self.over[i] and self.mode is AutoresetMode.SAME_STEP:
-                last[i] = self.observations[i]
-                self.restart(i)
-        return rewards, terminations, truncations, last
+def choose(name: str, copies: Copies, rng: np.random.Generator) -> np.ndarray[Any, Any]:
+    """Actions, most of them good ones where it is known which are."""
+    informed = PARAMETERS[name].informed
+    actions = []
+    for env, info in zip(copies.envs, copies.infos, strict=True):
+        env.action_space.seed(int(rng.integers(2**31)))
+        good = informed and rng.random() < 0.8
+        actions.append(informed(info, env) if good and informed else env.action_space.sample())
+    return np.array(actions, copies.envs[0].action_space.dtype)
 
 
 def batch(space: spaces.Space[Any], values: Any) -> Any:
@@ -77,13 +40,13 @@ def test_copies(entry: Entry, keywords: Keywords) -> None:
     for mode in MODES:
         for n in (1, 4):
             rng = np.random.default_rng(n)
-            alone = Copies(entry, keywords, n, mode, seed=17)
+            alone = Copies([entry.load()(**keywords) for _ in range(n)], mode, seed=17)
             vector = gymnasium.make_vec(entry.id, n, autoreset_mode=mode, **keywords).unwrapped
             assert isinstance(vector, MDPVectorEnv)
             space = vector.single_observation_space
             assert plain(vector.reset(seed=17)) == (batch(space, alone.observations), {})
             for _ in range(40):
-                actions = alone.choose(rng)
+                actions = choose(entry.name, alone, rng)
                 rewards, terminations, truncations, last = alone.step(actions)
                 observations, *seen, infos = vector.step(actions)
                 assert plain(observations) == batch(space, alone.observations)

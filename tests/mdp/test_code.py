@@ -184,6 +184,24 @@ def test_edited_in_place(change: str) -> None:
     assert values(thing) == (old, old)
 
 
+def made(n: int, thing: Any) -> Any:
+    """What is run: a method that makes a value."""
+    value = thing.make(0)
+    for k in range(1, n):
+        value = thing.make(k)
+    return value
+
+
+def test_values_are_of_the_new_class() -> None:
+    """Run the cell of a class again, and what others make of it is of the class as it is now, changed or not."""
+    point = "class P(NamedTuple):\n    x: int"
+    notebook = cell(f"{point}\nclass Maker(NamedTuple):\n    size: int\n    def make(self, k): return P(k)")
+    maker = notebook["Maker"](1)
+    for _ in range(2):
+        assert type(compiled(made, 5, maker)(5, maker)) is notebook["P"]
+        cell(point, notebook)
+
+
 def test_modules_of_a_student() -> None:
     """What code takes from a module of its author counts, also from a module in a module; nothing else in it does."""
     outer, inner = ModuleType("student"), ModuleType("student.inner")

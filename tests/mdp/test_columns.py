@@ -2,6 +2,8 @@
 
 import copy
 import pickle
+import subprocess
+import sys
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -44,6 +46,16 @@ def test_what_is_stored_comes_back(state: Any, n: int) -> None:
             assert plain(loaded) == plain(state)
             assert type(loaded) is type(state) or not isinstance(state, tuple)
             assert [type(plain(leaf)) for leaf in leaves(loaded)] == [type(leaf) for leaf in leaves(state)]
+
+
+def test_another_process_can_read_them() -> None:
+    """What is pickled is read in a process that has never seen such states."""
+    room = storage([(1, (0.5, True))], 3)
+    room.store(2, (7, (0.25, False)))
+    code = "import pickle, sys; print(pickle.loads(bytes.fromhex(sys.argv[1])).load(2))"
+    command = [sys.executable, "-c", code, pickle.dumps(room).hex()]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert done.stdout == f"{room.load(2)}\n"
 
 
 def test_places_are_apart() -> None:

@@ -175,6 +175,32 @@ def test_builds_agree(monkeypatch: pytest.MonkeyPatch) -> None:
     assert all(options["boundscheck"] for options in built)
 
 
+@pytest.mark.parametrize("lean", [True, False])
+def test_nothing_is_kept(lean: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Machine code keeps no reference to what it was called with."""
+    if not lean:
+        monkeypatch.setattr(compiler, "_countless", lambda kind: False)
+    table, rng = np.zeros(4), np.random.default_rng(0)
+    thing = cell(LEAN)["A"](table)
+    run = compiled(plain_loop, 1, thing, rng)
+    run(1, thing, rng)
+    before = [sys.getrefcount(value) for value in (table, rng, thing)]
+    for _ in range(100):
+        run(1, thing, rng)
+    assert [sys.getrefcount(value) for value in (table, rng, thing)] == before
+
+
+def test_generators_as_numba_takes_them(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where generators cannot be taken by their address, they are taken as Numba does it, with the same results."""
+    monkeypatch.setitem(sys.modules, "edugym.mdp.generators", None)
+    compiler._locate.cache_clear()
+    try:
+        interpreted, machine_code = both(plain_loop, 100, cell(EVERYTHING)["outer"])
+        assert interpreted == machine_code
+    finally:
+        compiler._locate.cache_clear()
+
+
 def test_allocation_needs_counts() -> None:
     """Where something allocates, memory does not grow with the steps."""
     thing = cell("class A(NamedTuple):\n    k: int\n    def f(self, s, rng): return s + np.arange(self.k).sum()")["A"](
@@ -265,6 +291,8 @@ def test_users_own_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Non
     """Numba's own cache folder stays where the user has put it, also when compiling fails."""
     config: Any = numba.config
     monkeypatch.setattr(config, "CACHE_DIR", str(tmp_path))
+    monkeypatch.setattr(compiler, "_built", {})  # as in a new process
+    both(plain_loop, 3, Adder(0.5))
     both(plain_loop, 3, cell(EVERYTHING)["outer"])
     thing = cell("class A(NamedTuple):\n    k: int\n    def f(self, s, rng): return s + self.missing")["A"](1)
     with pytest.raises(CompilationError):

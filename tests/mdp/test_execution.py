@@ -162,9 +162,6 @@ def test_what_cannot_be_compiled(monkeypatch: pytest.MonkeyPatch) -> None:
     with monkeypatch.context() as patch:
         patch.setattr(compiler, "_build", lambda *_: pytest.fail("tried again"))
         assert executable(count, (table, task, np.random.default_rng(0))) is count
-    other = cell(source.replace("Counter", "OtherCounter"))["OtherCounter"](4)
-    with pytest.warns(UserWarning, match="OtherCounter cannot be compiled"):
-        executable(count, (table, other, np.random.default_rng(0)))
 
 
 class Terminal(io.StringIO):
@@ -206,13 +203,12 @@ notebook = cell(WALK + LEARNER)
 task, agent = notebook["Walk"](5), notebook["Learner"](np.zeros((6, 2)))
 run = edugym.train(task, agent, 6000, seed=1)
 print(run.returns.tolist(), run.training_returns.tolist()[1:5], run.agent.Q.tolist())
-for mdp in (edugym.make_mdp("MemoryCorridor"), edugym.make_mdp("Golf")):
-    vector = MDPVectorEnv(MDPEnv(mdp), 3, "SameStep")
-    vector.reset(seed=0)
-    vector.action_space.seed(0)
-    for _ in range(50):
-        observations, rewards, *_ = vector.step(vector.action_space.sample())
-        print(observations.tolist(), rewards.tolist())
+vector = MDPVectorEnv(MDPEnv(edugym.make_mdp("MemoryCorridor")), 3, "SameStep")
+vector.reset(seed=0)
+vector.action_space.seed(0)
+for _ in range(50):
+    observations, rewards, *_ = vector.step(vector.action_space.sample())
+    print(observations.tolist(), rewards.tolist())
 print("numba" in sys.modules and sys.modules["numba"] is not None)
 """
 
@@ -228,4 +224,4 @@ def test_without_a_compiler() -> None:
         outputs.append(done.stdout.splitlines())
     assert [lines.pop() for lines in outputs] == ["True", "True", "False"]
     assert outputs[0] == outputs[1] == outputs[2]
-    assert len(outputs[0]) == 101
+    assert len(outputs[0]) == 51

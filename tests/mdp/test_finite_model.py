@@ -203,3 +203,25 @@ def test_rewards_that_cannot_be_followed() -> None:
     source = WALK.replace("return 1.0 if next_state == self.size else -0.25", "return max(0.0, rng.normal())")
     with pytest.raises(ValueError, match=r"Walk has no finite model: .* can only add normal noise"):
         finite_model(cell(source)["Walk"](4))
+
+
+def test_generative_model() -> None:
+    """It draws from the descriptive model, by a random stream of its own that the seed of `reset` starts anew."""
+    env = MDPEnv(cell(SLIPPERY)["SlipperyWalk"](4, 0.25))
+    env.reset(seed=3)
+    drawn = [env.generative_model(2, 1) for _ in range(2000)]
+    outcomes = env.descriptive_model(2, 1)
+    assert sorted(outcomes) == [(0.25, 1, -0.25, False), (0.75, 3, -0.25, False)]
+    assert {outcome.probability for outcome in drawn} == {1.0}
+    for probability, next_state, _, _ in outcomes:
+        share = np.mean([outcome.next_state == next_state for outcome in drawn])
+        assert abs(share - probability) < 5 * math.sqrt(probability * (1 - probability) / 2000)
+    env.reset()
+    assert [env.generative_model(2, 1) for _ in range(50)] != drawn[:50]
+    env.reset(seed=3)
+    env.step(1)
+    assert [env.generative_model(2, 1) for _ in range(50)] == drawn[:50]
+    unplanned = MDPEnv(env.mdp)
+    unplanned.reset(seed=3)
+    unplanned.step(1)
+    assert [env.step(1)[0] for _ in range(3)] == [unplanned.step(1)[0] for _ in range(3)]

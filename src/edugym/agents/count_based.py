@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from edugym.agents.exploration import EpsilonGreedy, Exploration, best_value, greedy_action
-from edugym.agents.parameters import check_learning
+from edugym.agents.parameters import check_exploration, check_learning
 from edugym.mdp.checks import at_least
 from edugym.mdp.protocol import Integers, Random, Reals
 from edugym.wrappers.tabular import table_size
@@ -67,6 +67,7 @@ class CountBased(NamedTuple):
         """
         at_least("bonus", bonus, 0)
         check_learning(learning_rate, discount)
+        check_exploration(exploration)
         n_states, n_actions = table_size(environment)
         visits = np.zeros(n_states, np.int64)
         return cls(np.zeros((n_states, n_actions)), visits, bonus, learning_rate, discount, exploration)

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
-from edugym.mdp.checks import at_least
+from edugym.mdp.checks import above, at_least, between, whole_number
 from edugym.mdp.protocol import Integers, Random, Reals
 from edugym.wrappers.tabular import table_size
 
@@ -67,6 +67,14 @@ class EpsilonGreedy(NamedTuple):
 
     epsilon: float = 0.1
 
+    def check(self) -> None:
+        """Refuse an ε that is no probability.
+
+        Raises:
+            ValueError: it is none.
+        """
+        between("epsilon", self.epsilon, 0, 1)
+
     def choose(self, Q: Reals, state: int, rng: Random) -> int:
         """A random action with probability ε, else the best one."""
         if rng.random() < self.epsilon:
@@ -87,6 +95,16 @@ class LinearDecay(NamedTuple):
     end: float
     steps: int
 
+    def check(self) -> None:
+        """Refuse ends that are no probabilities, and a number of steps that is not 1 or more.
+
+        Raises:
+            ValueError: one of them is so.
+        """
+        between("start", self.start, 0, 1)
+        between("end", self.end, 0, 1)
+        whole_number("steps", self.steps, 1)
+
     def value(self, step: int) -> float:
         """The value after `step` steps."""
         return self.start + (self.end - self.start) * min(step / self.steps, 1.0)
@@ -104,6 +122,17 @@ class ExponentialDecay(NamedTuple):
     start: float
     end: float
     rate: float
+
+    def check(self) -> None:
+        """Refuse ends that are no probabilities, and a rate that is not above 0 and up to 1.
+
+        Raises:
+            ValueError: one of them is so.
+        """
+        between("start", self.start, 0, 1)
+        between("end", self.end, 0, 1)
+        above("rate", self.rate, 0)
+        between("rate", self.rate, 0, 1)
 
     def value(self, step: int) -> float:
         """The value after `step` steps."""
@@ -123,7 +152,15 @@ class ScheduledEpsilonGreedy(NamedTuple):
 
     @classmethod
     def create(cls, schedule: Any) -> "ScheduledEpsilonGreedy":
-        """A strategy at step 0 of its schedule."""
+        """A strategy at step 0 of its schedule.
+
+        Raises:
+            ValueError: the schedule has no `value(step)`, or its settings are not as its class says.
+        """
+        if not hasattr(schedule, "value"):
+            raise ValueError(f"schedule must have a method value, but is {schedule!r}")
+        if hasattr(schedule, "check"):
+            schedule.check()
         return cls(schedule, np.zeros(1, np.int64))
 
     def choose(self, Q: Reals, state: int, rng: Random) -> int:
@@ -143,6 +180,14 @@ class Softmax(NamedTuple):
     """
 
     temperature: float = 1.0
+
+    def check(self) -> None:
+        """Refuse a temperature that is not above 0.
+
+        Raises:
+            ValueError: it is not.
+        """
+        above("temperature", self.temperature, 0)
 
     def choose(self, Q: Reals, state: int, rng: Random) -> int:
         """An action drawn by its share of the sum of exp(Q/τ), from which the highest value is subtracted first."""

@@ -1,5 +1,7 @@
 """What all tabular agents ask of their parameters."""
 
+from typing import Any
+
 from edugym.mdp.checks import above, between
 
 
@@ -12,3 +14,15 @@ def check_learning(learning_rate: float, discount: float) -> None:
     above("learning_rate", learning_rate, 0)
     between("learning_rate", learning_rate, 0, 1)
     between("discount", discount, 0, 1)
+
+
+def check_exploration(exploration: Any) -> None:
+    """Refuse what is no exploration strategy, and one whose settings are not as its class says (its method `check`).
+
+    Raises:
+        ValueError: it is so.
+    """
+    if not hasattr(exploration, "choose"):
+        raise ValueError(f"exploration must be a strategy with a method choose, but is {exploration!r}")
+    if hasattr(exploration, "check"):
+        exploration.check()

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from edugym.agents.exploration import EpsilonGreedy, Exploration, best_value, greedy_action
-from edugym.agents.parameters import check_learning
+from edugym.agents.parameters import check_exploration, check_learning
 from edugym.mdp.protocol import Random, Reals
 from edugym.wrappers.tabular import table_size
 
@@ -54,6 +54,7 @@ class QLearning(NamedTuple):
             ValueError: a parameter is not as the class says.
         """
         check_learning(learning_rate, discount)
+        check_exploration(exploration)
         return cls(np.full(table_size(environment), float(initial_value)), learning_rate, discount, exploration)
 
     def act(self, state: int, rng: Random) -> int:

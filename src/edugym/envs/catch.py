@@ -163,7 +163,7 @@ class CatchEnv(MDPEnv[Catch]):
     ## Parameters
     - `rows` (10): 2 or more.
     - `columns` (5): from 1 to 2 * rows - 1; on a wider board the paddle cannot reach every ball.
-    - `observation_type` (`"grid"`): `"grid"`, `"default"`, `"vectorised"` or `"rgb"`.
+    - `observation_type` ("grid"): `"grid"`, `"default"`, `"vectorised"` or `"rgb"`.
 
     ## Info
     - `ball`: the column and the row of the ball.

@@ -18,20 +18,21 @@ def interrupts(deferred: bool) -> Iterator[Callable[[], None]]:
         deferred: without it nothing waits: Ctrl-C comes as ever.
 
     Yields:
-        A function that raises `KeyboardInterrupt` if Ctrl-C has come.
+        A function that lets come what has waited: `KeyboardInterrupt`, or whatever Ctrl-C does otherwise.
     """
-    came: list[Any] = []
+    handler = signal.getsignal(signal.SIGINT)
+    waiting: list[tuple[Any, ...]] = []
 
-    def check() -> None:
-        if came:
-            raise KeyboardInterrupt
+    def let_come() -> None:
+        while callable(handler) and waiting:
+            handler(*waiting.pop())
 
-    usual = signal.getsignal(signal.SIGINT) is signal.default_int_handler
-    if not (deferred and usual and threading.current_thread() is threading.main_thread()):
-        yield check
+    if not (deferred and callable(handler) and threading.current_thread() is threading.main_thread()):
+        yield let_come
         return
-    signal.signal(signal.SIGINT, lambda *arguments: came.append(arguments))
+    signal.signal(signal.SIGINT, lambda *arguments: waiting.append(arguments))
     try:
-        yield check
+        yield let_come
     finally:
-        signal.signal(signal.SIGINT, signal.default_int_handler)
+        signal.signal(signal.SIGINT, handler)
+    let_come()

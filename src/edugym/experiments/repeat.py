@@ -147,9 +147,9 @@ class _Watch:
 
     def set(self) -> None:
         """Order every run to stop."""
-        self._file.touch()
         if self._stop is not None:
-            self._stop.set()
+            self._stop.set()  # first, so that no new run is handed out when one has seen the file
+        self._file.touch()
 
     def is_set(self) -> bool:
         """Whether to stop."""
@@ -193,7 +193,7 @@ def _do_all(
         )
         parallel = joblib.Parallel(jobs, prefer="threads", pre_dispatch="n_jobs", batch_size=1, max_nbytes=None)
         with _ctrl_c_sets(watch):
-            runs = list(parallel(work))
+            runs: list[Run | None] = list(parallel(work))
     return runs + [None] * (len(plan) - len(runs))
 
 
@@ -206,10 +206,8 @@ def _compile(the_task: Task, makers: dict[str, Maker], first: Repetition, argume
         train(environment, maker(environment), **arguments, seed=first.seed, stop=stopped)
 
 
-def _do(the_task: Task, maker: Maker, repetition: Repetition, arguments: dict[str, Any], watch: _Watch) -> Run | None:
+def _do(the_task: Task, maker: Maker, repetition: Repetition, arguments: dict[str, Any], watch: _Watch) -> Run:
     """One run of one method."""
-    if watch.is_set():
-        return None
     if os.getpid() != watch.process and threading.current_thread() is threading.main_thread():
         signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches the workers too; the file is what stops them
     environment = the_task.make(repetition.layout_seed)

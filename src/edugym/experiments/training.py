@@ -140,7 +140,7 @@ def train(
     done = 0
     bar = progress_bar(n_steps, "steps") if progress else None
     try:
-        with interrupts(deferred=advance is not learn) as check:
+        with interrupts(deferred=advance is not learn) as let_come:
             measure(0)
             while done < n_steps and not (stop is not None and stop.is_set()):
                 take = min(chunk, n_steps - done, every - done % every)
@@ -150,7 +150,7 @@ def train(
                     measure(done)
                 if bar is not None:
                     bar.update(take)
-                check()
+                let_come()
     except KeyboardInterrupt:
         if stop is None:
             warnings.warn(f"interrupted after {done} of {n_steps} steps: this is what was done", stacklevel=2)

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-LIBRARIES = frozenset({"builtins", "math", "numba", "numpy", "typing", "collections", "gymnasium", "operator"})
+LIBRARIES = frozenset({"builtins", "math", "numba", "numpy", "typing", "collections", "gymnasium", "operator", "sys"})
 """Packages whose code does not change under the feet of a session."""
 NAMEDTUPLE_OWN = frozenset({"_make", "_replace", "_asdict", "_fields", "_field_defaults"})
 """What every NamedTuple has."""

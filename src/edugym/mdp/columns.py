@@ -210,12 +210,18 @@ def _class(name: str, lines: list[str], kinds: dict[str, type]) -> Any:
     differ where the texts do, since Numba's fast path tells classes apart by their names.
     """
     known = [(kind.__module__, kind.__qualname__) for kind in kinds.values()]
-    name = f"{name}_{hashlib.sha256(repr((lines, known)).encode()).hexdigest()[:16]}"
-    module = sys.modules.get(f"edugym.mdp.{name}")
+    full_name = f"{name}_{hashlib.sha256(repr((lines, known)).encode()).hexdigest()[:16]}"
+    module = sys.modules.get(f"edugym.mdp.{full_name}")
     if module is None or module.__dict__["KINDS"] != kinds:
-        module = ModuleType(f"edugym.mdp.{name}")
+        module = ModuleType(f"edugym.mdp.{full_name}")
         module.__dict__.update(kinds, NamedTuple=NamedTuple, KINDS=kinds)
-        source = "\n".join([f"class {name}(NamedTuple):", *lines])
+        source = "\n".join([f"class {full_name}(NamedTuple):", *lines])
         exec(source, module.__dict__)  # generated above from a sample's shape alone
+        module.__dict__[full_name].__reduce__ = lambda value: (_value, (name, lines, kinds, tuple(value)))
         sys.modules[module.__name__] = module
-    return module.__dict__[name]
+    return module.__dict__[full_name]
+
+
+def _value(name: str, lines: list[str], kinds: dict[str, type], fields: tuple[Any, ...]) -> Any:
+    """A value of such a class, as another process reads it that has not made the class yet."""
+    return _class(name, lines, kinds)(*fields)

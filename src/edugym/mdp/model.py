@@ -16,6 +16,8 @@ from edugym.mdp.branching import branches
 from edugym.mdp.protocol import MDP, Integers, Reals
 
 MAX_STATES = 50_000
+MAX_WAYS = 100_000
+"""How many ways from a state to the next are looked at, in all, before giving up: some five seconds' worth."""
 
 
 class Outcome(NamedTuple):
@@ -121,6 +123,7 @@ def _explored(mdp: MDP[Any, Any], max_states: int) -> FiniteModel:
     n_actions = int(mdp.action_space.n)
     states: list[Any] = []
     rows: dict[Any, int] = {}
+    ways = 0
 
     def row_of(state: Any) -> int:
         if state not in rows:
@@ -132,8 +135,12 @@ def _explored(mdp: MDP[Any, Any], max_states: int) -> FiniteModel:
 
     def reached(draw: Callable[[Any], Any]) -> dict[int, float]:
         """The states that a draw can give, by row, with their probabilities."""
+        nonlocal ways
         total: dict[int, float] = {}
         for p, state in branches(draw):
+            ways += 1
+            if ways > MAX_WAYS:
+                raise ValueError(f"its dynamics can go more than {MAX_WAYS} ways")
             row = row_of(_plain(state))
             total[row] = total.get(row, 0.0) + p
         return total

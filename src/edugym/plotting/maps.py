@@ -46,12 +46,14 @@ def visitation_map(
     from matplotlib.colors import LogNorm
 
     ax = own_axes(ax)
-    top = max(counts.max() if largest is None else largest, 1.0)
+    top = max(counts.max(), 1.0) if largest is None else largest
+    # Maps that are compared span four powers of ten; one of its own, what it has.
+    bottom = counts[counts > 0].min(initial=top / 10) if largest is None else top / 1e4
     n_intervals, n_states = counts.shape
     picture = ax.imshow(
         np.ma.masked_equal(counts.T, 0),
         cmap="viridis_r",
-        norm=LogNorm(top / 1e4, top),
+        norm=LogNorm(bottom, top),
         origin="lower",
         aspect="auto",
         interpolation="nearest",

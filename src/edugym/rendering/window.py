@@ -85,9 +85,11 @@ class Window:
                 "windows need pygame-ce, and this is the older pygame: run"
                 ' `pip uninstall -y pygame pygame-ce` and `pip install "edugym[render]"`'
             )
-        pygame.display.init()  # does nothing where it is done already
+        if not pygame.display.get_init():
+            pygame.display.init()
+            self._window = None  # pygame.quit has taken it away
         try:
-            # pygame.quit takes the window away; of all its attributes, only the id then raises an error.
+            # The same, where pygame has been started again since; of all attributes, only the id then raises an error.
             is_open = self._window is not None and self._window.id > 0
         except pygame.error:
             is_open = False

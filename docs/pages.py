@@ -3,8 +3,8 @@
 The text of a page is the docstring of the environment's class, its table the row in the registry, its parameters the
 constructor's own: there is no second copy of any of them. A picture and a short animation are drawn by the environment.
 
-    python docs/build.py            write everything
-    python docs/build.py --check    write nothing; fail if a page is not what the code says
+    python docs/pages.py            write everything
+    python docs/pages.py --check    write nothing; fail if a page is not what the code says
 """
 
 import argparse
@@ -16,7 +16,7 @@ from typing import Any
 
 from PIL import Image
 
-from edugym import QLearning, train
+from edugym import EpsilonGreedy, QLearning, train
 from edugym.playing.films import play_episode, record
 from edugym.registration import ENVIRONMENTS, Entry
 from edugym.rendering.pixels import to_pixels
@@ -28,7 +28,11 @@ FRAMES = 24
 
 # Who plays in the animation, where Q-learning on what the agent sees would not show the task.
 ACTORS: dict[str, Callable[[Any], Any]] = {
+    "Catch": lambda env: (
+        lambda observation: 1 + (env.state.ball_x > env.state.paddle_x) - (env.state.ball_x < env.state.paddle_x)
+    ),
     "MemoryCorridor": lambda env: lambda observation: env.info()["right_door"],
+    "Tamagotchi": lambda env: lambda observation: env.state.wanted,
 }
 
 
@@ -81,8 +85,8 @@ def draw(entry: Entry) -> Scene:
     if entry.name in ACTORS:
         actor = ACTORS[entry.name](env)
     else:
-        actor = QLearning.create(env, learning_rate=0.1, discount=0.95)
-        train(env, actor, 300_000, seed=1)
+        actor = QLearning.create(env, learning_rate=0.1, discount=0.99, exploration=EpsilonGreedy(0.3))
+        train(env, actor, 1_000_000, seed=1)
     frames = play_episode(env, actor, seed=1, max_steps=FRAMES)
     picture = frames[len(frames) // 2].picture
     assert isinstance(picture, Scene), "every environment of the course has a scene"
@@ -111,7 +115,7 @@ def main() -> int:
         written = {path: path.read_text(encoding="utf-8") if path.exists() else None for path in pages()}
         stale = [path for path, text in pages().items() if written[path] != text]
         for path in stale:
-            print(f"{path} is not what the code says: run python docs/build.py", file=sys.stderr)
+            print(f"{path} is not what the code says: run python docs/pages.py", file=sys.stderr)
         return 1 if stale else 0
     PAGES.mkdir(exist_ok=True)
     for path, text in pages().items():
