@@ -218,10 +218,10 @@ plt.show()
 
 # %% [markdown]
 # - **ε-greedy** never gets off the lowest dozen grips. It has nothing to learn from.
-# - **Novelty** climbs fast at first, and then its frontier stalls near 40.
+# - **Novelty** climbs fast at first, and then ever more slowly: after 20 000 steps its frontier is near 40.
 # - **Go-Explore** moves its frontier up steadily, to the top.
 #
-# Why does novelty stall? Look at how a climb must succeed. To see something new the agent has to get back to its
+# Why does novelty slow down? Look at how a climb must succeed. To see something new the agent has to get back to its
 # frontier first, *while it keeps taking random actions*. With two grips, an ε-greedy climber takes the wrong one
 # with probability
 # $\varepsilon/2 = 0.05$ at every step, so that it comes back to height $h$ in a share of $0.95^h$ of its climbs.

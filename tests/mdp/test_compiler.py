@@ -363,6 +363,7 @@ def files(folder: Path) -> dict[str, int]:
     return {str(path): path.stat().st_mtime_ns for path in folder.rglob("*") if path.is_file()}
 
 
+@pytest.mark.slow
 def test_disk_cache(tmp_path: Path) -> None:
     """Another process finds machine code on the disk, and does not use it once what it was made of has changed."""
     code, cache = tmp_path / "code", tmp_path / "cache"

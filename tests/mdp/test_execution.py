@@ -213,6 +213,7 @@ print("numba" in sys.modules and sys.modules["numba"] is not None)
 """
 
 
+@pytest.mark.slow
 def test_without_a_compiler() -> None:
     """Without Numba, or with it switched off, everything gives the same results, and no warning."""
     outputs = []
