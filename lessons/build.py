@@ -50,6 +50,7 @@ METADATA = {
 ENVIRONMENT = {  # of the kernel: figures go into the notebook, and sets print in the same order every time
     "MPLBACKEND": "module://matplotlib_inline.backend_inline",
     "PYTHONHASHSEED": "0",
+    "EDUGYM_QUIET": "1",  # whether something must be compiled first depends on the machine
 }
 
 INSTALL = f"""\

@@ -31,3 +31,8 @@ def test_files_that_the_readme_names_exist() -> None:
     assert links
     missing = [link for link in links if not (Path(__file__).parent.parent / link).exists()]
     assert missing == []
+
+
+def test_the_readme_is_whole() -> None:
+    """No figure was left to be filled in."""
+    assert "BENCH" not in README

@@ -67,6 +67,15 @@ def find(name: str) -> Entry:
     raise ValueError(f"environment must be one of {', '.join(e.name for e in ENVIRONMENTS)}, but is {name!r}")
 
 
+def full_id(name: str) -> str:
+    """The Gymnasium id of an environment of the course that is given by its name alone; any other id as it is.
+
+    The prefix `edugym:`, by which Gymnasium is told to import this package, is taken off.
+    """
+    name = name.removeprefix("edugym:")
+    return next((entry.id for entry in ENVIRONMENTS if entry.name == name), name)
+
+
 def make_mdp(name: str, **parameters: Any) -> Any:
     """The MDP of an environment, for experiments: `make_mdp("Boulder", height=30)`.
 

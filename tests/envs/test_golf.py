@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edugym.envs.golf import SWINGS, Ball, Golf, GolfEnv
+from edugym.envs.golf import DISTANCES, Ball, Golf, GolfEnv
 from edugym.mdp.model import finite_model
 from edugym.planning.value_iteration import value_iteration
 from edugym.registration import make_mdp
@@ -92,7 +92,7 @@ def test_an_episode_with_noise() -> None:
 def test_noise(swing: int, level: float) -> None:
     """Around the aim, d cells towards the flag, both coordinates are normal with s = level d², and independent."""
     task, rng, n = golf(stochasticity_level=level), np.random.default_rng(swing), 20_000
-    d = SWINGS[swing][1]
+    d = DISTANCES[swing]
     deviation = level * d**2
     for start in (Ball(3.5, 0.0, 0), Ball(0.5, 9.5, 3)):
         away = np.array([3.5 - start.x, 13.5 - start.y])

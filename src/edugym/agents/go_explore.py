@@ -36,12 +36,12 @@ class Try(NamedTuple):
 class GoExplore(NamedTuple):
     """First return, then explore, on goal-conditioned Q-learning.
 
-    1. Choose the state of the archive (all that were ever visited) that was visited least; choosing it counts as a
-    visit. 2. Return to it, greedily by Q(goal, ·, ·), without exploring.
+    1. Choose the state of the archive (all that were ever visited) that was visited least as the goal; choosing it
+       counts as a visit.
+    2. Return to it, greedily by Q(goal, ·, ·), without exploring.
     3. From there take `explore_steps` random actions.
-    4. Learn backwards over the try, with every state that it met as a goal (hindsight): with reward 1 at the goal,
-    where the
-       goal-conditioned task ends,
+    4. Learn backwards over the try, with every state that it met as a goal (hindsight), with reward 1 at the goal,
+       where the goal-conditioned task ends:
 
            Q(g, S, A) <- Q(g, S, A) + α [1{S' = g} + γ 1{S' ≠ g} max_a Q(g, S', a) - Q(g, S, A)]
 

@@ -12,7 +12,9 @@ from edugym.rendering.figures import Mood, flag, smiley
 from edugym.rendering.palette import GRASS, GREEN, SAND, WATER, WHITE, blend
 from edugym.rendering.scene import Circle, Line, Rectangle, Scene, Shape, Text
 
-SWINGS = (("putt", 1.0), ("chip", 4.0), ("drive", 10.0))
+SWINGS = ("putt", "chip", "drive")
+DISTANCES = (1.0, 4.0, 10.0)
+"""How far each swing aims, in cells."""
 
 
 class Ball(NamedTuple):
@@ -46,7 +48,7 @@ class Golf(NamedTuple):
 
     def transition(self, state: Ball, action: int, rng: Random) -> Ball:
         """The ball flies d cells towards the flag, and Gaussian noise is added to both coordinates."""
-        d = 1.0 if action == 0 else (4.0 if action == 1 else 10.0)
+        d = DISTANCES[action]
         deviation = self.stochasticity_level * d * d
         x, y = self.aim(state, d)
         return Ball(x + rng.normal(0.0, deviation), y + rng.normal(0.0, deviation), state.hits + 1)
@@ -217,7 +219,7 @@ class GolfEnv(MDPEnv[Golf]):
 
     def named_actions(self) -> dict[str, Any]:
         """The swings."""
-        return {name: swing for swing, (name, _) in enumerate(SWINGS)}
+        return {name: swing for swing, name in enumerate(SWINGS)}
 
     def scene(self) -> Scene:
         """The course in water, from above, with the last aim and a circle of two standard deviations around it."""
@@ -238,7 +240,7 @@ class GolfEnv(MDPEnv[Golf]):
         ball = golf.initial(self.np_random) if self.state is None else self.state
         text = "on the tee"
         if self.last_state is not None:
-            name, d = SWINGS[self.last_action]
+            name, d = SWINGS[self.last_action], DISTANCES[self.last_action]
             aim = at(*golf.aim(self.last_state, d))
             spread = 2 * golf.stochasticity_level * d * d
             shapes.append(Line((at(self.last_state.x, self.last_state.y), aim), colour=WHITE))
@@ -257,7 +259,7 @@ def _reachable(golf: Golf) -> bool:
     balls = {(golf.width / 2, 0.0)}
     seen: set[tuple[float, float]] = set()
     for _ in range(golf.max_hits):
-        balls = {golf.aim(Ball(x, y, 0), d) for x, y in balls for _, d in SWINGS}
+        balls = {golf.aim(Ball(x, y, 0), d) for x, y in balls for d in DISTANCES}
         balls = {ball for ball in balls if not golf.off_course(Ball(*ball, 0))} - seen
         seen |= balls
         if any(golf.on_green(Ball(*ball, 0)) for ball in balls):

@@ -13,7 +13,7 @@ import gymnasium
 import numpy as np
 from gymnasium.envs.registration import load_env_creator
 
-from edugym.registration import ENVIRONMENTS
+from edugym.registration import ENVIRONMENTS, full_id
 
 Setting = bool | int | float | str
 
@@ -63,13 +63,13 @@ def task(environment: Any, parameters: Mapping[str, Any] | None = None) -> Task:
 
 def _registered(name: str, parameters: dict[str, Any]) -> Task:
     """A task that is made anew for every repetition."""
-    known = {entry.name: entry.id for entry in ENVIRONMENTS}
-    env_id = known.get(name, name)
+    env_id = full_id(name)
     try:
         spec = gymnasium.spec(env_id)
         creator = load_env_creator(spec.entry_point) if isinstance(spec.entry_point, str) else spec.entry_point
     except gymnasium.error.Error as error:
-        raise ValueError(f"environment must be one of {', '.join(known)}, or an id of Gymnasium's; {error}") from error
+        known = ", ".join(entry.name for entry in ENVIRONMENTS)
+        raise ValueError(f"environment must be one of {known}, or an id of Gymnasium's; {error}") from error
     if creator is None:
         raise ValueError(f"environment must exist as a single one, but {name!r} is a vector of copies only")
     allowed = parameters_of(creator)

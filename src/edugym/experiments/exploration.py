@@ -216,14 +216,15 @@ def greedy_leads_to_frontier(results: Results, method: str, height: int) -> list
     return leads
 
 
-def best_return(height: int, epsilon: float = 0.0) -> float:
+def best_return(height: int, epsilon: float = 0.0, n_grips: int = 2) -> float:
     """The best expected return of an episode, by planning on the exact model; it is the same for every layout.
 
     Args:
         height: of the wall, 1 or more.
         epsilon: the probability of a random action in every state; 0 gives the optimum.
+        n_grips: how many grips there are at every height, 2 or more.
     """
-    wall = make_mdp("Boulder", height=height)
+    wall = make_mdp("Boulder", height=height, n_grips=n_grips)
     return value_iteration(finite_model(wall), epsilon=epsilon, horizon=wall.max_steps).start
 
 

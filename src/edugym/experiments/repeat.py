@@ -98,6 +98,8 @@ def repeat(
     whole_number("seed", seed, 0)
     if jobs is not None and jobs != -1:
         whole_number("jobs", jobs, 1)
+    if not isinstance(agents, Mapping):
+        raise ValueError(f"agents must be a dictionary of agents by their labels, but is {agents!r}")
     the_task, makers = task(environment, parameters), {label: _maker(label, agent) for label, agent in agents.items()}
     if not makers:
         raise ValueError("agents must have one method or more, but is empty")

@@ -31,7 +31,8 @@ from edugym.mdp.checks import whole_number
 from edugym.mdp.env import MDPEnv
 from edugym.mdp.execution import executable
 from edugym.mdp.protocol import Integers, Reals, coerced, step_limit
-from edugym.wrappers.tabular import tabular
+from edugym.registration import full_id
+from edugym.wrappers.tabular import table_size, tabular
 
 CHUNK = 100_000  # steps between two looks at the keyboard: a millisecond of machine code
 INTERPRETED_CHUNK = 1_000
@@ -84,7 +85,7 @@ def train(
     loop. Ctrl-C stops at once and returns what is done.
 
     Args:
-        environment: an MDP, a Gymnasium environment, or the id of one.
+        environment: an MDP, a Gymnasium environment, or the name or id of one.
         agent: an agent for it; its tables are changed in place.
         n_steps: how many training steps to take, 1 or more.
         max_steps: after how many steps an episode is truncated; by default the environment's own limit, if it has one.
@@ -108,12 +109,13 @@ def train(
     began = time.perf_counter()
     agent = coerced(agent)
     task = coerced(_task(environment, agent))
-    environment_rng, agent_rng, *evaluation_rngs = map(np.random.default_rng, np.random.SeedSequence(seed).spawn(4))
+    streams = map(np.random.default_rng, np.random.SeedSequence(seed).spawn(4))
+    environment_rng, agent_rng, evaluation_rng, actor_rng = streams
     limit = max_steps or _step_limit(task)
     log = Log(np.zeros(1), np.zeros(1, np.int64))
     rest = (task, told_of_truncation(agent), limit or NO_LIMIT, environment_rng, agent_rng, log)
     scores = np.zeros(evaluation_episodes)
-    watch: tuple[Any, ...] = (limit or EVALUATION_LIMIT, *evaluation_rngs, scores)
+    evaluation_limit = limit or EVALUATION_LIMIT
     learn: Callable[..., Moment]
     advance: Callable[..., Moment]
     play: Callable[..., None]
@@ -125,14 +127,20 @@ def train(
         moment = start(task, agent, environment_rng, agent_rng)
         learn = on_policy if getattr(agent, "on_policy", False) else off_policy
         advance = executable(learn, (*rest, moment), expected=n_steps)
-        play = executable(play_episodes, (task, _actor(agent), *watch), expected=n_steps, rehearsed=1)
+        watch = (task, _actor(agent), evaluation_limit, evaluation_rng, actor_rng, scores)
+        play = executable(play_episodes, watch, expected=n_steps, rehearsed=1)
         played = task
     chunk = INTERPRETED_CHUNK if advance is learn else CHUNK
 
     points: list[tuple[int, float, float, int]] = []
 
-    def measure(steps: int) -> None:
-        play(evaluation_episodes, played, _actor(agent), *watch)
+    def measure(steps: int, let_come: Callable[[], None]) -> None:
+        actor = _actor(agent)
+        for k in range(evaluation_episodes):
+            play(1, played, actor, evaluation_limit, evaluation_rng, actor_rng, scores[k : k + 1])
+            let_come()
+            if stop is not None and stop.is_set() and k + 1 < evaluation_episodes:
+                return
         episodes = int(log.episodes[0])
         points.append((steps, scores.mean(), log.returns[0] / episodes if episodes else math.nan, episodes))
         log.returns[0] = log.episodes[0] = 0
@@ -141,13 +149,13 @@ def train(
     bar = progress_bar(n_steps, "steps") if progress else None
     try:
         with interrupts(deferred=advance is not learn) as let_come:
-            measure(0)
+            measure(0, let_come)
             while done < n_steps and not (stop is not None and stop.is_set()):
                 take = min(chunk, n_steps - done, every - done % every)
                 moment = advance(take, *rest, moment)
                 done += take
                 if done % every == 0 or done == n_steps:
-                    measure(done)
+                    measure(done, let_come)
                 if bar is not None:
                     bar.update(take)
                 let_come()
@@ -186,13 +194,31 @@ def _actor(agent: Any) -> Any:
 def _task(environment: Any, agent: Any) -> Any:
     """The MDP behind an environment, if there is one and nothing changes it; else the Gymnasium environment."""
     if isinstance(environment, str):
-        environment = gymnasium.make(environment)
+        environment = gymnasium.make(full_id(environment))
+    if not hasattr(environment, "observation_space"):
+        raise ValueError(f"environment must be an MDP, a Gymnasium environment or a name, but is {environment!r}")
+    if isinstance(agent, type) or not (hasattr(agent, "act") and hasattr(agent, "learn")):
+        raise ValueError(f"agent must be a value with the methods act and learn, but is {agent!r}")
     inside = environment
     while isinstance(inside, PassiveEnvChecker | OrderEnforcing):
         inside = inside.env
     if isinstance(inside, MDPEnv) and inside.only_plays_its_mdp:
         environment = inside.mdp
-    return environment if getattr(agent, "tabular", True) is False else tabular(environment)
+    if getattr(agent, "tabular", True) is False:
+        return environment
+    _check_table(agent, environment)
+    return tabular(environment)
+
+
+def _check_table(agent: Any, environment: Any) -> None:
+    """Refuse one of the package's agents that was made for another environment."""
+    Q = getattr(agent, "Q", None)
+    if type(agent).__module__.startswith("edugym.agents.") and isinstance(Q, np.ndarray):
+        shape = table_size(environment)
+        if Q.shape[-2:] != shape:
+            raise ValueError(
+                f"agent must have a table Q of shape {shape} for this environment, but its is {Q.shape[-2:]}"
+            )
 
 
 def _step_limit(task: Any) -> int | None:

@@ -45,6 +45,11 @@ class Code:
         return any(package(thing) != "edugym" for thing in (*self.classes, *self.functions))
 
     @property
+    def foreign_files(self) -> set[str]:
+        """The files, or cells, of those of its functions that are not the package's own."""
+        return {function.__code__.co_filename for function in self.functions if package(function) != "edugym"}
+
+    @property
     def importable(self) -> bool:
         """Whether another process finds the same classes by name, so that it can use what this one leaves on disk."""
         return all(

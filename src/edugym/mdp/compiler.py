@@ -68,7 +68,7 @@ def compiled(loop: Function, *arguments: Any, code: Code | None = None) -> Funct
     try:
         signature = tuple(map(numba.typeof, _located(arguments, streams)))
     except Exception as error:  # Numba has no one class for all that can be wrong
-        raise CompilationError(_reason(error)) from error
+        raise CompilationError(_reason(error, code)) from error
     machine_code = _made(numba, loop, signature, code)
     namesake = False  # whether Numba's fast path, which compares names, takes a class for another one of the same name
 
@@ -138,7 +138,7 @@ def _made(numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) ->
             try:
                 _built[key] = _build(numba, loop, signature, code)
             except Exception as error:
-                _built[key] = CompilationError(_reason(error))
+                _built[key] = CompilationError(_reason(error, code))
     if isinstance(_built[key], CompilationError):
         raise CompilationError(str(_built[key]))
     return _built[key]
@@ -225,13 +225,14 @@ def _writable(folder: Path) -> bool:
     return os.access(folder, os.W_OK)
 
 
-def _reason(error: Exception) -> str:
-    """The line of Numba's message that says what is wrong, and the last line of the user's code that it names."""
+def _reason(error: Exception, code: Code) -> str:
+    """The line of Numba's message that says what is wrong, and the last line of the student's code that it names."""
     text = re.sub(r"\x1b\[[0-9;]*m", "", str(error))
     says = [line.strip() for line in text.splitlines() if line.strip()]
     frame = ("Failed in", "No implementation", ">>>", "There ", "- ", "Overload", "With arg", "Rejected", "During")
     first = next((line for line in says if not line.startswith(frame)), type(error).__name__)
-    places = [place for place in re.findall(r'File "([^"]+)", line (\d+)', text) if "numba" not in place[0]]
+    own = {Path(file).name for file in code.foreign_files}
+    places = [place for place in re.findall(r'File "([^"]+)", line (\d+)', text) if Path(place[0]).name in own]
     return f"{first} ({places[-1][0]}, line {places[-1][1]})" if places else first
 
 

@@ -9,12 +9,12 @@ import copy
 import os
 import sys
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
 
-from edugym.mdp.code import Code
+from edugym.mdp.code import LIBRARIES, Code
 from edugym.mdp.compiler import CompilationError, NoCompiler, compiled, is_built, is_on_disk
 
 Loop = Callable[..., Any]
@@ -57,7 +57,7 @@ def executable(
     except NoCompiler:
         return loop
     except CompilationError as error:
-        _warn_once(code, error)
+        _warn_once(code, arguments, error)
         return loop
     return _replaying(fast, loop) if code.foreign and replayed else fast
 
@@ -90,15 +90,30 @@ def _restore(now: Any, then: Any) -> None:
 
 def _announce(code: Code) -> None:
     """Say once that something new is being compiled, to a person who waits for it."""
-    names = code.names()
-    if names in _warned or is_on_disk(code) or os.environ.get("EDUGYM_QUIET") or not sys.stderr.isatty():
+    names, in_notebook = code.names(), "ipykernel" in sys.modules
+    watched = in_notebook or sys.stderr.isatty()
+    if names in _warned or is_on_disk(code) or os.environ.get("EDUGYM_QUIET") or not watched:
         return
     _warned.add(names)
-    print(f"edugym: compiling {names} (once, a second or two) ...", file=sys.stderr)
+    out = sys.stdout if in_notebook else sys.stderr  # a notebook shows the latter as if something were wrong
+    print(f"edugym: compiling {names} (once, a second or two) ...", file=out)
 
 
-def _warn_once(code: Code, error: CompilationError) -> None:
-    message = f"{code.names()} cannot be compiled and runs interpreted, some hundred times slower: {error}"
-    if message not in _warned:
-        _warned.add(message)
+def _warn_once(code: Code, arguments: tuple[Any, ...], error: CompilationError) -> None:
+    """Say once for the same classes what keeps them from being compiled."""
+    plain = next(_plain_objects(arguments), None)
+    names = code.names() if plain is None else type(plain).__name__
+    reason = error if plain is None else "it is no NamedTuple"
+    if f"cannot: {names}" not in _warned:
+        _warned.add(f"cannot: {names}")
+        message = f"{names} cannot be compiled and runs interpreted, some hundred times slower: {reason}"
         warnings.warn(message, stacklevel=4)
+
+
+def _plain_objects(value: Any) -> Iterator[Any]:
+    """What is in a value that machine code knows nothing of: objects of ordinary classes."""
+    if isinstance(value, tuple):
+        for part in value:
+            yield from _plain_objects(part)
+    elif type(value).__module__.partition(".")[0] not in LIBRARIES:
+        yield value

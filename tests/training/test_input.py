@@ -1,0 +1,105 @@
+"""What `train` says to agents and environments that it cannot take, or cannot compile."""
+
+import threading
+import time
+import warnings
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+
+from edugym import QLearning, make_mdp, repeat, train
+from edugym.mdp import execution
+from edugym.mdp.protocol import Random, Reals
+
+WALL = make_mdp("Boulder", height=3)
+
+
+class Chooser(NamedTuple):
+    """An agent that uses what machine code has not."""
+
+    Q: Reals
+
+    def act(self, state: int, rng: Random) -> int:
+        """Choose at random."""
+        return int(rng.choice(2))
+
+    def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool) -> None:
+        """Learn nothing."""
+
+
+class Plain:
+    """An agent of an ordinary class."""
+
+    def act(self, state: int, rng: Random) -> int:
+        """Choose at random."""
+        return int(rng.random() * 2)
+
+    def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool) -> None:
+        """Learn nothing."""
+
+
+def said_of(agent: Any, monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """The warnings of a training run that is worth compiling."""
+    monkeypatch.setattr(execution, "_warned", set())
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        train(WALL, agent, execution.COMPILE_FROM)
+    return [str(warning.message) for warning in caught]
+
+
+def test_one_warning_names_the_class_the_reason_and_the_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Training and evaluation are two loops, and the student hears of one thing: the line of their own."""
+    line = next(n for n, text in enumerate(Path(__file__).read_text().splitlines(), 1) if "rng.choice(2)" in text)
+    (message,) = said_of(Chooser(np.zeros((4, 2))), monkeypatch)
+    assert message.startswith("Chooser cannot be compiled and runs interpreted")
+    assert "'choice'" in message
+    assert message.endswith(f"{Path(__file__).name}, line {line})")
+
+
+def test_an_ordinary_class_is_told_that_it_is_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It runs, interpreted, and no class of the package is blamed."""
+    (message,) = said_of(Plain(), monkeypatch)
+    assert message == "Plain cannot be compiled and runs interpreted, some hundred times slower: it is no NamedTuple"
+
+
+@pytest.mark.parametrize(
+    ("environment", "agent", "message"),
+    [
+        (3, Plain(), "environment must be an MDP, a Gymnasium environment or a name, but is 3"),
+        (WALL, QLearning, "agent must be a value with the methods act and learn, but is <class"),
+        (WALL, 0.5, "agent must be a value with the methods act and learn, but is 0.5"),
+        (WALL, QLearning.create((3, 2)), r"agent must have a table Q of shape \(4, 2\) for this environment, but its"),
+    ],
+)
+def test_what_cannot_be_trained_is_refused(environment: Any, agent: Any, message: str) -> None:
+    """The error names the argument, its value and what is allowed."""
+    with pytest.raises(ValueError, match=message):
+        train(environment, agent, 10)
+
+
+def test_agents_of_repeat_have_labels() -> None:
+    """The obvious slip is named."""
+    slip: Any = QLearning.create
+    with pytest.raises(ValueError, match="agents must be a dictionary of agents by their labels"):
+        repeat("Boulder", slip, 10)
+
+
+@pytest.mark.parametrize("name", ["Boulder", "edugym/Boulder-v0", "edugym:edugym/Boulder-v0"])
+def test_names_mean_the_same_everywhere(name: str) -> None:
+    """`train` and `repeat` take the name, the id, and the id with the prefix that README recommends."""
+    agent = QLearning.create(make_mdp("Boulder"))
+    assert train(name, agent, 10).complete
+    assert repeat(name, {"Q": agent}, 10, repetitions=1).complete
+
+
+def test_a_long_evaluation_stops_between_episodes() -> None:
+    """Each of the 100 000 episodes takes a millisecond or more: all of them would take minutes."""
+    stop = threading.Event()
+    threading.Timer(0.5, stop.set).start()
+    wall = make_mdp("Boulder", height=100, max_steps=100_000)
+    began = time.perf_counter()
+    run = train(wall, QLearning.create(wall), 1_000_000, evaluation_episodes=100_000, stop=stop)
+    assert not run.complete
+    assert time.perf_counter() - began < 30
