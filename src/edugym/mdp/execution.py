@@ -90,7 +90,9 @@ def _restore(now: Any, then: Any) -> None:
 
 def _announce(code: Code) -> None:
     """Say once that something new is being compiled, to a person who waits for it."""
-    names, in_notebook = code.names(), "ipykernel" in sys.modules
+    ipython = sys.modules.get("IPython")
+    in_notebook = ipython is not None and type(ipython.get_ipython()).__name__ == "ZMQInteractiveShell"
+    names = code.names()
     watched = in_notebook or sys.stderr.isatty()
     if names in _warned or is_on_disk(code) or os.environ.get("EDUGYM_QUIET") or not watched:
         return
