@@ -1,4 +1,4 @@
-"""What is compared with what. To compare with something else (bsuite's Catch, say), add a contender to a list."""
+"""What is compared with what. To compare with something else, add a contender to a list."""
 
 from collections.abc import Callable
 from functools import partial
@@ -7,7 +7,8 @@ from typing import Any
 import gymnasium
 import numpy as np
 
-from benchmarks import student
+from benchmarks import catch, student
+from benchmarks.contenders import copies, made, steps_of, unwrapped
 from benchmarks.measure import Comparison, Contender, Work
 from edugym import EpsilonGreedy, QLearning, make_mdp, train
 from edugym.experiments.exploration import HEIGHTS, METHODS, N_STEPS, compare
@@ -22,7 +23,7 @@ FROZEN_LAKE, CLIFF_WALKING, CART_POLE = (
 
 def comparisons() -> list[Comparison]:
     """All of them."""
-    return [*training(), *single_steps(), *vector_steps()]
+    return [*training(), *single_steps(), *vector_steps(), *catch.comparisons()]
 
 
 def training() -> list[Comparison]:
@@ -146,53 +147,3 @@ def figure() -> Work:
         return len(HEIGHTS) * len(METHODS) * repetitions
 
     return work
-
-
-def steps_of(env: Any) -> Work:
-    """Random actions, drawn beforehand; a new episode where one has ended."""
-    env.reset(seed=0)
-    actions = np.random.default_rng(0).integers(env.action_space.n, size=1_000).tolist()
-
-    def work(n: int) -> int:
-        step, reset = env.step, env.reset
-        done = 0
-        while done < n:
-            for action in actions:
-                _, _, terminated, truncated, _ = step(action)
-                if terminated or truncated:
-                    reset()
-            done += len(actions)
-        return done
-
-    return work
-
-
-def unwrapped(name: str, env_id: str) -> Contender:
-    """An environment without Gymnasium's wrappers."""
-    return Contender(name, lambda: steps_of(gymnasium.make(env_id).unwrapped))
-
-
-def made(name: str, env_id: str) -> Contender:
-    """An environment as Gymnasium makes it."""
-    return Contender(name, lambda: steps_of(gymnasium.make(env_id)))
-
-
-def copies(name: str, env_id: str, n: int, mode: str | None = None) -> Contender:
-    """Copies of an environment, stepped together, or one after another in the mode "sync"; they reset themselves."""
-
-    def prepare() -> Work:
-        envs: Any = gymnasium.make_vec(env_id, num_envs=n, vectorization_mode=mode)
-        envs.reset(seed=0)
-        actions = list(np.random.default_rng(0).integers(envs.single_action_space.n, size=(16, n)))
-
-        def work(amount: int) -> int:
-            done = 0
-            while done < amount:
-                for action in actions:
-                    envs.step(action)
-                done += len(actions) * n
-            return done
-
-        return work
-
-    return Contender(name, prepare)

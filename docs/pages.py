@@ -17,6 +17,7 @@ from typing import Any
 from PIL import Image
 
 from edugym import EpsilonGreedy, QLearning, train
+from edugym.planning.trashbot import ScriptedController
 from edugym.playing.films import play_episode, record
 from edugym.registration import ENVIRONMENTS, Entry
 from edugym.rendering.pixels import to_pixels
@@ -33,6 +34,7 @@ ACTORS: dict[str, Callable[[Any], Any]] = {
     ),
     "MemoryCorridor": lambda env: lambda observation: env.info()["right_door"],
     "Tamagotchi": lambda env: lambda observation: env.state.wanted,
+    "Trashbot": lambda env: lambda seen: ScriptedController(env.mdp.action_scale).act(seen, env.np_random),
 }
 
 

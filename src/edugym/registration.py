@@ -39,6 +39,7 @@ ENVIRONMENTS = (
     Entry("Catch", "edugym.envs.catch", "Dimensionality", "dimensionality"),
     Entry("MemoryCorridor", "edugym.envs.memory_corridor", "Partial observability", "memory"),
     Entry("Tamagotchi", "edugym.envs.tamagotchi", "Amount of signal", "signal"),
+    Entry("Trashbot", "edugym.envs.trashbot", "Discrete and continuous", "discrete_continuous"),
     Entry("Golf", "edugym.envs.golf", "Stochasticity", "stochasticity"),
     Entry("Supermarket", "edugym.envs.supermarket", "Model-based reinforcement learning", "model_based"),
 )

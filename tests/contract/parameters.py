@@ -6,14 +6,16 @@ An environment joins the contract tests by being registered and by describing it
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cache
-from math import inf, nan
+from math import ceil, inf, nan
 from typing import Any
 
+import numpy as np
 from hypothesis import strategies as st
 from hypothesis.strategies import SearchStrategy
 
 from edugym.envs.supermarket import supermarket
 from edugym.mdp.model import finite_model
+from edugym.planning.trashbot import ScriptedController
 from edugym.planning.value_iteration import value_iteration
 
 Keywords = dict[str, Any]
@@ -116,6 +118,26 @@ def study(draw: st.DrawFn) -> Keywords:
 def study_well(info: dict[str, Any], env: Any) -> int:
     """Study on the days of lectures and of the exam, and sleep on the others."""
     return 0 if info["lecture"] or env.state.day == env.mdp.total_days - 1 else 1
+
+
+@st.composite
+def trashbot(draw: st.DrawFn) -> Keywords:
+    """Arms that have time to deliver the box."""
+    action_scale = draw(st.floats(0.05, 0.3))
+    enough = ceil(2.5 / action_scale)
+    return {
+        "n_bins": draw(st.none() | st.integers(2, 12)),
+        "container_width": draw(st.floats(0.25, 1.0, exclude_min=True)),
+        "action_scale": action_scale,
+        "max_steps": draw(st.integers(enough, enough + 60)),
+    }
+
+
+def carry_the_box(_: dict[str, Any], env: Any) -> Any:
+    """What the scripted controller does, as nearly as the bins allow."""
+    task = env.mdp
+    action = ScriptedController(task.action_scale).act(task.observation(env.state, env.np_random), env.np_random)
+    return np.rint((action.astype(np.float64) + 1) / 2 * (task.n_bins - 1)).astype(int) if task.n_bins else action
 
 
 @cache
@@ -255,6 +277,26 @@ PARAMETERS: dict[str, Parameters] = {
             *refused("steps_per_episode", 0, -1, *NO_WHOLE_NUMBER),
         ),
         informed=lambda info, _: info["wanted"],
+    ),
+    "Trashbot": Parameters(
+        valid=trashbot(),
+        corners=(
+            {},
+            {"n_bins": 2, "container_width": 0.2500001},
+            {"n_bins": 5},
+            {"n_bins": 11, "container_width": 1, "action_scale": 0.3, "max_steps": 9},
+            {"n_bins": 2**31, "action_scale": 0.001, "max_steps": 2500},
+            {"container_width": 0.3, "action_scale": 0.3, "max_steps": 9},
+        ),
+        bad=(
+            *refused("n_bins", 1, 0, -3, 2**31 + 1, 2.5, "3", True, nan),
+            *refused("container_width", 0.25, 0, -1, 1.001, inf, nan, "0.5", None, True),
+            *refused("action_scale", 0, -0.1, 0.301, inf, nan, "0.2", None, True),
+            *refused("max_steps", 0, 11, -1, *NO_WHOLE_NUMBER),
+            *refused("max_steps", 150, action_scale=0.01),
+        ),
+        random=False,
+        informed=carry_the_box,
     ),
     "Golf": Parameters(
         valid=golf(),

@@ -21,6 +21,7 @@ HEADINGS = [
     "Parameters",
     "Info",
     "Choices",
+    "Algorithms",
     "References",
 ]
 
@@ -50,7 +51,7 @@ def test_parameters(entry: Entry) -> None:
     assert [name for name, _ in described] == list(defaults)
     env = entry.load()()
     for name, says in described:
-        value = eval(says.strip("`"), {"inf": math.inf}, defaults)
+        value = eval(says.strip("`"), {"inf": math.inf, "pi": math.pi}, defaults)
         if defaults[name] is None and value is not None:  # worked out from the other parameters
             assert getattr(env.mdp, name) == value
         else:

@@ -158,10 +158,21 @@ def test_actions_that_nobody_can_name(space: spaces.Space[Any]) -> None:
         (np.arange(8), "start, observation 0 1 2 3 4 5 6 7, return 0"),
         (np.arange(9), "start, return 0"),
         ((3, np.array([1.5, 2.0])), "start, observation 3 1.5 2, return 0"),
+        (
+            np.array([1 / 3, -1 / 300, 12345, np.inf, np.nan]),
+            "start, observation 0.333 -0.00333 12345 inf nan, return 0",
+        ),
         ({"a": 1}, "start, return 0"),
         ("hello", "start, return 0"),
     ],
 )
 def test_only_short_observations_are_written_out(observation: Any, line: str) -> None:
-    """Up to eight numbers, from spaces of several kinds."""
+    """Up to eight numbers, from spaces of several kinds; of those with many digits, three."""
     assert Game(Still(spaces.Discrete(2), observation)).line() == line
+
+
+def test_actions_without_a_name_are_written_out() -> None:
+    """As the observations are."""
+    game = Game("Trashbot")
+    game.step(np.array([-1, 1 / 3], np.float32))
+    assert game.line().startswith("step 1: action -1 0.333, observation ")

@@ -67,9 +67,10 @@ class BoulderEnv(MDPEnv[Boulder]):
 
     ## Description
     Challenge: exploration under sparse reward. A climber stands before a wall. At every height there are `n_grips`
-    grips; one holds, the others are cracked and send the climber back to the ground. Only the top is rewarded, so
-    until it has been reached once there is nothing to learn from. A climber who chooses grips at random reaches the
-    top after (N^(H+1) - N)/(N - 1) steps on average: 2 046 for two grips and height 10, and 2.5e30 for height 100.
+    grips; one holds, the others are cracked and send the climber back to the ground. Only the top is rewarded, so until
+    it has been reached once there is no reward to learn from. A climber who chooses grips at random reaches the top
+    after (N^(H+1) - N)/(N - 1) steps on average, if no step limit cuts the climb off: 2 046 for two grips and height
+    10, and 2.5e30 for height 100.
 
     ## Observation space
     `Discrete(height + 1)`: the position on the wall, from 0 (ground) to `height` (top).
@@ -78,8 +79,8 @@ class BoulderEnv(MDPEnv[Boulder]):
     `Discrete(n_grips)`: the grip to jump to.
 
     ## State
-    The position, and the number of steps that this episode has taken. The position is observed; the step count is
-    not, so near the step limit the observation is not Markov (an agent that bootstraps at truncation need not mind).
+    The position, and the number of steps that this episode has taken. The position is observed; the step count is not,
+    so near the step limit the observation is not Markov (an agent that bootstraps at truncation need not mind).
 
     ## Dynamics
     The grip that holds leads one up; any other leads to the ground, which does not end the episode.
@@ -94,8 +95,8 @@ class BoulderEnv(MDPEnv[Boulder]):
     Terminated at the top; truncated after `max_steps` steps.
 
     ## Parameters
-    - `height` (10): H, 1 or more.
-    - `n_grips` (2): N, 2 or more.
+    - `height` (10): H, how many right grips it takes to get to the top; 1 or more.
+    - `n_grips` (2): N, how many grips there are at every height; 2 or more.
     - `max_steps` (10 * height): 1 or more.
     - `layout_seed` (0): from which the right grips are drawn, uniformly; 0 or more.
 
@@ -103,12 +104,15 @@ class BoulderEnv(MDPEnv[Boulder]):
     - `right_grip`: the grip that holds at the present height; -1 at the top.
 
     ## Choices
-    - The paper gives N^H as the number of steps that a random climber needs; that counts attempts. The number of
-      steps is (N^(H+1) - N)/(N - 1).
+    - The paper gives N^H as the number of steps that a random climber needs; that counts attempts. The number of steps
+      is (N^(H+1) - N)/(N - 1).
     - The paper's state space is `Discrete(H)`; here the top is a position of its own, since it is observed at the end.
 
+    ## Algorithms
+    The paper compares Q-learning with ε-greedy, Q-learning with a count-based intrinsic reward, and Go-Explore.
+
     ## References
-    Moerland et al. (2023), EduGym, appendix A.1; the chain of Strens (2000).
+    Moerland et al. (2023), EduGym, section 3 a and appendix A.1; the chain of Strens (2000).
     """
 
     def __init__(

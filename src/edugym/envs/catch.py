@@ -125,10 +125,11 @@ class CatchEnv(MDPEnv[Catch]):
     """Catch a falling ball with a paddle; the same board is seen as three numbers, as a grid or as an image.
 
     ## Description
-    Challenge: the dimensionality of the observation. A ball falls from the top of a board; the agent moves a paddle
-    along its bottom to catch it. The task is always the same small one, but the agent sees it in one of three ways:
-    as the positions of ball and paddle (three numbers: at the defaults a table has 250 rows), as a grid (50 numbers, 0
-    or 1: a table over all grids would have 2^50 rows) or as an image (150 numbers from 0 to 255: 256^150 rows).
+    Challenge: the dimensionality of the state, as the agent observes it. A ball falls from the top of a board; the
+    agent moves a paddle along its bottom to catch it. The task is always the same small one, but the agent sees it in
+    one of three ways: as the positions of ball and paddle (three numbers: at the defaults a table has 250 rows), as a
+    grid (50 numbers, 0 or 1: a table over all grids would have 2^50 rows) or as an image (150 numbers from 0 to 255:
+    256^150 rows).
 
     ## Observation space
     By `observation_type`:
@@ -161,7 +162,7 @@ class CatchEnv(MDPEnv[Catch]):
     Terminated when the ball is in the paddle's row, after rows - 1 steps; never truncated.
 
     ## Parameters
-    - `rows` (10): 2 or more.
+    - `rows` (10): of the board, 2 or more; rows and columns set how large an observation is.
     - `columns` (5): from 1 to 2 * rows - 1; on a wider board the paddle cannot reach every ball.
     - `observation_type` ("grid"): `"grid"`, `"default"`, `"vectorised"` or `"rgb"`.
 
@@ -172,8 +173,12 @@ class CatchEnv(MDPEnv[Catch]):
     ## Choices
     - The paper gives the vectorised observation as `MultiDiscrete([rows, rows, columns])`; the ball's column needs
       `columns` values.
-    - The paper does not number the actions, and does not say what happens at the edge of the board.
+    - The paper does not number the actions, does not say what happens at the edge of the board, nor that the paddle
+      moves before the ball falls. With an even number of columns the paddle starts on the right of the middle.
     - The colours of the image.
+
+    ## Algorithms
+    The paper compares Q-learning with a table and deep Q-learning (Stable-Baselines3).
 
     ## References
     Moerland et al. (2023), EduGym, section 3 d and appendix A.4; the catch of Osband et al. (2020), bsuite.

@@ -126,24 +126,24 @@ class GolfEnv(MDPEnv[Golf]):
     surrounds the course.
 
     ## Observation space
-    `MultiDiscrete([width, length])`: the cell of the ball; with `observe_hits`, `MultiDiscrete([width, length,
-    max_hits + 1])`: the hits so far as well.
+    `MultiDiscrete([width, length])`: the cell of the ball, or the one nearest to a ball off the course; with
+    `observe_hits`, `MultiDiscrete([width, length, max_hits + 1])`: the hits so far as well.
 
     ## Action space
     `Discrete(3)`: 0 putt, 1 chip, 2 drive: 1, 4 and 10 cells.
 
     ## State
-    The coordinates of the ball and the number of hits. The observation is not Markov: it rounds the coordinates down
-    to a cell, and hides the hits unless `observe_hits` is set, on which the reward and the end of the game depend.
+    The coordinates of the ball and the number of hits. The observation is not Markov: it rounds the coordinates down to
+    a cell, and hides the hits, on which the reward and the end of the game depend, unless `observe_hits` is set.
 
     ## Dynamics
-    ball += d u + N(0, s² I), with d the swing's distance, u the unit vector from the ball to the flag, and
-    s = `stochasticity_level` d². The tee is at (width/2, 0), the flag at (width/2, length - width/2).
+    ball += d u + N(0, s² I), with d the swing's distance, u the unit vector from the ball to the flag, and s =
+    `stochasticity_level` d². The tee is at (width/2, 0), the flag at (width/2, length - width/2).
 
     ## Reward
-    On the green (closer to the flag than `green_radius`): 1 - (hits - 1)/max_hits. Off the course, or not on the
-    green after `max_hits` hits: -1. Else 0. At the defaults the best return is about 0.86: a drive, then a chip or a
-    putt (discount 1).
+    On the green (closer to the flag than `green_radius`): 1 - (hits - 1)/max_hits. Off the course, or not on the green
+    after `max_hits` hits: -1. Else 0. At the defaults the best return is about 0.87: a drive, then a chip or a putt
+    (discount 1).
 
     ## Initial state
     The ball on the tee.
@@ -156,7 +156,7 @@ class GolfEnv(MDPEnv[Golf]):
     - `length` (17): in cells, `width` or more.
     - `green_radius` (2.1): greater than 0, and less than the distance from the tee to the flag.
     - `max_hits` (10): 1 or more.
-    - `stochasticity_level` (0.015): 0 or more.
+    - `stochasticity_level` (0.015): the skill of the player, 0 for a perfect one; 0 or more.
     - `observe_hits` (False): whether the agent sees the number of hits.
 
     ## Info
@@ -165,9 +165,15 @@ class GolfEnv(MDPEnv[Golf]):
 
     ## Choices
     - The noise is the same in all directions, as in the paper's main text; its appendix speaks of the transverse
-      direction only.
+      direction only. It squares the action, which is the swing's distance here.
+    - The paper gives no sizes: those of the course and of the green, where the flag stands, how far each swing goes and
+      how many hits are allowed are choices. So is the formula of the reward, for which it only says that it is
+      proportional to the hits. Its main text speaks of the hole; as in its appendix, the green ends the game.
     - A ball that is off the course is lost, also where the green would reach beyond the edge.
     - Without noise, parameters with which no straight hits end on the green are refused.
+
+    ## Algorithms
+    The paper compares Q-learning with risk-sensitive Q-learning, both with a table.
 
     ## References
     Moerland et al. (2023), EduGym, section 3 h and appendix A.8.
@@ -255,7 +261,7 @@ class GolfEnv(MDPEnv[Golf]):
 
 
 def _reachable(golf: Golf) -> bool:
-    """Whether some straight hits, each at most `max_hits` long in sequence, end on the green."""
+    """Whether some sequence of at most `max_hits` straight hits ends on the green."""
     balls = {(golf.width / 2, 0.0)}
     seen: set[tuple[float, float]] = set()
     for _ in range(golf.max_hits):

@@ -85,10 +85,10 @@ class MemoryCorridorEnv(MDPEnv[MemoryCorridor]):
     """Walk through a corridor of doors that grows by one each time; only the last right door is marked.
 
     ## Description
-    Challenge: partial observability. At every place of the corridor there are `num_doors` doors, one of them
-    unlocked. The first corridor is one door long; each time the agent gets through, the same doors come again with a
-    new one at the end, and only that last one is marked. To get through a corridor of length L an agent must remember
-    the L-1 doors before, so the task scales its own challenge.
+    Challenge: partial observability. At every place of the corridor there are `num_doors` doors, one of them unlocked.
+    The first corridor has one place; each time the agent gets through, the same places come again with a new one at the
+    end, and only there the unlocked door is marked. To get through a corridor of length L an agent must remember the
+    L-1 doors before, so the task scales its own challenge.
 
     ## Observation space
     `Discrete(num_doors + 1)`: the door marked as right, or `num_doors` where none is marked.
@@ -97,18 +97,17 @@ class MemoryCorridorEnv(MDPEnv[MemoryCorridor]):
     `Discrete(num_doors)`: the door to open.
 
     ## State
-    The right doors of the whole corridor, the position in it, whether a wrong door was opened, and the number of
-    steps of this episode. The agent sees none of these but the mark, so the observation is not Markov: that is the
-    challenge.
+    The right doors of the whole corridor, the position in it, whether a wrong door was opened, and the number of steps
+    of this episode. The agent sees none of these but the mark, so the observation is not Markov: that is the challenge.
 
     ## Dynamics
     The right door leads to the next place, the last one to the start of a corridor that is one door longer. Doors are
-    drawn independently and uniformly from the environment's random stream, new ones in every episode (fixed ones
-    could be learned by heart).
+    drawn independently and uniformly from the environment's random stream, new ones in every episode (fixed ones could
+    be learned by heart).
 
     ## Reward
-    1 for a right door, 0 for a wrong one. The best return is 1 a step for ever: `max_steps` (discount 1). Perfect
-    play through the corridor of length L returns L(L+1)/2.
+    1 for a right door, 0 for a wrong one. The best return is 1 a step for ever: `max_steps` (discount 1). Perfect play
+    up to the end of the corridor of length L has returned L(L+1)/2.
 
     ## Initial state
     A corridor of length 1, whose only right door is marked.
@@ -117,7 +116,7 @@ class MemoryCorridorEnv(MDPEnv[MemoryCorridor]):
     Terminated by a wrong door; truncated after `max_steps` steps.
 
     ## Parameters
-    - `num_doors` (3): 2 or more.
+    - `num_doors` (3): at every place, 2 or more; more doors make more states, but no more places to remember.
     - `max_steps` (1000): 1 or more.
 
     ## Info
@@ -129,8 +128,12 @@ class MemoryCorridorEnv(MDPEnv[MemoryCorridor]):
     - The paper has no step limit; without one perfect play would never end.
     - After a wrong door the agent stays where it was, and so does its observation.
 
+    ## Algorithms
+    The paper compares Q-learning with a table and deep Q-learning (Stable-Baselines3), both with stacked frames, and
+    recurrent PPO (sb3-contrib).
+
     ## References
-    Moerland et al. (2023), EduGym, appendix A.5.
+    Moerland et al. (2023), EduGym, section 3 e and appendix A.5.
     """
 
     def __init__(self, num_doors: int = 3, max_steps: int = 1000, render_mode: str | None = None) -> None:

@@ -86,10 +86,11 @@ class RoadrunnerEnv(MDPEnv[Roadrunner]):
     """Run to the edge of a cliff, as fast as possible but not over it.
 
     ## Description
-    Challenge: on- and off-policy credit assignment. A runner speeds along a road that ends at a cliff. It must stop
-    exactly at the last cell, the target T = W - 1; beyond it is the drop, and slowing down below a speed of 0 (a
-    stall) loses as well. The best run ends one exploring step away from disaster. An off-policy method learns it all
-    the same; an on-policy method learns what its own exploring costs, and prefers to arrive more slowly and safely.
+    Challenge: on- and off-policy credit assignment. A runner speeds along a road that ends at a cliff. It must arrive
+    exactly at the last cell, the target T = W - 1, at whatever speed (with a `stop_zone`, there or a little before);
+    beyond it is the drop, and slowing down below a speed of 0 (a stall) loses as well. The best run ends one exploring
+    step away from disaster. An off-policy method learns it all the same; an on-policy method learns what its own
+    exploring costs, and prefers to arrive more slowly and safely, or, with a stop zone, to stop short of the edge.
 
     ## Observation space
     `MultiDiscrete([size + 1, max_speed + 1])`: the position x and the speed dx.
@@ -98,9 +99,9 @@ class RoadrunnerEnv(MDPEnv[Roadrunner]):
     `Discrete(3)`: 0, 1 and 2 change the speed by -1, 0 and +1.
 
     ## State
-    The position x, the speed dx, and the number of steps that this episode has taken. A stalled runner has dx = -1,
-    and is seen with 0. The step count is not observed, so near the step limit the observation is not Markov (an agent
-    that bootstraps at truncation need not mind).
+    The position x, the speed dx, and the number of steps that this episode has taken. A stalled runner has dx = -1, and
+    is seen with 0. The step count is not observed, so near the step limit the observation is not Markov (an agent that
+    bootstraps at truncation need not mind).
 
     ## Dynamics
     The speed changes first, up to `max_speed`; then x += dx. A runner that would come beyond T is set to W. A speed
@@ -108,8 +109,8 @@ class RoadrunnerEnv(MDPEnv[Roadrunner]):
 
     ## Reward
     Reaching T: +1. A fall or a stall: R = `negative_reward`. Coming to a cell in the stop zone: 1 - (T - x). Every
-    other step: -1. The best return at the defaults is -2, in 4 steps; without a stop zone it is -3 at W = 15, -4 at
-    W = 20 and -5 at W = 25 (discount 1).
+    other step: -1. The best return at the defaults is -2, in 4 steps; without a stop zone it is -3 at W = 15, -4 at W =
+    20 and -5 at W = 25 (discount 1).
 
     ## Initial state
     At x = 0 with a speed of 0.
@@ -130,13 +131,18 @@ class RoadrunnerEnv(MDPEnv[Roadrunner]):
     - `stalled`: whether the speed fell below 0.
 
     ## Choices
-    - The paper's text speaks of moving beyond W and of hitting W; here, as in its description, the drop is all that
-      is beyond T, and a runner in it is at W.
+    - +1 and R take the place of the -1 of that step; they are not added to it, as one could read the paper.
+    - The paper does not say that the speed changes before the position, and its termination leaves out the fall.
+    - The paper's text speaks of moving beyond W and of hitting W; here, as in its description, the drop is all that is
+      beyond T, and a runner in it is at W.
     - The paper's space has W positions and `max_speed` speeds; here both have one more, since W and `max_speed`
       themselves can be reached.
-    - The stop zone adds what the paper's main text says ("how close it ends up to the edge") and its appendix does
-      not; without it only T ends a run well.
+    - The stop zone adds what the paper's main text says ("how close it ends up to the edge") and its appendix does not;
+      without it only T ends a run well.
     - The paper has no step limit; without one a runner that stands still would never end.
+
+    ## Algorithms
+    The paper compares Q-learning with SARSA, both with a table.
 
     ## References
     Moerland et al. (2023), EduGym, section 3 b and appendix A.2.

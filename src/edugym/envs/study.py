@@ -117,9 +117,10 @@ class StudyEnv(MDPEnv[Study]):
     0. Everything else changes nothing. Then it is the next day.
 
     ## Reward
-    Every action a pays N(r_a, `action_reward_noise_sigma`). Studying on the last day, H - 1, pays 10 more if that
-    morning knowledge >= `lectures_needed` and energy > `energy_needed`: the exam is passed. The best expected return
-    at the defaults is about 8.98 (discount 1); for other parameters, plan on `finite_model`.
+    Every action a pays N(r_a, `action_reward_noise_sigma`), with r_a drawn once for each action. Studying on the last
+    day, H - 1, pays 10 more if that morning knowledge >= `lectures_needed` and energy > `energy_needed`: the exam is
+    passed. The best expected return at the defaults is about 8.98 (discount 1); for other parameters, plan on
+    `finite_model`.
 
     ## Initial state
     Knowledge 0, energy 0, day 0.
@@ -129,7 +130,7 @@ class StudyEnv(MDPEnv[Study]):
 
     ## Parameters
     - `total_days` (10): H, 3 or more.
-    - `n_actions` (5): 2 or more.
+    - `n_actions` (5): 2 or more; with more, says the paper, returns vary more and deep back-ups suffer.
     - `lecture_days` (3): how many of the days before the exam have a lecture, from 1 to H - 1.
     - `lectures_needed` (2): from 1 to `lecture_days`.
     - `energy_needed` (1): from 0 to 3; the exam asks for more. The days before the exam must be enough:
@@ -143,11 +144,18 @@ class StudyEnv(MDPEnv[Study]):
     - `passed`: whether the exam has been passed.
 
     ## Choices
-    - The paper's state space has 5 levels of knowledge; here it has one for each lecture that can be attended, and one
-      more day, since what follows the exam is observed.
+    - The paper's state space has 5 levels of knowledge and of energy, its sets have 6 (0 to 5). Here knowledge goes
+      from 0 to `lecture_days` and energy from 0 to 4, and there is one more day, since what follows the exam is
+      observed.
+    - The paper calls `energy_needed` a minimum, and its reward asks for more than that; so does the exam here.
+    - The days are 0 to H - 1, the exam is on day H - 1, and the episode ends after it, at time H.
+    - `n_actions` counts all actions; the paper's N counts, in one place, only those that do nothing.
     - The exam's reward comes on top of the reward that studying pays on any day.
     - The exam looks at knowledge and energy as they are that morning; there is no lecture that day.
     - With `n_actions` = 2 there is no going out.
+
+    ## Algorithms
+    The paper compares n-step SARSA, from one step to Monte Carlo.
 
     ## References
     Moerland et al. (2023), EduGym, section 3 c and appendix A.3.

@@ -148,7 +148,9 @@ class SupermarketEnv(MDPEnv[Supermarket]):
     ## Description
     Challenge: model-based reinforcement learning. A shopper walks through a supermarket, collects three items, each for
     a reward, and leaves by the exit. Steps in the real world take time (`step_timeout`); meanwhile an agent can plan
-    with a model, one that it learned or the one that is given here, whose rewards may be wrong (`noise`).
+    with a model, one that it learned or the one that is given here, whose rewards may be wrong (`noise`):
+    `descriptive_model(state, action)` gives all that can happen with its probabilities, `generative_model(state,
+    action)` draws one of them, and `model(state, action, kind)` is the paper's short form. They take no time.
 
     ## Observation space
     `Discrete(800)`: (y, x, item 1, item 2, item 3) as one number, their index in a table of (10, 10, 2, 2, 2), as
@@ -158,13 +160,12 @@ class SupermarketEnv(MDPEnv[Supermarket]):
     `Discrete(4)`: 0 up, 1 down, 2 left, 3 right.
 
     ## State
-    The number that is observed, and the number of steps that this episode has taken. The step count is not observed,
-    so near the step limit the observation is not Markov (an agent that bootstraps at truncation need not mind).
+    The number that is observed, and the number of steps that this episode has taken. The step count is not observed, so
+    near the step limit the observation is not Markov (an agent that bootstraps at truncation need not mind).
 
     ## Dynamics
-    One cell in the direction of the action; a wall leaves the shopper in place. The entrance is shut behind the
-    shopper. Stepping on an item collects it. Items 1, 2 and 3 are red, blue and green, at (y, x) = (1, 8), (7, 2) and
-    (5, 5).
+    One cell in the direction of the action; a wall leaves the shopper in place. One cannot leave through the entrance.
+    Stepping on an item collects it. Items 1, 2 and 3 are red, blue and green, at (y, x) = (1, 8), (7, 2) and (5, 5).
 
     ## Reward
     -1 a step, +25 the first time on an item, +50 at the exit, all added up. The best return is 95, in 30 steps
@@ -179,7 +180,8 @@ class SupermarketEnv(MDPEnv[Supermarket]):
     ## Parameters
     - `step_timeout` (0.0): `step` blocks until so many seconds after the previous `reset` or `step` returned; from 0 to
       3600. `time_until_step()` says how long that will be.
-    - `noise` (0.0): the standard deviation of a Gaussian error on the rewards of the model, from 0 to 1 000 000.
+    - `noise` (0.0): the standard deviation of a zero-centred Gaussian error on the rewards of the model; from 0 to
+      1 000 000.
     - `max_steps` (500): 1 or more.
     - `layout_seed` (0): from which the errors of the model are drawn; 0 or more.
 
@@ -190,9 +192,14 @@ class SupermarketEnv(MDPEnv[Supermarket]):
     ## Choices
     - `noise` gives every state and action one error, drawn once: what a planner that trusts a wrong model has to live
       with. It is in `finite_model`, `descriptive_model`, `generative_model` and `model`, and never in `step`.
+    - `step` waits before it acts, so that an agent can plan between two calls; the paper says both "between calls" and
+      "after each call". The time from `reset` on counts as well.
     - The clock belongs to this Gymnasium environment, not to its MDP: the copies of `gymnasium.make_vec` do not wait.
     - The paper has no step limit; without one an episode need not end.
     - The paper's figure shows no coordinates; the map here is read off it.
+
+    ## Algorithms
+    The paper compares dynamic programming, Dyna and prioritised sweeping.
 
     ## References
     Moerland et al. (2023), EduGym, section 3 i and appendix A.9.

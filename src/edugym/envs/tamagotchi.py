@@ -175,24 +175,24 @@ class TamagotchiEnv(MDPEnv[Tamagotchi]):
     """Keep a toy happy whose needs show only in what it says, which may be noisy.
 
     ## Description
-    Challenge: the amount of signal. A toy needs to play, to sleep, to be fed and to be cleaned; for each it has a
-    hidden variable that falls until it is cared for. At every step it wants one of the four, and an action that it
-    does not want harms it. The agent sees only its hit points and what it says. `tau` is the noise of what it says:
-    doing what it says returns 6 707 at 0, 5 993 at 0.02, 3 317 at 0.05, 120 at 0.1 and -676 at infinity, where it
-    tells nothing and acting at random does as well. (An agent that remembers its last action needs no message: taking
-    the four in turn returns 6 652.)
+    Challenge: the amount of state signal (and language). A toy needs to play, to sleep, to be fed and to be cleaned;
+    for each it has a hidden variable that falls until it is cared for. At every step it wants one of the four, and an
+    action that it does not want harms it. The agent sees only its hit points and what it says. `tau` is the noise of
+    what it says: doing what it says returns 6 707 at 0, 5 993 at 0.02, 3 317 at 0.05, 120 at 0.1 and -676 at infinity,
+    where it tells nothing and acting at random does as well. (An agent that remembers its last action needs no message:
+    taking the four in turn returns 6 652.)
 
     ## Observation space
-    `MultiDiscrete([101, H, ..., H])`: the hit points, then the `max_msg_length` words of the message, each one of
-    0, ..., H - 1, with H = `vocab_size`.
+    `MultiDiscrete([101, H, ..., H])`: the hit points, then the `max_msg_length` words of the message, each one of 0,
+    ..., H - 1, with H = `vocab_size`.
 
     ## Action space
     `Discrete(4)`: 0 play, 1 sleep, 2 feed, 3 clean.
 
     ## State
     The four variables v, whole numbers from 0 to 100; the hit points, a whole number from 0 to 100; the action that the
-    toy wants; the message; and the number of steps of this episode. The agent sees the hit points and the message
-    only, so the observation is not Markov. At `tau` = 0 with four words or more it still tells the best action.
+    toy wants; the message; and the number of steps of this episode. The agent sees the hit points and the message only,
+    so the observation is not Markov. At `tau` = 0 with four words or more it still tells the best action.
 
     ## Dynamics
     1. The action's own variable grows by 30, the others fall by 5. If the action is not the wanted one, all four fall
@@ -202,8 +202,8 @@ class TamagotchiEnv(MDPEnv[Tamagotchi]):
     4. The toy wants what is most urgent; among equals it chooses at random.
     5. It says `max_msg_length` words, each drawn independently: about need i with probability softmax(u/tau)_i, where
        10^-6 is added to the urgency of the wanted action; at `tau` = 0 always about the wanted action. With H >= 4,
-       need i is said with any of the words i, i + 4, i + 8, ..., uniformly (synonyms); with H < 4, with the word
-       i mod H, so that a word can mean several needs.
+       need i is said with any of the words i, i + 4, i + 8, ..., uniformly (synonyms); with H < 4, with the word i mod
+       H, so that a word can mean several needs.
 
     ## Reward
     The happiness after the action, from -200 to 74. At the defaults doing what the toy says returns 6 707 (discount 1);
@@ -216,9 +216,10 @@ class TamagotchiEnv(MDPEnv[Tamagotchi]):
     Terminated when no hit points are left; truncated after `steps_per_episode` steps.
 
     ## Parameters
-    - `tau` (0.0): 0 or more; may be infinite.
-    - `max_msg_length` (1): from 1 to what leaves at most 2^56 different messages: 28 with four words, never above 56.
-    - `vocab_size` (4): H, from 1 to 2^31.
+    - `tau` (0.0): the temperature, which is the noise of the message; 0 or more, may be infinite.
+    - `max_msg_length` (1): how many words a message has; 1 or more, at most 56, and no more than make 2^56 different
+      messages (28 with four words).
+    - `vocab_size` (4): H, how many words there are; from 1 to 2^31.
     - `steps_per_episode` (100): 1 or more.
 
     ## Info
@@ -230,8 +231,13 @@ class TamagotchiEnv(MDPEnv[Tamagotchi]):
     - The paper does not say how the hit points follow from the variables, how urgency and happiness are computed, nor
       what the words mean. Everything under Dynamics that it does not say is a choice, and so is that a tie in the
       message falls to the wanted action.
-    - A message always has `max_msg_length` words.
+    - A message always has `max_msg_length` words. At `tau` = 0 it names the wanted action, and does not tell the four
+      variables, of which the paper calls it a perfect description.
+    - That all variables start at 100 is a choice. The paper gives the reward's upper end, 73.6, as 75.
     - The end at 0 hit points carries no penalty: an unhappy life returns the more, the shorter it is.
+
+    ## Algorithms
+    The paper runs Q-learning with a table, with more and less noise.
 
     ## References
     Moerland et al. (2023), EduGym, section 3 f and appendix A.6.

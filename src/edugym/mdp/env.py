@@ -230,7 +230,8 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         """The action as the MDP takes it: whole numbers as `int`, others as they are."""
         if type(action) is int and 0 <= action < self._n_actions:
             return action
-        if not self.action_space.contains(action):
+        no_array = isinstance(self.action_space, spaces.Box) and not isinstance(action, np.ndarray)
+        if no_array or not self.action_space.contains(action):  # a Box would cast what is no array, with a warning
             raise ValueError(f"action {action!r} is not in the action space {self.action_space}")
         return int(action) if self._n_actions else action
 

@@ -2,6 +2,7 @@
 
 import os
 import sys
+from collections.abc import Iterable
 from typing import Any, NamedTuple, TypeAlias
 
 import gymnasium
@@ -109,7 +110,8 @@ class Game:
         self.over = terminated or truncated
         self._steps += 1
         self._return += float(reward)
-        name = next((name for name, named in self.actions.items() if np.array_equal(named, action)), f"action {action}")
+        known = (name for name, named in self.actions.items() if np.array_equal(named, action))
+        name = next(known, f"action {_in_short(np.ravel(action))}")
         self._happened, self._reward = f"step {self._steps}: {name}", f"reward {float(reward):g}"
         self._end = TERMINATED if terminated else TRUNCATED if truncated else ""
         self.frames.append(self.frame())
@@ -212,5 +214,10 @@ def _in_words(observation: Any) -> str:
     """An observation for the score; nothing if it is not one or a few numbers."""
     parts = observation if isinstance(observation, tuple) else (observation,)
     arrays = [np.ravel(part) for part in parts if isinstance(part, int | np.number | np.ndarray)]
-    numbers = [float(number) for array in arrays for number in array[: SHOWN + 1]]
-    return f"observation {' '.join(f'{number:g}' for number in numbers)}" if 0 < len(numbers) <= SHOWN else ""
+    numbers = [number for array in arrays for number in array[: SHOWN + 1]]
+    return f"observation {_in_short(numbers)}" if 0 < len(numbers) <= SHOWN else ""
+
+
+def _in_short(numbers: Iterable[Any]) -> str:
+    """Whole numbers as they are, others to three digits."""
+    return " ".join(f"{number:.0f}" if number.is_integer() else f"{number:.3g}" for number in map(float, numbers))
