@@ -155,12 +155,14 @@ def test_actions_that_nobody_can_name(space: spaces.Space[Any]) -> None:
     [
         (True, "start, observation 1, return 0"),
         (np.float32(0.25), "start, observation 0.25, return 0"),
-        (np.arange(8), "start, observation 0 1 2 3 4 5 6 7, return 0"),
+        (np.arange(4), "start, observation 0 1 2 3, return 0"),
+        (np.arange(5), "start, return 0\nobservation 0 1 2 3 4"),
+        (np.arange(8), "start, return 0\nobservation 0 1 2 3 4 5 6 7"),
         (np.arange(9), "start, return 0"),
         ((3, np.array([1.5, 2.0])), "start, observation 3 1.5 2, return 0"),
         (
             np.array([1 / 3, -1 / 300, 12345, np.inf, np.nan]),
-            "start, observation 0.333 -0.00333 12345 inf nan, return 0",
+            "start, return 0\nobservation 0.333 -0.00333 12345 inf nan",
         ),
         ({"a": 1}, "start, return 0"),
         ("hello", "start, return 0"),
@@ -175,4 +177,6 @@ def test_actions_without_a_name_are_written_out() -> None:
     """As the observations are."""
     game = Game("Trashbot")
     game.step(np.array([-1, 1 / 3], np.float32))
-    assert game.line().startswith("step 1: action -1 0.333, observation ")
+    score, observation = game.line().splitlines()
+    assert score == "step 1: action -1 0.333, reward 0, return 0"
+    assert observation.startswith("observation -0.28")

@@ -22,7 +22,8 @@ from edugym.cli import app
 from edugym.playing import play
 from edugym.playing.game import TERMINATED
 from edugym.playing.keyboard import CLEAR, key_presses, keys_of, windows_keys
-from edugym.rendering.scene import Scene
+from edugym.registration import ENVIRONMENTS
+from edugym.rendering.scene import Scene, Text
 from edugym.rendering.window import Window
 from playing.tasks import Walk
 
@@ -219,35 +220,56 @@ def test_a_window_takes_keys(windows: list[pygame.Window]) -> None:
     assert second.next_key() is None
 
 
-def test_play_in_a_window(windows: list[pygame.Window], monkeypatch: pytest.MonkeyPatch) -> None:
-    """Keys and arrows count, the score is below the picture, and the user closes the window to end."""
+def texts(scene: Scene) -> list[str]:
+    """What is written in a picture, from the top."""
+    return [shape.content for shape in scene.shapes if isinstance(shape, Text)]
+
+
+@pytest.fixture
+def typist(windows: list[pygame.Window], monkeypatch: pytest.MonkeyPatch) -> tuple[list[Any], list[Scene]]:
+    """Keys, one of which is pressed after each picture; the window is closed after the last. And the pictures shown."""
+    keys: list[tuple[int, str]] = []
     shown: list[Scene] = []
-    titles: set[str] = set()
     show = Window.show
 
     def show_and_type(self: Window, scene: Scene, frames_per_second: float) -> None:
         show(self, scene, frames_per_second)
         shown.append(scene)
-        titles.add(windows[0].title)
         if keys:
             pygame.event.post(key_down(windows[0], *keys.pop(0)))
         else:
             pygame.event.post(pygame.event.Event(pygame.WINDOWCLOSE, window=windows[0]))
 
     monkeypatch.setattr(Window, "show", show_and_type)
-    keys = [(pygame.K_RIGHT, ""), (pygame.K_1, "1")]
+    return keys, shown
+
+
+def test_play_in_a_window(typist: tuple[list[Any], list[Scene]], windows: list[pygame.Window]) -> None:
+    """Keys and arrows count, the score is below the picture, and the user closes the window to end."""
+    keys, shown = typist
+    keys += [(pygame.K_RIGHT, ""), (pygame.K_1, "1")]
     screen = io.StringIO()
     game = play(Walk(), render="human", screen=screen)
     assert game.returns == [1.5]
-    assert len(shown) == 3
-    texts = [getattr(shape, "content", "") for shape in shown[-1].shapes]
-    assert texts[-3:] == [
-        "step 2: right, observation 4, reward 1.5, return 1.5",
-        TERMINATED,
-        "[r] new episode   [q] quit",
-    ]
-    assert titles == {"Walk"}
+    assert [texts(scene)[-1] for scene in shown] == ["[r] new episode   [q] quit"] * 3
+    assert [texts(scene)[-2] for scene in shown] == [*["[0] left   [1] right"] * 2, ""]
+    assert texts(shown[-1])[-4:-2] == ["step 2: right, observation 4, reward 1.5, return 1.5", TERMINATED]
+    assert len(windows) == 1
     assert screen.getvalue() == "\nEpisodes finished: 1. Returns: 1.5. Mean: 1.5.\n"
+
+
+@pytest.mark.parametrize("name", [entry.name for entry in ENVIRONMENTS])
+def test_every_environment_in_a_window(name: str, typist: tuple[list[Any], list[Scene]]) -> None:
+    """Three steps with the first action, in a window that keeps its size; the keys of all actions are on the screen."""
+    keys, shown = typist
+    keys += [(pygame.K_0, "0")] * 3
+    game = play(name, render="human", screen=io.StringIO(), seed=0)
+    first, *_ = game.actions
+    assert texts(shown[1])[-1].startswith("[r] new episode")
+    assert f"[0] {first}" in texts(shown[0])[-2]
+    assert any(text.startswith(f"step 1: {first}, ") for text in texts(shown[1]))
+    assert len(shown) == 4
+    assert len({(scene.width, scene.height) for scene in shown}) == 1
 
 
 def test_what_play_refuses(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

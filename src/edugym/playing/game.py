@@ -20,8 +20,8 @@ Picture: TypeAlias = Scene | np.ndarray[Any, np.dtype[np.uint8]] | str
 
 TERMINATED = "Terminated: the task itself has ended."
 TRUNCATED = "Truncated: the step limit cuts the episode off."
-SHOWN = 8
-"""An observation of more numbers than this is not written out in the score."""
+SHOWN, BESIDE = 8, 4
+"""An observation of more numbers than `SHOWN` is not written out, one of more than `BESIDE` gets a line of its own."""
 
 
 class Frame(NamedTuple):
@@ -43,8 +43,9 @@ class Frame(NamedTuple):
         """
         if not isinstance(self.picture, Scene):
             raise ValueError(f"picture must be a scene to have text below it, but is of {type(self.picture)}")
-        score, _, end = self.line.partition("\n")
-        return captioned(self.picture, [score, end, *more])
+        lines = self.line.split("\n")
+        place_for_end = [] if lines[-1] in (TERMINATED, TRUNCATED) else [""]
+        return captioned(self.picture, [*lines, *place_for_end, *more])
 
 
 class Game:
@@ -120,10 +121,11 @@ class Game:
             self._last_episode = self.frames
 
     def line(self) -> str:
-        """The score: what the last step brought, and the return so far; a second line says how the episode ended."""
-        parts = (self._happened, _in_words(self.observation), self._reward, f"return {self._return:g}")
-        score = ", ".join(filter(None, parts))
-        return f"{score}\n{self._end}" if self.over else score
+        """The score: what the last step brought, and the return so far; a long observation and the end below it."""
+        seen, own_line = _in_words(self.observation)
+        parts = (self._happened, "" if own_line else seen, self._reward, f"return {self._return:g}")
+        lines = (", ".join(filter(None, parts)), seen if own_line else "", self._end)
+        return "\n".join(filter(None, lines))
 
     def history(self) -> str:
         """The returns of the episodes that were played to their end, the last ten one by one."""
@@ -210,12 +212,12 @@ def named_actions(environment: gymnasium.Env[Any, Any]) -> dict[str, Any]:
     return actions
 
 
-def _in_words(observation: Any) -> str:
-    """An observation for the score; nothing if it is not one or a few numbers."""
+def _in_words(observation: Any) -> tuple[str, bool]:
+    """An observation, or nothing if it is not one or a few numbers; and whether it needs a line of its own."""
     parts = observation if isinstance(observation, tuple) else (observation,)
     arrays = [np.ravel(part) for part in parts if isinstance(part, int | np.number | np.ndarray)]
     numbers = [number for array in arrays for number in array[: SHOWN + 1]]
-    return f"observation {_in_short(numbers)}" if 0 < len(numbers) <= SHOWN else ""
+    return f"observation {_in_short(numbers)}" if 0 < len(numbers) <= SHOWN else "", len(numbers) > BESIDE
 
 
 def _in_short(numbers: Iterable[Any]) -> str:

@@ -30,8 +30,8 @@ CLEAR = "\x1b[H\x1b[2J"
 class Display(Protocol):
     """Where a game is shown, and where its keys come from."""
 
-    def show(self, game: Game, message: str) -> None:
-        """Show the game as it is now, with a message below it."""
+    def show(self, game: Game, *choices: str) -> None:
+        """Show the game as it is now, with what one can press below it."""
 
     def key(self) -> str | None:
         """Wait for a key: what it writes, or "up", "down", "left", "right"; None when no more can come."""
@@ -116,8 +116,8 @@ def _play(game: Game, keys: dict[str, str], display: Display) -> None:
     actions = [f"[{key}]" if key == name else f"[{key}] {name}" for key, name in keys.items()]
     message = ""
     while True:
-        choices = [message, *([] if game.over else actions), f"[{AGAIN}] new episode", f"[{QUIT}] quit"]
-        display.show(game, "   ".join(filter(None, choices)))
+        of_the_game = [message, *([] if game.over else actions)]
+        display.show(game, "   ".join(filter(None, of_the_game)), f"[{AGAIN}] new episode   [{QUIT}] quit")
         key = display.key()
         name = keys.get(key or "", key)
         message = ""
@@ -141,14 +141,14 @@ class InTerminal:
         self._presses = presses
         self._screen = screen
 
-    def show(self, game: Game, message: str) -> None:
+    def show(self, game: Game, *choices: str) -> None:
         """Show the game in the place of the one before."""
         live = self._screen.isatty()
         picture = game.picture()
         if isinstance(picture, Scene):
             picture = to_text(picture, colour=live and "NO_COLOR" not in os.environ)
         text = str(picture).strip("\n")
-        _write(self._screen, f"{CLEAR if live else ''}{text}\n\n{game.line()}\n{message}\n\n")
+        _write(self._screen, f"{CLEAR if live else ''}{text}\n\n{game.line()}\n{'   '.join(filter(None, choices))}\n\n")
 
     def key(self) -> str | None:
         """The next key; None at the end of the input."""
@@ -162,9 +162,9 @@ class InWindow:
         """Show it in `window`."""
         self._window = window
 
-    def show(self, game: Game, message: str) -> None:
-        """Show the game with its score and the message below it."""
-        self._window.show(game.frame().with_caption(message), float("inf"))
+    def show(self, game: Game, *choices: str) -> None:
+        """Show the game with its score and the choices below it, each on a line."""
+        self._window.show(game.frame().with_caption(*choices), float("inf"))
 
     def key(self) -> str | None:
         """The next key; None when the window has been closed."""
