@@ -9,6 +9,7 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
+from benchmarks.catch import absent
 from benchmarks.comparisons import comparisons
 from benchmarks.imports import MODULES, TARGET, import_times
 from benchmarks.measure import Measured, Spread, measure, number
@@ -23,6 +24,8 @@ def main(arguments: list[str] | None = None) -> None:
     about = machine()
     print("   ".join(f"{name} {value}" for name, value in about.items()))
     print(f"{rounds} rounds in turns, each about {seconds} s of processor time on one core; medians\n")
+    if absent():
+        print(f"Not installed, and so not compared with: {', '.join(absent())}.\n")
     if options.json:
         options.json.touch()  # better to fail now than in the end
     print(LINE.format("", "a second", "lowest - highest", "EduGym is", "", "wanted"))

@@ -3,7 +3,6 @@
 What is not installed is left out: `.venv/bin/pip install bsuite gymnax` (which brings JAX along) adds both.
 """
 
-import sys
 from importlib import import_module
 from importlib.util import find_spec
 from typing import Any
@@ -38,8 +37,11 @@ def comparisons() -> list[Comparison]:
             [
                 copies("the same, SyncVectorEnv", CATCH, COPIES, "sync", **grid),
                 *installed("bsuite", Contender("bsuite, one after another", lambda: bsuite_steps(COPIES))),
-                *installed("gymnax", Contender("gymnax, a call for each step", lambda: gymnax_steps(1))),
-                *installed("gymnax", Contender(f"gymnax, {SCANNED} steps in a call", lambda: gymnax_steps(SCANNED))),
+                *installed(
+                    "gymnax",
+                    Contender("gymnax, a call for each step", lambda: gymnax_steps(1)),
+                    Contender(f"gymnax, {SCANNED} steps in a call", lambda: gymnax_steps(SCANNED)),
+                ),
             ],
         ),
         Comparison(
@@ -49,23 +51,18 @@ def comparisons() -> list[Comparison]:
             [copies("the same, SyncVectorEnv", CATCH, COPIES, "sync", **coordinates)],
             rate_target=100e6,
         ),
-        *(
-            [for_deep_agents(name) for name in ("Catch", "Trashbot")]
-            if find_spec("stable_baselines3")
-            else missing("stable_baselines3")
-        ),
+        *(for_deep_agents(name) for name in ("Catch", "Trashbot") if "stable_baselines3" not in absent()),
     ]
 
 
-def installed(package: str, contender: Contender) -> list[Contender]:
-    """The contender, if its package is there."""
-    return [contender] if find_spec(package) else missing(package)
+def absent() -> list[str]:
+    """The packages that are not installed, and whose contenders are left out."""
+    return [package for package in ("bsuite", "gymnax", "stable_baselines3") if not find_spec(package)]
 
 
-def missing(package: str) -> list[Any]:
-    """Nothing, and a word about it."""
-    print(f"{package} is not installed, and left out", file=sys.stderr)
-    return []
+def installed(package: str, *contenders: Contender) -> list[Contender]:
+    """The contenders, if their package is there."""
+    return [] if package in absent() else list(contenders)
 
 
 def bsuite_steps(n: int) -> Work:
