@@ -10,11 +10,10 @@ from typing import Annotated, Any, Literal
 from gymnasium.error import DependencyNotInstalled
 
 from edugym.experiments.claims import Claim
-from edugym.experiments.configuration import parameters_of
 from edugym.experiments.lessons import MODULES, Report, experiment
 from edugym.experiments.results import check_writable, write_whole
 from edugym.extras import require
-from edugym.registration import ENVIRONMENTS
+from edugym.registration import ENVIRONMENTS, parameters_of
 
 try:
     require("experiments", "typer")
@@ -42,7 +41,7 @@ def list_environments() -> None:
     """List the environments, with their challenges and parameters."""
     table = Table("id", "challenge", "parameters (default)", box=None, pad_edge=False)
     for entry in ENVIRONMENTS:
-        parameters = (f"{name} ({default})" for name, default in parameters_of(entry.load()).items())
+        parameters = (f"{name} ({_short(default)})" for name, default in parameters_of(entry.load()).items())
         table.add_row(entry.id, entry.challenge, ", ".join(parameters))
     Console().print(table)
 
@@ -70,6 +69,11 @@ def play(
         playing.play(game, render=render, gif=gif)
     except ValueError as error:
         raise typer.BadParameter(str(error)) from error
+
+
+def _short(default: Any) -> str:
+    """A default value for the table; a number with many digits is rounded."""
+    return str(float(f"{default:.4g}") if isinstance(default, float) else default)
 
 
 def _parameter(text: str) -> tuple[str, Any]:

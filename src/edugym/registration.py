@@ -1,10 +1,13 @@
 """The environments, in one table, and their registration with Gymnasium."""
 
 import importlib
+import inspect
+from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any, NamedTuple
 
 import gymnasium
+from gymnasium.envs.registration import EnvSpec, load_env_creator
 
 
 class Entry(NamedTuple):
@@ -77,13 +80,52 @@ def full_id(name: str) -> str:
     return next((entry.id for entry in ENVIRONMENTS if entry.name == name), name)
 
 
+def specification(name: str, parameters: Mapping[str, Any]) -> tuple[EnvSpec, dict[str, Any]]:
+    """What Gymnasium knows of an environment, and all of its parameters with their defaults.
+
+    Args:
+        name: of an environment of the course, or the id of any of Gymnasium's.
+        parameters: those that it is to be made with.
+
+    Raises:
+        ValueError: there is no such environment, or it has no such parameter.
+    """
+    try:
+        spec = gymnasium.spec(full_id(name))
+        creator = load_env_creator(spec.entry_point) if isinstance(spec.entry_point, str) else spec.entry_point
+    except gymnasium.error.Error as error:
+        known = ", ".join(entry.name for entry in ENVIRONMENTS)
+        raise ValueError(f"environment must be one of {known}, or an id of Gymnasium's; {error}") from error
+    if creator is None:
+        raise ValueError(f"environment must exist as a single one, but {name!r} is a vector of copies only")
+    allowed = parameters_of(creator)
+    open_ended = any(part.kind is part.VAR_KEYWORD for part in inspect.signature(creator).parameters.values())
+    unknown = [key for key in parameters if key not in allowed]
+    if unknown and not open_ended:
+        raise ValueError(f"{name} has no parameter {unknown[0]!r}; it has {', '.join(allowed)}")
+    return spec, allowed
+
+
+def parameters_of(creator: Callable[..., Any]) -> dict[str, Any]:
+    """The parameters of a task with their defaults, as its class has them (how it is drawn is none)."""
+    parts = inspect.signature(creator).parameters
+    return {name: part.default for name, part in parts.items() if name != "render_mode"}
+
+
 def make_mdp(name: str, **parameters: Any) -> Any:
     """The MDP of an environment, for experiments: `make_mdp("Boulder", height=30)`.
 
     Raises:
-        ValueError: there is no such environment, or a parameter is not as its class says.
+        ValueError: there is no such environment, it has no such parameter, or one is not as its class says.
     """
-    return find(name).load()(**parameters).mdp
+    return make_environment(name, **parameters).mdp
+
+
+def make_environment(name: str, **parameters: Any) -> Any:
+    """An environment of the course without Gymnasium's wrappers; errors are those of `make_mdp`."""
+    entry = find(name)
+    specification(name, {key: value for key, value in parameters.items() if key != "render_mode"})
+    return entry.load()(**parameters)
 
 
 def _make_vector(entry: Entry, num_envs: int = 1, autoreset_mode: str = "NextStep", **parameters: Any) -> Any:

@@ -113,7 +113,7 @@ def test_what_cannot_be_played_is_named() -> None:
     """An environment that does not exist, parameters that it does not have or that are wrong, and where they belong."""
     with pytest.raises(ValueError, match=r"environment must be one of Boulder, .*Bolder.* doesn't exist"):
         Game("Bolder")
-    with pytest.raises(TypeError, match="heigth"):
+    with pytest.raises(ValueError, match="Boulder has no parameter 'heigth'; it has height, n_grips, "):
         Game("Boulder", heigth=3)
     with pytest.raises(ValueError, match="height must be 1 or more, but is 0"):
         Game("Boulder", height=0)

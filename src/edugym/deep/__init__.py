@@ -9,7 +9,7 @@ from gymnasium.error import DependencyNotInstalled
 
 from edugym.mdp.env import MDPEnv
 from edugym.mdp.vector import MDPVectorEnv
-from edugym.registration import find
+from edugym.registration import make_environment
 
 if TYPE_CHECKING:
     from edugym.deep.vec_env import MDPVecEnv
@@ -34,15 +34,15 @@ def stable_baselines3_env(
 
     Raises:
         DependencyNotInstalled: Stable-Baselines3 is not there.
-        ValueError: there is no such environment, a parameter is not as its class says, or the vector environment has
-            another number of copies or resets them in another way.
+        ValueError: there is no such environment, it has no such parameter, one is not as its class says, or the vector
+            environment has another number of copies or resets them in another way.
     """
     try:
         from edugym.deep.vec_env import MDPVecEnv
     except ImportError as error:
         raise DependencyNotInstalled('Stable-Baselines3 is missing: pip install "edugym[deep]"') from error
     if isinstance(environment, str):
-        environment = find(environment).load()(**parameters)
+        environment = make_environment(environment, **parameters)
     elif parameters:
         raise ValueError(f"parameters are for an environment given by its name, but are {parameters!r}")
     if isinstance(environment, MDPEnv):

@@ -11,9 +11,8 @@ from typing import Any, NamedTuple
 
 import gymnasium
 import numpy as np
-from gymnasium.envs.registration import load_env_creator
 
-from edugym.registration import ENVIRONMENTS, full_id
+from edugym.registration import specification
 
 Setting = bool | int | float | str
 
@@ -63,39 +62,20 @@ def task(environment: Any, parameters: Mapping[str, Any] | None = None) -> Task:
 
 def _registered(name: str, parameters: dict[str, Any]) -> Task:
     """A task that is made anew for every repetition."""
-    env_id = full_id(name)
-    try:
-        spec = gymnasium.spec(env_id)
-        creator = load_env_creator(spec.entry_point) if isinstance(spec.entry_point, str) else spec.entry_point
-    except gymnasium.error.Error as error:
-        known = ", ".join(entry.name for entry in ENVIRONMENTS)
-        raise ValueError(f"environment must be one of {known}, or an id of Gymnasium's; {error}") from error
-    if creator is None:
-        raise ValueError(f"environment must exist as a single one, but {name!r} is a vector of copies only")
-    allowed = parameters_of(creator)
-    open_ended = any(part.kind is part.VAR_KEYWORD for part in inspect.signature(creator).parameters.values())
-    unknown = [key for key in parameters if key not in allowed]
-    if unknown and not open_ended:
-        raise ValueError(f"{name} has no parameter {unknown[0]!r}; it has {', '.join(allowed)}")
+    spec, allowed = specification(name, parameters)
     given = {**spec.kwargs, **parameters}
     has_layout = "layout_seed" in allowed and "layout_seed" not in given
 
     def make(layout_seed: int) -> Any:
         layout = {"layout_seed": layout_seed} if has_layout else {}
-        return gymnasium.make(env_id, disable_env_checker=True, **parameters, **layout)
+        return gymnasium.make(spec.id, disable_env_checker=True, **parameters, **layout)
 
     defaults = {key: value for key, value in allowed.items() if value is not inspect.Parameter.empty}
-    settings = {"environment": env_id, **_named({**defaults, **given})}
+    settings = {"environment": spec.id, **_named({**defaults, **given})}
     default_layout = settings.pop("environment.layout_seed", None)
     if default_layout is not None and not has_layout:
         settings["layout_seed"] = default_layout
     return Task(make, has_layout, settings)
-
-
-def parameters_of(creator: Callable[..., Any]) -> dict[str, Any]:
-    """The parameters of a task with their defaults, as its class has them (how it is drawn is none)."""
-    parts = inspect.signature(creator).parameters
-    return {name: part.default for name, part in parts.items() if name != "render_mode"}
 
 
 def _named(parameters: dict[str, Any]) -> dict[str, Setting]:

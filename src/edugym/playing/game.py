@@ -11,7 +11,7 @@ from gymnasium import spaces
 
 from edugym.mdp.checks import one_of
 from edugym.mdp.env import MDPEnv
-from edugym.registration import ENVIRONMENTS
+from edugym.registration import specification
 from edugym.rendering.captions import captioned
 from edugym.rendering.scene import Scene
 
@@ -66,8 +66,8 @@ class Game:
         frames: the episode up to now, one frame for the start and one for every step.
 
     Raises:
-        ValueError: there is no such environment, a parameter is not as its class says, or its actions have no names.
-        TypeError: it has no such parameter.
+        ValueError: there is no such environment, it has no such parameter, one is not as its class says, or its
+            actions have no names.
     """
 
     def __init__(
@@ -167,17 +167,12 @@ def made(environment: Any, picture: str, parameters: dict[str, Any]) -> gymnasiu
         if parameters:
             raise ValueError(f"parameters must go with the name of an environment, but are {sorted(parameters)}")
         return environment if isinstance(environment, gymnasium.Env) else MDPEnv(environment)
-    ids = {entry.name: entry.id for entry in ENVIRONMENTS}
-    env_id = ids.get(environment, environment)
-    try:
-        gymnasium.spec(env_id)
-    except gymnasium.error.Error as error:
-        raise ValueError(f"environment must be one of {', '.join(ids)}, or an id of Gymnasium's; {error}") from error
-    env: gymnasium.Env[Any, Any] = gymnasium.make(env_id, **parameters)
+    spec, _ = specification(environment, parameters)
+    env: gymnasium.Env[Any, Any] = gymnasium.make(spec.id, **parameters)
     if not hasattr(env.unwrapped, "scene") and picture in env.metadata["render_modes"]:
         if sys.platform == "linux" and not {"DISPLAY", "WAYLAND_DISPLAY"} & set(os.environ):
             os.environ.setdefault("SDL_VIDEODRIVER", "dummy")  # else pygame complains that there is no screen
-        env = gymnasium.make(env_id, render_mode=picture, **parameters)
+        env = gymnasium.make(spec.id, render_mode=picture, **parameters)
     return env
 
 
