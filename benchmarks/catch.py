@@ -71,7 +71,7 @@ def bsuite_steps(n: int) -> Work:
     envs = [catch.Catch(seed=seed) for seed in range(n)]
     for env in envs:
         env.reset()
-    actions = np.random.default_rng(0).integers(3, size=(1 + 1000 // n, n)).tolist()
+    actions = np.random.default_rng(0).integers(3, size=(16, n)).tolist()
 
     def work(amount: int) -> int:
         done = 0
@@ -94,10 +94,8 @@ def gymnax_steps(n_steps: int) -> Work:
     def step(carried: Any, actions: Any) -> Any:
         key, state = carried
         key, for_this_step = jax.random.split(key)
-        observation, state, reward, terminated, truncated, _ = together(
-            jax.random.split(for_this_step, COPIES), state, actions, parameters
-        )
-        return (key, state), (observation, reward, terminated, truncated)
+        observation, state, *seen, _ = together(jax.random.split(for_this_step, COPIES), state, actions, parameters)
+        return (key, state), (observation, seen)
 
     run = jax.jit(lambda carried, actions: jax.lax.scan(step, carried, actions))
     key = jax.random.key(0)

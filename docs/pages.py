@@ -34,7 +34,7 @@ ACTORS: dict[str, Callable[[Any], Any]] = {
     ),
     "MemoryCorridor": lambda env: lambda observation: env.info()["right_door"],
     "Tamagotchi": lambda env: lambda observation: env.state.wanted,
-    "Trashbot": lambda env: lambda seen: ScriptedController(env.mdp.action_scale).act(seen, env.np_random),
+    "Trashbot": lambda env: ScriptedController(env.mdp.action_scale),
 }
 
 

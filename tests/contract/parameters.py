@@ -65,6 +65,7 @@ def refused(name: str, *values: Any, **given: Any) -> tuple[Bad, ...]:
 
 
 NO_WHOLE_NUMBER = (0.5, "1", None, True, nan)
+NO_STEPS = (0, -1, 2**62 + 1, 10**400, 0.5, "1", True, nan)
 """What no whole number may be."""
 
 LAYOUT_SEEDS = st.integers(0, 2**32)
@@ -170,7 +171,7 @@ PARAMETERS: dict[str, Parameters] = {
         bad=(
             *refused("height", 0, -1, *NO_WHOLE_NUMBER),
             *refused("n_grips", 1, -2, *NO_WHOLE_NUMBER),
-            *refused("max_steps", 0, 0.5, "1", True),
+            *refused("max_steps", *NO_STEPS),
             *refused("layout_seed", -1, *NO_WHOLE_NUMBER),
         ),
         finite=({}, {"height": 1}, {"height": 4, "n_grips": 7, "layout_seed": 3}),
@@ -191,7 +192,7 @@ PARAMETERS: dict[str, Parameters] = {
             *refused("negative_reward", 1, 0.5, -inf, inf, nan, "-1", None, True),
             *refused("stop_zone", -1, 9, 10, *NO_WHOLE_NUMBER),
             *refused("stop_zone", 1, size=2),
-            *refused("max_steps", 0, -1, 0.5, "1", True),
+            *refused("max_steps", *NO_STEPS),
         ),
         finite=({}, {"size": 2}, {"size": 15, "max_speed": 3, "stop_zone": 2, "negative_reward": -1}),
         random=False,
@@ -249,7 +250,7 @@ PARAMETERS: dict[str, Parameters] = {
         corners=({}, {"num_doors": 2}, {"num_doors": 40}, {"max_steps": 1}, {"num_doors": 2, "max_steps": 7}),
         bad=(
             *refused("num_doors", 1, 0, -3, *NO_WHOLE_NUMBER),
-            *refused("max_steps", 0, -1, *NO_WHOLE_NUMBER),
+            *refused("max_steps", None, *NO_STEPS),
         ),
         informed=lambda info, _: info["right_door"],
     ),
@@ -274,7 +275,7 @@ PARAMETERS: dict[str, Parameters] = {
             *refused("max_msg_length", 0, -1, 29, *NO_WHOLE_NUMBER),
             *refused("max_msg_length", 2, vocab_size=2**31),
             *refused("vocab_size", 0, -4, 2**31 + 1, *NO_WHOLE_NUMBER),
-            *refused("steps_per_episode", 0, -1, *NO_WHOLE_NUMBER),
+            *refused("steps_per_episode", None, *NO_STEPS),
         ),
         informed=lambda info, _: info["wanted"],
     ),
@@ -291,8 +292,8 @@ PARAMETERS: dict[str, Parameters] = {
         bad=(
             *refused("n_bins", 1, 0, -3, 2**31 + 1, 2.5, "3", True, nan),
             *refused("container_width", 0.25, 0, -1, 1.001, inf, nan, "0.5", None, True),
-            *refused("action_scale", 0, -0.1, 0.301, inf, nan, "0.2", None, True),
-            *refused("max_steps", 0, 11, -1, *NO_WHOLE_NUMBER),
+            *refused("action_scale", 0, -0.1, 5e-324, 0.0009, 0.301, inf, nan, "0.2", None, True),
+            *refused("max_steps", 11, None, *NO_STEPS),
             *refused("max_steps", 150, action_scale=0.01),
         ),
         random=False,
@@ -335,7 +336,7 @@ PARAMETERS: dict[str, Parameters] = {
         bad=(
             *refused("step_timeout", -0.1, 3601, inf, nan, "0", None, True),
             *refused("noise", -0.1, inf, nan, "0", None, True),
-            *refused("max_steps", 0, -1, *NO_WHOLE_NUMBER),
+            *refused("max_steps", None, *NO_STEPS),
             *refused("layout_seed", -1, *NO_WHOLE_NUMBER),
         ),
         finite=({},),

@@ -163,7 +163,7 @@ def test_centring(width: float, offset: float, bonus: float) -> None:
     x, task = CONTAINER_X + offset, DEFAULT._replace(container_width=width)
     state = robot(x, RIM_Y + BOX_SIZE + MAGNET + 0.02, holding=True)
     after, reward = step(state, towards(state, x, RIM_Y + BOX_SIZE + MAGNET - 0.02), task)
-    assert (after.outcome, after.holding) == (DELIVERED, True)
+    assert (after.outcome, after.holding) == (DELIVERED, False)
     assert reward == pytest.approx(2 + bonus)
 
 
@@ -216,16 +216,53 @@ def test_too_little_time() -> None:
         TrashbotEnv(max_steps=11)
 
 
-def test_played_by_a_person() -> None:
-    """The buttons turn one joint each, and with an odd number of bins let the other rest."""
-    turned = {"upper arm left": (1, 0), "upper arm right": (-1, 0), "forearm left": (0, 1), "forearm right": (0, -1)}
-    for env in (TrashbotEnv(), TrashbotEnv(5)):
-        game = Game(env)
-        assert list(game.actions) == list(turned)
-        for name, direction in turned.items():
-            assert env.mdp.turns(game.actions[name]) == pytest.approx((SCALE * direction[0], SCALE * direction[1]))
-            game.reset()
-            game.step(name)
+TURNS: dict[str, tuple[float, float]] = {
+    "upper arm left": (1, 0),
+    "upper arm right": (-1, 0),
+    "forearm left": (0, 1),
+    "forearm right": (0, -1),
+}
+BOTH = {"both": (1, 1), "forearm against upper arm": (-1, 1)}
+
+
+@pytest.mark.parametrize("n_bins", [None, 2, 3, 4, 5, 6, 11])
+def test_played_by_a_person(n_bins: int | None) -> None:
+    """The buttons turn one joint each; as far as it goes, and a little; where none can rest, both a little."""
+    env = TrashbotEnv(n_bins)
+    game, last = Game(env), (n_bins or 5) - 1
+    little = 1 / last if last % 2 else (2 / last if n_bins else 0.25)
+    small = {
+        f"{name} {side}, a little": (sign * little * turn[0], sign * little * turn[1])
+        for name, turn in (BOTH.items() if last % 2 else {"upper arm": (1, 0), "forearm": (0, 1)}.items())
+        for side, sign in (("left", 1), ("right", -1))
+    }
+    rest = -1 / last if last % 2 else 0.0
+    large = {name: (turn[0] or rest, turn[1] or rest) for name, turn in TURNS.items()}
+    if n_bins in (2, 3):
+        large, small = {name.removesuffix(", a little"): turn for name, turn in small.items()}, {}
+    assert {name: env.mdp.turns(action) for name, action in game.actions.items()} == {
+        name: pytest.approx((SCALE * turn[0], SCALE * turn[1])) for name, turn in (large | small).items()
+    }
+    for name in game.actions:
+        game.reset()
+        game.step(name)
+
+
+@pytest.mark.parametrize(
+    ("n_bins", "in_the_end", "centring"),
+    [
+        (3, ["forearm right"] * 2, 1.066),
+        (5, ["forearm right", "forearm right, a little", "forearm right"], 1.792),
+        (None, ["forearm right", "forearm right, a little", "forearm right, a little", "forearm right"], 1.792),
+    ],
+)
+def test_a_person_can_place_the_box_well(n_bins: int | None, in_the_end: list[str], centring: float) -> None:
+    """The buttons for small turns place it better than those that 3 bins have."""
+    game = Game("Trashbot", n_bins=n_bins)
+    for name in ("upper arm left", *["upper arm right"] * 11, *in_the_end):
+        game.step(name)
+    assert game.over
+    assert game.returns == [pytest.approx(3 + centring, abs=5e-4)]
 
 
 def test_pictures() -> None:

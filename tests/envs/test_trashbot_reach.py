@@ -14,6 +14,7 @@ from edugym.envs.trashbot import DELIVERED, MOVING, START, Robot, TrashbotEnv
 from edugym.envs.trashbot_geometry import SHOULDER_Y, arm
 from edugym.mdp.vector import MDPVectorEnv
 from edugym.planning.trashbot import ScriptedController, best_plan, joint_angles
+from edugym.playing.films import play_episode
 from envs.trashbot_moves import DEFAULT, RNG, SCALE
 
 
@@ -55,7 +56,12 @@ def test_narrower_containers_ask_for_more_bins(width: float, centring: float | N
 
 
 def test_what_cannot_be_searched() -> None:
-    """Continuous actions, and a lattice that is not finite."""
+    """Continuous actions, a lattice that is not finite or is too large, and an environment in place of its MDP."""
+    env: Any = TrashbotEnv(3)
+    with pytest.raises(TypeError, match=r"mdp must be that of Trashbot \(`env.unwrapped.mdp`\), but is .*TrashbotEnv"):
+        best_plan(env)
+    with pytest.raises(ValueError, match="n_bins must leave at most 2000 angles of a joint, but 68 make 2010"):
+        best_plan(TrashbotEnv(68).mdp)
     with pytest.raises(ValueError, match="n_bins must be given"):
         best_plan(DEFAULT)
     with pytest.raises(ValueError, match=r"action_scale must divide a full turn .* is 0\.2$"):
@@ -90,6 +96,13 @@ def test_scripted_controller() -> None:
     assert rewards[:-1] == [1.0] + [0.0] * 9
     assert rewards[-1] == pytest.approx(4, abs=1e-5)
     assert info["steps"] == 11
+
+
+def test_scripted_controller_plays_films() -> None:
+    """It is an actor like any agent, and takes observations as they are."""
+    frames = play_episode("Trashbot", ScriptedController(SCALE))
+    assert len(frames) == 12
+    assert frames[-1].line.splitlines()[0].endswith("reward 4, return 5")
 
 
 @given(st.floats(0.01, 0.3), st.floats(0.2501, 1.0))
@@ -141,15 +154,15 @@ def returned(agent: Any, n_bins: int | None) -> float:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(3))
-@pytest.mark.parametrize("n_bins", [5, None])
-def test_a_deep_agent_learns(n_bins: int | None, seed: int) -> None:
-    """PPO delivers the box, better placed than just so, after half of the steps that the docstring speaks of."""
+@pytest.mark.parametrize(("n_bins", "n_steps", "least"), [(3, 300_000, 4.31), (5, 500_000, 4.0), (None, 500_000, 4.0)])
+def test_a_deep_agent_learns(n_bins: int | None, n_steps: int, least: float, seed: int) -> None:
+    """PPO finds the best that 3 bins can do, 4.31; others get close to theirs in half of the docstring's steps."""
     torch, sb3 = pytest.importorskip("torch"), pytest.importorskip("stable_baselines3")
     torch.set_num_threads(1)
     copies = stable_baselines3_env("Trashbot", 64, n_bins=n_bins)
     agent = sb3.PPO("MlpPolicy", copies, 1e-3, 256, 1024, gamma=0.999, seed=seed, device="cpu")
     assert returned(agent, n_bins) <= 1  # before it learns it does not deliver it at all
-    assert returned(agent.learn(500_000), n_bins) > 4
+    assert returned(agent.learn(n_steps), n_bins) > least
 
 
 @given(st.floats(-1.4, 1.4), st.floats(-1.0, 1.5), st.sampled_from([-1.0, 1.0]))

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 
-from edugym.mdp.checks import above, at_least, between, one_of, whole_number
+from edugym.mdp.checks import above, at_least, between, number_of_steps, one_of, whole_number
 from edugym.mdp.protocol import coerced, step_limit
 from edugym.registration import make_mdp
 
@@ -23,6 +23,9 @@ CASES: list[tuple[Callable[..., None], tuple[Any, ...], list[Any], list[Any], st
     ),
     (between, (0, 1), [0, 1, 0.5, np.float64(1)], [-1e-9, 1.001, math.inf, *NO_NUMBERS], "from 0 to 1"),
     (above, (0,), [1e-300, 5, math.inf], [0, 0.0, -1, *NO_NUMBERS], "greater than 0"),
+    (above, (0, 2), [1e-300, 2], [0, -1, 2.1, math.inf, *NO_NUMBERS], "greater than 0 and at most 2"),
+    (number_of_steps, (), [1, 2**62, np.int8(5)], [0, -1, 1.0, *NO_NUMBERS], "1 or more"),
+    (number_of_steps, (), [], [2**62 + 1, 10**400], "at most 4611686018427387904"),
     (
         whole_number,
         (2,),

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
-from edugym.mdp.checks import whole_number
+from edugym.mdp.checks import number_of_steps, whole_number
 from edugym.mdp.env import MDPEnv
 from edugym.mdp.protocol import Integers, Random
 from edugym.rendering.figures import flag, smiley
@@ -131,7 +131,7 @@ class BoulderEnv(MDPEnv[Boulder]):
         whole_number("height", height, 1)
         whole_number("n_grips", n_grips, 2)
         max_steps = 10 * height if max_steps is None else max_steps
-        whole_number("max_steps", max_steps, 1)
+        number_of_steps("max_steps", max_steps)
         whole_number("layout_seed", layout_seed, 0)
         grips = np.random.default_rng(layout_seed).integers(0, n_grips, height)
         super().__init__(Boulder(height, n_grips, grips, max_steps), render_mode)

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
-from edugym.mdp.checks import whole_number
+from edugym.mdp.checks import number_of_steps, whole_number
 from edugym.mdp.env import MDPEnv
 from edugym.mdp.protocol import Integers, Random
 from edugym.rendering.figures import door, lamp, smiley
@@ -143,7 +143,7 @@ class MemoryCorridorEnv(MDPEnv[MemoryCorridor]):
             ValueError: a parameter is not as the class says.
         """
         whole_number("num_doors", num_doors, 2)
-        whole_number("max_steps", max_steps, 1)
+        number_of_steps("max_steps", max_steps)
         super().__init__(MemoryCorridor(num_doors, max_steps), render_mode)
 
     def info(self) -> dict[str, Any]:

@@ -4,7 +4,7 @@ from typing import Any, NamedTuple
 
 from gymnasium import spaces
 
-from edugym.mdp.checks import between, whole_number
+from edugym.mdp.checks import between, number_of_steps, whole_number
 from edugym.mdp.env import MDPEnv
 from edugym.mdp.protocol import Random
 from edugym.rendering.figures import Mood, sign, smiley
@@ -167,7 +167,7 @@ class RoadrunnerEnv(MDPEnv[Roadrunner]):
         between("negative_reward", negative_reward, -1_000_000, 0)
         whole_number("stop_zone", stop_zone, 0, size - 2)
         max_steps = 5 * size if max_steps is None else max_steps
-        whole_number("max_steps", max_steps, 1)
+        number_of_steps("max_steps", max_steps)
         super().__init__(Roadrunner(size, max_speed, float(negative_reward), stop_zone, max_steps), render_mode)
 
     def info(self) -> dict[str, Any]:

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
-from edugym.mdp.checks import between, whole_number
+from edugym.mdp.checks import between, number_of_steps, whole_number
 from edugym.mdp.env import MDPEnv
 from edugym.mdp.model import FiniteModel, finite_model
 from edugym.mdp.protocol import Integers, Random
@@ -220,7 +220,7 @@ class SupermarketEnv(MDPEnv[Supermarket]):
         """
         between("step_timeout", step_timeout, 0, 3600)
         between("noise", noise, 0, 1_000_000)
-        whole_number("max_steps", max_steps, 1)
+        number_of_steps("max_steps", max_steps)
         whole_number("layout_seed", layout_seed, 0)
         super().__init__(supermarket(max_steps), render_mode)
         self.noise, self.layout_seed = float(noise), layout_seed

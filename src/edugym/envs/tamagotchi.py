@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
-from edugym.mdp.checks import at_least, whole_number
+from edugym.mdp.checks import at_least, number_of_steps, whole_number
 from edugym.mdp.env import MDPEnv
 from edugym.mdp.protocol import Random
 from edugym.rendering.figures import Mood, gauge, smiley, speech_bubble
@@ -260,7 +260,7 @@ class TamagotchiEnv(MDPEnv[Tamagotchi]):
         whole_number("vocab_size", vocab_size, 1, 2**31)
         longest = max(length for length in range(1, 57) if int(vocab_size) ** length <= 2**56)
         whole_number("max_msg_length", max_msg_length, 1, longest)
-        whole_number("steps_per_episode", steps_per_episode, 1)
+        number_of_steps("steps_per_episode", steps_per_episode)
         mdp = Tamagotchi(float(tau), int(max_msg_length), int(vocab_size), int(steps_per_episode))
         super().__init__(mdp, render_mode)
 

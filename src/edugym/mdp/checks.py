@@ -5,6 +5,9 @@ from typing import Any
 
 import numpy as np
 
+MOST_STEPS = 2**62
+"""A number that machine code can hold, and count on from."""
+
 
 def at_least(name: str, value: Any, low: float) -> None:
     """Refuse a `value` that is not a number of `low` or more."""
@@ -20,11 +23,12 @@ def between(name: str, value: Any, low: float, high: float) -> None:
         raise ValueError(f"{name} must be from {low} to {high}, but is {value!r}")
 
 
-def above(name: str, value: Any, low: float) -> None:
-    """Refuse a `value` that is not a number greater than `low`."""
-    _number(name, value, f"greater than {low}")
-    if not value > low:
-        raise ValueError(f"{name} must be greater than {low}, but is {value!r}")
+def above(name: str, value: Any, low: float, high: float | None = None) -> None:
+    """Refuse a `value` that is not a number greater than `low` (and, if given, of `high` or less)."""
+    allowed = f"greater than {low}" if high is None else f"greater than {low} and at most {high}"
+    _number(name, value, allowed)
+    if not value > low or (high is not None and value > high):
+        raise ValueError(f"{name} must be {allowed}, but is {value!r}")
 
 
 def whole_number(name: str, value: Any, low: int, high: int | None = None) -> None:
@@ -34,6 +38,13 @@ def whole_number(name: str, value: Any, low: int, high: int | None = None) -> No
         raise ValueError(f"{name} must be a whole number, {allowed}, but is {value!r}")
     if value < low or (high is not None and value > high):
         raise ValueError(f"{name} must be {allowed}, but is {value!r}")
+
+
+def number_of_steps(name: str, value: Any) -> None:
+    """Refuse a `value` that is not a whole number of 1 or more, or that no machine can count to."""
+    whole_number(name, value, 1)
+    if value > MOST_STEPS:
+        raise ValueError(f"{name} must be at most {MOST_STEPS}, but is {value!r}")
 
 
 def one_of(name: str, value: Any, allowed: Sequence[Any]) -> None:

@@ -22,7 +22,10 @@ class Buttons(Panel):
     def __init__(self, game: Game) -> None:
         """Make the widgets."""
         self.game = game
-        self.actions = {name: ipywidgets.Button(description=name, tooltip=name) for name in game.actions}
+        as_wide_as_its_text = ipywidgets.Layout(width="auto", min_width="148px")
+        self.actions = {
+            name: ipywidgets.Button(description=name, tooltip=name, layout=as_wide_as_its_text) for name in game.actions
+        }
         self.new_episode = ipywidgets.Button(description="New episode")
         for name, button in self.actions.items():
             button.on_click(self.calling(partial(self.step, name)))
@@ -36,7 +39,7 @@ class Buttons(Panel):
                 self._line,
                 self._history,
             ],
-            layout=ipywidgets.Layout(width="340px"),
+            layout=ipywidgets.Layout(width="360px"),
         )
         self.show()
         super().__init__(ipywidgets.HBox([self._picture, controls], layout=in_rows))

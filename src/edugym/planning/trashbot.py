@@ -22,6 +22,8 @@ from edugym.mdp.protocol import Integers, Random
 
 CLEARANCE = 0.01
 """How far above the rim the box is brought, how far below it let go, and how far into the box the magnet aims."""
+MOST_ANGLES = 2000
+"""Of each joint; a search among the positions of both then takes half a gigabyte and some seconds."""
 CENTRED = 0.001
 """How close to the middle of the container the box must be before it is lowered."""
 
@@ -62,6 +64,11 @@ class ScriptedController(NamedTuple):
     """
 
     action_scale: float
+
+    @property
+    def tabular(self) -> bool:
+        """It takes observations as they are, and has no table."""
+        return False
 
     def act(self, state: Any, rng: Random) -> Any:
         """An action, shape (2,).
@@ -110,14 +117,19 @@ def best_plan(mdp: Trashbot) -> Plan:
         mdp: Trashbot with `n_bins`.
 
     Raises:
-        ValueError: actions are continuous, the lattice is not finite, or the box cannot be delivered.
+        TypeError: this is no MDP of Trashbot.
+        ValueError: actions are continuous, the lattice is not finite or too large, or the box cannot be delivered.
     """
+    if not isinstance(mdp, Trashbot):
+        raise TypeError(f"mdp must be that of Trashbot (`env.unwrapped.mdp`), but is {mdp!r}")
     if not mdp.n_bins:
         raise ValueError("n_bins must be given: continuous actions cannot be searched one by one")
     unit = mdp.action_scale / (mdp.n_bins - 1)
     turn = round(math.tau / unit)
     if abs(turn * unit - math.tau) > 1e-9:
         raise ValueError(f"action_scale must divide a full turn into whole steps, but is {mdp.action_scale!r}")
+    if turn > MOST_ANGLES:
+        raise ValueError(f"n_bins must leave at most {MOST_ANGLES} angles of a joint, but {mdp.n_bins!r} make {turn}")
     distance = np.full((2, turn, turn), -1)
     queue, came_from = np.zeros((2 * turn * turn, 3), np.int64), np.zeros((2 * turn * turn, 3), np.int64)
     arguments = (mdp, np.random.default_rng(0), distance, queue, came_from, np.zeros((turn, turn), np.bool_))

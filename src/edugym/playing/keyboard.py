@@ -18,6 +18,8 @@ from edugym.rendering.scene import Scene
 from edugym.rendering.window import Window
 
 QUIT, AGAIN = "q", "r"
+SPACE, LINE_LENGTH = "   ", 62
+"""Between two choices, and how many characters fit into a line of a window."""
 KEYS = [*string.digits, *(letter for letter in string.ascii_lowercase if letter not in (QUIT, AGAIN))]
 
 ARROWS = {"A": "up", "B": "down", "C": "right", "D": "left"}
@@ -116,8 +118,8 @@ def _play(game: Game, keys: dict[str, str], display: Display) -> None:
     actions = [f"[{key}]" if key == name else f"[{key}] {name}" for key, name in keys.items()]
     message = ""
     while True:
-        of_the_game = [message, *([] if game.over else actions)]
-        display.show(game, "   ".join(filter(None, of_the_game)), f"[{AGAIN}] new episode   [{QUIT}] quit")
+        of_the_game = [] if game.over else actions
+        display.show(game, *filter(None, [message, *of_the_game]), f"[{AGAIN}] new episode", f"[{QUIT}] quit")
         key = display.key()
         name = keys.get(key or "", key)
         message = ""
@@ -148,7 +150,7 @@ class InTerminal:
         if isinstance(picture, Scene):
             picture = to_text(picture, colour=live and "NO_COLOR" not in os.environ)
         text = str(picture).strip("\n")
-        _write(self._screen, f"{CLEAR if live else ''}{text}\n\n{game.line()}\n{'   '.join(filter(None, choices))}\n\n")
+        _write(self._screen, f"{CLEAR if live else ''}{text}\n\n{game.line()}\n{SPACE.join(choices)}\n\n")
 
     def key(self) -> str | None:
         """The next key; None at the end of the input."""
@@ -161,10 +163,18 @@ class InWindow:
     def __init__(self, window: Window) -> None:
         """Show it in `window`."""
         self._window = window
+        self._n_lines = 0
 
     def show(self, game: Game, *choices: str) -> None:
-        """Show the game with its score and the choices below it, each on a line."""
-        self._window.show(game.frame().with_caption(*choices), float("inf"))
+        """Show the game with its score and the choices below it, on as many lines as ever so that it keeps its size."""
+        lines = [""]
+        for choice in choices:
+            if len(lines[-1] + SPACE + choice) > LINE_LENGTH:
+                lines.append("")
+            lines[-1] += SPACE * bool(lines[-1]) + choice
+        self._n_lines = max(self._n_lines, len(lines))
+        lines += [""] * (self._n_lines - len(lines))
+        self._window.show(game.frame().with_caption(*lines), float("inf"))
 
     def key(self) -> str | None:
         """The next key; None when the window has been closed."""
