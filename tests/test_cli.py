@@ -151,6 +151,14 @@ def test_without_typer_it_says_what_to_install() -> None:
     assert done.stderr == 'edugym: typer is not installed, run `pip install "edugym[experiments]"`\n'
 
 
+def test_without_ipywidgets_notebooks_say_what_to_install() -> None:
+    """In place of a module that is missing somewhere within."""
+    code = "import sys; sys.modules['ipywidgets'] = None; import edugym.notebook"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.returncode == 1
+    assert done.stderr.splitlines()[-1].endswith('ipywidgets is not installed, run `pip install "edugym[notebook]"`')
+
+
 @pytest.mark.slow
 def test_ctrl_c_writes_what_is_done(tmp_path: Path) -> None:
     """The command itself, interrupted when its first file is there: it keeps that file, and says where it is."""

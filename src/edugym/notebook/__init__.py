@@ -4,9 +4,15 @@ Everything here works in Jupyter, Colab and VS Code with the core widgets of ipy
 picture where no kernel runs, as on GitHub.
 """
 
-from edugym.notebook.buttons import play
-from edugym.notebook.film import frames
-from edugym.notebook.listing import source
-from edugym.notebook.sliders import explore
+try:
+    from edugym.notebook.buttons import play
+    from edugym.notebook.film import frames
+    from edugym.notebook.listing import source
+    from edugym.notebook.sliders import explore
+except ModuleNotFoundError:
+    from edugym.extras import require
+
+    require("notebook", "ipywidgets")
+    raise
 
 __all__ = ["explore", "frames", "play", "source"]
