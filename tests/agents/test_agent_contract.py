@@ -231,7 +231,7 @@ def test_an_agent_for_a_smaller_environment_is_refused(case: Case, n_steps: int)
             run_loop(mdp, case.create((2, 2)), n_steps, 0, compile_it=n_steps > 200)
 
 
-@pytest.mark.parametrize("kind", {case.kind for case in AGENTS.values()})
+@pytest.mark.parametrize("kind", dict.fromkeys(case.kind for case in AGENTS.values()))
 @pytest.mark.parametrize(
     ("parameter", "value", "allowed"),
     [
@@ -269,7 +269,7 @@ def test_settings_of_one_agent_out_of_range_are_refused(kind: Any, parameter: st
         kind.create((4, 2), **{parameter: value})
 
 
-@pytest.mark.parametrize("kind", {case.kind for case in AGENTS.values()})
+@pytest.mark.parametrize("kind", dict.fromkeys(case.kind for case in AGENTS.values()))
 def test_settings_at_the_ends_of_their_ranges_are_accepted(kind: Any) -> None:
     """A learning rate of 1 and the discounts 0 and 1 are legitimate."""
     for settings in ({"learning_rate": 1}, {"discount": 0}, {"discount": 1}):

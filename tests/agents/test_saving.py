@@ -1,6 +1,7 @@
 """Saving and loading agents: without pickle, and with an error one understands where that is not possible."""
 
 import io
+import itertools
 import json
 import os
 import zipfile
@@ -156,6 +157,7 @@ def npy(array: np.ndarray[Any, Any], allow_pickle: bool = False) -> bytes:
         zipped("structure.npy", b"\x93NUMPY"),
         zipped("structure.npy", npy(np.array([{}]), allow_pickle=True)),
     ],
+    ids=itertools.count(),  # the bytes themselves have the time of day in them
 )
 def test_what_is_no_saved_agent_is_refused(content: bytes, tmp_path: Path) -> None:
     """Text, damaged archives, other arrays, pickled objects: the message names the file."""
