@@ -42,8 +42,8 @@ def ax() -> Axes:
 
 def canvas(ax: Axes) -> Canvas:
     """The figure that the axes are in."""
-    figure = ax.get_figure(root=True)
-    assert figure is not None
+    figure = ax.figure
+    assert isinstance(figure, Canvas)
     return figure
 
 

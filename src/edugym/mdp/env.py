@@ -231,7 +231,11 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         if type(action) is int and 0 <= action < self._n_actions:
             return action
         no_array = isinstance(self.action_space, spaces.Box) and not isinstance(action, np.ndarray)
-        if no_array or not self.action_space.contains(action):  # a Box would cast what is no array, with a warning
+        try:  # a Box would cast what is no array, with a warning; Gymnasium up to 1.3 stumbles over huge numbers
+            fits = not no_array and self.action_space.contains(action)
+        except OverflowError:
+            fits = False
+        if not fits:
             raise ValueError(f"action {action!r} is not in the action space {self.action_space}")
         return int(action) if self._n_actions else action
 

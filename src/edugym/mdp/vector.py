@@ -45,12 +45,12 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
         self, env: MDPEnv[M], num_envs: int = 1, autoreset_mode: str | AutoresetMode = AutoresetMode.NEXT_STEP
     ) -> None:
         """See the class."""
+        self._env = copy.copy(env)  # to draw with
         whole_number("num_envs", num_envs, 1)
         self.autoreset_mode = AutoresetMode(autoreset_mode)
         self.metadata = {**RENDERING, "autoreset_mode": self.autoreset_mode}
         self.num_envs = num_envs
         self.mdp, self.render_mode = env.mdp, env.render_mode
-        self._env = copy.copy(env)  # to draw with
         self.single_observation_space, self.single_action_space = env.observation_space, env.action_space
         self.observation_space = batch_space(env.observation_space, num_envs)
         self.action_space = batch_space(env.action_space, num_envs)
