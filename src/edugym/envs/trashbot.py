@@ -196,8 +196,8 @@ class TrashbotEnv(MDPEnv[Trashbot]):
     | in how many steps | 11 | 10 | 10 | 11 | 12 | 11 | 10 | 13 | 11 |
 
     (Few bins more are not always better: even and odd numbers of them lead to different places.) A narrower container
-    asks for more: with 3 bins the best is 1.08 in one 0.4 wide and 0.62 in one 0.35 wide, and into one 0.3 wide they
-    cannot bring the box at all, with which 5 bins get 1.58.
+    asks for more: with 3 bins the best is 1.08 in one 0.4 wide and 0.62 in one 0.35 wide; into one 0.3 wide they cannot
+    bring the box at all, while 5 bins get 1.58 there.
 
     ## Observation space
     `Box(-1, 1, (7,), float32)`: elbow x, y, wrist x, y, lower end of the magnet x, y, and 1 if it holds the box, else
