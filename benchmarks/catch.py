@@ -51,7 +51,7 @@ def comparisons() -> list[Comparison]:
             [copies("the same, SyncVectorEnv", CATCH, COPIES, "sync", **coordinates)],
             rate_target=100e6,
         ),
-        *(for_deep_agents(name) for name in ("Catch", "Trashbot") if "stable_baselines3" not in absent()),
+        *([] if "stable_baselines3" in absent() else map(for_deep_agents, ("Catch", "MemoryCorridor", "Trashbot"))),
     ]
 
 

@@ -19,19 +19,21 @@ from PIL import Image
 from edugym import EpsilonGreedy, QLearning, train
 from edugym.planning.trashbot import ScriptedController
 from edugym.playing.films import play_episode, record
+from edugym.playing.game import Frame
 from edugym.registration import ENVIRONMENTS, Entry
 from edugym.rendering.pixels import to_pixels
 from edugym.rendering.scene import Scene
 from edugym.rendering.svg import to_svg
 
 PAGES = Path(__file__).parent / "environments"
-FRAMES = 24
+FRAMES = 31
 
 # Who plays in the animation, where Q-learning on what the agent sees would not show the task.
 ACTORS: dict[str, Callable[[Any], Any]] = {
     "Catch": lambda env: (
         lambda observation: 1 + (env.state.ball_x > env.state.paddle_x) - (env.state.ball_x < env.state.paddle_x)
     ),
+    "Golf": lambda env: lambda observation: 2 if env.state.hits == 0 else 1,
     "MemoryCorridor": lambda env: lambda observation: env.info()["right_door"],
     "Tamagotchi": lambda env: lambda observation: env.state.wanted,
     "Trashbot": lambda env: ScriptedController(env.mdp.action_scale),
@@ -81,20 +83,18 @@ def pages() -> dict[Path, str]:
     return {PAGES / "README.md": index(), **{PAGES / f"{e.name.lower()}.md": page(e) for e in ENVIRONMENTS}}
 
 
-def draw(entry: Entry) -> Scene:
-    """Draw the picture, in the middle of an episode, and the animation; and give the picture."""
+def episode(entry: Entry) -> tuple[Scene, list[Frame]]:
+    """The picture, from the middle of an episode, and the whole of it."""
     env = entry.load()()
     if entry.name in ACTORS:
         actor = ACTORS[entry.name](env)
     else:
         actor = QLearning.create(env, learning_rate=0.1, discount=0.99, exploration=EpsilonGreedy(0.3))
         train(env, actor, 1_000_000, seed=1)
-    frames = play_episode(env, actor, seed=1, max_steps=FRAMES)
+    frames = play_episode(env, actor, seed=3, max_steps=FRAMES)
     picture = frames[len(frames) // 2].picture
     assert isinstance(picture, Scene), "every environment of the course has a scene"
-    (PAGES / f"{entry.name.lower()}.svg").write_text(to_svg(picture, 240), encoding="utf-8")
-    record(frames, PAGES / f"{entry.name.lower()}.gif", frames_per_second=3.0)
-    return picture
+    return picture, frames
 
 
 def montage(pictures: list[Scene], columns: int = 3, side: int = 240, gap: int = 16) -> Image.Image:
@@ -113,16 +113,23 @@ def main() -> int:
     """The command line."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true", help="write nothing, and fail if a page is out of date")
-    if parser.parse_args().check:
-        written = {path: path.read_text(encoding="utf-8") if path.exists() else None for path in pages()}
-        stale = [path for path, text in pages().items() if written[path] != text]
+    check = parser.parse_args().check
+    shown = {entry: episode(entry) for entry in ENVIRONMENTS}
+    pictures = {PAGES / f"{e.name.lower()}.svg": to_svg(picture, 240) for e, (picture, _) in shown.items()}
+    texts = {**pages(), **pictures}
+    if check:
+        films = [PAGES / f"{entry.name.lower()}.gif" for entry in ENVIRONMENTS]
+        stale = [path for path, text in texts.items() if not path.exists() or path.read_text(encoding="utf-8") != text]
+        stale += [path for path in (*films, PAGES / "all.png") if not path.exists()]  # pixels differ between machines
         for path in stale:
             print(f"{path} is not what the code says: run python docs/pages.py", file=sys.stderr)
         return 1 if stale else 0
     PAGES.mkdir(exist_ok=True)
-    for path, text in pages().items():
+    for path, text in texts.items():
         path.write_text(text, encoding="utf-8")
-    montage([draw(entry) for entry in ENVIRONMENTS]).save(PAGES / "all.png", optimize=True)
+    for entry, (_, frames) in shown.items():
+        record(frames, PAGES / f"{entry.name.lower()}.gif", frames_per_second=3.0)
+    montage([picture for picture, _ in shown.values()]).save(PAGES / "all.png", optimize=True)
     return 0
 
 

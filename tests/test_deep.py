@@ -188,6 +188,8 @@ def test_wrong_parameters() -> None:
             copies(wrong)
     with pytest.raises(ValueError, match="environment must be one of Boulder"):
         copies("CartPole-v1")
+    with pytest.raises(ValueError, match=r"and no more, such as waiting, but .*Supermarket.* use .*DummyVecEnv"):
+        copies("Supermarket", 4, step_timeout=0.1)
     with pytest.raises(ValueError, match="rows must be 2 or more, but is 1"):
         copies("Catch", 2, rows=1)
     with pytest.raises(ValueError, match=r"parameters .* \{'rows': 3\}"):

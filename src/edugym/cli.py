@@ -56,18 +56,20 @@ def play(
     seed: Annotated[
         int | None, typer.Option(min=0, help="Of the first episode. By default another one each time.")
     ] = None,
-    gif: Annotated[Path | None, typer.Option(help="A file for the last episode, as a film.")] = None,
+    gif: Annotated[Path | None, typer.Option(help="A file for the last finished episode, as a film.")] = None,
 ) -> None:
     """Play an environment with keys, which are shown on the screen."""
     from edugym import playing
+    from edugym.playing.game import made
 
     try:
-        game = playing.Game(environment, seed=seed, picture="ansi", **dict(map(_parameter, parameters or [])))
+        env = made(environment, "ansi", dict(map(_parameter, parameters or [])))
+        game = playing.Game(env, seed=seed)
     except (TypeError, ValueError) as error:
         raise typer.BadParameter(str(error)) from error
     try:
         playing.play(game, render=render, gif=gif)
-    except ValueError as error:
+    except (OSError, ValueError) as error:
         raise typer.BadParameter(str(error)) from error
 
 
@@ -77,14 +79,16 @@ def _short(default: Any) -> str:
 
 
 def _parameter(text: str) -> tuple[str, Any]:
-    """The name and the value in NAME=VALUE; a value that is no number, True, False or None is a text."""
+    """The name and the value in NAME=VALUE; a value that is no number (or inf), True, False or None is a text."""
     name, equals, value = text.partition("=")
     if not equals or not name.isidentifier():
         raise ValueError(f"a parameter is written name=value, but not {text!r}")
-    try:
-        return name, ast.literal_eval(value)
-    except (ValueError, SyntaxError):
-        return name, value
+    for read in (ast.literal_eval, float):
+        try:
+            return name, read(value)
+        except (TypeError, ValueError, SyntaxError):
+            continue
+    return name, value
 
 
 @app.command()

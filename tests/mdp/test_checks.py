@@ -13,7 +13,7 @@ from edugym.registration import make_mdp
 
 NO_NUMBERS = ["2", None, True, np.True_, [2], 2j, math.nan]
 
-CASES: list[tuple[Callable[..., None], tuple[Any, ...], list[Any], list[Any], str]] = [
+CASES: list[tuple[Callable[..., object], tuple[Any, ...], list[Any], list[Any], str]] = [
     (
         at_least,
         (1,),
@@ -41,7 +41,7 @@ CASES: list[tuple[Callable[..., None], tuple[Any, ...], list[Any], list[Any], st
 @pytest.mark.parametrize(
     ("check", "bounds", "good", "bad", "says"), CASES, ids=lambda part: getattr(part, "__name__", "")
 )
-def test_checks(check: Callable[..., None], bounds: Any, good: list[Any], bad: list[Any], says: str) -> None:
+def test_checks(check: Callable[..., object], bounds: Any, good: list[Any], bad: list[Any], says: str) -> None:
     """What is allowed passes silently, ends included as the message says; everything else is a ValueError."""
     for value in good:
         check("speed", value, *bounds)

@@ -280,8 +280,11 @@ def test_what_play_refuses(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
         play(Walk(), render="svg")
     with pytest.raises(ValueError, match="need an environment that has a scene"):
         play("CliffWalking-v1", gif=tmp_path / "cliff.gif", keyboard=io.StringIO())
-    with pytest.raises(ValueError, match="gif must be in a folder that exists"):
-        play(Walk(), gif=tmp_path / "missing" / "walk.gif", keyboard=io.StringIO())
+    with pytest.raises(ValueError, match=r"must be a file that ends in \.gif, but is '.*walk\.png'"):
+        play(Walk(), gif=tmp_path / "walk.png", keyboard=io.StringIO())
+    (tmp_path / "folder.gif").mkdir()
+    with pytest.raises(OSError, match=r"cannot write to .*folder\.gif: it is a folder"):
+        play(Walk(), gif=tmp_path / "folder.gif", keyboard=io.StringIO())
     monkeypatch.setattr("edugym.extras.find_spec", lambda library: None)
     with pytest.raises(DependencyNotInstalled, match="PIL is not installed"):
         play(Walk(), gif=tmp_path / "walk.gif", keyboard=io.StringIO())
@@ -289,7 +292,7 @@ def test_what_play_refuses(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
 
 def test_the_last_episode_as_a_gif(tmp_path: Path) -> None:
     """The finished episode of two steps, not the one that was begun after it."""
-    path = tmp_path / "walk.gif"
+    path = tmp_path / "new folder" / "walk.gif"
     lines = lines_of(["1", "1", "r", "0"], gif=path)
     assert lines[-1] == f"The last episode is in {path}"
     with Image.open(path) as image:
@@ -312,12 +315,17 @@ def test_the_command() -> None:
         )
         == 2
     )
+    assert run("Tamagotchi", "--set", "tau=inf").exit_code == 0
     wrong = {
         ("Bolder",): "doesn't exist",
+        ("Boulder", "--set", "seed=3"): "has no parameter 'seed'",
+        ("Boulder", "--set", "height={[]:1}"): "must be a whole number",
+        ("Tamagotchi", "--set", "tau=nan"): "tau must be",
         ("Boulder", "--set", "heigth=2"): "heigth",
         ("Boulder", "--set", "height"): "name=value",
         ("Boulder", "--set", "height=low"): "must be a whole number",
-        ("Boulder", "--gif", "/nowhere/x.gif"): "folder that exists",
+        ("Boulder", "--gif", "/proc/x.gif"): "cannot write to",
+        ("Boulder", "--gif", "boulder.mp4"): "ends in .gif",
         ("Boulder", "--render", "svg"): "ansi",
     }
     for arguments, message in wrong.items():

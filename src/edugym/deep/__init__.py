@@ -34,8 +34,9 @@ def stable_baselines3_env(
 
     Raises:
         DependencyNotInstalled: Stable-Baselines3 is not there.
-        ValueError: there is no such environment, it has no such parameter, one is not as its class says, or the vector
-            environment has another number of copies or resets them in another way.
+        ValueError: there is no such environment, it has no such parameter, one is not as its class says, its steps do
+            more than its MDP (Supermarket with a `step_timeout` waits), or the vector environment has another number of
+            copies or resets them in another way.
     """
     try:
         from edugym.deep.vec_env import MDPVecEnv
@@ -46,6 +47,11 @@ def stable_baselines3_env(
     elif parameters:
         raise ValueError(f"parameters are for an environment given by its name, but are {parameters!r}")
     if isinstance(environment, MDPEnv):
+        if not environment.only_plays_its_mdp:
+            raise ValueError(
+                f"environment must do in a step what its MDP does and no more, such as waiting, but {environment!r}"
+                " does more: use Stable-Baselines3's own DummyVecEnv"
+            )
         environment = MDPVectorEnv(environment, 1 if num_envs is None else num_envs, "SameStep")
     if not isinstance(environment, MDPVectorEnv):
         raise ValueError(f"environment must be a name, an MDPEnv or an MDPVectorEnv, but is {environment!r}")

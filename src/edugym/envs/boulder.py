@@ -112,7 +112,7 @@ class BoulderEnv(MDPEnv[Boulder]):
     The paper compares Q-learning with ε-greedy, Q-learning with a count-based intrinsic reward, and Go-Explore.
 
     ## References
-    Moerland et al. (2023), EduGym, section 3 a and appendix A.1; the chain of Strens (2000).
+    Moerland et al. (2023), EduGym, section 4 a and appendix A.1; the chain of Strens (2000).
     """
 
     def __init__(
@@ -128,8 +128,7 @@ class BoulderEnv(MDPEnv[Boulder]):
         Raises:
             ValueError: a parameter is not as the class says.
         """
-        whole_number("height", height, 1)
-        whole_number("n_grips", n_grips, 2)
+        height, n_grips = whole_number("height", height, 1), whole_number("n_grips", n_grips, 2)
         max_steps = 10 * height if max_steps is None else max_steps
         number_of_steps("max_steps", max_steps)
         whole_number("layout_seed", layout_seed, 0)

@@ -16,6 +16,9 @@ from edugym.rendering.scene import Circle, Line, Rectangle, Scene, Shape, Text
 BALL, PADDLE = rgb(YELLOW), rgb(RED)
 """Their colours in the observation type "rgb", on black."""
 
+MOST_CELLS = 50
+"""On longer sides than this the lines between cells would hide the board."""
+
 
 class Fall(NamedTuple):
     """Where the ball and the paddle are: columns count from the left, rows from the top, both from 0."""
@@ -181,7 +184,7 @@ class CatchEnv(MDPEnv[Catch]):
     The paper compares Q-learning with a table and deep Q-learning (Stable-Baselines3).
 
     ## References
-    Moerland et al. (2023), EduGym, section 3 d and appendix A.4; the catch of Osband et al. (2020), bsuite.
+    Moerland et al. (2023), EduGym, section 4 d and appendix A.4; the catch of Osband et al. (2020), bsuite.
     """
 
     def __init__(
@@ -192,10 +195,14 @@ class CatchEnv(MDPEnv[Catch]):
         Raises:
             ValueError: a parameter is not as the class says.
         """
-        whole_number("rows", rows, 2)
-        whole_number("columns", columns, 1, 2 * int(rows) - 1)
+        rows, columns = whole_number("rows", rows, 2), whole_number("columns", columns, 1)
+        if columns > 2 * rows - 1:
+            raise ValueError(
+                f"columns must be at most {2 * rows - 1} with {rows} rows, so that the paddle can reach every ball, "
+                f"but is {columns!r}"
+            )
         one_of("observation_type", observation_type, list(KINDS))
-        super().__init__(KINDS[observation_type](int(rows), int(columns)), render_mode)
+        super().__init__(KINDS[observation_type](rows, columns), render_mode)
 
     def info(self) -> dict[str, Any]:
         """Where the ball and the paddle are."""
@@ -219,8 +226,9 @@ class CatchEnv(MDPEnv[Catch]):
             Rectangle(0.0, bottom, width, 1.5, fill=GRASS, outline=None, glyph="░"),
             Rectangle(left, top, columns, rows, fill=PAPER, glyph="·"),
         ]
-        shapes += [Line(((left + k, top), (left + k, bottom)), colour=SHADE) for k in range(1, columns)]
-        shapes += [Line(((left, top + k), (left + columns, top + k)), colour=SHADE) for k in range(1, rows)]
+        if max(rows, columns) <= MOST_CELLS:
+            shapes += [Line(((left + k, top), (left + k, bottom)), colour=SHADE) for k in range(1, columns)]
+            shapes += [Line(((left, top + k), (left + columns, top + k)), colour=SHADE) for k in range(1, rows)]
         shapes += [
             Rectangle(left, top, columns, rows, fill=None),
             Text(width / 2, 1.0, f"the agent sees {seen} numbers", size=min(width / 16, 1.2), glyph=f"{seen} numbers"),

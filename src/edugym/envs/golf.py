@@ -176,7 +176,7 @@ class GolfEnv(MDPEnv[Golf]):
     The paper compares Q-learning with risk-sensitive Q-learning, both with a table.
 
     ## References
-    Moerland et al. (2023), EduGym, section 3 h and appendix A.8.
+    Moerland et al. (2023), EduGym, section 4 h and appendix A.8.
     """
 
     def __init__(

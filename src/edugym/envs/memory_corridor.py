@@ -133,7 +133,7 @@ class MemoryCorridorEnv(MDPEnv[MemoryCorridor]):
     recurrent PPO (sb3-contrib).
 
     ## References
-    Moerland et al. (2023), EduGym, section 3 e and appendix A.5.
+    Moerland et al. (2023), EduGym, section 4 e and appendix A.5.
     """
 
     def __init__(self, num_doors: int = 3, max_steps: int = 1000, render_mode: str | None = None) -> None:

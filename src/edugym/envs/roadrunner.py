@@ -145,7 +145,7 @@ class RoadrunnerEnv(MDPEnv[Roadrunner]):
     The paper compares Q-learning with SARSA, both with a table.
 
     ## References
-    Moerland et al. (2023), EduGym, section 3 b and appendix A.2.
+    Moerland et al. (2023), EduGym, section 4 b and appendix A.2.
     """
 
     def __init__(
@@ -162,7 +162,7 @@ class RoadrunnerEnv(MDPEnv[Roadrunner]):
         Raises:
             ValueError: a parameter is not as the class says.
         """
-        whole_number("size", size, 2)
+        size = whole_number("size", size, 2)
         whole_number("max_speed", max_speed, 1)
         between("negative_reward", negative_reward, -1_000_000, 0)
         whole_number("stop_zone", stop_zone, 0, size - 2)

@@ -120,7 +120,7 @@ class StudyEnv(MDPEnv[Study]):
     Every action a pays N(r_a, `action_reward_noise_sigma`), with r_a drawn once for each action. Studying on the last
     day, H - 1, pays 10 more if that morning knowledge >= `lectures_needed` and energy > `energy_needed`: the exam is
     passed. The best expected return at the defaults is about 8.98 (discount 1); for other parameters, plan on
-    `finite_model`.
+    `env.unwrapped.finite_model`.
 
     ## Initial state
     Knowledge 0, energy 0, day 0.
@@ -158,7 +158,7 @@ class StudyEnv(MDPEnv[Study]):
     The paper compares n-step SARSA, from one step to Monte Carlo.
 
     ## References
-    Moerland et al. (2023), EduGym, section 3 c and appendix A.3.
+    Moerland et al. (2023), EduGym, section 4 c and appendix A.3.
     """
 
     def __init__(
@@ -178,11 +178,11 @@ class StudyEnv(MDPEnv[Study]):
         Raises:
             ValueError: a parameter is not as the class says.
         """
-        whole_number("total_days", total_days, 3)
-        whole_number("n_actions", n_actions, 2)
-        whole_number("lecture_days", lecture_days, 1, total_days - 1)
-        whole_number("lectures_needed", lectures_needed, 1, lecture_days)
-        whole_number("energy_needed", energy_needed, 0, MOST_ENERGY - 1)
+        total_days = whole_number("total_days", total_days, 3)
+        n_actions = whole_number("n_actions", n_actions, 2)
+        lecture_days = whole_number("lecture_days", lecture_days, 1, total_days - 1)
+        lectures_needed = whole_number("lectures_needed", lectures_needed, 1, lecture_days)
+        energy_needed = whole_number("energy_needed", energy_needed, 0, MOST_ENERGY - 1)
         if lectures_needed + energy_needed + 1 > total_days - 1:
             raise ValueError(
                 f"total_days must be {lectures_needed + energy_needed + 2} or more, for lectures_needed "
@@ -236,11 +236,8 @@ class StudyEnv(MDPEnv[Study]):
         for day in days:
             kind = "Exam" if day == study.total_days - 1 else "Lecture" if study.lectures[day] == 1 else "Free"
             shapes += _page(*corner(day), day, kind)
-        # The last action is in the list only when `step` returns, after it has drawn a window.
         before, names = study.initial(self.np_random), list(self.named_actions())
         for day, action in enumerate(self.actions):
-            if action is None:  # a copy of a vector environment, which keeps no calendar
-                break
             after = study.transition(before, action, self.np_random)
             gain = study.missing(before) - study.missing(after)
             if day == study.total_days - 1:

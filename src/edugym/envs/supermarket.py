@@ -149,8 +149,9 @@ class SupermarketEnv(MDPEnv[Supermarket]):
     Challenge: model-based reinforcement learning. A shopper walks through a supermarket, collects three items, each for
     a reward, and leaves by the exit. Steps in the real world take time (`step_timeout`); meanwhile an agent can plan
     with a model, one that it learned or the one that is given here, whose rewards may be wrong (`noise`):
-    `descriptive_model(state, action)` gives all that can happen with its probabilities, `generative_model(state,
-    action)` draws one of them, and `model(state, action, kind)` is the paper's short form. They take no time.
+    `env.unwrapped.descriptive_model(state, action)` gives all that can happen with its probabilities,
+    `generative_model(state, action)` draws one of them, and `model(state, action, kind)` is the paper's short form.
+    They take no time. The model has the 428 states that can be reached, `finite_model.states`.
 
     ## Observation space
     `Discrete(800)`: (y, x, item 1, item 2, item 3) as one number, their index in a table of (10, 10, 2, 2, 2), as
@@ -179,9 +180,9 @@ class SupermarketEnv(MDPEnv[Supermarket]):
 
     ## Parameters
     - `step_timeout` (0.0): `step` blocks until so many seconds after the previous `reset` or `step` returned; from 0 to
-      3600. `time_until_step()` says how long that will be.
-    - `noise` (0.0): the standard deviation of a zero-centred Gaussian error on the rewards of the model; from 0 to
-      1 000 000.
+      3600. `env.unwrapped.time_until_step()` says how long that will be.
+    - `noise` (0.0): the standard deviation of a zero-centred Gaussian error on the rewards of the model; from 0 to 1
+      000 000.
     - `max_steps` (500): 1 or more.
     - `layout_seed` (0): from which the errors of the model are drawn; 0 or more.
 
@@ -202,7 +203,7 @@ class SupermarketEnv(MDPEnv[Supermarket]):
     The paper compares dynamic programming, Dyna and prioritised sweeping.
 
     ## References
-    Moerland et al. (2023), EduGym, section 3 i and appendix A.9.
+    Moerland et al. (2023), EduGym, section 4 i and appendix A.9.
     """
 
     def __init__(

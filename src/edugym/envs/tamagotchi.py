@@ -240,7 +240,7 @@ class TamagotchiEnv(MDPEnv[Tamagotchi]):
     The paper runs Q-learning with a table, with more and less noise.
 
     ## References
-    Moerland et al. (2023), EduGym, section 3 f and appendix A.6.
+    Moerland et al. (2023), EduGym, section 4 f and appendix A.6.
     """
 
     def __init__(

@@ -275,7 +275,7 @@ class TrashbotEnv(MDPEnv[Trashbot]):
     The paper compares PPO with continuous actions and with discrete ones.
 
     ## References
-    Moerland et al. (2023), EduGym, section 3 g and appendix A.7.
+    Moerland et al. (2023), EduGym, section 4 g and appendix A.7.
     """
 
     def __init__(

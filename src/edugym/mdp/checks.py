@@ -31,13 +31,18 @@ def above(name: str, value: Any, low: float, high: float | None = None) -> None:
         raise ValueError(f"{name} must be {allowed}, but is {value!r}")
 
 
-def whole_number(name: str, value: Any, low: int, high: int | None = None) -> None:
-    """Refuse a `value` that is not a whole number of `low` or more (and, if given, of `high` or less)."""
+def whole_number(name: str, value: Any, low: int, high: int | None = None) -> int:
+    """Refuse a `value` that is not a whole number of `low` or more (and, if given, of `high` or less).
+
+    Returns:
+        The value as an `int`: a small type of NumPy's would overflow silently in what is computed from it.
+    """
     allowed = f"{low} or more" if high is None else f"from {low} to {high}"
     if isinstance(value, bool | np.bool_) or not isinstance(value, int | np.integer):
         raise ValueError(f"{name} must be a whole number, {allowed}, but is {value!r}")
     if value < low or (high is not None and value > high):
         raise ValueError(f"{name} must be {allowed}, but is {value!r}")
+    return int(value)
 
 
 def number_of_steps(name: str, value: Any) -> None:

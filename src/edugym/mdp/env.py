@@ -10,7 +10,7 @@ from gymnasium import spaces
 from gymnasium.error import ResetNeeded
 
 from edugym.mdp.checks import one_of
-from edugym.mdp.protocol import MDP, step_limit
+from edugym.mdp.protocol import MDP, coerced, step_limit
 
 if TYPE_CHECKING:
     from edugym.mdp.model import FiniteModel, Outcome
@@ -47,6 +47,7 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
 
     def __init__(self, mdp: M, render_mode: str | None = None) -> None:
         """See the class."""
+        mdp = coerced(mdp)
         one_of("render_mode", render_mode, [None, *self.metadata["render_modes"]])
         if isinstance(mdp.action_space, spaces.Discrete) and mdp.action_space.start != 0:
             raise ValueError(f"action_space of an MDP must number the actions from 0, but is {mdp.action_space}")

@@ -82,7 +82,8 @@ class FiniteModel(NamedTuple):
         try:
             return self.rows[_plain(tuple(numbers) if isinstance(numbers, list) else numbers)]
         except (KeyError, ValueError):
-            raise ValueError(f"state must be one of the task's {len(self.states)} states, but is {state!r}") from None
+            n = len(self.states)
+            raise ValueError(f"state must be one of the {n} that can be reached (`states`), but is {state!r}") from None
 
     def outcomes(self, state: Any, action: int) -> list[Outcome]:
         """All that can happen after `action` in `state`.

@@ -78,7 +78,7 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
             self._make_room()
             mask = np.ones(self.num_envs, np.bool_)
         batch = self._batch()
-        self._run(reset_copies, self.np_random, mask, batch)
+        self._run(reset_copies, self.np_random, mask, self._states, batch)
         return batch.observations.rows, {}
 
     def step(self, actions: Any) -> tuple[Any, Any, Any, Any, dict[str, Any]]:
@@ -109,6 +109,7 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
             self._n_actions,
             self._max_steps,
             MODES.index(self.autoreset_mode),
+            self._states,
             batch,
         )
         if finished == ACTION_OUTSIDE:
@@ -156,7 +157,6 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
         shape = space.shape or ()
         finals = n if self.autoreset_mode is AutoresetMode.SAME_STEP else 0
         return Batch(
-            self._states,
             self._steps,
             self._over,
             self._rows(np.empty((n, *shape), space.dtype)),
@@ -202,9 +202,11 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
 
 
 class Batch(NamedTuple):
-    """The copies, and what a step of them gives: arrays with one place, or row, for each copy."""
+    """The copies less their states, and what a step gives: arrays with one place, or row, for each copy.
 
-    states: Any
+    (With the states in it, which may be in a list, Numba would take fifty microseconds a call to see what all this is.)
+    """
+
     steps: Any
     over: Any
     observations: Any
@@ -214,14 +216,14 @@ class Batch(NamedTuple):
     truncations: Any
 
 
-def reset_copies(n: int, mdp: MDP[Any, Any], rng: Random, mask: Any, batch: Batch) -> None:
+def reset_copies(n: int, mdp: MDP[Any, Any], rng: Random, mask: Any, states: Any, batch: Batch) -> None:
     """Start an episode in the first `n` copies, where `mask` says so, and observe them all."""
     for i in range(n):
         if mask[i]:
-            batch.states.store(i, mdp.initial(rng))
+            states.store(i, mdp.initial(rng))
             batch.steps[i] = 0
             batch.over[i] = False
-        batch.observations.put(i, mdp, batch.states.load(i), rng)
+        batch.observations.put(i, mdp, states.load(i), rng)
 
 
 def step_copies(
@@ -233,6 +235,7 @@ def step_copies(
     n_actions: int,
     max_steps: int,
     autoreset: int,
+    states: Any,
     batch: Batch,
 ) -> int:
     """Step the first `n` copies, and give the number of episodes that ended, or what is wrong (a negative number)."""
@@ -243,7 +246,7 @@ def step_copies(
     for i in range(n):
         if batch.over[i] and autoreset == NEXT_STEP:
             state = mdp.initial(rng)
-            batch.states.store(i, state)
+            states.store(i, state)
             batch.observations.put(i, mdp, state, rng)
             batch.steps[i] = 0
             batch.over[i] = False
@@ -251,7 +254,7 @@ def step_copies(
             batch.terminations[i] = False
             batch.truncations[i] = False
             continue
-        state = batch.states.load(i)
+        state = states.load(i)
         next_state = mdp.transition(state, actions[i], rng)
         batch.rewards[i] = mdp.reward(state, actions[i], next_state, rng)
         terminated = mdp.terminal(next_state)
@@ -268,5 +271,5 @@ def step_copies(
                 batch.steps[i] = 0
                 batch.over[i] = False
         batch.observations.put(i, mdp, next_state, rng)
-        batch.states.store(i, next_state)
+        states.store(i, next_state)
     return finished

@@ -7,6 +7,7 @@ from typing import Any
 import gymnasium
 import numpy as np
 
+from edugym.experiments.results import check_writable
 from edugym.mdp.checks import whole_number
 from edugym.mdp.protocol import Random
 from edugym.playing.game import Frame, Game, made
@@ -55,6 +56,18 @@ def _policy(actor: Any, env: gymnasium.Env[Any, Any], rng: Random) -> Callable[[
     return lambda observation, step: actions[step] if step < len(actions) else None
 
 
+def checked_path(path: str | Path) -> Path:
+    """Where a film can be written; its folder is made if need be.
+
+    Raises:
+        ValueError: it does not end in .gif.
+        OSError: no file can be written there.
+    """
+    if Path(path).suffix.lower() != ".gif":
+        raise ValueError(f"a film must be a file that ends in .gif, but is {str(path)!r}")
+    return check_writable(path)
+
+
 def record(frames: Iterable[Frame], path: str | Path, frames_per_second: float = 4.0) -> None:
     """Write an episode to an animated GIF, with the score below the picture where that is a scene.
 
@@ -64,11 +77,12 @@ def record(frames: Iterable[Frame], path: str | Path, frames_per_second: float =
         frames_per_second: how fast it plays, up to 50.
 
     Raises:
-        ValueError: there are no frames, their pictures are only characters, or the speed is not as above.
+        ValueError: there are no frames, their pictures are only characters, the speed is not as above, or the file does
+            not end in .gif.
         gymnasium.error.DependencyNotInstalled: Pillow or pygame is not installed.
         OSError: the file cannot be written.
     """
     from edugym.rendering.gif import to_gif
 
     pictures = [frame.picture if isinstance(frame.picture, np.ndarray) else frame.with_caption() for frame in frames]
-    to_gif(pictures, path, frames_per_second)
+    to_gif(pictures, checked_path(path), frames_per_second)

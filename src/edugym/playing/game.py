@@ -113,7 +113,7 @@ class Game:
         self._return += float(reward)
         known = (name for name, named in self.actions.items() if np.array_equal(named, action))
         name = next(known, f"action {_in_short(np.ravel(action))}")
-        self._happened, self._reward = f"step {self._steps}: {name}", f"reward {float(reward):g}"
+        self._happened, self._reward = f"step {self._steps}: {name}", f"reward {float(reward):.4g}"
         self._end = TERMINATED if terminated else TRUNCATED if truncated else ""
         self.frames.append(self.frame())
         if self.over:
@@ -123,7 +123,7 @@ class Game:
     def line(self) -> str:
         """The score: what the last step brought, and the return so far; a long observation and the end below it."""
         seen, own_line = _in_words(self.observation)
-        parts = (self._happened, "" if own_line else seen, self._reward, f"return {self._return:g}")
+        parts = (self._happened, "" if own_line else seen, self._reward, f"return {self._return:.4g}")
         lines = (", ".join(filter(None, parts)), seen if own_line else "", self._end)
         return "\n".join(filter(None, lines))
 
@@ -131,7 +131,7 @@ class Game:
         """The returns of the episodes that were played to their end, the last ten one by one."""
         if not self.returns:
             return "No episode finished yet."
-        last = ", ".join(f"{value:g}" for value in self.returns[-10:])
+        last = ", ".join(f"{value:.4g}" for value in self.returns[-10:])
         more = "..., " if len(self.returns) > 10 else ""
         return f"Episodes finished: {len(self.returns)}. Returns: {more}{last}. Mean: {np.mean(self.returns):.3g}."
 

@@ -11,7 +11,7 @@ from typing import Any, Protocol, TextIO
 
 from edugym.extras import require
 from edugym.mdp.checks import one_of
-from edugym.playing.films import record
+from edugym.playing.films import checked_path, record
 from edugym.playing.game import Game
 from edugym.rendering.ansi import to_text
 from edugym.rendering.scene import Scene
@@ -68,7 +68,8 @@ def play(
 
     Raises:
         ValueError: as `Game`, `render` is neither of these, there are more actions than keys, or there is no scene for
-            a window or a GIF, or no folder for it.
+            a window or a GIF, or the file does not end in .gif.
+        OSError: the GIF cannot be written.
         gymnasium.error.DependencyNotInstalled: pygame is needed for a window or a GIF, or Pillow for a GIF.
     """
     one_of("render", render, ["ansi", "human"])
@@ -79,8 +80,7 @@ def play(
         raise ValueError(f"a window and a GIF need an environment that has a scene, and {game.name} has none")
     if gif is not None:
         require("plot", "PIL")
-        if not Path(gif).parent.is_dir():
-            raise ValueError(f"gif must be in a folder that exists, but is {str(gif)!r}")
+        gif = checked_path(gif)
     with suppress(KeyboardInterrupt):
         if render == "human":
             with closing(Window(game.name)) as window:
