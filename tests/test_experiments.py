@@ -15,8 +15,8 @@ from gymnasium.error import DependencyNotInstalled
 from edugym import CountBased, EpsilonGreedy, GoExplore, QLearning, Results, make_mdp, repeat, train
 from edugym.experiments import lessons
 from edugym.experiments.configuration import described
-from edugym.experiments.results import check_writable, write_whole
 from edugym.extras import require
+from edugym.files import check_writable, write_whole
 from edugym.mdp.protocol import Reals
 
 AGENTS = {

@@ -11,8 +11,8 @@ from gymnasium.error import DependencyNotInstalled
 
 from edugym.experiments.claims import Claim
 from edugym.experiments.lessons import MODULES, Report, experiment
-from edugym.experiments.results import check_writable, write_whole
 from edugym.extras import require
+from edugym.files import check_writable, write_whole
 from edugym.registration import ENVIRONMENTS, parameters_of
 
 try:

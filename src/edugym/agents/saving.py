@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from edugym import agents
+from edugym.files import write_whole
 
 
 def save(agent: Any, path: str | Path) -> None:
@@ -19,7 +20,8 @@ def save(agent: Any, path: str | Path) -> None:
 
     Args:
         agent: a NamedTuple of arrays, numbers and other such NamedTuples.
-        path: where to; an existing file is replaced only when the new one is complete.
+        path: where to; an existing file is replaced only when the new one is complete, and a folder that does not exist
+            is made.
 
     Raises:
         ValueError: the agent holds something else, which could not be loaded again.
@@ -27,14 +29,9 @@ def save(agent: Any, path: str | Path) -> None:
     """
     arrays: dict[str, Any] = {}
     structure = _structure(agent, "agent", arrays)
-    target = Path(path)
-    partial = target.with_name(target.name + ".part")
-    try:
-        with partial.open("wb") as file:
-            np.savez_compressed(file, structure=np.array(json.dumps(structure)), **arrays)
-        partial.replace(target)
-    finally:
-        partial.unlink(missing_ok=True)
+    contents = io.BytesIO()
+    np.savez_compressed(contents, structure=np.array(json.dumps(structure)), **arrays)
+    write_whole(path, contents.getvalue())
 
 
 def load(path: str | Path, kinds: Iterable[type] = ()) -> Any:

@@ -15,9 +15,10 @@ import numpy as np
 
 from edugym.experiments.configuration import Task, described, task, versions
 from edugym.experiments.progress import progress_bar
-from edugym.experiments.results import MEASURED, Results, check_writable, with_types
+from edugym.experiments.results import MEASURED, Results, with_types
 from edugym.experiments.training import Run, train
 from edugym.extras import require
+from edugym.files import check_writable
 from edugym.mdp.checks import whole_number
 
 if TYPE_CHECKING:

@@ -1,7 +1,6 @@
 """The results of repeated training, as one tidy table."""
 
 import os
-import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -10,6 +9,7 @@ import numpy as np
 
 from edugym.experiments.statistics import Interval, mean_interval, paired_difference, share_interval
 from edugym.extras import require
+from edugym.files import write_whole
 from edugym.mdp.checks import one_of
 from edugym.mdp.protocol import Reals
 
@@ -143,37 +143,3 @@ def with_types(table: "pandas.DataFrame") -> "pandas.DataFrame":
     others = table.columns.difference([*whole, "return", "training_return", "complete"])
     table[others] = table[others].convert_dtypes()
     return table.astype({"layout_seed": "Int64"})
-
-
-def check_writable(path: str | os.PathLike[str]) -> Path:
-    """Refuse, before long work, a path where no file can be written; its folder is made if need be.
-
-    Raises:
-        OSError: no file can be written there.
-    """
-    path = Path(path)
-    if path.is_dir():
-        raise IsADirectoryError(f"cannot write to {path}: it is a folder")
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryFile(dir=path.parent):
-            pass
-    except OSError as error:
-        raise type(error)(f"cannot write to {path}: {error.strerror or error}") from error
-    return path
-
-
-def write_whole(path: str | os.PathLike[str], contents: bytes) -> Path:
-    """Write a file so that nobody ever finds half of it.
-
-    Raises:
-        OSError: it cannot be written.
-    """
-    path = check_writable(path)
-    unfinished = path.with_name(f".{path.name}.{os.getpid()}")
-    try:
-        unfinished.write_bytes(contents)
-        unfinished.replace(path)
-    finally:
-        unfinished.unlink(missing_ok=True)
-    return path

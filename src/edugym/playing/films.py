@@ -7,7 +7,7 @@ from typing import Any
 import gymnasium
 import numpy as np
 
-from edugym.experiments.results import check_writable
+from edugym.files import check_writable
 from edugym.mdp.checks import whole_number
 from edugym.mdp.protocol import Random
 from edugym.playing.game import Frame, Game, made

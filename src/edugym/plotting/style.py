@@ -5,7 +5,7 @@ from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from edugym.experiments.results import write_whole
+from edugym.files import write_whole
 from edugym.rendering.palette import INK
 
 if TYPE_CHECKING:

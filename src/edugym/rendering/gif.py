@@ -1,5 +1,6 @@
 """Pictures as a film: an animated GIF, which a page, a slide or a message shows without more."""
 
+import io
 import math
 from collections.abc import Iterable
 from pathlib import Path
@@ -9,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from edugym.extras import require
+from edugym.files import write_whole
 from edugym.rendering.pixels import to_pixels
 from edugym.rendering.scene import Scene
 
@@ -45,7 +47,9 @@ def to_gif(pictures: Iterable[Scene | NDArray[np.uint8]], path: str | Path, fram
     images = [_image(array, height, width) for array in arrays]
     milliseconds = math.ceil(100 / frames_per_second) * 10  # GIF counts hundredths of a second
     durations = [milliseconds] * (len(images) - 1) + [round(1000 * LAST_SECONDS)]
-    images[0].save(Path(path), "GIF", save_all=True, append_images=images[1:], duration=durations, loop=0)
+    contents = io.BytesIO()
+    images[0].save(contents, "GIF", save_all=True, append_images=images[1:], duration=durations, loop=0)
+    write_whole(path, contents.getvalue())
 
 
 def _image(array: NDArray[np.uint8], height: int, width: int) -> "Image.Image":
