@@ -155,6 +155,7 @@ def test_stop_ends_a_run_before_it_begins() -> None:
 @pytest.mark.parametrize("kind", [Stairs, SlipperyWalk])
 def test_stop_ends_a_run_on_the_way(kind: Any) -> None:
     """Set by another thread, while this one is busy with machine code; nothing is warned of."""
+    train(kind(), QLearning.create(kind()), 10_000)  # compiled now, so that the time is that of the run
     stop = threading.Event()
     timer = threading.Timer(0.3, stop.set)
     timer.start()
