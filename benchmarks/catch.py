@@ -86,7 +86,10 @@ def bsuite_steps(n: int) -> Work:
 
 
 def gymnax_steps(n_steps: int) -> Work:
-    """Gymnax's Catch, compiled for the processor, with so many steps in a call; actions are drawn beforehand."""
+    """Gymnax's Catch, compiled for one core, with so many steps in a call; actions are drawn beforehand.
+
+    Of several steps the observations are not kept, but only added up, as an agent within JAX would use them at once.
+    """
     jax, gymnax = import_module("jax"), import_module("gymnax")
     env, parameters = gymnax.make("Catch-bsuite")
     together = jax.vmap(env.step, in_axes=(0, 0, 0, None))
@@ -95,7 +98,7 @@ def gymnax_steps(n_steps: int) -> Work:
         key, state = carried
         key, for_this_step = jax.random.split(key)
         observation, state, *seen, _ = together(jax.random.split(for_this_step, COPIES), state, actions, parameters)
-        return (key, state), (observation, seen)
+        return (key, state), (observation if n_steps == 1 else observation.sum(), seen)
 
     run = jax.jit(lambda carried, actions: jax.lax.scan(step, carried, actions))
     key = jax.random.key(0)

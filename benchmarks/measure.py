@@ -90,9 +90,9 @@ def measure(comparison: Comparison, rounds: int, seconds: float) -> Measured:
         seconds: about how long a turn lasts.
     """
     contenders = (comparison.ours, *comparison.others)
-    works = {contender.name: contender.prepare() for contender in contenders}
-    amounts = {name: _amount(work, seconds) for name, work in works.items()}
-    with _on_one_core():
+    with _on_one_core():  # from the start, since threads stay on the cores of whoever began them
+        works = {contender.name: contender.prepare() for contender in contenders}
+        amounts = {name: _amount(work, seconds) for name, work in works.items()}
         turns = [{name: _rate(work, amounts[name]) for name, work in works.items()} for _ in range(rounds)]
     ours = comparison.ours.name
     return Measured(
