@@ -21,9 +21,10 @@ from edugym.mdp.execution import executable
 from edugym.mdp.protocol import Integers, Random
 
 CLEARANCE = 0.01
-"""How far above the rim the box is brought, how far below it let go, and how far into the box the magnet aims."""
-MOST_ANGLES = 2000
-"""Of each joint; a search among the positions of both then takes half a gigabyte and some seconds."""
+"""How far above the rim the box is brought, how far below it let go, and how far into the box the magnet aims; in units
+of the upper arm, as all lengths here."""
+MOST_MOVES = 500_000_000
+"""That a search may have to try, which takes some twenty seconds: those of 23 bins at the default `action_scale`."""
 CENTRED = 0.001
 """How close to the middle of the container the box must be before it is lowered."""
 
@@ -32,9 +33,12 @@ def joint_angles(x: float, y: float, bend: float) -> tuple[float, float]:
     """The angles of shoulder and elbow with which the wrist is at (x, y), as in `trashbot_geometry`.
 
     Args:
-        x: where the wrist should be.
-        y: where the wrist should be.
+        x: how far to the right of the shoulder the wrist should be, in units of the upper arm.
+        y: how far above the ground, likewise.
         bend: 1 for an elbow that bends counterclockwise, -1 for clockwise.
+
+    Returns:
+        Both angles, in radians.
 
     Raises:
         ValueError: the point is out of reach.
@@ -128,8 +132,9 @@ def best_plan(mdp: Trashbot) -> Plan:
     turn = round(math.tau / unit)
     if abs(turn * unit - math.tau) > 1e-9:
         raise ValueError(f"action_scale must divide a full turn into whole steps, but is {mdp.action_scale!r}")
-    if turn > MOST_ANGLES:
-        raise ValueError(f"n_bins must leave at most {MOST_ANGLES} angles of a joint, but {mdp.n_bins!r} make {turn}")
+    n_moves = 2 * turn * turn * mdp.n_bins * mdp.n_bins  # from each state, with the box and without
+    if n_moves > MOST_MOVES:
+        raise ValueError(f"n_bins must leave at most {MOST_MOVES} moves to try, but {mdp.n_bins!r} make {n_moves}")
     distance = np.full((2, turn, turn), -1)
     queue, came_from = np.zeros((2 * turn * turn, 3), np.int64), np.zeros((2 * turn * turn, 3), np.int64)
     arguments = (mdp, np.random.default_rng(0), distance, queue, came_from, np.zeros((turn, turn), np.bool_))
