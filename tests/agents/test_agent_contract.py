@@ -237,7 +237,7 @@ def test_an_agent_for_a_smaller_environment_is_refused(case: Case, n_steps: int)
     [
         ("learning_rate", 0, "greater than 0"),
         ("learning_rate", -0.1, "greater than 0"),
-        ("learning_rate", 1.5, "from 0 to 1"),
+        ("learning_rate", 1.5, "greater than 0 and at most 1"),
         ("learning_rate", float("nan"), "greater than 0"),
         ("learning_rate", "0.1", "a number"),
         ("learning_rate", True, "a number"),

@@ -277,7 +277,7 @@ def test_agents_refuse_strategies_that_make_no_sense(exploration: Any, message: 
         (LinearDecay(1.5, 0.1, 10), "start must be from 0 to 1, but is 1.5"),
         (LinearDecay(1.0, 0.1, 0), "steps must be 1 or more, but is 0"),
         (ExponentialDecay(1.0, -0.1, 0.9), "end must be from 0 to 1, but is -0.1"),
-        (ExponentialDecay(1.0, 0.1, 0.0), "rate must be greater than 0, but is 0.0"),
+        (ExponentialDecay(1.0, 0.1, 0.0), "rate must be greater than 0 and at most 1, but is 0.0"),
         (0.1, "schedule must have a method value, but is 0.1"),
     ],
 )

@@ -131,8 +131,7 @@ class ExponentialDecay(NamedTuple):
         """
         between("start", self.start, 0, 1)
         between("end", self.end, 0, 1)
-        above("rate", self.rate, 0)
-        between("rate", self.rate, 0, 1)
+        above("rate", self.rate, 0, 1)
 
     def value(self, step: int) -> float:
         """The value after `step` steps."""

@@ -11,8 +11,7 @@ def check_learning(learning_rate: float, discount: float) -> None:
     Raises:
         ValueError: one of them is not.
     """
-    above("learning_rate", learning_rate, 0)
-    between("learning_rate", learning_rate, 0, 1)
+    above("learning_rate", learning_rate, 0, 1)
     between("discount", discount, 0, 1)
 
 

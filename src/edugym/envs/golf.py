@@ -211,7 +211,7 @@ class GolfEnv(MDPEnv[Golf]):
         if not isinstance(observe_hits, bool):
             raise ValueError(f"observe_hits must be True or False, but is {observe_hits!r}")
         kind = GolfWithHits if observe_hits else Golf
-        golf = kind(width, length, float(green_radius), max_hits, float(stochasticity_level))
+        golf = kind(width, length, green_radius, max_hits, stochasticity_level)
         if stochasticity_level == 0 and not _reachable(golf):
             raise ValueError(
                 f"green_radius must be larger or max_hits higher: without noise no {max_hits!r} hits end on a green "

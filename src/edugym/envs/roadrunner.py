@@ -168,7 +168,7 @@ class RoadrunnerEnv(MDPEnv[Roadrunner]):
         whole_number("stop_zone", stop_zone, 0, size - 2)
         max_steps = 5 * size if max_steps is None else max_steps
         number_of_steps("max_steps", max_steps)
-        super().__init__(Roadrunner(size, max_speed, float(negative_reward), stop_zone, max_steps), render_mode)
+        super().__init__(Roadrunner(size, max_speed, negative_reward, stop_zone, max_steps), render_mode)
 
     def info(self) -> dict[str, Any]:
         """The distance to the target, and whether the runner stalled."""

@@ -195,7 +195,7 @@ class StudyEnv(MDPEnv[Study]):
         lectures = np.zeros(total_days, np.int64)
         lectures[rng.permutation(total_days - 1)[:lecture_days]] = 1
         rewards = rng.uniform(-action_reward_noise_mean, 0.0, n_actions)
-        sigma = float(action_reward_noise_sigma)
+        sigma = action_reward_noise_sigma
         super().__init__(Study(total_days, lectures, lectures_needed, energy_needed, rewards, sigma), render_mode)
 
     def info(self) -> dict[str, Any]:

@@ -84,9 +84,7 @@ class Tamagotchi(NamedTuple):
                 ties = 1
             elif variables[need] == variables[wanted]:
                 ties += 1
-                if (
-                    rng.random() * ties < 1.0
-                ):  # the k-th of the equals replaces the one kept so far with probability 1/k
+                if rng.random() * ties < 1.0:  # the k-th of the equals replaces the one before with probability 1/k
                     wanted = need
         message = 0
         for _ in range(self.max_msg_length):
@@ -261,8 +259,7 @@ class TamagotchiEnv(MDPEnv[Tamagotchi]):
         longest = max(length for length in range(1, 57) if int(vocab_size) ** length <= 2**56)
         whole_number("max_msg_length", max_msg_length, 1, longest)
         number_of_steps("steps_per_episode", steps_per_episode)
-        mdp = Tamagotchi(float(tau), int(max_msg_length), int(vocab_size), int(steps_per_episode))
-        super().__init__(mdp, render_mode)
+        super().__init__(Tamagotchi(tau, max_msg_length, vocab_size, steps_per_episode), render_mode)
 
     def info(self) -> dict[str, Any]:
         """What the toy feels and wants."""

@@ -92,7 +92,8 @@ def step_limit(mdp: MDP[Any, Any]) -> int | None:
 def coerced(value: Any) -> Any:
     """The same MDP or agent with every field of the type that its class declares (an `int` for a `float` becomes one).
 
-    Machine code is made for types, so without this `learning_rate=1` and `learning_rate=0.1` would be compiled twice.
+    Machine code is made for types, so without this `learning_rate=1` and `learning_rate=0.1` would be compiled twice;
+    and small whole numbers of NumPy's would overflow.
     """
     if not (isinstance(value, tuple) and hasattr(value, "_fields")):
         return value

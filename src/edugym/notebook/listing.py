@@ -47,12 +47,7 @@ def source(subject: Any, *names: str) -> Listing:
 
 def _code(part: Any) -> str:
     """The lines of a class or function, decorators included, from the left margin."""
-    for inside in (
-        "fget",
-        "__func__",
-        "func",
-        "py_func",
-    ):  # a property, a class method, a cached property, compiled code
+    for inside in ("fget", "__func__", "func", "py_func"):  # of properties, class methods, cached ones, compiled code
         part = getattr(part, inside, None) or part
     try:
         return textwrap.dedent(inspect.getsource(part)).rstrip()
