@@ -17,7 +17,7 @@ from typing import Any
 from PIL import Image
 
 from edugym import EpsilonGreedy, QLearning, train
-from edugym.planning.trashbot import ScriptedController
+from edugym.envs.trashbot.planning import ScriptedController
 from edugym.playing.films import play_episode, record
 from edugym.playing.game import Frame
 from edugym.registration import ENVIRONMENTS, Entry

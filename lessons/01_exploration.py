@@ -19,7 +19,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from edugym import CountBased, EpsilonGreedy, GoExplore, QLearning, make_mdp, repeat, train
-from edugym.experiments import exploration
+from edugym.lessons import exploration
 from edugym.notebook import explore, play, source
 from edugym.plotting import learning_curves, lines, visitation_map
 

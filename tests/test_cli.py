@@ -17,11 +17,11 @@ from typer.testing import CliRunner, Result
 
 from edugym import Results
 from edugym.cli import app
-from edugym.experiments import lessons
-from edugym.experiments.claims import Above, Claim
-from edugym.experiments.lessons import Figure, Lines, Report
-from edugym.experiments.statistics import Interval
+from edugym.lessons import report as lessons
+from edugym.lessons.report import Figure, Lines, Report
 from edugym.registration import ENVIRONMENTS
+from edugym.results.claims import Above, Claim
+from edugym.results.statistics import Interval
 
 
 def run(*arguments: str) -> Result:

@@ -9,8 +9,13 @@ from typing import TYPE_CHECKING, Any
 from edugym.registration import ENVIRONMENTS, make_mdp, register_environments
 
 if TYPE_CHECKING:
+    from edugym.adapters.gymnasium_env import MDPEnv
+    from edugym.adapters.vector_env import MDPVectorEnv
     from edugym.agents.count_based import CountBased
-    from edugym.agents.exploration import (
+    from edugym.agents.go_explore import GoExplore
+    from edugym.agents.q_learning import QLearning
+    from edugym.agents.saving import load, save
+    from edugym.agents.strategies import (
         UCB,
         EpsilonGreedy,
         ExponentialDecay,
@@ -19,17 +24,12 @@ if TYPE_CHECKING:
         ScheduledEpsilonGreedy,
         Softmax,
     )
-    from edugym.agents.go_explore import GoExplore
-    from edugym.agents.q_learning import QLearning
-    from edugym.agents.saving import load, save
-    from edugym.experiments.repeat import repeat
-    from edugym.experiments.results import Results
-    from edugym.experiments.training import Run, train
-    from edugym.mdp.env import MDPEnv
-    from edugym.mdp.model import FiniteModel, finite_model
-    from edugym.mdp.vector import MDPVectorEnv
-    from edugym.planning.value_iteration import value_iteration
-    from edugym.wrappers.tabular import Tabular, TabularObservation, table_size
+    from edugym.exact.model import FiniteModel, finite_model
+    from edugym.exact.value_iteration import value_iteration
+    from edugym.mdp.tabular import Tabular, TabularObservation, table_size
+    from edugym.results.tables import Results
+    from edugym.training.repeat import repeat
+    from edugym.training.train import Run, train
 
 __version__ = "0.1.0"
 
@@ -65,7 +65,7 @@ __all__ = [
 
 _HOMES = {
     "edugym.agents.count_based": ("CountBased",),
-    "edugym.agents.exploration": (
+    "edugym.agents.strategies": (
         "UCB",
         "EpsilonGreedy",
         "ExponentialDecay",
@@ -77,14 +77,14 @@ _HOMES = {
     "edugym.agents.go_explore": ("GoExplore",),
     "edugym.agents.q_learning": ("QLearning",),
     "edugym.agents.saving": ("load", "save"),
-    "edugym.experiments.repeat": ("repeat",),
-    "edugym.experiments.results": ("Results",),
-    "edugym.experiments.training": ("Run", "train"),
-    "edugym.mdp.env": ("MDPEnv",),
-    "edugym.mdp.model": ("FiniteModel", "finite_model"),
-    "edugym.mdp.vector": ("MDPVectorEnv",),
-    "edugym.planning.value_iteration": ("value_iteration",),
-    "edugym.wrappers.tabular": ("Tabular", "TabularObservation", "table_size"),
+    "edugym.training.repeat": ("repeat",),
+    "edugym.results.tables": ("Results",),
+    "edugym.training.train": ("Run", "train"),
+    "edugym.adapters.gymnasium_env": ("MDPEnv",),
+    "edugym.exact.model": ("FiniteModel", "finite_model"),
+    "edugym.adapters.vector_env": ("MDPVectorEnv",),
+    "edugym.exact.value_iteration": ("value_iteration",),
+    "edugym.mdp.tabular": ("Tabular", "TabularObservation", "table_size"),
 }
 
 register_environments()

@@ -9,11 +9,11 @@ from typing import Annotated, Any, Literal
 
 from gymnasium.error import DependencyNotInstalled
 
-from edugym.experiments.claims import Claim
-from edugym.experiments.lessons import MODULES, Report, experiment
 from edugym.extras import require
 from edugym.files import check_writable, write_whole
+from edugym.lessons.report import MODULES, Report, experiment
 from edugym.registration import ENVIRONMENTS, parameters_of
+from edugym.results.claims import Claim
 
 try:
     require("experiments", "typer")

@@ -42,7 +42,7 @@ ENVIRONMENTS = (
     Entry("Catch", "edugym.envs.catch", "Dimensionality", "dimensionality"),
     Entry("MemoryCorridor", "edugym.envs.memory_corridor", "Partial observability", "memory"),
     Entry("Tamagotchi", "edugym.envs.tamagotchi", "Amount of signal", "signal"),
-    Entry("Trashbot", "edugym.envs.trashbot", "Discrete and continuous", "discrete_continuous"),
+    Entry("Trashbot", "edugym.envs.trashbot.task", "Discrete and continuous", "discrete_continuous"),
     Entry("Golf", "edugym.envs.golf", "Stochasticity", "stochasticity"),
     Entry("Supermarket", "edugym.envs.supermarket", "Model-based reinforcement learning", "model_based"),
 )
@@ -129,7 +129,7 @@ def make_environment(name: str, **parameters: Any) -> Any:
 
 
 def _make_vector(entry: Entry, num_envs: int = 1, autoreset_mode: str = "NextStep", **parameters: Any) -> Any:
-    from edugym.mdp.vector import MDPVectorEnv
+    from edugym.adapters.vector_env import MDPVectorEnv
 
     return MDPVectorEnv(entry.load()(**parameters), num_envs, autoreset_mode)
 

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 from gymnasium import spaces
 
-from agents.cases import AGENTS, CASES, STRATEGIES, Case, package_classes, same
 from edugym import CountBased, GoExplore, QLearning, TabularObservation, load, make_mdp, save, train
-from edugym.experiments.loop import Log, off_policy, on_policy, start
-from edugym.experiments.training import told_of_truncation
-from edugym.mdp.compiler import compiled
+from edugym.compiled.compiler import compiled
 from edugym.mdp.protocol import Random
-from edugym.wrappers.tabular import tabular
+from edugym.mdp.tabular import tabular
+from edugym.training.loops import Log, off_policy, on_policy, start
+from edugym.training.train import told_of_truncation
+from tests.agents.cases import AGENTS, CASES, STRATEGIES, Case, package_classes, same
 
 MDPS = ("Boulder", "Golf", "MemoryCorridor")  # states that are numbers, tuples, and hold arrays
 

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from edugym import GoExplore
-from edugym.mdp.branching import branches
+from edugym.exact.branching import branches
 from edugym.mdp.protocol import Reals
 
 RNG = np.random.default_rng(0)

@@ -12,7 +12,7 @@ from scipy.stats import binomtest
 
 from edugym import CountBased, EpsilonGreedy, ExponentialDecay, GoExplore, QLearning, ScheduledEpsilonGreedy, make_mdp
 from edugym.envs.boulder import Boulder
-from edugym.experiments.training import train
+from edugym.training.train import train
 
 SEEDS = 20
 NOTHING = 5e-324

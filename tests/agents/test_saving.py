@@ -13,9 +13,9 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from agents.cases import same
 from edugym import UCB, QLearning, Softmax, load, save
 from edugym.mdp.protocol import Integers, Random
+from tests.agents.cases import same
 
 
 class Memory(NamedTuple):

@@ -14,9 +14,9 @@ from hypothesis import strategies as st
 from hypothesis.strategies import SearchStrategy
 
 from edugym.envs.supermarket import supermarket
-from edugym.mdp.model import finite_model
-from edugym.planning.trashbot import ScriptedController
-from edugym.planning.value_iteration import value_iteration
+from edugym.envs.trashbot.planning import ScriptedController
+from edugym.exact.model import finite_model
+from edugym.exact.value_iteration import value_iteration
 
 Keywords = dict[str, Any]
 

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from gymnasium.vector import AutoresetMode
 
-from contract.parameters import PARAMETERS
 from edugym.registration import ENVIRONMENTS
+from tests.contract.parameters import PARAMETERS
 
 CORNERS = [
     (entry, corner) for entry in ENVIRONMENTS if entry.name in PARAMETERS for corner in PARAMETERS[entry.name].corners

@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 from gymnasium import spaces
 
-from contract.parameters import Keywords
-from contract.play import every_corner, every_environment, plain
 from edugym.agents.q_learning import QLearning
-from edugym.experiments.loop import GreedyActor, Log, OneStepAgent, off_policy, on_policy, play_episodes, start
-from edugym.mdp.compiler import compiled
+from edugym.compiled.compiler import compiled
 from edugym.mdp.protocol import Random, step_limit
+from edugym.mdp.tabular import tabular
 from edugym.registration import Entry
-from edugym.wrappers.tabular import tabular
+from edugym.training.loops import GreedyActor, Log, OneStepAgent, off_policy, on_policy, play_episodes, start
+from tests.contract.parameters import Keywords
+from tests.contract.play import every_corner, every_environment, plain
 
 N_STEPS = 2_000
 LARGEST_TABLE = 100_000

@@ -5,9 +5,9 @@ import math
 import re
 from typing import Any
 
-from contract.parameters import Keywords
-from contract.play import Player, every_corner, every_environment
 from edugym.registration import Entry
+from tests.contract.parameters import Keywords
+from tests.contract.play import Player, every_corner, every_environment
 
 HEADINGS = [
     "Description",

@@ -19,10 +19,10 @@ from gymnasium.utils.env_checker import check_env
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from contract.parameters import PARAMETERS, Keywords
-from contract.play import Env, Player, every_corner, every_environment, plain
 from edugym.mdp.protocol import step_limit
 from edugym.registration import ENVIRONMENTS, Entry
+from tests.contract.parameters import PARAMETERS, Keywords
+from tests.contract.play import Env, Player, every_corner, every_environment, plain
 
 RENDER_MODES = [None, "ansi", "rgb_array", "human"]
 
@@ -115,7 +115,7 @@ def test_random_stream_goes_on(entry: Entry) -> None:
 
 DIGESTS = """
 import sys, json
-from contract.play import Player
+from tests.contract.play import Player
 from edugym.registration import ENVIRONMENTS
 print(json.dumps({entry.name: repr(Player(entry.load()(**given), entry.name, seed=5).play(200))
     for entry in ENVIRONMENTS for given in [json.loads(sys.argv[1]).get(entry.name, {})]}))

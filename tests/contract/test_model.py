@@ -5,10 +5,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from contract.parameters import PARAMETERS, Keywords
-from contract.play import every_corner, every_environment, plain
-from edugym.mdp.model import FiniteModel, Outcome, finite_model
+from edugym.exact.model import FiniteModel, Outcome, finite_model
 from edugym.registration import Entry
+from tests.contract.parameters import PARAMETERS, Keywords
+from tests.contract.play import every_corner, every_environment, plain
 
 SAMPLES = 400
 """How often each state and action is tried, where there is chance."""

@@ -7,9 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from contract.parameters import PARAMETERS, Keywords, refused
-from contract.play import CORNERS, every_corner, every_environment
 from edugym.registration import ENVIRONMENTS, Entry, make_mdp
+from tests.contract.parameters import PARAMETERS, Keywords, refused
+from tests.contract.play import CORNERS, every_corner, every_environment
 
 
 def parameters_of(entry: Entry) -> set[str]:
@@ -27,7 +27,7 @@ def test_contract_runs_over_the_whole_registry() -> None:
     assert {entry for entry, _ in CORNERS} == set(ENVIRONMENTS)
     runs = []
     for path in Path(__file__).parent.glob("test_*.py"):
-        for name, test in vars(importlib.import_module(f"contract.{path.stem}")).items():
+        for name, test in vars(importlib.import_module(f"tests.contract.{path.stem}")).items():
             if name.startswith("test_") and "entry" in inspect.signature(test).parameters:
                 (cases,) = (mark.args for mark in test.pytestmark if mark.name == "parametrize")
                 runs.append((name, len(cases[1]), len(CORNERS if "keywords" in cases[0] else ENVIRONMENTS)))

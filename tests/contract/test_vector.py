@@ -11,11 +11,11 @@ from gymnasium import spaces
 from gymnasium.error import ResetNeeded
 from gymnasium.vector import AutoresetMode
 
-from contract.parameters import PARAMETERS, Keywords
-from contract.play import MODES, Copies, every_corner, every_environment, plain
+from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.envs.boulder import BoulderEnv
-from edugym.mdp.vector import MDPVectorEnv
 from edugym.registration import Entry
+from tests.contract.parameters import PARAMETERS, Keywords
+from tests.contract.play import MODES, Copies, every_corner, every_environment, plain
 
 
 def choose(name: str, copies: Copies, rng: np.random.Generator) -> np.ndarray[Any, Any]:

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from edugym.envs.boulder import BoulderEnv
-from edugym.mdp.model import finite_model
-from edugym.planning.value_iteration import value_iteration
+from edugym.exact.model import finite_model
+from edugym.exact.value_iteration import value_iteration
 from edugym.registration import make_mdp
 
 START = """

@@ -10,8 +10,8 @@ from scipy import stats
 
 import edugym
 from edugym.envs.catch import BALL, PADDLE, Catch, CatchEnv, CatchGrid, CatchImage, Fall
-from edugym.mdp.model import finite_model
-from edugym.planning.value_iteration import value_iteration
+from edugym.exact.model import finite_model
+from edugym.exact.value_iteration import value_iteration
 from edugym.rendering.palette import RED, YELLOW
 from edugym.rendering.scene import Circle, Rectangle
 

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from edugym.envs.golf import DISTANCES, Ball, Golf, GolfEnv
-from edugym.mdp.model import finite_model
-from edugym.planning.value_iteration import value_iteration
+from edugym.exact.model import finite_model
+from edugym.exact.value_iteration import value_iteration
 from edugym.registration import make_mdp
 
 RNG = np.random.default_rng(0)  # for what draws nothing

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from edugym.envs.roadrunner import RoadrunnerEnv, Runner
-from edugym.planning.value_iteration import value_iteration
+from edugym.exact.value_iteration import value_iteration
 from edugym.rendering.scene import Arc
 
 SLOWER, SAME, FASTER = 0, 1, 2

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from edugym.envs.study import Student, Study, StudyEnv
-from edugym.planning.value_iteration import value_iteration
+from edugym.exact.value_iteration import value_iteration
 from edugym.rendering.ansi import to_text
 from edugym.rendering.palette import GREEN, RED, SHADE, WHITE, blend
 from edugym.rendering.scene import Arc, Line, Rectangle, Scene, Text

@@ -9,8 +9,8 @@ import pytest
 from gymnasium.error import ResetNeeded
 
 from edugym.envs.supermarket import MAP, Countdown, SupermarketEnv
-from edugym.mdp.model import finite_model
-from edugym.planning.value_iteration import value_iteration
+from edugym.exact.model import finite_model
+from edugym.exact.value_iteration import value_iteration
 from edugym.registration import make_mdp
 from edugym.rendering.scene import Arc
 

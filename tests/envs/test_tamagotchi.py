@@ -12,13 +12,13 @@ import pytest
 from scipy import stats
 
 import edugym
-from edugym.agents.exploration import EpsilonGreedy
+from edugym.agents.strategies import EpsilonGreedy
+from edugym.compiled.execution import executable
 from edugym.envs.tamagotchi import Tamagotchi, TamagotchiEnv, Toy, happiness, meaning, urgency
-from edugym.experiments.loop import play_episodes
-from edugym.mdp.branching import branches
-from edugym.mdp.execution import executable
+from edugym.exact.branching import branches
 from edugym.mdp.protocol import Random
-from edugym.rendering.figures import Mood, smiley
+from edugym.rendering.icons import Mood, smiley
+from edugym.training.loops import play_episodes
 
 PLAY, SLEEP, FEED, CLEAN = range(4)
 E = math.e

@@ -8,9 +8,9 @@ import pytest
 from numpy.typing import NDArray
 from PIL import Image
 
-from edugym.agents.exploration import EpsilonGreedy
+from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.agents.q_learning import QLearning
-from edugym.mdp.env import MDPEnv
+from edugym.agents.strategies import EpsilonGreedy
 from edugym.mdp.protocol import Random
 from edugym.playing import Frame, play_episode, record
 from edugym.rendering.captions import captioned
@@ -18,7 +18,7 @@ from edugym.rendering.gif import to_gif
 from edugym.rendering.palette import BLUE, GREEN, INK, PAPER, RED, YELLOW, rgb
 from edugym.rendering.pixels import to_pixels
 from edugym.rendering.scene import Circle, Line, Polygon, Scene, Shape
-from playing.tasks import Walk
+from tests.playing.tasks import Walk
 
 
 def test_gifs_of_pictures(tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ from edugym.playing import Game
 from edugym.playing.game import TERMINATED, TRUNCATED, named_actions
 from edugym.playing.keyboard import keys_of
 from edugym.registration import ENVIRONMENTS
-from playing.tasks import Still, Walk
+from tests.playing.tasks import Still, Walk
 
 
 def test_the_score_of_a_game() -> None:

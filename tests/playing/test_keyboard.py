@@ -25,7 +25,7 @@ from edugym.playing.keyboard import CLEAR, key_presses, keys_of, windows_keys
 from edugym.registration import ENVIRONMENTS
 from edugym.rendering.scene import Scene, Text
 from edugym.rendering.window import Window
-from playing.tasks import Walk
+from tests.playing.tasks import Walk
 
 
 def lines_of(keys: list[str], **options: Any) -> list[str]:

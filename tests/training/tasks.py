@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
-from edugym.agents.exploration import best_value, greedy_action
+from edugym.agents.strategies import best_value, greedy_action
 from edugym.mdp.protocol import Random
 
 

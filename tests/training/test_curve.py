@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from edugym import CountBased, EpsilonGreedy, QLearning, ScheduledEpsilonGreedy, make_mdp, train
-from edugym.agents.exploration import LinearDecay
-from edugym.experiments import training
+from edugym.agents.strategies import LinearDecay
 from edugym.mdp.protocol import Random
-from training.tasks import SlipperyWalk, Stairs
+from edugym.training import train as training
+from tests.training.tasks import SlipperyWalk, Stairs
 
 
 @pytest.mark.parametrize("n_steps", [10, 6_000])

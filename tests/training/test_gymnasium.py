@@ -8,10 +8,10 @@ import pytest
 from gymnasium.wrappers import TimeLimit, TransformObservation, TransformReward
 
 from edugym import QLearning, make_mdp, train
+from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.envs.boulder import BoulderEnv
-from edugym.mdp.env import MDPEnv
 from edugym.mdp.protocol import Random
-from training.tasks import SlipperyWalk, Stairs, StudentsQLearning, StudentsSarsa, tell_tale
+from tests.training.tasks import SlipperyWalk, Stairs, StudentsQLearning, StudentsSarsa, tell_tale
 
 
 def cliff_walking() -> str:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from edugym import QLearning, make_mdp, repeat, train
-from edugym.mdp import execution
+from edugym.compiled import execution
 from edugym.mdp.protocol import Random, Reals
 
 WALL = make_mdp("Boulder", height=3)

@@ -10,13 +10,13 @@ from pathlib import Path
 
 import pytest
 
-from edugym.experiments.interrupts import interrupts
+from edugym.training.interrupts import interrupts
 
 SCRIPT = """
 import os, signal, sys, threading, warnings
 import gymnasium
 from edugym import QLearning, train
-from edugym.experiments import training
+from edugym.training import train as training
 
 how, env_id = sys.argv[1:]
 environment = gymnasium.make(env_id)

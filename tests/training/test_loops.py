@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from edugym import EpsilonGreedy, QLearning, make_mdp, train
-from edugym.experiments import training
-from edugym.mdp import execution
+from edugym.compiled import execution
 from edugym.mdp.protocol import Random, Reals
-from training.tasks import SlipperyWalk, Stairs, StudentsQLearning, StudentsSarsa, tell_tale
+from edugym.training import train as training
+from tests.training.tasks import SlipperyWalk, Stairs, StudentsQLearning, StudentsSarsa, tell_tale
 
 
 @pytest.fixture

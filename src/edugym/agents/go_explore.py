@@ -4,11 +4,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from edugym.agents.exploration import best_value, greedy_action
-from edugym.agents.parameters import check_learning
-from edugym.mdp.checks import whole_number
+from edugym.agents.settings import check_learning
+from edugym.agents.strategies import best_value, greedy_action
+from edugym.checks import whole_number
 from edugym.mdp.protocol import Integers, Random, Reals
-from edugym.wrappers.tabular import table_size
+from edugym.mdp.tabular import table_size
 
 
 class Try(NamedTuple):

@@ -4,10 +4,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from edugym.agents.exploration import EpsilonGreedy, Exploration, best_value, greedy_action
-from edugym.agents.parameters import check_exploration, check_learning
+from edugym.agents.settings import check_exploration, check_learning
+from edugym.agents.strategies import EpsilonGreedy, Exploration, best_value, greedy_action
 from edugym.mdp.protocol import Random, Reals
-from edugym.wrappers.tabular import table_size
+from edugym.mdp.tabular import table_size
 
 
 class QLearning(NamedTuple):

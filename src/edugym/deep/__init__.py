@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from gymnasium.error import DependencyNotInstalled
 
-from edugym.mdp.env import MDPEnv
-from edugym.mdp.vector import MDPVectorEnv
+from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.registration import make_environment
 
 if TYPE_CHECKING:

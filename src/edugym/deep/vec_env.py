@@ -7,7 +7,7 @@ import numpy as np
 from gymnasium.vector import AutoresetMode
 from stable_baselines3.common.vec_env.base_vec_env import VecEnv, VecEnvIndices
 
-from edugym.mdp.vector import MDPVectorEnv
+from edugym.adapters.vector_env import MDPVectorEnv
 
 
 class MDPVecEnv(VecEnv):

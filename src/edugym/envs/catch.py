@@ -6,10 +6,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
-from edugym.mdp.checks import one_of, whole_number
-from edugym.mdp.env import MDPEnv
+from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.checks import one_of, whole_number
 from edugym.mdp.protocol import Random
-from edugym.rendering.figures import Mood, smiley
+from edugym.rendering.icons import Mood, smiley
 from edugym.rendering.palette import GRASS, PAPER, RED, SHADE, SKY, YELLOW, rgb
 from edugym.rendering.scene import Circle, Line, Rectangle, Scene, Shape, Text
 

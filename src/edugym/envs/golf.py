@@ -5,10 +5,10 @@ from typing import Any, NamedTuple
 
 from gymnasium import spaces
 
-from edugym.mdp.checks import above, at_least, whole_number
-from edugym.mdp.env import MDPEnv
+from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.checks import above, at_least, whole_number
 from edugym.mdp.protocol import Random
-from edugym.rendering.figures import Mood, flag, smiley
+from edugym.rendering.icons import Mood, flag, smiley
 from edugym.rendering.palette import GRASS, GREEN, SAND, WATER, WHITE, blend
 from edugym.rendering.scene import Circle, Line, Rectangle, Scene, Shape, Text
 

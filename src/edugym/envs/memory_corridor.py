@@ -5,10 +5,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
-from edugym.mdp.checks import number_of_steps, whole_number
-from edugym.mdp.env import MDPEnv
+from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.checks import number_of_steps, whole_number
 from edugym.mdp.protocol import Integers, Random
-from edugym.rendering.figures import door, lamp, smiley
+from edugym.rendering.icons import door, lamp, smiley
 from edugym.rendering.palette import BRICK, ROAD, SHADE, WALL, blend
 from edugym.rendering.scene import Rectangle, Scene, Shape, Text
 

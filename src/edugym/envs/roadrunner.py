@@ -4,10 +4,10 @@ from typing import Any, NamedTuple
 
 from gymnasium import spaces
 
-from edugym.mdp.checks import between, number_of_steps, whole_number
-from edugym.mdp.env import MDPEnv
+from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.checks import between, number_of_steps, whole_number
 from edugym.mdp.protocol import Random
-from edugym.rendering.figures import Mood, sign, smiley
+from edugym.rendering.icons import Mood, sign, smiley
 from edugym.rendering.palette import GRASS, INK, ROAD, SAND, SKY, WALL, WHITE
 from edugym.rendering.scene import Circle, Line, Polygon, Rectangle, Scene, Shape, Text
 

@@ -5,10 +5,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
-from edugym.mdp.checks import between, whole_number
-from edugym.mdp.env import MDPEnv
+from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.checks import between, whole_number
 from edugym.mdp.protocol import Integers, Random, Reals
-from edugym.rendering.figures import Mood, gauge, smiley
+from edugym.rendering.icons import Mood, gauge, smiley
 from edugym.rendering.palette import BLUE, GREEN, INK, ORANGE, RED, SHADE, WHITE, blend
 from edugym.rendering.scene import Line, Rectangle, Scene, Shape, Text
 

@@ -7,11 +7,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
-from edugym.mdp.checks import between, number_of_steps, whole_number
-from edugym.mdp.env import MDPEnv
-from edugym.mdp.model import FiniteModel, finite_model
+from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.checks import between, number_of_steps, whole_number
+from edugym.exact.model import FiniteModel, finite_model
 from edugym.mdp.protocol import Integers, Random
-from edugym.rendering.figures import door, sign, smiley
+from edugym.rendering.icons import door, sign, smiley
 from edugym.rendering.palette import BLUE, BRICK, GREEN, PAPER, RED, SHADE, WHITE, blend
 from edugym.rendering.scene import Circle, Line, Polygon, Rectangle, Scene, Shape, Text
 

@@ -7,10 +7,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
-from edugym.mdp.checks import at_least, number_of_steps, whole_number
-from edugym.mdp.env import MDPEnv
+from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.checks import at_least, number_of_steps, whole_number
 from edugym.mdp.protocol import Random
-from edugym.rendering.figures import Mood, gauge, smiley, speech_bubble
+from edugym.rendering.icons import Mood, gauge, smiley, speech_bubble
 from edugym.rendering.palette import BLUE, GREEN, INK, ORANGE, PAPER, PURPLE, RED, SKY, WHITE, blend
 from edugym.rendering.scene import Circle, Polygon, Rectangle, Scene, Shape, Text
 

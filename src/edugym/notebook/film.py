@@ -6,7 +6,7 @@ from typing import Any
 
 import ipywidgets
 
-from edugym.mdp.checks import above
+from edugym.checks import above
 from edugym.notebook.panel import Panel, picture_html, text_html
 from edugym.playing.films import play_episode
 from edugym.playing.game import Frame

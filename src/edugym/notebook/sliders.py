@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import ipywidgets
 import numpy as np
 
-from edugym.mdp.checks import one_of
+from edugym.checks import one_of
 from edugym.notebook.panel import Panel, png_html
 
 if TYPE_CHECKING:

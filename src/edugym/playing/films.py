@@ -7,11 +7,11 @@ from typing import Any
 import gymnasium
 import numpy as np
 
+from edugym.checks import whole_number
 from edugym.files import check_writable
-from edugym.mdp.checks import whole_number
 from edugym.mdp.protocol import Random
+from edugym.mdp.tabular import tabular
 from edugym.playing.game import Frame, Game, made
-from edugym.wrappers.tabular import tabular
 
 
 def play_episode(

@@ -9,8 +9,8 @@ import gymnasium
 import numpy as np
 from gymnasium import spaces
 
-from edugym.mdp.checks import one_of
-from edugym.mdp.env import MDPEnv
+from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.checks import one_of
 from edugym.registration import specification
 from edugym.rendering.captions import captioned
 from edugym.rendering.scene import Scene

@@ -9,8 +9,8 @@ from contextlib import closing, contextmanager, suppress
 from pathlib import Path
 from typing import Any, Protocol, TextIO
 
+from edugym.checks import one_of
 from edugym.extras import require
-from edugym.mdp.checks import one_of
 from edugym.playing.films import checked_path, record
 from edugym.playing.game import Game
 from edugym.rendering.ansi import to_text

@@ -3,12 +3,12 @@
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from edugym.experiments.results import Results
-from edugym.experiments.statistics import by_point
-from edugym.mdp.checks import whole_number
+from edugym.checks import whole_number
 from edugym.mdp.protocol import Reals
 from edugym.plotting.style import count_steps, dress, own_axes, stroke
 from edugym.rendering.palette import INK
+from edugym.results.statistics import by_point
+from edugym.results.tables import Results
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from edugym.experiments.lessons import Curves, Figure, Lines, VisitMap
+from edugym.lessons.report import Curves, Figure, Lines, VisitMap
 from edugym.plotting.curves import learning_curves, lines
 from edugym.plotting.maps import visitation_map
 from edugym.plotting.style import PANEL

@@ -1,0 +1,1 @@
+"""The same MDP as a Gymnasium environment and as a vector environment."""

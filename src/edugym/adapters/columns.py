@@ -1,0 +1,227 @@
+"""Room for n states, a column for each number in one, and for what is seen of them, a row for each.
+
+Machine code reads and writes both in place.
+"""
+
+import hashlib
+import sys
+from collections.abc import Callable
+from types import ModuleType
+from typing import Any, NamedTuple, Protocol
+
+import numpy as np
+
+from edugym.mdp.protocol import MDP, Random
+
+
+class Storage(Protocol):
+    """Room for n values."""
+
+    def load(self, i: int) -> Any:
+        """The i-th value."""
+
+    def store(self, i: int, value: Any) -> None:
+        """Put a value in the i-th place."""
+
+
+class Rows(Protocol):
+    """An array with a row for each of n observations."""
+
+    @property
+    def rows(self) -> Any:
+        """The array, of shape (n, ...)."""
+
+    def put(self, i: int, mdp: MDP[Any, Any], state: Any, rng: Random) -> None:
+        """Observe a state, and write what is seen into the i-th row."""
+
+
+class WholeRows(NamedTuple):
+    """Rows for observations that are numbers, or arrays, which are copied."""
+
+    rows: Any
+
+    def put(self, i: int, mdp: MDP[Any, Any], state: Any, rng: Random) -> None:
+        """Observe a state, and write what is seen into the i-th row."""
+        self.rows[i] = mdp.observation(state, rng)
+
+
+class RowsInPlace(NamedTuple):
+    """Rows for observations that are arrays, which the MDP itself writes in their place."""
+
+    rows: Any
+
+    def put(self, i: int, mdp: Any, state: Any, rng: Random) -> None:
+        """Observe a state, and write what is seen into the i-th row."""
+        mdp.observe_into(state, rng, self.rows[i])
+
+
+class Listed(NamedTuple):
+    """Values of any shape, such as states that hold arrays, in something that is indexed as a list is."""
+
+    values: Any
+
+    def load(self, i: int) -> Any:
+        """The i-th value."""
+        return self.values[i]
+
+    def store(self, i: int, value: Any) -> None:
+        """Put a value in the i-th place."""
+        self.values[i] = value
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """How it is copied and pickled: Numba's lists cannot be."""
+        return loose if isinstance(self.values, np.ndarray) else listed, (list(self.values),)
+
+
+def storage(states: list[Any], n: int) -> Storage:
+    """Room for `n` states, given some that occur; a number that is whole in some and not in others is not whole."""
+    if not all(map(_regular, states)) or len({_form(state, numbers=False) for state in states}) > 1:
+        return loose([states[0]] * n)
+    if not holds_arrays(states[0]):
+        return columns(_joint(states), n)
+    several = len({_form(state, numbers=True) for state in states}) > 1
+    return (loose if several else listed)([states[0]] * n)
+
+
+def columns(sample: Any, n: int) -> Storage:
+    """Room for `n` values like `sample`: a number, or a (nested) tuple of numbers.
+
+    The class is written for the sample, for example for a state (x, speed):
+
+        def load(self, i):
+            return (self.columns[0][i], self.columns[1][i],)
+        def store(self, i, value):
+            self.columns[0][i] = value[0]
+            self.columns[1][i] = value[1]
+    """
+    arrays: list[np.ndarray[Any, Any]] = []
+    kinds: dict[str, type] = {}
+    stores: list[str] = []
+
+    def walk(value: Any, path: str) -> str:
+        if isinstance(value, tuple):
+            inside = "".join(walk(part, f"{path}[{k}]") + ", " for k, part in enumerate(value))
+            if not hasattr(value, "_fields"):
+                return f"({inside})"
+            kinds[f"Kind{len(kinds)}"] = type(value)
+            return f"Kind{len(kinds) - 1}({inside})"
+        stores.append(f"        self.columns[{len(arrays)}][i] = value{path}")
+        arrays.append(np.zeros(n, np.asarray(value).dtype))
+        return f"self.columns[{len(arrays) - 1}][i]"
+
+    loaded = walk(sample, "")
+    lines = [
+        "    columns: tuple",
+        "    def load(self, i):",
+        f"        return {loaded}",
+        "    def store(self, i, value):",
+        *(stores or ["        pass"]),
+    ]
+    storage: Storage = _class("Columns", lines, kinds)(tuple(arrays))
+    return storage
+
+
+def observation_rows(mdp: MDP[Any, Any], sample: Any) -> Callable[[np.ndarray[Any, Any]], Rows]:
+    """What makes of an array the rows for observations of `mdp` like `sample`.
+
+    For tuples the class is written for the sample, for example for (x, speed):
+
+        def put(self, i, mdp, state, rng):
+            value = mdp.observation(state, rng)
+            self.rows[i, 0] = value[0]
+            self.rows[i, 1] = value[1]
+    """
+    observers = {"observation", "observe_into"}  # a subclass that overrides the first alone must not inherit the second
+    if "observe_into" in next((vars(kind) for kind in type(mdp).__mro__ if observers & vars(kind).keys()), {}):
+        return RowsInPlace
+    if not isinstance(sample, tuple):
+        return WholeRows
+    stores: list[str] = []
+
+    def walk(value: Any, path: str, place: str) -> None:
+        if not isinstance(value, tuple):
+            stores.append(f"        self.rows[i{place}] = value{path}")
+            return
+        for k, part in enumerate(value):
+            walk(part, f"{path}[{k}]", f"{place}, {k}")
+
+    walk(sample, "", "")
+    lines = [
+        "    rows: object",
+        "    def put(self, i, mdp, state, rng):",
+        "        value = mdp.observation(state, rng)",
+        *stores,
+    ]
+    kind: Callable[[np.ndarray[Any, Any]], Rows] = _class("TupleRows", lines, {})
+    return kind
+
+
+def listed(values: list[Any]) -> Listed:
+    """The values as they are, in a list that machine code can use where there is a compiler."""
+    try:
+        from numba.typed import List
+    except ImportError:
+        return loose(values)
+    return Listed(List(values))
+
+
+def loose(values: list[Any]) -> Listed:
+    """The values, and later others of whatever kind, which machine code cannot use."""
+    objects = np.empty(len(values), object)
+    for i, value in enumerate(values):
+        objects[i] = value
+    return Listed(objects)
+
+
+def holds_arrays(value: Any) -> bool:
+    """Whether there is an array anywhere in a value."""
+    return isinstance(value, np.ndarray) or (isinstance(value, tuple) and any(map(holds_arrays, value)))
+
+
+def _regular(value: Any) -> bool:
+    """Whether it is made of numbers, arrays of numbers and tuples alone."""
+    if isinstance(value, tuple):
+        return all(map(_regular, value))
+    return np.asarray(value).dtype.kind in "biufc"
+
+
+def _form(value: Any, *, numbers: bool) -> Any:
+    """What values have in common that fit in one place: up to the types of their numbers, or these as well."""
+    if isinstance(value, tuple):
+        return type(value), tuple(_form(part, numbers=numbers) for part in value)
+    if isinstance(value, np.ndarray):
+        return value.dtype, value.ndim
+    return np.asarray(value).dtype if numbers else None
+
+
+def _joint(values: list[Any]) -> Any:
+    """The first value, its numbers of types that can hold those of all the others."""
+    first = values[0]
+    if isinstance(first, tuple):
+        parts = [_joint(list(parts)) for parts in zip(*values, strict=True)]
+        return type(first)(*parts) if hasattr(first, "_fields") else tuple(parts)
+    return np.result_type(*map(np.asarray, values)).type(first)
+
+
+def _class(name: str, lines: list[str], kinds: dict[str, type]) -> Any:
+    """The NamedTuple class with these lines: one for each text and classes, in a module of its own.
+
+    The names of both are the same in every process, so that the disk cache of machine code finds the class again, and
+    differ where the texts do, since Numba's fast path tells classes apart by their names.
+    """
+    known = [(kind.__module__, kind.__qualname__) for kind in kinds.values()]
+    full_name = f"{name}_{hashlib.sha256(repr((lines, known)).encode()).hexdigest()[:16]}"
+    module = sys.modules.get(f"edugym.adapters.{full_name}")
+    if module is None or module.__dict__["KINDS"] != kinds:
+        module = ModuleType(f"edugym.adapters.{full_name}")
+        module.__dict__.update(kinds, NamedTuple=NamedTuple, KINDS=kinds)
+        source = "\n".join([f"class {full_name}(NamedTuple):", *lines])
+        exec(source, module.__dict__)  # generated above from a sample's shape alone
+        module.__dict__[full_name].__reduce__ = lambda value: (_value, (name, lines, kinds, tuple(value)))
+        sys.modules[module.__name__] = module
+    return module.__dict__[full_name]
+
+
+def _value(name: str, lines: list[str], kinds: dict[str, type], fields: tuple[Any, ...]) -> Any:
+    """A value of such a class, as another process reads it that has not made the class yet."""
+    return _class(name, lines, kinds)(*fields)

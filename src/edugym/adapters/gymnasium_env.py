@@ -1,0 +1,250 @@
+"""Any MDP as a Gymnasium environment."""
+
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING, Any, Generic, SupportsFloat, TypeVar
+
+import gymnasium
+import numpy as np
+from gymnasium import spaces
+from gymnasium.error import ResetNeeded
+
+from edugym.checks import one_of
+from edugym.mdp.protocol import MDP, coerced, step_limit
+
+if TYPE_CHECKING:
+    from edugym.exact.model import FiniteModel, Outcome
+    from edugym.rendering.scene import Scene
+
+M = TypeVar("M", bound=MDP[Any, Any])
+
+RENDERING: dict[str, Any] = {"render_modes": ["human", "rgb_array", "ansi"], "render_fps": 4}
+
+
+class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
+    """A Gymnasium environment that plays an MDP: `MDPEnv(Walk(7))`.
+
+    It keeps the state, the random stream and the step limit; everything else it asks of the MDP. An environment with
+    parameters and a picture of its own is a subclass (see `edugym.envs`), which says what it shows in `scene` and
+    `info`.
+
+    Args:
+        mdp: the task, with `observation_space` and `action_space` (see `edugym.mdp.protocol.MDP`).
+        render_mode: `"human"` (a window), `"rgb_array"` (pixels), `"ansi"` (characters) or None.
+
+    Attributes:
+        mdp: the task.
+        state: the full state of the task, also what the agent does not see; None before the first `reset`.
+        steps: how many steps this episode has taken.
+        last_state: the state before this one; None at the start of an episode.
+        actions: the actions of this episode, in order.
+
+    Raises:
+        ValueError: there is no such render mode, or the MDP numbers its actions otherwise than 0, 1, ...
+    """
+
+    metadata = RENDERING
+
+    def __init__(self, mdp: M, render_mode: str | None = None) -> None:
+        """See the class."""
+        mdp = coerced(mdp)
+        one_of("render_mode", render_mode, [None, *self.metadata["render_modes"]])
+        if isinstance(mdp.action_space, spaces.Discrete) and mdp.action_space.start != 0:
+            raise ValueError(f"action_space of an MDP must number the actions from 0, but is {mdp.action_space}")
+        self.mdp = mdp
+        self.observation_space = mdp.observation_space
+        self.action_space = mdp.action_space
+        self.render_mode = render_mode
+        self.state: Any = None
+        self.steps = 0
+        self.last_state: Any = None
+        self.actions: list[Any] = []
+        self._limit = step_limit(mdp)
+        self._over = True
+        self._shown = as_element_of(mdp.observation_space)
+        self._n_actions = int(mdp.action_space.n) if isinstance(mdp.action_space, spaces.Discrete) else 0
+        self._window: Any = None
+        self._known_model: FiniteModel | None = None
+        self._model_rng = np.random.default_rng(0)
+
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
+        """Start an episode.
+
+        Args:
+            seed: with a seed, everything after it can be repeated; without one the random stream goes on.
+            options: not used.
+
+        Returns:
+            The observation and `info`.
+        """
+        super().reset(seed=seed)
+        if seed is not None:
+            self._model_rng = np.random.default_rng([seed, 1])  # planning must not shift what the environment draws
+        rng = self.np_random
+        self.state = self.mdp.initial(rng)
+        self.steps = 0
+        self.last_state, self.actions = None, []
+        self._over = False
+        observation = self._shown(self.mdp.observation(self.state, rng))
+        if self.render_mode == "human":
+            self.render()
+        return observation, self.info()
+
+    def step(self, action: Any) -> tuple[Any, SupportsFloat, bool, bool, dict[str, Any]]:
+        """Take one step.
+
+        Args:
+            action: an element of `action_space`.
+
+        Returns:
+            The observation, the reward, whether the task has ended (`terminated`), whether the step limit has cut the
+            episode off (`truncated`; never both), and `info`.
+
+        Raises:
+            ResetNeeded: there is no episode under way.
+            ValueError: the action is not in the action space.
+        """
+        if self._over:
+            why = "before the first reset" if self.state is None else "of a finished episode"
+            raise ResetNeeded(f"step {why}: call reset() to start an episode")
+        action = self._checked(action)
+        mdp, state, rng = self.mdp, self.state, self.np_random
+        next_state = mdp.transition(state, action, rng)
+        reward = float(mdp.reward(state, action, next_state, rng))
+        terminated = bool(mdp.terminal(next_state))
+        observation = self._shown(mdp.observation(next_state, rng))
+        self.steps += 1
+        truncated = self.steps == self._limit and not terminated
+        self.state, self.last_state = next_state, state
+        self.actions.append(action)
+        self._over = terminated or truncated
+        if self.render_mode == "human":
+            self.render()
+        return observation, reward, terminated, truncated, self.info()
+
+    @property
+    def last_action(self) -> Any:
+        """The action that led here; None at the start of an episode."""
+        return self.actions[-1] if self.actions else None
+
+    @property
+    def only_plays_its_mdp(self) -> bool:
+        """Whether its MDP alone gives the same episodes, so that training may run that, as machine code.
+
+        A subclass that extends `reset` or `step` says so itself where it changes nothing by that.
+        """
+        return type(self).reset is MDPEnv.reset and type(self).step is MDPEnv.step
+
+    def info(self) -> dict[str, Any]:
+        """What a teacher may want to plot and an agent may not use: a new dictionary at every call."""
+        return {}
+
+    def named_actions(self) -> dict[str, Any]:
+        """The actions that a person who plays may choose from, by what they mean: labels for buttons and keys.
+
+        Empty where each action goes by its number. An MDP whose actions are whole numbers may name them in an attribute
+        or property, `action_names = ("left", "right")`; an environment with other actions says which to choose from.
+        """
+        return {name: action for action, name in enumerate(getattr(self.mdp, "action_names", ()))}
+
+    def scene(self) -> "Scene":
+        """The picture of the present state; in a notebook it shows itself."""
+        from edugym.rendering.scene import Scene, Text
+
+        return Scene(12.0, 2.0, (Text(6.0, 1.2, f"state {self.state!r}", 0.6),))
+
+    def render(self) -> Any:
+        """Draw the present state as `render_mode` says: an array of pixels (height, width, 3), a string, or a window.
+
+        Raises:
+            ResetNeeded: there is no state to draw yet.
+        """
+        if self.state is None:
+            raise ResetNeeded("render before the first reset: call reset() to start an episode")
+        if self.render_mode == "rgb_array":
+            from edugym.rendering.pixels import to_pixels
+
+            return to_pixels(self.scene())
+        if self.render_mode == "ansi":
+            from edugym.rendering.ansi import to_text
+
+            return to_text(self.scene())
+        if self.render_mode == "human":
+            from edugym.rendering.window import Window
+
+            if self._window is None:
+                self._window = Window(self.spec.id if self.spec else type(self.mdp).__name__)
+            self._window.show(self.scene(), self.metadata["render_fps"])
+            return None
+        gymnasium.logger.warn(
+            "render() without a render_mode shows nothing: pass render_mode when you make the environment"
+        )
+        return None
+
+    def close(self) -> None:
+        """Close the window, if there is one."""
+        if self._window is not None:
+            self._window.close()
+            self._window = None
+
+    @property
+    def finite_model(self) -> "FiniteModel":
+        """The exact model of the task as tables, made when first asked for.
+
+        Raises:
+            ValueError: the task is not finite, or the agent does not see its state.
+        """
+        from edugym.exact.model import finite_model
+
+        if self._known_model is None:
+            self._known_model = finite_model(self.mdp)
+        return self._known_model
+
+    def descriptive_model(self, state: Any, action: Any) -> "list[Outcome]":
+        """All that can happen: a list of (probability, next_state, reward, terminated), rewards in the mean.
+
+        Raises:
+            ValueError: the task is not finite, or it has no such state or action.
+        """
+        return self.finite_model.outcomes(state, self._checked(action))
+
+    def generative_model(self, state: Any, action: Any) -> "Outcome":
+        """One thing that can happen, as (1.0, next_state, reward, terminated), drawn from a stream of the model's own.
+
+        Raises:
+            ValueError: the task is not finite, or it has no such state or action.
+        """
+        outcomes = self.descriptive_model(state, action)
+        chosen = self._model_rng.choice(len(outcomes), p=[outcome.probability for outcome in outcomes])
+        return outcomes[int(chosen)]._replace(probability=1.0)
+
+    def model(self, state: Any, action: Any, kind: str = "descriptive") -> "list[Outcome] | Outcome":
+        """The paper's short form of `descriptive_model` and `generative_model`.
+
+        Raises:
+            ValueError: the kind is neither, or as in those.
+        """
+        one_of("kind", kind, ["descriptive", "generative"])
+        return self.descriptive_model(state, action) if kind == "descriptive" else self.generative_model(state, action)
+
+    def _checked(self, action: Any) -> Any:
+        """The action as the MDP takes it: whole numbers as `int`, others as they are."""
+        if type(action) is int and 0 <= action < self._n_actions:
+            return action
+        no_array = isinstance(self.action_space, spaces.Box) and not isinstance(action, np.ndarray)
+        try:  # a Box would cast what is no array, with a warning; Gymnasium up to 1.3 stumbles over huge numbers
+            fits = not no_array and self.action_space.contains(action)
+        except OverflowError:
+            fits = False
+        if not fits:
+            raise ValueError(f"action {action!r} is not in the action space {self.action_space}")
+        return int(action) if self._n_actions else action
+
+    def __getstate__(self) -> dict[str, Any]:
+        """What is pickled and copied: everything but the window."""
+        return {**self.__dict__, "_window": None}
+
+
+def as_element_of(space: spaces.Space[Any]) -> Callable[[Any], Any]:
+    """What turns an observation of an MDP into an element of a Gymnasium space (an array of its own each time)."""
+    return int if isinstance(space, spaces.Discrete) else partial(np.array, dtype=space.dtype)

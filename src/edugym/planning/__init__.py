@@ -1,1 +1,0 @@
-"""Exact planning, on the exact model."""

@@ -1,0 +1,133 @@
+"""How often an agent meets each state, and when: what it explores, made visible."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from edugym.checks import whole_number
+from edugym.mdp.protocol import Integers, Random
+from edugym.mdp.tabular import table_size
+from edugym.training.loops import GreedyActor
+from edugym.training.train import told_of_truncation
+
+
+class VisitRecorder(NamedTuple):
+    """An agent that acts and learns as the one inside it, and counts the states it meets in training.
+
+    It draws no random number, so that the run is the same as without it, bit for bit.
+
+    Attributes:
+        agent: the agent.
+        learner: the same agent, told whether an episode was truncated.
+        actor: the same agent as it acts when it is evaluated.
+        visits: shape (n_intervals, n_states): how often each state was met in each interval of the training: every
+            state in which it acted, and every terminal state that it entered.
+        steps: shape (1,): the training steps so far.
+        n_steps: the training steps over which the intervals stretch; what comes later counts in the last.
+    """
+
+    agent: Any
+    learner: Any
+    actor: Any
+    visits: Integers
+    steps: Integers
+    n_steps: int
+
+    @property
+    def recorded(self) -> Any:
+        """The agent."""
+        return self.agent
+
+    def act(self, state: int, rng: Random) -> int:
+        """The agent's action."""
+        action: int = self.agent.act(state, rng)
+        return action
+
+    def greedy(self, state: int, rng: Random) -> int:
+        """The action by which the agent is evaluated."""
+        action: int = self.actor.act(state, rng)
+        return action
+
+    def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool, truncated: bool) -> None:
+        """Count, and let the agent learn."""
+        self.record(state, next_state, terminated)
+        self.learner.learn(state, action, reward, next_state, terminated, truncated)
+
+    def record(self, state: int, next_state: int, terminated: bool) -> None:
+        """Count a step that was taken in `state`, and where it led if that is an end."""
+        interval = min(self.steps[0] * len(self.visits) // self.n_steps, len(self.visits) - 1)
+        self.visits[interval, state] += 1
+        if terminated:
+            self.visits[interval, next_state] += 1
+        self.steps[0] += 1
+
+
+class OnPolicyVisitRecorder(NamedTuple):
+    """The same for agents that learn from the action they will take next (SARSA).
+
+    Attributes:
+        recorder: what counts, with the agent in it.
+        visits: shape (n_intervals, n_states): the counts, as in `VisitRecorder`.
+    """
+
+    recorder: VisitRecorder
+    visits: Integers
+
+    @property
+    def on_policy(self) -> bool:
+        """Whether it learns from the next action: always."""
+        return True
+
+    @property
+    def recorded(self) -> Any:
+        """The agent."""
+        return self.recorder.agent
+
+    def act(self, state: int, rng: Random) -> int:
+        """The agent's action."""
+        return self.recorder.act(state, rng)
+
+    def greedy(self, state: int, rng: Random) -> int:
+        """The action by which the agent is evaluated."""
+        return self.recorder.greedy(state, rng)
+
+    def learn(
+        self,
+        state: int,
+        action: int,
+        reward: float,
+        next_state: int,
+        next_action: int,
+        terminated: bool,
+        truncated: bool,
+    ) -> None:
+        """Count, and let the agent learn."""
+        self.recorder.record(state, next_state, terminated)
+        self.recorder.learner.learn(state, action, reward, next_state, next_action, terminated, truncated)
+
+
+def record_visits(
+    agent: Any, environment: Any, n_steps: int, *, n_intervals: int = 100
+) -> VisitRecorder | OnPolicyVisitRecorder:
+    """The agent, with a table `visits` that fills as it trains.
+
+        watched = record_visits(QLearning.create(mdp), mdp, 20_000)
+        train(mdp, watched, 20_000)
+        watched.visits.sum(axis=0)
+
+    Args:
+        agent: an agent whose states are whole numbers; its own tables are changed in place as ever.
+        environment: an MDP or Gymnasium environment with whole numbers for observations and actions, or the shape
+            (n_states, n_actions) of a table for it.
+        n_steps: how many steps it will be trained for, 1 or more.
+        n_intervals: into how many equal intervals they are divided, 1 or more.
+
+    Raises:
+        ValueError: a parameter is not as above.
+    """
+    whole_number("n_steps", n_steps, 1)
+    whole_number("n_intervals", n_intervals, 1)
+    visits = np.zeros((n_intervals, table_size(environment)[0]), np.int64)
+    actor = GreedyActor(agent) if hasattr(agent, "greedy") else agent
+    recorder = VisitRecorder(agent, told_of_truncation(agent), actor, visits, np.zeros(1, np.int64), n_steps)
+    return OnPolicyVisitRecorder(recorder, visits) if getattr(agent, "on_policy", False) else recorder

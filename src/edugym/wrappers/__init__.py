@@ -1,1 +1,0 @@
-"""MDPs and environments that change what another one shows."""

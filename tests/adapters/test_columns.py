@@ -1,0 +1,120 @@
+"""Room for n states: what is stored comes back, in columns of numbers where that can be."""
+
+import copy
+import pickle
+import subprocess
+import sys
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from edugym.adapters.columns import Listed, columns, storage
+from edugym.compiled.compiler import compiled
+from tests.contract.play import plain
+
+
+class Pair(NamedTuple):
+    """Two values."""
+
+    first: Any
+    second: Any
+
+
+NUMBERS = st.integers(-(2**62), 2**62) | st.floats(allow_nan=False) | st.booleans()
+STATES = st.recursive(
+    NUMBERS, lambda inner: st.lists(inner, max_size=3).map(tuple) | st.builds(Pair, inner, inner), max_leaves=6
+)
+
+
+def leaves(state: Any) -> list[Any]:
+    """The numbers in a state."""
+    return [leaf for part in state for leaf in leaves(part)] if isinstance(state, tuple) else [state]
+
+
+@given(state=STATES, n=st.integers(1, 4))
+def test_what_is_stored_comes_back(state: Any, n: int) -> None:
+    """Any state of numbers is loaded as it was stored: the same classes, values and types of numbers."""
+    room = columns(state, n)
+    for i in range(n):
+        room.store(i, state)
+    for one in (room, copy.deepcopy(room), pickle.loads(pickle.dumps(room))):
+        for i in range(n):
+            loaded = one.load(i)
+            assert plain(loaded) == plain(state)
+            assert type(loaded) is type(state) or not isinstance(state, tuple)
+            assert [type(plain(leaf)) for leaf in leaves(loaded)] == [type(leaf) for leaf in leaves(state)]
+
+
+def test_another_process_can_read_them() -> None:
+    """What is pickled is read in a process that has never seen such states."""
+    room = storage([(1, (0.5, True))], 3)
+    room.store(2, (7, (0.25, False)))
+    code = "import pickle, sys; print(pickle.loads(bytes.fromhex(sys.argv[1])).load(2))"
+    command = [sys.executable, "-c", code, pickle.dumps(room).hex()]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert done.stdout == f"{room.load(2)}\n"
+
+
+def test_places_are_apart() -> None:
+    """Storing in one place leaves the others alone."""
+    room = storage([Pair(0, (0.5, True))], 3)
+    states = [Pair(k, (k / 2, k == 1)) for k in range(3)]
+    for i in (2, 0, 1):
+        room.store(i, states[i])
+    assert plain([room.load(i) for i in range(3)]) == plain(states)
+
+
+@pytest.mark.parametrize(
+    ("states", "later"),
+    [
+        ([0, 0.5], 0.25),
+        ([False, 2], 3),
+        ([False, True], True),
+        ([Pair(0, (1, 2)), Pair(0.5, (1, 2)), Pair(1, (True, 2.5))], Pair(0.25, (7, 0.125))),
+        ([np.int64(3), 4.5], 1.5),
+        (["left", "right"], "straight on"),
+        ([None, 3], 4),
+        ([(), (1,)], (1, 2, 3)),
+        ([Pair(1, 2), (1, 2)], Pair(5, 6)),
+        ([Pair(np.zeros(2), 0), Pair(np.ones(3), 0.5)], Pair(np.ones(5), 0.25)),
+        ([Pair(np.zeros(2), 0), Pair(np.ones((3, 2)), 1)], Pair(np.ones(5), 1)),
+    ],
+)
+def test_states_of_several_kinds(states: list[Any], later: Any) -> None:
+    """There is room for all the states that were tried, and for others of their kinds."""
+    room = storage(states, 2)
+    for state in (*states, later):
+        room.store(1, state)
+        for one in (room, copy.deepcopy(room), pickle.loads(pickle.dumps(room))):
+            assert plain(one.load(1)) == plain(state)
+
+
+def test_numbers_are_in_columns() -> None:
+    """Numbers go into columns, arrays into a list that can be compiled, anything else into one that cannot."""
+    assert not isinstance(storage([Pair(1, (2.0, True))], 2), Listed)
+    for states in ([Pair(np.zeros(2), 1)], ["text"]):
+        assert isinstance(storage(states, 2), Listed)
+
+
+def swap(n: int, room: Any) -> Any:
+    """A loop that loads and stores."""
+    for i in range(n - 1):
+        moved = room.load(i)
+        room.store(i, room.load(i + 1))
+        room.store(i + 1, moved)
+    return room.load(0)
+
+
+@pytest.mark.parametrize("states", [[1, 2.5, 3], [Pair(1, (0.5, False)), Pair(2, (1.5, True)), Pair(3, (2, False))]])
+def test_compiled(states: list[Any]) -> None:
+    """Machine code loads and stores the same."""
+    rooms = []
+    for run in (swap, compiled(swap, 3, storage(states, 3))):
+        room = storage(states, 3)
+        for i, state in enumerate(states):
+            room.store(i, state)
+        rooms.append(plain((run(3, room), [room.load(i) for i in range(3)])))
+    assert rooms[0] == rooms[1] == (plain(states[1]), plain([*states[1:], states[0]]))

@@ -1,0 +1,250 @@
+"""Redefine a class, edit a method, change a constant: the next call runs the new code, interpreted and compiled."""
+
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+import pytest
+
+from edugym.agents.q_learning import QLearning
+from edugym.compiled.code import Code
+from edugym.compiled.compiler import compiled
+from edugym.registration import make_mdp
+from edugym.training.loops import play_episodes
+from tests.compiled.cells import cell
+
+
+def loop(n: int, thing: Any, rng: np.random.Generator) -> float:
+    """What is run: a method, n times."""
+    s = 0.0
+    for _ in range(n):
+        s = thing.f(s, rng)
+    return s
+
+
+def notebook(before: str, method: str = "return s + g(1.0)", others: str = "") -> str:
+    """The source of a class `T` whose method may use what comes before it, and its other members."""
+    return f"{before}\nclass T(NamedTuple):\n    size: int\n    def f(self, s, rng):\n        {method}\n    {others}\n"
+
+
+POINT = "class P(NamedTuple):\n    x: int\n    def m(self): return self.x"
+"""The start of a class with a method."""
+
+CHANGES = {
+    "method": (notebook("", "return s + 1"), notebook("", "return s + 2")),
+    "other method": (
+        notebook("", "return self.g(s)", "def g(self, s): return s + 1"),
+        notebook("", "return self.g(s)", "def g(self, s): return s + 2"),
+    ),
+    "method named as one of tuple": (
+        notebook("", "return self.count(s)", "def count(self, s): return s + 1"),
+        notebook("", "return self.count(s)", "def count(self, s): return s + 2"),
+    ),
+    "property": (
+        notebook("", "return s + self.k", "k = property(lambda self: 1)"),
+        notebook("", "return s + self.k", "k = property(lambda self: 2)"),
+    ),
+    "class constant": (notebook("", "return s + self.K", "K = 1"), notebook("", "return s + self.K", "K = 2")),
+    "class constant tuple": (
+        notebook("", "return s + self.K[1]", "K = (1, 2)"),
+        notebook("", "return s + self.K[1]", "K = (1, 3)"),
+    ),
+    "helper": (notebook("def g(x): return x + 1"), notebook("def g(x): return x + 2")),
+    "helper of a helper": (
+        notebook("def h(x): return x + 1\ndef g(x): return h(x)"),
+        notebook("def h(x): return x + 2\ndef g(x): return h(x)"),
+    ),
+    "default of a helper": (notebook("def g(x, k=1): return x + k"), notebook("def g(x, k=2): return x + k")),
+    "array as default": (
+        notebook("A = np.zeros(2000)\ndef g(x, k=A): return x + k[1000]"),
+        notebook("A = np.zeros(2000)\nA[1000] = 1\ndef g(x, k=A): return x + k[1000]"),
+    ),
+    "lambda": (notebook("g = lambda x: x + 1"), notebook("g = lambda x: x + 2")),
+    "closure": (
+        notebook("def make(k):\n    def g(x): return x + k\n    return g\ng = make(1)"),
+        notebook("def make(k):\n    def g(x): return x + k\n    return g\ng = make(2)"),
+    ),
+    "comprehension": (
+        notebook("def g(x): return [k * x for k in (1, 2)][1]"),
+        notebook("def g(x): return [k * x for k in (1, 3)][1]"),
+    ),
+    "constant": (notebook("K = 1", "return s + K"), notebook("K = 2", "return s + K")),
+    "type of a constant": (notebook("K = 1", "return s + 1 / (K + 1)"), notebook("K = 1.5", "return s + 1 / (K + 1)")),
+    "one of equal constants": (
+        notebook("A = 1\nB = 2\nC = 1", "return s + A + 10 * B + 100 * C"),
+        notebook("A = 1\nB = 2\nC = 2", "return s + A + 10 * B + 100 * C"),
+    ),
+    "array": (notebook("A = np.arange(3.0)", "return s + A[1]"), notebook("A = np.ones(3) * 2", "return s + A[1]")),
+    "type of an array": (
+        notebook("A = np.array([2**24 + 1], np.float64)", "return s + A[0]"),
+        notebook("A = np.array([2**24 + 1], np.float32)", "return s + A[0]"),
+    ),
+    "tuple": (notebook("A = (1, (2, 3))", "return s + A[1][1]"), notebook("A = (1, (2, 4))", "return s + A[1][1]")),
+    "slice": (
+        notebook("A = slice(0, 2)", "return s + np.arange(10.0)[A].sum()"),
+        notebook("A = slice(0, 3)", "return s + np.arange(10.0)[A].sum()"),
+    ),
+    "enumeration": (
+        notebook("class E(enum.Enum):\n    A = 1", "return s + E.A.value"),
+        notebook("class E(enum.Enum):\n    A = 2", "return s + E.A.value"),
+    ),
+    "library function": (notebook("from math import sin as g"), notebook("from math import cos as g")),
+    "library function of arrays": (notebook("g = np.sin"), notebook("g = np.cos")),
+    "library type": (notebook("K = np.int64", "return s + K(2.7)"), notebook("K = np.float64", "return s + K(2.7)")),
+    "which helper a name stands for": (
+        notebook("def a(x): return x + 1\ndef b(x): return x + 2\ng = a", "return g(a(b(s)))"),
+        notebook("def a(x): return x + 1\ndef b(x): return x + 2\ng = b", "return g(a(b(s)))"),
+    ),
+    "value of another class": (
+        notebook("class P(NamedTuple):\n    x: int\np = P(1)", "return s + p.x"),
+        notebook("class P(NamedTuple):\n    x: int\np = P(2)", "return s + p.x"),
+    ),
+    "method of a value": (
+        notebook(f"{POINT} + 1\np = P(1)\ndel P", "return s + p.m()"),
+        notebook(f"{POINT} + 2\np = P(1)\ndel P", "return s + p.m()"),
+    ),
+    "method of a class that is called": (
+        notebook(f"{POINT} + 1", "return s + P(1).m()"),
+        notebook(f"{POINT} + 2", "return s + P(1).m()"),
+    ),
+    "inherited method": (
+        f"{POINT} + 1\nclass T(P):\n    def f(self, s, rng): return s + self.m()",
+        f"{POINT} + 2\nclass T(P):\n    def f(self, s, rng): return s + self.m()",
+    ),
+    "function compiled by its author": (
+        notebook("import numba\n@numba.njit\ndef g(x): return x + 1"),
+        notebook("import numba\n@numba.njit\ndef g(x): return x + 2"),
+    ),
+}
+"""Two versions of a notebook, which differ in one thing only."""
+
+PARAMETERS = pytest.mark.parametrize(("before", "after"), CHANGES.values(), ids=CHANGES)
+
+
+def values(thing: Any) -> tuple[float, float]:
+    """The result of the loop, interpreted and compiled."""
+    arguments = (10, thing, np.random.default_rng(0))
+    return float(loop(*arguments)), float(compiled(loop, *arguments)(*arguments))
+
+
+@PARAMETERS
+def test_redefined(before: str, after: str) -> None:
+    """A class of the same name from an edited cell runs its own code, and so does the old one, in whatever order."""
+    old, new = cell(before)["T"](1), cell(after)["T"](1)
+    (first, first_compiled), (second, second_compiled) = values(old), values(new)
+    assert first == first_compiled != second == second_compiled
+    assert values(old) == (first, first)
+    assert values(new) == (second, second)
+
+
+@PARAMETERS
+def test_fingerprints(before: str, after: str) -> None:
+    """The fingerprint changes with the code, however little of it changes, and with nothing else."""
+
+    def fingerprint(source: str) -> str:
+        return Code(loop, (10, cell(source)["T"](1))).fingerprint
+
+    assert fingerprint(before) == fingerprint(before) == fingerprint("# a comment\n\n" + before)
+    assert fingerprint(after) == fingerprint(after) != fingerprint(before)
+
+
+def edit(kind: type, notebook: dict[str, Any], source: str) -> None:
+    """Run an edited cell in its notebook, and give a class from before the new members."""
+    cell(source, notebook)
+    for old, new in zip(kind.__mro__, notebook[kind.__name__].__mro__, strict=True):
+        for name, member in vars(new).items() if old is not new else ():
+            if not name.startswith("_") and name not in kind.__annotations__:
+                setattr(old, name, member)
+
+
+@PARAMETERS
+def test_fingerprints_of_what_is_edited_in_place(before: str, after: str) -> None:
+    """The fingerprint of a living class changes when it, or what it uses, does."""
+    notebook = cell(before)
+    thing = notebook["T"](1)
+    old = Code(loop, (10, thing)).fingerprint
+    edit(type(thing), notebook, after)
+    new = Code(loop, (10, thing)).fingerprint
+    assert new != old
+    edit(type(thing), notebook, before)
+    assert Code(loop, (10, thing)).fingerprint == old
+
+
+@pytest.mark.parametrize("change", ["method", "other method", "helper", "constant", "one of equal constants", "array"])
+def test_edited_in_place(change: str) -> None:
+    """The next call of a loop runs what a living class has become."""
+    before, after = CHANGES[change]
+    notebook = cell(before)
+    thing = notebook["T"](1)
+    old, old_compiled = values(thing)
+    edit(type(thing), notebook, after)
+    new, new_compiled = values(thing)
+    assert old == old_compiled != new == new_compiled
+    edit(type(thing), notebook, before)
+    assert values(thing) == (old, old)
+
+
+def made(n: int, thing: Any) -> Any:
+    """What is run: a method that makes a value."""
+    value = thing.make(0)
+    for k in range(1, n):
+        value = thing.make(k)
+    return value
+
+
+def test_values_are_of_the_new_class() -> None:
+    """Run the cell of a class again, and what others make of it is of the class as it is now, changed or not."""
+    point = "class P(NamedTuple):\n    x: int"
+    notebook = cell(f"{point}\nclass Maker(NamedTuple):\n    size: int\n    def make(self, k): return P(k)")
+    maker = notebook["Maker"](1)
+    for _ in range(2):
+        assert type(compiled(made, 5, maker)(5, maker)) is notebook["P"]
+        cell(point, notebook)
+
+
+def test_modules_of_a_student() -> None:
+    """What code takes from a module of its author counts, also from a module in a module; nothing else in it does."""
+    outer, inner = ModuleType("student"), ModuleType("student.inner")
+    vars(outer).update(inner=inner, K=1, unused=0)
+    vars(inner).update(L=2, outer=outer)
+    thing = cell(notebook("", "return s + m.K + m.inner.L") + "m = None")
+    thing["m"] = outer
+    task = thing["T"](1)
+
+    def fingerprint() -> str:
+        return Code(loop, (10, task)).fingerprint
+
+    first = fingerprint()
+    assert values(task) == (30.0, 30.0)
+    vars(outer).update(unused=1)
+    assert fingerprint() == first
+    vars(outer).update(K=5)
+    second = fingerprint()
+    vars(inner).update(L=7)
+    assert len({first, second, fingerprint()}) == 3
+    assert values(task) == (120.0, 120.0)
+
+
+def test_what_is_reached() -> None:
+    """Classes and functions are found wherever they are used; those of libraries are left out."""
+    source = notebook(
+        "class P(NamedTuple):\n    x: int\n    def m(self): return h(self.x)\ndef h(x): return math.sqrt(x)\n"
+        "def g(x): return P(3).m() + np.sin(x)"
+    )
+    variables = cell(source)
+    code = Code(loop, (10, variables["T"](1)))
+    assert set(code.classes) == {variables["T"], variables["P"]}
+    assert {function.__qualname__ for function in code.functions} == {"loop", "T.f", "g", "P.m", "h"}
+    assert code.foreign
+    assert not code.importable
+    assert code.names() == "T, P"
+
+
+def test_own_code() -> None:
+    """The package's own classes are neither foreign nor out of reach for another process."""
+    task = make_mdp("Boulder")
+    code = Code(play_episodes, (10, task, QLearning.create(task)))
+    assert not code.foreign
+    assert code.importable
+    assert code.names().startswith("Boulder, QLearning")
+    assert Code(loop, (10, task)).foreign

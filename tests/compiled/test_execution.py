@@ -1,0 +1,228 @@
+"""What a student meets when code runs fast: the same results, ordinary tracebacks, and one plain warning at most."""
+
+import io
+import os
+import subprocess
+import sys
+import traceback
+import warnings
+from typing import Any
+
+import numpy as np
+import pytest
+
+import edugym
+from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.adapters.vector_env import MDPVectorEnv
+from edugym.compiled import compiler, execution
+from edugym.compiled.execution import COMPILE_FROM, executable
+from tests.compiled.cells import LEARNER, WALK, cell
+
+N_STEPS = 120_000  # more than one chunk
+
+
+def count(n: int, table: np.ndarray[Any, Any], task: Any, rng: np.random.Generator) -> int:
+    """A loop: n draws, counted in a table by a method."""
+    for _ in range(n):
+        table[task.place(rng)] += 1
+    return n
+
+
+COUNTER = """
+class Counter(NamedTuple):
+    size: int
+    def place(self, rng):
+        return int(rng.random() * self.size)
+"""
+
+
+def test_short_runs_are_interpreted() -> None:
+    """Few steps are not worth compiling, unless there is machine code of them already."""
+    arguments = np.zeros(4), cell(COUNTER)["Counter"](4), np.random.default_rng(0)
+    assert executable(count, arguments, expected=COMPILE_FROM - 1) is count
+    assert executable(count, arguments, expected=COMPILE_FROM) is not count
+    assert executable(count, arguments, expected=1) is not count
+
+
+def test_rehearsal_changes_nothing() -> None:
+    """Code of a student is rehearsed on copies: tables and random streams stay as they are."""
+    table, rng = np.zeros(4), np.random.default_rng(0)
+    before = rng.bit_generator.state
+    executable(count, (table, cell(COUNTER)["Counter"](4), rng))
+    assert rng.bit_generator.state == before
+    assert table.sum() == 0
+
+
+def test_own_code_is_not_rehearsed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The package's own code goes straight to the compiler."""
+    task = edugym.make_mdp("Boulder")
+    monkeypatch.setattr("edugym.compiled.execution.copy.deepcopy", lambda value: pytest.fail("rehearsed"))
+    agent = edugym.QLearning.create(task)
+    edugym.train(task, agent, 10_000)
+    assert agent.Q.any()
+
+
+def lines_of(error: BaseException) -> list[str]:
+    """The lines of a traceback, from the outermost to the one at fault."""
+    return [frame.line or "" for frame in traceback.extract_tb(error.__traceback__)]
+
+
+def walk_and_learner(slip: str = "", where: str = "learn(self, state, action, reward, next_state, terminated):") -> Any:
+    """A student's task and agent, which has a mistake in some method."""
+    notebook = cell(
+        WALK
+        + LEARNER.replace(f"def {where}", f"def {where}\n        {slip or 'pass'}").replace(
+            "rate: float = 0.5", "rate: float = 0.5\n    calls: np.ndarray = np.zeros(1, np.int64)"
+        )
+    )
+    return notebook["Walk"](5), notebook["Learner"](np.zeros((6, 2)))._replace(calls=np.zeros(1, np.int64))
+
+
+def test_student_agent_learns(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A student's agent in a student's task, compiled, learns exactly what it learns when it is interpreted."""
+    runs = []
+    for compile_from in (COMPILE_FROM, N_STEPS):
+        monkeypatch.setattr(execution, "COMPILE_FROM", compile_from)
+        task, agent = walk_and_learner()
+        runs.append(edugym.train(task, agent, 12_000, evaluate_every=1500, seed=3))
+    machine_code, interpreted = runs
+    assert interpreted.returns.tolist() == machine_code.returns.tolist()
+    assert interpreted.training_returns[1:].tolist() == machine_code.training_returns[1:].tolist()
+    assert interpreted.agent.Q.tolist() == machine_code.agent.Q.tolist()
+    assert machine_code.returns[-1] == 1 - 4 * 0.25  # five steps, the last of which pays
+
+
+@pytest.mark.parametrize("after", [3, 50_000])
+def test_slips_of_the_index(after: int) -> None:
+    """A wrong index stops at the student's line, whether it comes at once or in the middle of a long compiled run."""
+    line = f"if self.calls[0] == {after}: self.Q[state, action + 7] = 1.0"
+    task, agent = walk_and_learner(f"self.calls[0] += 1\n        {line}")
+    with pytest.raises(IndexError) as caught:
+        edugym.train(task, agent, N_STEPS, seed=1)
+    assert lines_of(caught.value)[-1] == line
+    if after > execution.REHEARSED:
+        expected = agent.Q.copy()
+        task, agent = walk_and_learner(f"self.calls[0] += 1\n        {line}")
+        with pytest.raises(IndexError):
+            edugym.train(task, agent, after, seed=1, evaluate_every=N_STEPS)
+        assert agent.calls.tolist() == [after]
+        np.testing.assert_array_equal(agent.Q, expected)
+
+
+@pytest.mark.parametrize(
+    ("slip", "error"),
+    [
+        ("self.calls[0] += 1\n        1.0 / (30_000 - int(self.calls[0]))", ZeroDivisionError),
+        ("self.calls[0] += 1\n        if self.calls[0] > 30_000: raise ValueError('too often')", ValueError),
+    ],
+)
+def test_other_late_mistakes(slip: str, error: type[Exception]) -> None:
+    """Other errors stop at their line as well."""
+    task, agent = walk_and_learner(slip, "act(self, state, rng):")
+    with pytest.raises(error) as caught:
+        edugym.train(task, agent, N_STEPS)
+    assert lines_of(caught.value)[-1] == slip.splitlines()[-1].strip()
+
+
+def test_mistake_in_a_task() -> None:
+    """A mistake in a student's task stops at its line in training, in an environment and in a vector environment."""
+    source = WALK.replace("return max(0, state", "return max(0, self.sise + state")
+    notebook = cell(source + LEARNER)
+    task = notebook["Walk"](5)
+    for use in (
+        lambda: edugym.train(task, notebook["Learner"](np.zeros((6, 2))), N_STEPS),
+        lambda: stepped(MDPEnv(task)),
+        lambda: stepped(MDPVectorEnv(MDPEnv(task), 2)),
+    ):
+        with pytest.raises(AttributeError, match="sise") as caught:
+            use()
+        assert lines_of(caught.value)[-1] == "return max(0, self.sise + state + 2 * action - 1)"
+
+
+def stepped(env: Any) -> None:
+    """Take one step."""
+    env.reset(seed=0)
+    env.step(env.action_space.sample())
+
+
+def test_what_cannot_be_compiled(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A class that cannot be compiled runs interpreted, with the same results, after one short warning."""
+    source = COUNTER.replace("return int", "notes = {'size': self.size, 2: None}\n        return int")
+    table, task = np.zeros(4), cell(source)["Counter"](4)
+    with pytest.warns(UserWarning, match="Counter") as caught:
+        assert executable(count, (table, task, np.random.default_rng(0))) is count
+    (warning,) = caught
+    message = str(warning.message)
+    assert message.startswith("Counter cannot be compiled and runs interpreted, some hundred times slower: ")
+    assert "\n" not in message
+    assert len(message) < 300
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        executable(count, (table, task, np.random.default_rng(0)))
+    with monkeypatch.context() as patch:
+        patch.setattr(compiler, "_build", lambda *_: pytest.fail("tried again"))
+        assert executable(count, (table, task, np.random.default_rng(0))) is count
+
+
+class Terminal(io.StringIO):
+    """A stream that a person looks at."""
+
+    def isatty(self) -> bool:
+        """It is one."""
+        return True
+
+
+def test_compiling_is_announced(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A person who waits is told once what is compiled; a log file, or someone who wants it quiet, is not."""
+
+    def said(name: str, stream: Any) -> str:
+        monkeypatch.setattr(sys, "stderr", stream)
+        executable(count, (np.zeros(4), cell(COUNTER.replace("Counter", name))[name](4), np.random.default_rng(0)))
+        return str(stream.getvalue())
+
+    monkeypatch.delenv("EDUGYM_QUIET", raising=False)
+    assert said("First", Terminal()) == "edugym: compiling First (once, a second or two) ...\n"
+    assert said("First", Terminal()) == ""
+    assert said("Second", io.StringIO()) == ""
+    monkeypatch.setenv("EDUGYM_QUIET", "1")
+    assert said("Third", Terminal()) == ""
+
+
+EVERYWHERE = """
+import sys, warnings
+warnings.simplefilter("error")
+if sys.argv[1] == "no numba":
+    sys.modules["numba"] = None
+import numpy as np
+import edugym
+from tests.compiled.cells import LEARNER, WALK, cell
+from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.adapters.vector_env import MDPVectorEnv
+
+notebook = cell(WALK + LEARNER)
+task, agent = notebook["Walk"](5), notebook["Learner"](np.zeros((6, 2)))
+run = edugym.train(task, agent, 6000, seed=1)
+print(run.returns.tolist(), run.training_returns.tolist()[1:5], run.agent.Q.tolist())
+vector = MDPVectorEnv(MDPEnv(edugym.make_mdp("MemoryCorridor")), 3, "SameStep")
+vector.reset(seed=0)
+vector.action_space.seed(0)
+for _ in range(50):
+    observations, rewards, *_ = vector.step(vector.action_space.sample())
+    print(observations.tolist(), rewards.tolist())
+print("numba" in sys.modules and sys.modules["numba"] is not None)
+"""
+
+
+@pytest.mark.slow
+def test_without_a_compiler() -> None:
+    """Without Numba, or with it switched off, everything gives the same results, and no warning."""
+    outputs = []
+    for how, variables in (("numba", {}), ("numba off", {"NUMBA_DISABLE_JIT": "1"}), ("no numba", {})):
+        environment = os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, sys.path))} | variables
+        command = [sys.executable, "-c", EVERYWHERE, how]
+        done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, (how, done.stderr)
+        outputs.append(done.stdout.splitlines())
+    assert [lines.pop() for lines in outputs] == ["True", "True", "False"]
+    assert outputs[0] == outputs[1] == outputs[2]
+    assert len(outputs[0]) == 51

@@ -1,0 +1,86 @@
+"""Random generators taken by their address draw what they draw elsewhere, and are kept by nobody."""
+
+import copy
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from edugym.compiled import compiler, generators
+from edugym.compiled.compiler import compiled
+from edugym.mdp.protocol import Random
+
+KINDS = [np.random.PCG64, np.random.PCG64DXSM, np.random.MT19937, np.random.Philox, np.random.SFC64]
+
+
+def draw(n: int, rng: Random, out: Any) -> None:
+    """One number of each kind."""
+    for i in range(n):
+        out[i, 0] = rng.random()
+        out[i, 1] = rng.normal(1.0, 2.0)
+        out[i, 2] = rng.integers(0, 10)
+        out[i, 3] = rng.uniform(-1.0, 1.0)
+        out[i, 4] = rng.exponential(3.0)
+
+
+def drawn(loop: Any, rng: Random, n: int = 20) -> list[Any]:
+    """What a loop draws, and the state in which it leaves the generator."""
+    out = np.zeros((n, 5))
+    loop(n, rng, out)
+    return [out.tolist(), str(rng.bit_generator.state)]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_same_numbers(kind: Any) -> None:
+    """Machine code and NumPy take turns on one stream: every bit is as if NumPy had drawn it all."""
+    mixed, alone = np.random.Generator(kind(3)), np.random.Generator(kind(3))
+    fast = compiled(draw, 1, mixed, np.zeros((1, 5)))
+    for loop in (fast, draw, fast, fast, draw):
+        assert drawn(loop, mixed) == drawn(draw, alone)
+    mixed.bit_generator.state = alone.bit_generator.state = np.random.Generator(kind(8)).bit_generator.state
+    assert drawn(fast, mixed) == drawn(draw, alone)
+
+
+def test_many_generators() -> None:
+    """Each has its own address, also when more are in use than are remembered, and when old ones are gone."""
+    fast = compiled(draw, 1, np.random.default_rng(), np.zeros((1, 5)))
+    for _ in range(3):
+        streams = [np.random.default_rng(seed) for seed in range(150)]
+        copies = copy.deepcopy(streams)
+        for _ in range(2):
+            assert [drawn(fast, rng, 2) for rng in streams] == [drawn(draw, rng, 2) for rng in copies]
+
+
+def test_no_call_keeps_a_reference() -> None:
+    """The generator is referred to once, by those that are remembered, however often it is passed; and no array is."""
+    rng, out = np.random.default_rng(0), np.zeros((1, 5))
+    fast = compiled(draw, 1, rng, out)
+    fast(1, rng, out)
+    before = sys.getrefcount(rng), sys.getrefcount(out)
+    for _ in range(1_000):
+        fast(1, rng, out)
+    assert (sys.getrefcount(rng), sys.getrefcount(out)) == before
+
+
+def test_fall_back(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """Where this file cannot be used generators are passed as they are, to the same effect."""
+    expected = drawn(draw, np.random.default_rng(4))
+    assert isinstance(compiler._locate()(np.random.default_rng(4)), generators.LocatedGenerator)
+    monkeypatch.setenv("EDUGYM_CACHE_DIR", str(tmp_path))
+    monkeypatch.setitem(sys.modules, "edugym.compiled.generators", None)
+    compiler._locate.cache_clear()
+    try:
+        rng = np.random.default_rng(4)
+        assert compiler._locate()(rng) is rng
+        assert drawn(compiled(draw, 1, rng, np.zeros((1, 5))), rng) == expected
+    finally:
+        compiler._locate.cache_clear()
+
+
+def test_unexpected_numba(monkeypatch: pytest.MonkeyPatch) -> None:
+    """If Numba made generators of other parts than these, importing the file would fail, and say so."""
+    monkeypatch.setattr(generators, "WORDS", ("state_address", "state"))
+    with pytest.raises(ImportError, match="random generators of other parts"):
+        generators._teach_numba()

@@ -1,0 +1,265 @@
+"""Stable-Baselines3 gets what its own vector environment gives, and learns from it."""
+
+import subprocess
+import sys
+from typing import Any
+
+import gymnasium
+import numpy as np
+import pytest
+from gymnasium.error import DependencyNotInstalled, ResetNeeded
+from sb3_contrib import RecurrentPPO
+from stable_baselines3 import DQN, PPO
+from stable_baselines3.common.env_checker import check_env
+from stable_baselines3.common.evaluation import evaluate_policy
+from stable_baselines3.common.monitor import Monitor
+from stable_baselines3.common.vec_env import DummyVecEnv, VecMonitor, VecNormalize
+
+from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.adapters.vector_env import MDPVectorEnv
+from edugym.deep import stable_baselines3_env
+from edugym.registration import ENVIRONMENTS, Entry
+
+every_environment = pytest.mark.parametrize("entry", ENVIRONMENTS, ids=[entry.name for entry in ENVIRONMENTS])
+
+
+def same(one: Any, other: Any) -> bool:
+    """Whether two arrays or numbers are equal, in type and shape as well."""
+    first, second = np.asarray(one), np.asarray(other)
+    return first.dtype == second.dtype and first.shape == second.shape and bool((first == second).all())
+
+
+def copies(environment: Any, *arguments: Any, **parameters: Any) -> Any:
+    """As `stable_baselines3_env`, of any type: that which a `VecEnv` declares is too general to look into."""
+    return stable_baselines3_env(environment, *arguments, **parameters)
+
+
+@every_environment
+def test_checker_of_stable_baselines3(entry: Entry) -> None:
+    """Stable-Baselines3's own checker finds nothing wrong with any environment."""
+    check_env(entry.load()(), warn=entry.name != "Catch")  # it advises against grids and against images this small
+
+
+@pytest.mark.parametrize("kind", ["vectorised", "rgb"])
+def test_checker_on_what_catch_shows(kind: str) -> None:
+    """Nor with the other observations of Catch."""
+    check_env(gymnasium.make("edugym/Catch-v0", observation_type=kind), warn=kind == "vectorised")
+
+
+@every_environment
+def test_one_copy_is_dummy_vec_env(entry: Entry) -> None:
+    """One copy gives what Stable-Baselines3's own vector environment of one environment gives, types included."""
+    ours, theirs = copies(entry.name), DummyVecEnv([entry.load()])
+    assert (ours.observation_space, ours.action_space) == (theirs.observation_space, theirs.action_space)
+    assert ours.seed(11) == theirs.seed(11)
+    assert same(ours.reset(), theirs.reset())
+    ours.action_space.seed(3)
+    ended = 0
+    for _ in range(600):
+        actions = np.array([ours.action_space.sample()])
+        *given, infos = ours.step(actions)
+        *expected, infos_there = theirs.step(actions)
+        assert [same(*pair) for pair in zip(given, expected, strict=True)] == [True] * 3
+        assert infos[0]["TimeLimit.truncated"] is infos_there[0]["TimeLimit.truncated"]
+        assert ("terminal_observation" in infos[0]) == ("terminal_observation" in infos_there[0]) == bool(given[2][0])
+        if given[2][0]:
+            ended += 1
+            assert same(infos[0]["terminal_observation"], infos_there[0]["terminal_observation"])
+    assert ended > 0
+
+
+def test_end_and_time_limit() -> None:
+    """By hand: a corridor of two doors, cut off after three steps; a wrong door is an end, also at the limit."""
+    env = copies("MemoryCorridor", 2, num_doors=2, max_steps=3)
+    env.seed(0)
+    observations = env.reset()
+    running = {"TimeLimit.truncated": False}
+
+    def doors() -> list[int]:
+        return [info["right_door"] for info in env.env_method("info")]
+
+    assert observations.tolist() == doors()  # corridors of length 1: their only door is marked
+    observations, rewards, dones, infos = env.step(np.array(doors()))
+    assert (observations.tolist(), rewards.tolist(), dones.tolist()) == ([2, 2], [1.0, 1.0], [False, False])
+    assert infos == [running, running]
+
+    right = doors()  # the second step: the second copy opens a wrong door
+    observations, rewards, dones, infos = env.step(np.array([right[0], 1 - right[1]]))
+    assert (rewards.tolist(), dones.tolist()) == ([1.0, 0.0], [False, True])
+    assert infos == [running, {"TimeLimit.truncated": False, "terminal_observation": 2}]
+    assert observations.tolist() == doors()  # the first is at its last door, the second in a new corridor
+    assert env.get_attr("steps") == [2, 0]
+
+    last = observations[0]
+    observations, rewards, dones, infos = env.step(np.array(doors()))  # the third step of the first copy: its limit
+    assert (rewards.tolist(), dones.tolist()) == ([1.0, 1.0], [True, False])
+    assert infos == [{"TimeLimit.truncated": True, "terminal_observation": 2}, running]
+    assert last in (0, 1)
+    assert observations[0] == doors()[0] in (0, 1)
+
+    env.step(np.array(doors()))
+    env.step(np.array(doors()))
+    *_, dones, infos = env.step(1 - np.array(doors()))  # a wrong door in the step in which the limit is reached
+    assert dones[0]
+    assert infos[0]["TimeLimit.truncated"] is False
+
+
+def test_statistics_of_episodes() -> None:
+    """`VecMonitor` counts: in Catch every episode has rows - 1 steps, and returns 1 or -1."""
+    env = VecMonitor(copies("Catch", 5, rows=4))
+    env.reset()
+    episodes = []
+    for _ in range(12):
+        *_, infos = env.step(np.array([0, 1, 2, 1, 0]))
+        episodes += [info["episode"] for info in infos if "episode" in info]
+    assert [episode["l"] for episode in episodes] == [3] * 20
+    assert {float(episode["r"]) for episode in episodes} == {-1.0, 1.0}
+
+
+def test_seeds() -> None:
+    """The same seed gives the same run, another one another; without one the stream goes on."""
+
+    def starts(seed: int | None) -> list[Any]:
+        env = copies("Catch", 6, observation_type="vectorised")
+        if seed is not None:
+            env.seed(seed)
+        return [env.reset()[:, 0].tolist() for _ in range(4)]
+
+    assert starts(5) == starts(5)
+    assert starts(5) != starts(6)
+    assert starts(None) != starts(None)
+    once = starts(5)
+    assert once[0] != once[1]  # a seed counts for one reset
+
+
+def test_attributes_and_methods() -> None:
+    """Attributes and methods are those of each copy; what would change a copy is refused."""
+    env = copies("Catch", 3, rows=4, observation_type="vectorised")
+    observations = env.reset()
+    observations, *_ = env.step(np.array([0, 1, 2]))
+    assert env.get_attr("state") == [tuple(row) for row in observations.tolist()]
+    assert env.get_attr("steps", indices=[0, 2]) == [1, 1]
+    assert env.get_attr("mdp", indices=1)[0].rows == 4
+    assert [info["paddle"] for info in env.env_method("info")] == [1, 2, 3]
+    assert [info["paddle"] for info in env.env_method("info", indices=2)] == [3]
+    assert env.has_attr("render_mode")
+    assert not env.has_attr("no_such_thing")
+    assert env.env_is_wrapped(Monitor) == [False] * 3
+    assert env.env_is_wrapped(Monitor, indices=0) == [False]
+    with pytest.raises(NotImplementedError, match="mdp"):
+        env.set_attr("mdp", None)
+    for method in ("reset", "step", "close"):
+        with pytest.raises(NotImplementedError, match=method):
+            env.env_method(method)
+    env.close()
+
+
+def test_pictures() -> None:
+    """Copies made to be drawn are drawn, side by side in one image."""
+    env = copies("Catch", 4, render_mode="rgb_array")
+    env.reset()
+    images = env.get_images()
+    whole = env.render()
+    assert len(images) == 4
+    assert isinstance(whole, np.ndarray)
+    assert whole.shape == (2 * images[0].shape[0], 2 * images[0].shape[1], 3)
+    human = copies("Catch", 2, render_mode="human")
+    human.reset()
+    assert human.render() is None
+    human.close()
+
+
+def test_one_s_own_environment() -> None:
+    """An environment or a vector environment can be given instead of a name."""
+    catch = gymnasium.make("edugym/Catch-v0", rows=3).unwrapped
+    assert isinstance(catch, MDPEnv)
+    assert copies(catch).num_envs == 1
+    assert copies(catch, 7).reset().shape == (7, 3, 5)
+    vector = MDPVectorEnv(catch, 5, "SameStep")
+    assert copies(vector).vector is copies(vector, 5).vector is vector
+
+
+def test_wrong_parameters() -> None:
+    """What is no environment, and what does not fit it, raises a ValueError that says so."""
+    catch = gymnasium.make("edugym/Catch-v0")
+    assert isinstance(catch.unwrapped, MDPEnv)
+    for wrong in (catch, None, 3):
+        with pytest.raises(ValueError, match="environment must be a name, an MDPEnv or an MDPVectorEnv"):
+            copies(wrong)
+    with pytest.raises(ValueError, match="environment must be one of Boulder"):
+        copies("CartPole-v1")
+    with pytest.raises(ValueError, match=r"and no more, such as waiting, but .*Supermarket.* use .*DummyVecEnv"):
+        copies("Supermarket", 4, step_timeout=0.1)
+    with pytest.raises(ValueError, match="rows must be 2 or more, but is 1"):
+        copies("Catch", 2, rows=1)
+    with pytest.raises(ValueError, match=r"parameters .* \{'rows': 3\}"):
+        copies(catch.unwrapped, rows=3)
+    for mode in ("NextStep", "Disabled"):
+        with pytest.raises(ValueError, match=f"autoreset_mode must be 'SameStep', but is '{mode}'"):
+            copies(MDPVectorEnv(catch.unwrapped, 2, mode))
+    with pytest.raises(ValueError, match=r"num_envs must be 2, .* but is 3"):
+        copies(MDPVectorEnv(catch.unwrapped, 2, "SameStep"), 3)
+    with pytest.raises(ValueError, match="num_envs"):
+        copies("Catch", 0)
+    env = copies("Catch", 2)
+    with pytest.raises(ResetNeeded):
+        env.step(np.array([0, 0]))
+    env.reset()
+    with pytest.raises(ValueError, match="not in the action space"):
+        env.step(np.array([0, 3]))
+
+
+def test_nothing_is_loaded_before_it_is_needed() -> None:
+    """Importing the package and this part of it loads neither torch nor Stable-Baselines3."""
+    code = "import sys, edugym, edugym.deep; print({'torch', 'stable_baselines3'} & sys.modules.keys())"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "set()"
+
+
+def test_without_stable_baselines3(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where Stable-Baselines3 is missing the error says what to install."""
+    monkeypatch.delitem(sys.modules, "edugym.deep.vec_env")
+    monkeypatch.setitem(sys.modules, "stable_baselines3", None)
+    monkeypatch.setitem(sys.modules, "stable_baselines3.common.vec_env.base_vec_env", None)
+    with pytest.raises(DependencyNotInstalled, match=r"edugym\[deep\]"):
+        copies("Catch")
+
+
+def test_dqn_knows_a_time_limit_from_an_end() -> None:
+    """In the memory of a DQN agent exactly the episodes that were cut off are marked as cut off."""
+    env = copies("MemoryCorridor", 2, num_doors=2, max_steps=2)
+    model = DQN("MlpPolicy", env, learning_starts=100, buffer_size=400, seed=0, device="cpu")
+    model.learn(400)
+    memory: Any = model.replay_buffer
+    assert memory.full
+    cut_off, over, right = memory.timeouts == 1, memory.dones == 1, memory.rewards == 1
+    assert (over & ~right == over & ~cut_off).all()  # a wrong door, and nothing else, is an end
+    assert 0 < cut_off.sum() < over.sum()
+    assert (cut_off <= over).all()
+
+
+def test_other_agents_run() -> None:
+    """PPO on images, with observations and rewards normalised, and recurrent PPO run."""
+    image = copies("Catch", 4, observation_type="rgb", rows=3)
+    PPO("MlpPolicy", VecMonitor(image), n_steps=8, batch_size=16, n_epochs=1, seed=0, device="cpu").learn(64)
+    normalised = VecNormalize(copies("Catch", 4, rows=3))
+    PPO("MlpPolicy", normalised, n_steps=8, batch_size=16, n_epochs=1, seed=0, device="cpu").learn(64)
+    corridor = copies("MemoryCorridor", 4, max_steps=20)
+    RecurrentPPO("MlpLstmPolicy", corridor, n_steps=8, batch_size=16, n_epochs=1, seed=0, device="cpu").learn(64)
+
+
+@pytest.mark.slow
+def test_ppo_learns_to_catch() -> None:
+    """After 5 000 steps PPO catches more than 95 of 100 balls on a board of 5 x 5; before, fewer than 75."""
+    env = copies("Catch", 16, rows=5)
+    model = PPO("MlpPolicy", env, n_steps=32, batch_size=128, learning_rate=2e-3, seed=0, device="cpu")
+    judge = VecMonitor(copies("Catch", 16, rows=5))
+
+    def mean_return() -> float:
+        judge.seed(100)
+        mean: Any = evaluate_policy(model, judge, n_eval_episodes=200)[0]
+        return float(mean)
+
+    assert mean_return() < 0.5
+    model.learn(5_000)
+    assert mean_return() > 0.9

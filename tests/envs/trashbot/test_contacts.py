@@ -1,0 +1,282 @@
+"""Trashbot: what touches what, in exact cases, and that nothing passes through anything."""
+
+import itertools
+import math
+from fractions import Fraction
+from typing import Any
+from unittest.mock import ANY
+
+import numpy as np
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from edugym.envs.trashbot import task
+from edugym.envs.trashbot.geometry import BASE, BOX, BOX_SIZE, MAGNET, SHOULDER_Y, Arm, Block, arm
+from edugym.envs.trashbot.task import COLLIDED, MOVING, STRIDE, Robot, Trashbot
+from tests.envs.trashbot.moves import DEFAULT, RNG, robot, step, towards
+
+
+def finely(state: Robot, action: Any, task: Trashbot, n: int = 60) -> list[Arm]:
+    """The arm at many moments of a move."""
+    turns = [task.action_scale * float(part) for part in action]
+    return [arm(state.shoulder + turns[0] * k / n, state.elbow + turns[1] * k / n) for k in range(n + 1)]
+
+
+def shrunk(block: Block, by: float) -> Block:
+    """What is deeper in a block than so much."""
+    return Block(block.left + by, block.bottom + by, block.right - by, block.top - by)
+
+
+def touches(now: Arm, block: Block, holding: bool) -> bool:
+    """Whether any part of the arm, or of the box that it holds, touches a block."""
+    return now.links_meet(block) or now.magnet_meets(block) or (holding and now.load.meets(block))
+
+
+def inside(line: tuple[int, ...], block: Block) -> bool:
+    """Whether a line and a block meet, by clipping the one at the sides of the other, in exact fractions."""
+    x0, y0, x1, y1 = line
+    first, last = Fraction(0), Fraction(1)
+    for start, way, low, high in ((x0, x1 - x0, block.left, block.right), (y0, y1 - y0, block.bottom, block.top)):
+        if way == 0:
+            if not low <= start <= high:
+                return False
+            continue
+        ends = sorted((Fraction(int(low) - start, way), Fraction(int(high) - start, way)))
+        first, last = max(first, ends[0]), min(last, ends[1])
+    return first <= last
+
+
+WHOLE = st.integers(-12, 12)
+
+
+@given(st.tuples(WHOLE, WHOLE, WHOLE, WHOLE), WHOLE, WHOLE, st.integers(0, 8), st.integers(0, 8))
+def test_lines_against_blocks(line: tuple[int, ...], left: int, bottom: int, width: int, height: int) -> None:
+    """Exact, touches of sides and corners included: whole numbers leave no room for rounding."""
+    block = Block(left, bottom, left + width, bottom + height)
+    assert block.meets_line(*line) == inside(line, block)
+
+
+@pytest.mark.parametrize(
+    ("line", "meets"),
+    [
+        ((-1, 1, 3, 1), True),  # through
+        ((0.5, 0.5, 1.5, 1), True),  # within
+        ((-1, 3, 3, -1), True),  # through the upper left half
+        ((-1, 1, 1, 3), True),  # at the corner
+        ((-1, 1.01, 1, 3.01), False),  # past the corner
+        ((2, -5, 2, 5), True),  # along the side
+        ((2.01, -5, 2.01, 5), False),
+        ((1, 2, 1, 2), True),  # a point
+        ((3, 3, 9, 9), False),
+    ],
+)
+def test_lines_by_hand(line: tuple[float, float, float, float], meets: bool) -> None:
+    """Against the square from (0, 0) to (2, 2)."""
+    assert Block(0, 0, 2, 2).meets_line(*line) == meets
+
+
+@pytest.mark.parametrize(
+    ("other", "meet"),
+    [
+        ((1, 1, 3, 3), True),
+        ((2, 2, 3, 3), True),
+        ((2.01, 0, 3, 2), False),
+        ((0, -2, 2, -0.01), False),
+        ((-5, 0.5, 5, 1), True),
+        ((0.5, 0.5, 1, 1), True),
+    ],
+)
+def test_blocks_by_hand(other: tuple[float, float, float, float], meet: bool) -> None:
+    """Overlapping, at a corner, beside, below, across, within."""
+    assert Block(0, 0, 2, 2).meets(Block(*other)) == Block(*other).meets(Block(0, 0, 2, 2)) == meet
+
+
+def test_picked_up_from_above() -> None:
+    """The box comes to the magnet, which stays where it was; the way up is free."""
+    state = robot(-1.45, BOX.top + MAGNET + 0.05, 1.0)
+    after, reward = step(state, towards(state, -1.45, BOX.top + MAGNET - 0.05, 1.0))
+    assert (after, reward) == (state._replace(holding=True, steps=1), 1.0)
+    up, reward = step(after, towards(after, -1.45, BOX.top + MAGNET + 0.15, 1.0))
+    assert (up.holding, up.outcome, reward) == (True, MOVING, 0.0)
+
+
+ANGLES = st.floats(-math.pi, math.pi)
+
+
+@pytest.mark.parametrize(
+    ("x", "picked_up"), [(BOX.left - 0.01, False), (BOX.left + 0.01, True), (BOX.right - 0.01, True)]
+)
+def test_width_of_the_box(x: float, picked_up: bool) -> None:
+    """Beside the box the magnet passes it by."""
+    state = robot(x, BOX.top + MAGNET + 0.05, 1.0)
+    after, reward = step(state, towards(state, x, BOX.top + MAGNET - 0.05, 1.0))
+    assert (after.holding, reward, after.outcome) == (picked_up, float(picked_up), MOVING)
+
+
+def test_box_from_the_side() -> None:
+    """With the magnet beside the box, lower than its top."""
+    state = robot(BOX.right + 0.05, BOX.top + MAGNET - 0.1, 1.0)
+    after, reward = step(state, towards(state, BOX.right - 0.05, BOX.top + MAGNET - 0.1, 1.0))
+    assert (after.holding, after.outcome, reward) == (False, COLLIDED, -2.0)
+
+
+def test_box_from_above_but_at_its_side() -> None:
+    """The magnet starts higher than the box, but comes down beside it before it gets there."""
+    state = robot(BOX.right + 0.06, BOX.top + MAGNET + 0.02, 1.0)
+    after, reward = step(state, towards(state, BOX.right - 0.06, BOX.top + MAGNET - 0.1, 1.0))
+    assert (after.holding, after.outcome, reward) == (False, COLLIDED, -2.0)
+
+
+def test_no_link_on_the_box_below_a_high_magnet() -> None:
+    """So the first touch of a magnet from above is the magnet's: of all arms on a fine grid of angles."""
+    angles = np.linspace(0, math.tau, 400, endpoint=False)
+    arms = (arm(shoulder, elbow) for shoulder in angles for elbow in angles)
+    touching = [now.tip_y for now in arms if now.links_meet(BOX)]
+    assert len(touching) > 1000
+    assert max(touching) < BOX.top
+
+
+def test_down_onto_the_box_from_below() -> None:
+    """A wide swing that starts beside the box, as low as it stands, is no picking up, though it ends from above."""
+    state = Robot(3.1425, -0.2809, False, 0, MOVING)
+    assert arm(*state[:2]).tip_y < BOX.top
+    after, reward = step(state, (0.3746, -0.9696), DEFAULT._replace(action_scale=1.0))
+    assert (after.holding, after.outcome, reward) == (False, COLLIDED, -2.0)
+    last = arm(*after[:2])
+    assert last.magnet_meets(BOX)
+    assert not last.links_meet(BOX)
+
+
+def test_box_with_the_forearm() -> None:
+    """The forearm comes down on the box, the magnet beyond it."""
+    state = Robot(math.pi + 0.15, -0.3, False, 0, MOVING)
+    assert not DEFAULT.collides(arm(*state[:2]), False)
+    after, reward = step(state, (1.0, 0.0))
+    assert (after.holding, after.outcome, reward) == (False, COLLIDED, -2.0)
+    assert arm(*after[:2]).links_meet(BOX)
+
+
+@given(st.floats(-1.75, -1.25), st.floats(0.3, 1.2), st.floats(-1, 1), st.floats(-1, 1), st.sampled_from([-1.0, 1.0]))
+def test_held_box_is_free(x: float, y: float, first: float, second: float, bend: float) -> None:
+    """Wherever the box is picked up, it and the arm touch nothing else then."""
+    assume(math.hypot(x, y - SHOULDER_Y) < 1.79)
+    state = robot(x, y, bend)
+    assume(not DEFAULT.collides(arm(*state[:2]), False) and not touches(arm(*state[:2]), BOX, False))
+    task = DEFAULT._replace(action_scale=0.3)
+    after = task.transition(state, (first, second), RNG)
+    if after.holding:
+        assert not task.collides(arm(*after[:2]), True)
+        assert arm(*after[:2]).tip_y > BOX.top
+
+
+@pytest.mark.parametrize(
+    ("wrist", "to", "bend", "holding"),
+    [
+        ((0.8, 0.25), (0.8, 0.15), -1, False),  # the magnet on the ground
+        ((0.8, 0.5), (0.8, 0.4), -1, True),  # the box on the ground
+        ((-0.9, 0.8), (-0.9, 0.85), 1, False),  # nothing
+        ((-1.15, 0.4), (-1.25, 0.4), 1, False),  # the magnet moves towards the box, not yet there
+        ((-1.25, 0.6), (-1.33, 0.6), 1, True),  # the held box at the stand
+        ((0.36, 0.6), (0.3, 0.6), -1, True),  # the box at the base
+        ((1.25, 0.8), (1.36, 0.8), -1, False),  # the magnet at the left wall, from the left
+        ((1.42, 0.8), (1.36, 0.8), -1, False),  # from within
+        ((1.15, 1.0), (1.22, 1.0), -1, True),  # the box at the left wall
+        ((1.5, 1.2), (1.5, 1.1), -1, True),  # the box on the edge of the left wall
+        ((1.66, 1.05), (1.71, 1.0), -1, True),  # the box at the right wall, from within
+    ],
+)
+def test_collisions(wrist: tuple[float, float], to: tuple[float, float], bend: float, holding: bool) -> None:
+    """What ends the episode with -2 where it is touched, and two moves that touch nothing."""
+    state = robot(*wrist, bend, holding)
+    assert not DEFAULT.collides(arm(*state[:2]), holding)
+    action = towards(state, *to, bend)
+    after, reward = step(state, action)
+    if to in ((-0.9, 0.85), (-1.25, 0.4)):
+        assert (after.outcome, reward) == (MOVING, 0.0)
+        return
+    assert (after.outcome, reward, after.holding) == (COLLIDED, -2.0, holding)
+    assert DEFAULT.terminal(after)
+    assert DEFAULT.collides(arm(*after[:2]), holding)
+
+
+def test_links_collide() -> None:
+    """The elbow on the ground, the upper arm on the base, the forearm at a wall."""
+    now = arm(math.pi + 0.55, -1.2)
+    assert DEFAULT.collides(now, False)
+    assert now.elbow_y < 0 < now.tip_y
+    now = arm(-2.0, 3.0)
+    assert DEFAULT.collides(now, False)
+    assert now.links_meet(BASE)
+    now = arm(0.12, 0.0)
+    assert DEFAULT.collides(now, False)
+    assert now.links_meet(DEFAULT.obstacles[2])
+    assert not now.magnet_meets(DEFAULT.obstacles[2])
+
+
+def missed(n_moves: int, seed: int) -> tuple[int, int]:
+    """Of so many large moves near things, how many were free, and in how many of these something was deep in another.
+
+    Deep is half a stride. Each free move is looked at sixty times.
+    """
+    task, rng = DEFAULT._replace(action_scale=0.3), np.random.default_rng(seed)
+    free = deep = tried = 0
+    while tried < n_moves:
+        blocks = [*task.obstacles, Block(-2.0, -1.0, 2.0, 0.0), BOX]
+        near, holding = blocks[rng.integers(len(blocks))], bool(rng.integers(2))
+        x = rng.uniform(near.left - 0.4, near.right + 0.4)
+        y = rng.uniform(near.bottom, near.top + 0.4) + MAGNET + holding * BOX_SIZE
+        if not 0.21 < math.hypot(x, y - SHOULDER_Y) < 1.79:
+            continue
+        state = robot(x, y, float(rng.choice([-1, 1])), holding)
+        start = arm(*state[:2])
+        if task.collides(start, holding) or (not holding and touches(start, BOX, False)):
+            continue
+        tried += 1
+        action = rng.uniform(-1, 1, 2) if rng.random() < 0.5 else rng.choice([-1.0, 1.0], 2)
+        after = task.transition(state, action, rng)
+        if after.outcome == COLLIDED:
+            now = arm(*after[:2])
+            assert task.collides(now, holding) or (not holding and touches(now, BOX, False))
+        elif holding == after.holding:
+            free += 1
+            solid = [shrunk(block, 0.02) for block in (*blocks[:-1], *([] if holding else [BOX]))]
+            deep += any(touches(now, block, holding) for now in finely(state, action, task) for block in solid)
+    return free, deep
+
+
+def test_nothing_is_passed_through(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whatever moves freely was never deep in anything; with fewer looks at the way it would have been."""
+    free, deep = missed(3000, 0)
+    assert (free > 1500, deep) == (True, 0)
+    monkeypatch.setattr(task, "STRIDE", 10.0)
+    free, deep = missed(3000, 0)
+    assert (free > 1500, deep > 5) == (True, True)
+
+
+def test_a_wall_is_in_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The magnet swings from one side of a wall to the other: it collides, and would not if nobody looked meanwhile."""
+    state = robot(1.31, 0.8)
+    action = towards(state, 1.39, 0.8)
+    assert step(state, action) == (ANY, -2.0)
+    monkeypatch.setattr(task, "STRIDE", 10.0)
+    assert step(state, action) == (ANY, 0.0)
+
+
+TURNS = st.floats(-0.3, 0.3)
+
+
+@given(ANGLES, ANGLES, TURNS, TURNS)
+def test_parts_of_a_move_are_short(shoulder: float, elbow: float, shoulder_turn: float, elbow_turn: float) -> None:
+    """From one look to the next neither elbow nor wrist moves farther than a stride; magnet and box move with it."""
+    n = DEFAULT.parts(shoulder_turn, elbow_turn)
+    looks = [arm(shoulder + shoulder_turn * k / n, elbow + elbow_turn * k / n) for k in range(n + 1)]
+    for one, other in itertools.pairwise(looks):
+        assert math.dist(one[:2], other[:2]) <= STRIDE
+        assert math.dist(one[2:], other[2:]) <= STRIDE
+
+
+def test_strides_are_thinner_than_walls() -> None:
+    """What was missed above is always less than what there is."""
+    blocks = (*DEFAULT.obstacles, BOX)
+    assert all(min(block.right - block.left, block.top - block.bottom) > STRIDE for block in blocks)

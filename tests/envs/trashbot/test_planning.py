@@ -1,0 +1,180 @@
+"""Trashbot: what which actions can reach, at best, by a script, by chance and by learning."""
+
+import itertools
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from edugym.adapters.vector_env import MDPVectorEnv
+from edugym.deep import stable_baselines3_env
+from edugym.envs.trashbot.geometry import SHOULDER_Y, arm
+from edugym.envs.trashbot.planning import ScriptedController, best_plan, joint_angles
+from edugym.envs.trashbot.task import DELIVERED, MOVING, START, Robot, TrashbotEnv
+from edugym.playing.films import play_episode
+from tests.envs.trashbot.moves import DEFAULT, RNG, SCALE
+
+
+@pytest.mark.parametrize(
+    ("n_bins", "centring", "n_steps"),
+    [
+        (2, 0.85, 11),
+        (3, 1.31, 10),
+        (4, 1.91, 10),
+        (5, 1.89, 11),
+        (6, 1.96, 12),
+        (7, 1.94, 11),
+        (9, 1.97, 10),
+        (11, 1.99, 13),
+    ],
+)
+def test_more_bins_centre_better(n_bins: int, centring: float, n_steps: int) -> None:
+    """The exact search finds what the docstring says, and to play its plan returns that, plus 3."""
+    env = TrashbotEnv(n_bins)
+    plan = best_plan(env.mdp)
+    assert (round(plan.centring, 2), len(plan.actions)) == (centring, n_steps)
+    assert plan.fewest_steps == 10
+    env.reset()
+    steps = [env.step(action) for action in plan.actions]
+    assert sum(float(reward) for _, reward, *_ in steps) == pytest.approx(3 + plan.centring)
+    assert [terminated for _, _, terminated, *_ in steps] == [False] * (n_steps - 1) + [True]
+
+
+@pytest.mark.parametrize(("width", "centring"), [(0.4, 1.08), (0.35, 0.62), (0.3, None)])
+def test_narrower_containers_ask_for_more_bins(width: float, centring: float | None) -> None:
+    """With 3 bins the box gets into the container less and less centred, and in the end not at all."""
+    task = TrashbotEnv(3, container_width=width).mdp
+    if centring is None:
+        with pytest.raises(ValueError, match="n_bins must be higher: with 3 "):
+            best_plan(task)
+    else:
+        assert round(best_plan(task).centring, 2) == centring
+    assert best_plan(TrashbotEnv(5, container_width=width).mdp).centring >= 1.57
+
+
+def test_what_cannot_be_searched() -> None:
+    """Continuous actions, a lattice that is not finite or is too large, and an environment in place of its MDP."""
+    env: Any = TrashbotEnv(3)
+    with pytest.raises(TypeError, match=r"mdp must be that of Trashbot \(`env.unwrapped.mdp`\), but is .*TrashbotEnv"):
+        best_plan(env)
+    with pytest.raises(ValueError, match="n_bins must leave at most 500000000 moves to try, but 24 make 548467200"):
+        best_plan(TrashbotEnv(24).mdp)
+    with pytest.raises(ValueError, match="n_bins must be given"):
+        best_plan(DEFAULT)
+    with pytest.raises(ValueError, match=r"action_scale must divide a full turn .* is 0\.2$"):
+        best_plan(TrashbotEnv(3, action_scale=0.2).mdp)
+
+
+def test_search_interpreted() -> None:
+    """On a lattice of few states the search does the same without a compiler, and breadth first means shortest."""
+    task = TrashbotEnv(2, container_width=1.0, action_scale=math.tau / 24).mdp
+    plan = best_plan(task)
+    reached = {(START, False)}
+    for n_steps in itertools.count(1):
+        found = set()
+        for ((shoulder, elbow), holding), action in itertools.product(reached, itertools.product((0, 1), repeat=2)):
+            after = task.transition(Robot(shoulder, elbow, holding, 0, MOVING), action, RNG)
+            if after.outcome == DELIVERED:
+                assert n_steps == plan.fewest_steps
+                return
+            if after.outcome == MOVING:
+                found.add(((round(after.shoulder, 9), round(after.elbow, 9)), after.holding))
+        reached = found
+
+
+def test_scripted_controller() -> None:
+    """Continuous actions reach the very middle: 5 in 11 steps."""
+    env, controller = TrashbotEnv(), ScriptedController(SCALE)
+    observation, _ = env.reset()
+    rewards = []
+    while env.state.outcome == MOVING:
+        observation, reward, *_, info = env.step(controller.act(observation, RNG))
+        rewards.append(float(reward))
+    assert rewards[:-1] == [1.0] + [0.0] * 9
+    assert rewards[-1] == pytest.approx(4, abs=1e-5)
+    assert info["steps"] == 11
+
+
+def test_scripted_controller_plays_films() -> None:
+    """It is an actor like any agent, and takes observations as they are."""
+    frames = play_episode("Trashbot", ScriptedController(SCALE))
+    assert len(frames) == 12
+    assert frames[-1].line.splitlines()[0].endswith("reward 4, return 5")
+
+
+@given(st.floats(0.01, 0.3), st.floats(0.2501, 1.0))
+def test_scripted_controller_in_time(action_scale: float, width: float) -> None:
+    """In every task that the constructor accepts there is time to deliver the box, also into a tight container."""
+    env = TrashbotEnv(container_width=width, action_scale=action_scale, max_steps=math.ceil(2.5 / action_scale))
+    controller, total = ScriptedController(action_scale), 0.0
+    observation, _ = env.reset()
+    while env.state.outcome == MOVING:
+        observation, reward, *_ = env.step(controller.act(observation, RNG))
+        total += float(reward)
+    assert total == pytest.approx(5, abs=0.01)
+
+
+@pytest.mark.parametrize(
+    ("n_bins", "picked_up", "delivered"), [(None, 0.700, 0.011), (3, 0.776, 0.020), (5, 0.720, 0.015)]
+)
+def test_random_play(n_bins: int | None, picked_up: float, delivered: float) -> None:
+    """In how many episodes random actions pick up and deliver the box; it is never centred better than the plan."""
+    n = 10_000
+    env = MDPVectorEnv(TrashbotEnv(n_bins), n, "SameStep")
+    env.reset(seed=0)
+    env.action_space.seed(0)
+    first, returns, best = np.full(n, True), np.zeros((150, n)), 0.0
+    for t in range(150):
+        _, rewards, terminated, truncated, _ = env.step(env.action_space.sample())
+        assert not truncated.any()
+        best = max(best, rewards.max() - 2)
+        returns[t] = rewards * first
+        first &= ~terminated
+    assert not first.any()
+    for share, reward in ((picked_up, 1), (delivered, 2)):
+        times = (returns >= reward).any(axis=0).sum()
+        assert abs(times / n - share) < 5 * math.sqrt(share * (1 - share) / n)
+    if n_bins:
+        assert best <= best_plan(TrashbotEnv(n_bins).mdp).centring + 1e-9
+
+
+def returned(agent: Any, n_bins: int | None) -> float:
+    """What a trained agent gets when it always does what it believes best."""
+    env = TrashbotEnv(n_bins)
+    observation, _ = env.reset()
+    total = 0.0
+    while env.state.outcome == MOVING:
+        observation, reward, *_ = env.step(agent.predict(observation, deterministic=True)[0])
+        total += float(reward)
+    return total
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize(("n_bins", "n_steps", "least"), [(3, 300_000, 4.31), (5, 500_000, 4.0), (None, 500_000, 4.0)])
+def test_a_deep_agent_learns(n_bins: int | None, n_steps: int, least: float, seed: int) -> None:
+    """PPO finds the best that 3 bins can do, 4.31; others get close to theirs in half of the docstring's steps."""
+    torch, sb3 = pytest.importorskip("torch"), pytest.importorskip("stable_baselines3")
+    torch.set_num_threads(1)
+    copies = stable_baselines3_env("Trashbot", 64, n_bins=n_bins)
+    agent = sb3.PPO("MlpPolicy", copies, 1e-3, 256, 1024, gamma=0.999, seed=seed, device="cpu")
+    assert returned(agent, n_bins) <= 1  # before it learns it does not deliver it at all
+    assert returned(agent.learn(n_steps), n_bins) > least
+
+
+@given(st.floats(-1.4, 1.4), st.floats(-1.0, 1.5), st.sampled_from([-1.0, 1.0]))
+def test_inverse_kinematics(x: float, y: float, bend: float) -> None:
+    """The angles for a place lead there."""
+    assume(0.25 < math.hypot(x, y - SHOULDER_Y) < 1.79)
+    shoulder, elbow = joint_angles(x, y, bend)
+    assert arm(shoulder, elbow)[2:] == pytest.approx((x, y))
+    assert math.copysign(1, elbow) == bend
+
+
+def test_out_of_reach() -> None:
+    """A place that the wrist cannot get to is named."""
+    with pytest.raises(ValueError, match=r"in reach of the wrist, but are 1\.5, 2\.5"):
+        joint_angles(1.5, 2.5, 1.0)

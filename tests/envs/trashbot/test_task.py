@@ -1,0 +1,277 @@
+"""Trashbot: episodes that a person can follow in degrees, the rewards, the clock, and the pictures."""
+
+import math
+
+import gymnasium
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from edugym.envs.trashbot.geometry import BOX, BOX_SIZE, CONTAINER_X, MAGNET, REACH, RIM_Y, arm
+from edugym.envs.trashbot.planning import best_plan
+from edugym.envs.trashbot.task import COLLIDED, DELIVERED, LATE, MOVING, START, Robot, TrashbotEnv, TrashbotInBins
+from edugym.playing.game import Game
+from tests.envs.trashbot.moves import DEFAULT, RNG, SCALE, robot, step, towards
+
+THREE_BINS = """\
+(1, 0) -> (136, 54)  0.000 moving
+(2, 1) -> (136, 54)  1.000 moving
+(0, 0) -> (124, 42)  0.000 moving
+(0, 0) -> (112, 30)  0.000 moving
+(0, 0) -> (100, 18)  0.000 moving
+(0, 0) -> (88, 6)  0.000 moving
+(0, 0) -> (76, -6)  0.000 moving
+(0, 0) -> (64, -18)  0.000 moving
+(0, 0) -> (52, -30)  0.000 moving
+(0, 0) -> (40, -42)  3.311 delivered"""
+"""With 3 bins an action turns each joint by 12 degrees: 0 clockwise, 1 not at all, 2 counterclockwise."""
+
+AT_THE_START = """\
+                                 step 0
+             ·        ooo
+                 ooooo   ooo
+             oooo           oo
+           ·| ·               oo
+            |                   oo
+             ·                    oo                      █   ¦   █
+         ■■■■                      ☺o                     █   ¦   █
+         ■■■■                    ▒▒▒▒▒▒                   █   ¦   █
+          ║║ ·                   ▒▒▒▒▒▒                   █   ¦   █
+          ║║                     ▒▒▒▒▒▒                   █   ¦   █
+░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░
+░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░
+░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░"""
+HOLDING = """\
+                        step 2, holding the box
+              ·
+             ·     oooooo
+           |ooooooo      ooo
+           | ·              oo
+         ■■|■                 oo
+         ■■■■                   oo
+                                  oo                      █   ¦   █
+         ·                         ☺o                     █   ¦   █
+           ·                     ▒▒▒▒▒▒                   █   ¦   █
+          ║║                     ▒▒▒▒▒▒                   █   ¦   █
+          ║║                     ▒▒▒▒▒▒                   █   ¦   █
+░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░
+░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░
+░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░"""
+IN_THE_CONTAINER = """\
+               step 10: delivered, 1.31 of 2 for centring
+                                                oo
+                                              oo  ooooooooooo|
+                                            oo               |
+                                         ooo
+                                       oo
+                                    ooo                   █   ¦   █
+                                   ☺o                     █   ¦   █
+                                 ▒▒▒▒▒▒                   █   ¦   █
+          ║║                     ▒▒▒▒▒▒                   █ ■■■■  █
+          ║║                     ▒▒▒▒▒▒                   █ ■■■■  █
+░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░
+░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░
+░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░"""
+
+
+def test_made_by_its_id() -> None:
+    """Continuous at the defaults; with bins the actions are pairs of whole numbers."""
+    env = gymnasium.make("edugym/Trashbot-v0")
+    assert env.observation_space == gymnasium.spaces.Box(-1, 1, (7,), np.float32)
+    assert env.action_space == gymnasium.spaces.Box(-1, 1, (2,), np.float32)
+    assert gymnasium.make("edugym/Trashbot-v0", n_bins=7).action_space == gymnasium.spaces.MultiDiscrete([7, 7])
+
+
+def test_best_with_three_bins() -> None:
+    """The best that 3 bins can do, in degrees: down to the box, one step for it to be picked up, and over."""
+    env = TrashbotEnv(3)
+    env.reset()
+    assert np.degrees(START) == pytest.approx([136, 66])
+    lines = []
+    for action in best_plan(env.mdp).actions:
+        _, reward, terminated, truncated, info = env.step(action)
+        angles = ", ".join(f"{math.degrees(angle):.0f}" for angle in info["angles"])
+        lines.append(f"({action[0]}, {action[1]}) -> ({angles})  {reward:.3f} {info['outcome']}")
+        assert (terminated, truncated) == (info["outcome"] != "moving", False)
+    assert "\n".join(lines) == THREE_BINS
+    assert info["steps"] == 10
+    assert info["centring"] == pytest.approx(1.311, abs=5e-4)
+
+
+@pytest.mark.parametrize(
+    ("n_bins", "values"), [(2, [-1, 1]), (3, [-1, 0, 1]), (4, [-1, -1 / 3, 1 / 3, 1]), (5, [-1, -0.5, 0, 0.5, 1])]
+)
+def test_bins(n_bins: int, values: list[float]) -> None:
+    """Evenly spread, ends included; an even number has no zero."""
+    task = TrashbotEnv(n_bins).mdp
+    assert isinstance(task, TrashbotInBins)
+    for k, value in enumerate(values):
+        assert task.turns((k, 0)) == pytest.approx((SCALE * value, -SCALE))
+        assert task.turns((n_bins - 1, k)) == pytest.approx((SCALE, SCALE * value))
+    assert (0.0 in values) == (n_bins % 2 == 1)
+
+
+def test_moves() -> None:
+    """Both joints turn by the action times the scale, counterclockwise."""
+    state = Robot(2.0, 0.5, False, 3, MOVING)
+    after, reward = step(state, (0.5, -1.0))
+    assert after == Robot(2.0 + 0.5 * SCALE, 0.5 - SCALE, False, 4, MOVING)
+    assert reward == 0.0
+    assert step(state, (0.0, 0.0))[0] == state._replace(steps=4)
+
+
+def test_positions() -> None:
+    """Stretched to the right; and up, then level to the left."""
+    assert arm(0.0, 0.0) == pytest.approx((1.0, 0.5, 1.8, 0.5))
+    assert arm(math.pi / 2, math.pi / 2) == pytest.approx((0.0, 1.5, -0.8, 1.5))
+    assert arm(0.0, 0.0).tip_y == pytest.approx(0.3)
+    assert arm(0.0, 0.0).load == pytest.approx((1.675, 0.05, 1.925, 0.3))
+
+
+def test_observation() -> None:
+    """From the shoulder, in units of the reach of 2: elbow, wrist, magnet, and whether the box is held."""
+    stretched = Robot(0.0, 0.0, True, 0, MOVING)
+    assert DEFAULT.observation(stretched, RNG) == pytest.approx((0.5, 0, 0.9, 0, 0.9, -0.1, 1))
+    hanging = Robot(-math.pi / 2, 0.0, False, 0, MOVING)
+    assert DEFAULT.observation(hanging, RNG) == pytest.approx((0, -0.5, 0, -0.9, 0, -1, 0))
+    assert REACH == 2.0
+
+
+@given(st.floats(-100, 100), st.floats(-100, 100), st.booleans())
+def test_observations_lie_in_the_space(shoulder: float, elbow: float, holding: bool) -> None:
+    """Whatever the angles."""
+    seen = np.array(DEFAULT.observation(Robot(shoulder, elbow, holding, 0, MOVING), RNG), np.float32)
+    assert seen in DEFAULT.observation_space
+
+
+@pytest.mark.parametrize(
+    ("width", "offset", "bonus"),
+    [
+        (0.45, 0.0, 2.0),
+        (0.45, 0.05, 1.0),
+        (0.45, -0.05, 1.0),
+        (0.45, 0.025, 1.5),
+        (0.45, -0.0999, 0.002),
+        (0.35, 0.025, 1.0),
+        (0.35, 0.047, 0.12),
+        (0.35, -0.047, 0.12),
+    ],
+)
+def test_centring(width: float, offset: float, bonus: float) -> None:
+    """2 in the middle, falling linearly to 0 where the box only just fits: in one of 0.45, at 0.1 from the middle."""
+    x, task = CONTAINER_X + offset, DEFAULT._replace(container_width=width)
+    state = robot(x, RIM_Y + BOX_SIZE + MAGNET + 0.02, holding=True)
+    after, reward = step(state, towards(state, x, RIM_Y + BOX_SIZE + MAGNET - 0.02), task)
+    assert (after.outcome, after.holding) == (DELIVERED, False)
+    assert reward == pytest.approx(2 + bonus)
+
+
+@pytest.mark.parametrize(("depth", "outcome"), [(0.001, DELIVERED), (-0.001, MOVING)])
+def test_rim(depth: float, outcome: int) -> None:
+    """Delivered once its lower side is below the rim."""
+    state = robot(CONTAINER_X, RIM_Y + BOX_SIZE + MAGNET + 0.02, holding=True)
+    assert step(state, towards(state, CONTAINER_X, RIM_Y + BOX_SIZE + MAGNET - depth))[0].outcome == outcome
+
+
+def test_empty_magnet_in_the_container() -> None:
+    """Without the box there is nothing to deliver."""
+    state = robot(CONTAINER_X, RIM_Y + MAGNET + 0.02)
+    after, reward = step(state, towards(state, CONTAINER_X, RIM_Y + MAGNET - 0.02))
+    assert (after.outcome, reward) == (MOVING, 0.0)
+
+
+def test_late() -> None:
+    """The last step costs 1 and terminates; the clock is in the state, and not seen."""
+    env = TrashbotEnv(5, max_steps=12)
+    first, _ = env.reset()
+    for k in range(1, 12):
+        observation, *rest, info = env.step(np.array([2, 2]))
+        assert (*rest, info["steps"], info["outcome"]) == (0.0, False, False, k, "moving")
+        assert observation.tolist() == first.tolist()
+    *_, reward, terminated, truncated, info = env.step(np.array([2, 2]))
+    assert (reward, terminated, truncated, info["outcome"]) == (-1.0, True, False, "late")
+    assert env.state.outcome == LATE
+
+
+def test_last_step() -> None:
+    """What else happens in it counts: +1 for the box, all of a delivery, and a collision as ever."""
+    task = DEFAULT._replace(time_limit=7)
+    state = robot(-1.45, BOX.top + MAGNET + 0.05, 1.0, steps=6)
+    after, reward = step(state, towards(state, -1.45, BOX.top + MAGNET - 0.05, 1.0), task)
+    assert (after.outcome, after.holding, reward) == (LATE, True, 0.0)
+    state = robot(CONTAINER_X, RIM_Y + BOX_SIZE + MAGNET + 0.02, holding=True, steps=6)
+    after, reward = step(state, towards(state, CONTAINER_X, RIM_Y + BOX_SIZE + MAGNET - 0.02), task)
+    assert after.outcome == DELIVERED
+    assert reward == pytest.approx(4)
+    state = robot(0.8, 0.25, steps=6)
+    after, reward = step(state, towards(state, 0.8, 0.15), task)
+    assert (after.outcome, reward) == (COLLIDED, -2.0)
+
+
+def test_too_little_time() -> None:
+    """The error says how many steps there must be."""
+    assert TrashbotEnv(max_steps=12).mdp.time_limit == 12
+    with pytest.raises(ValueError, match=r"^max_steps must be 12 or more, .* is 11$"):
+        TrashbotEnv(max_steps=11)
+
+
+TURNS: dict[str, tuple[float, float]] = {
+    "upper arm left": (1, 0),
+    "upper arm right": (-1, 0),
+    "forearm left": (0, 1),
+    "forearm right": (0, -1),
+}
+BOTH = {"both": (1, 1), "forearm against upper arm": (-1, 1)}
+
+
+@pytest.mark.parametrize("n_bins", [None, 2, 3, 4, 5, 6, 11])
+def test_played_by_a_person(n_bins: int | None) -> None:
+    """The buttons turn one joint each; as far as it goes, and a little; where none can rest, both a little."""
+    env = TrashbotEnv(n_bins)
+    game, last = Game(env), (n_bins or 5) - 1
+    little = 1 / last if last % 2 else (2 / last if n_bins else 0.25)
+    small = {
+        f"{name} {side}, a little": (sign * little * turn[0], sign * little * turn[1])
+        for name, turn in (BOTH.items() if last % 2 else {"upper arm": (1, 0), "forearm": (0, 1)}.items())
+        for side, sign in (("left", 1), ("right", -1))
+    }
+    rest = -1 / last if last % 2 else 0.0
+    large = {name: (turn[0] or rest, turn[1] or rest) for name, turn in TURNS.items()}
+    if n_bins in (2, 3):
+        large, small = {name.removesuffix(", a little"): turn for name, turn in small.items()}, {}
+    assert {name: env.mdp.turns(action) for name, action in game.actions.items()} == {
+        name: pytest.approx((SCALE * turn[0], SCALE * turn[1])) for name, turn in (large | small).items()
+    }
+    for name in game.actions:
+        game.reset()
+        game.step(name)
+
+
+@pytest.mark.parametrize(
+    ("n_bins", "in_the_end", "centring"),
+    [
+        (3, ["forearm right"] * 2, 1.066),
+        (5, ["forearm right", "forearm right, a little", "forearm right"], 1.792),
+        (None, ["forearm right", "forearm right, a little", "forearm right, a little", "forearm right"], 1.792),
+    ],
+)
+def test_a_person_can_place_the_box_well(n_bins: int | None, in_the_end: list[str], centring: float) -> None:
+    """The buttons for small turns place it better than those that 3 bins have."""
+    game = Game("Trashbot", n_bins=n_bins)
+    for name in ("upper arm left", *["upper arm right"] * 11, *in_the_end):
+        game.step(name)
+    assert game.over
+    assert game.returns == [pytest.approx(3 + centring, abs=5e-4)]
+
+
+def test_pictures() -> None:
+    """The start, the box on its way, and the box in the container, with 3 bins (lines of empty sky left out)."""
+    env = TrashbotEnv(3, render_mode="ansi")
+    env.reset()
+    frames = [env.render()]
+    for action in best_plan(env.mdp).actions:
+        env.step(action)
+        frames.append(env.render())
+    shown = ["\n".join(line for line in frame.splitlines() if line) for frame in frames]
+    assert [shown[k] for k in (0, 2, 10)] == [AT_THE_START, HOLDING, IN_THE_CONTAINER]

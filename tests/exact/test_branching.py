@@ -1,0 +1,284 @@
+"""Every way that random numbers can send a piece of code, with its exact probability."""
+
+import math
+from collections import Counter
+from collections.abc import Callable
+from fractions import Fraction
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from edugym.exact.branching import MOST_ANSWERS, branches
+
+SAMPLES = 300
+
+
+def distribution(draw: Callable[[Any], Any]) -> dict[Any, float]:
+    """The probability of each value."""
+    total: dict[Any, float] = {}
+    for p, value in branches(draw):
+        assert p > 0
+        total[value] = total.get(value, 0.0) + p
+    return total
+
+
+def sampled(draw: Callable[[Any], Any]) -> dict[Any, float]:
+    """How often each value comes with a real generator."""
+    rng = np.random.default_rng(0)
+    counts = Counter(draw(rng) for _ in range(SAMPLES))
+    return {value: count / SAMPLES for value, count in counts.items()}
+
+
+def check(draw: Callable[[Any], Any], expected: dict[Any, float]) -> None:
+    """Compare with probabilities worked out by hand, and with what a real generator does."""
+    found = distribution(draw)
+    assert found == pytest.approx({value: p for value, p in expected.items() if p > 0}, abs=1e-12)
+    frequencies = sampled(draw)
+    assert set(frequencies) <= set(found)
+    for value, p in found.items():
+        assert abs(frequencies.get(value, 0.0) - p) < 6 * math.sqrt(p * (1 - p) / SAMPLES) + 1e-12
+
+
+PROBABILITIES = st.integers(0, 64).map(lambda k: k / 64)
+
+
+@settings(max_examples=40)
+@given(p=PROBABILITIES)
+def test_a_coin(p: float) -> None:
+    """One question, however it is asked."""
+    for draw in (
+        lambda rng: rng.random() < p,
+        lambda rng: rng.random() <= p,
+        lambda rng: p > rng.random(),
+        lambda rng: p >= rng.random(),
+        lambda rng: not rng.random() > p,
+        lambda rng: not rng.random() >= p,
+        lambda rng: rng.random() < np.float64(p),
+        lambda rng: bool(np.float64(p) > rng.random()),
+        lambda rng: 1.0 - rng.random() > 1.0 - p,
+        lambda rng: -rng.random() > -p,
+        lambda rng: 2 * rng.random() - 1 < 2 * p - 1,
+        lambda rng: rng.random() / 4 < p / 4,
+        lambda rng: rng.uniform() < p,
+        lambda rng: rng.uniform(-3.0, 5.0) < 8 * p - 3,
+        lambda rng: rng.uniform(high=2.0) < 2 * p,
+    ):
+        check(draw, {True: p, False: 1 - p})
+
+
+@settings(max_examples=40)
+@given(thresholds=st.lists(st.integers(1, 63), min_size=1, max_size=5, unique=True).map(sorted))
+def test_a_chain_on_one_number(thresholds: list[int]) -> None:
+    """`if u < a: ... elif u < b: ...` on one number: the differences."""
+
+    def draw(rng: Any) -> int:
+        u = rng.random()
+        for k, threshold in enumerate(thresholds):
+            if u < threshold / 64:
+                return k
+        return len(thresholds)
+
+    shares = [(high - low) / 64 for low, high in pairwise([0, *thresholds, 64])]
+    check(draw, dict(enumerate(shares)))
+
+
+@settings(max_examples=40)
+@given(ps=st.lists(PROBABILITIES, min_size=1, max_size=4))
+def test_questions_to_several_numbers(ps: list[float]) -> None:
+    """Independent numbers: the products."""
+    expected = {}
+    for outcome in range(2 ** len(ps)):
+        bits = tuple(bool(outcome >> k & 1) for k in range(len(ps)))
+        expected[bits] = math.prod(p if bit else 1 - p for p, bit in zip(ps, bits, strict=True))
+    check(lambda rng: tuple(rng.random() < p for p in ps), expected)
+
+
+@settings(max_examples=40)
+@given(n=st.integers(1, 40), shift=st.integers(-20, 20))
+def test_whole_numbers(n: int, shift: int) -> None:
+    """One of n, in all the ways to say it."""
+    even = {k + shift: 1 / n for k in range(n)}
+    for draw in (
+        lambda rng: rng.integers(shift, shift + n),
+        lambda rng: rng.integers(n) + shift,
+        lambda rng: rng.integers(np.int64(n)) + shift,
+        lambda rng: int(rng.random() * n) + shift,
+        lambda rng: math.floor(rng.random() * n + shift),
+        lambda rng: math.floor(n * rng.random()) + shift,
+        lambda rng: math.floor(rng.uniform(shift, shift + n)),
+        lambda rng: math.ceil(rng.random() * n) - 1 + shift,
+        lambda rng: math.floor(np.float64(n) * rng.random()) + shift,
+        lambda rng: rng.choice(n) + shift,
+        lambda rng: rng.choice(list(range(shift, shift + n))),
+        lambda rng: rng.choice(np.arange(n) + shift),
+        lambda rng: math.trunc(rng.random() * n) + shift,
+    ):
+        check(draw, even)
+
+
+def test_whole_numbers_towards_zero() -> None:
+    """`int` cuts off, `math.floor` goes down: they differ below zero."""
+    check(lambda rng: int(rng.uniform(-2.5, 1.5)), {-2: 1 / 8, -1: 1 / 4, 0: 1 / 2, 1: 1 / 8})
+    check(lambda rng: math.floor(rng.uniform(-2.5, 1.5)), {-3: 1 / 8, -2: 1 / 4, -1: 1 / 4, 0: 1 / 4, 1: 1 / 8})
+    check(lambda rng: math.ceil(rng.uniform(-2.5, 1.5)), {-2: 1 / 8, -1: 1 / 4, 0: 1 / 4, 1: 1 / 4, 2: 1 / 8})
+
+
+@settings(max_examples=40)
+@given(n=st.integers(2, 12), numerator=st.integers(1, 63))
+def test_one_number_asked_in_two_ways(n: int, numerator: int) -> None:
+    """What is known of a number from one question limits the answers to the next."""
+    p = Fraction(numerator, 64)
+
+    def draw(rng: Any) -> tuple[bool, int, bool]:
+        u = rng.random()
+        return bool(u < numerator / 64), int(u * n), bool(u < numerator / 64)
+
+    expected = {}
+    for k in range(n):
+        low, high = Fraction(k, n), Fraction(k + 1, n)
+        expected[True, k, True] = float(max(Fraction(0), min(high, p) - low))
+        expected[False, k, False] = float(max(Fraction(0), high - max(low, p)))
+    check(draw, expected)
+
+
+@settings(max_examples=40)
+@given(weights=st.lists(st.integers(0, 9), min_size=1, max_size=6).filter(any))
+def test_choice_with_probabilities(weights: list[int]) -> None:
+    """`choice` with p: what has no probability is never taken."""
+    p = [weight / sum(weights) for weight in weights]
+    check(lambda rng: int(rng.choice(len(p), p=p)), dict(enumerate(p)))
+    letters = "abcdef"[: len(p)]
+    check(lambda rng: str(rng.choice(list(letters), p=p)), dict(zip(letters, p, strict=True)))
+
+
+def test_degenerate_draws() -> None:
+    """What can only come out in one way has probability 1."""
+    for draw in (
+        lambda rng: rng.random() < 1.0,
+        lambda rng: rng.random() >= 0.0,
+        lambda rng: rng.random() * 0.0 < 1e-300,
+        lambda rng: rng.uniform(2.0, 2.0) < 2.1,
+        lambda rng: math.floor(rng.uniform(2.0, 2.0)) == 2,
+        lambda rng: rng.integers(1) == 0,
+        lambda rng: rng.normal(3.0, 0.0) == 3.0,
+        lambda rng: rng.random() != 0.5,
+    ):
+        assert distribution(draw) == {True: 1.0}
+
+
+def test_questions_to_two_at_once() -> None:
+    """The same number may be compared with itself; two different ones may not be compared."""
+
+    def same(rng: Any) -> bool:
+        u = rng.random()
+        return bool(u < 1 - u)
+
+    check(same, {True: 0.5, False: 0.5})
+
+    def nothing(rng: Any) -> bool:
+        u = rng.random()
+        return bool(u - u < 1e-9)
+
+    check(nothing, {True: 1.0})
+
+
+def test_means() -> None:
+    """What is still random in the end counts as its mean, given what was asked of it; noise is added up."""
+
+    def mean(draw: Callable[[Any], Any]) -> float:
+        return float(sum(p * value for p, value in branches(draw, means=True)))
+
+    assert mean(lambda rng: rng.random()) == 0.5
+    assert mean(lambda rng: 3.0) == 3.0
+    assert mean(lambda rng: 2 * rng.uniform(1.0, 3.0) - 1) == 3.0
+    assert mean(lambda rng: rng.normal(1.5, 2.0)) == 1.5
+    assert mean(lambda rng: 1.0 - 2.0 * rng.normal() / 4) == 1.0
+    assert mean(lambda rng: rng.normal(1.0, 2.0) + rng.random() + 3.0 * rng.normal(2.0)) == 7.5
+    assert mean(lambda rng: rng.random() + rng.random()) == 1.0
+    assert mean(lambda rng: -rng.random() if rng.random() < 0.25 else 10) == pytest.approx(0.25 * -0.5 + 7.5)
+
+    def conditional(rng: Any) -> Any:
+        u = rng.random()
+        return u if u < 0.5 else 0.0
+
+    assert mean(conditional) == pytest.approx(0.125)
+
+    def later(rng: Any) -> Any:
+        u = rng.random()
+        total = u + rng.random()
+        return total if u < 0.5 else 0.0  # the sum was made before anything was known
+
+    assert mean(later) == pytest.approx(0.5 * 0.75)
+
+
+REFUSED: dict[str, tuple[Callable[[Any], Any], str]] = {
+    "a continuous state": (lambda rng: rng.random(), "cannot hold a continuous random number"),
+    "a sum of two": (lambda rng: rng.random() + rng.random() < 1.0, "several random numbers"),
+    "a comparison of two": (lambda rng: rng.random() < rng.random(), "several random numbers"),
+    "a product of two": (lambda rng: rng.random() * rng.random() < 0.5, "product of two random numbers"),
+    "a power": (lambda rng: rng.random() ** 2 < 0.5, "cannot follow what is done with a random number"),
+    "a remainder": (lambda rng: rng.random() % 0.5 < 0.1, "cannot follow what is done with a random number"),
+    "a whole division": (lambda rng: rng.random() // 0.5, "cannot follow what is done with a random number"),
+    "rounding": (lambda rng: round(rng.random()), "cannot follow what is done with a random number"),
+    "an inverse": (lambda rng: 1 / rng.random() > 3, "cannot follow what is done with a random number"),
+    "a function": (lambda rng: math.exp(rng.random()) < 2, "not use their value"),
+    "a function of NumPy": (lambda rng: np.sqrt(rng.random()) < 0.5, "cannot follow what is done with a random number"),
+    "arrays": (lambda rng: rng.random(3), "cannot follow what is done with a random number"),
+    "arrays of whole numbers": (lambda rng: rng.integers(2, size=3), "cannot follow what is done with"),
+    "an included end": (lambda rng: rng.integers(2, endpoint=True), "cannot follow what is done with"),
+    "no whole number": (lambda rng: rng.integers(3, 3), "nothing to draw from: 3 is not below 3"),
+    "several choices": (lambda rng: rng.choice(3, 2), "cannot follow what is done with a random number"),
+    "normal noise": (lambda rng: rng.normal(0.0, 1.0), "cannot follow rng.normal"),
+    "another distribution": (lambda rng: rng.poisson(2.0), "cannot follow rng.poisson"),
+    "shuffling": (lambda rng: rng.permutation(3), "cannot follow rng.permutation"),
+}
+
+
+@pytest.mark.parametrize(("draw", "reason"), REFUSED.values(), ids=REFUSED)
+def test_what_cannot_be_followed(draw: Callable[[Any], Any], reason: str) -> None:
+    """Everything else is refused with a reason: never a wrong probability."""
+    with pytest.raises(ValueError, match=reason):
+        list(branches(draw))
+
+
+@pytest.mark.parametrize(
+    "draw",
+    [
+        lambda rng: max(0.0, rng.normal()),
+        lambda rng: 1.0 if rng.normal() > 0 else 0.0,
+        lambda rng: math.floor(rng.normal()),
+        lambda rng: int(rng.normal(5.0, 2.0)),
+        lambda rng: rng.normal() * rng.normal(),
+        lambda rng: abs(rng.normal()),
+        lambda rng: min(rng.random(), rng.random()),
+    ],
+)
+def test_noise_may_only_be_added(draw: Callable[[Any], Any]) -> None:
+    """In rewards noise counts as its mean; where that would be wrong, it is refused."""
+    with pytest.raises(ValueError, match="an exact model can"):
+        list(branches(draw, means=True))
+
+
+def test_code_that_does_not_end() -> None:
+    """Trying again until it fits has no end of ways."""
+
+    def draw(rng: Any) -> int:
+        n = 0
+        while rng.random() < 0.5:
+            n += 1
+        return n
+
+    with pytest.raises(ValueError, match=f"more than {MOST_ANSWERS} random choices"):
+        list(branches(draw))
+
+
+def test_mistakes_in_the_code_itself() -> None:
+    """Errors that have nothing to do with random numbers get through as they are."""
+    with pytest.raises(TypeError, match="not subscriptable"):
+        list(branches(lambda rng: rng.integers(3)[0]))
+    with pytest.raises(ZeroDivisionError):
+        list(branches(lambda rng: rng.random() / 0 < 1))

@@ -1,0 +1,227 @@
+"""The exact model of small tasks, against tables and formulae worked out by hand."""
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+from gymnasium import spaces
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.exact.model import finite_model
+from edugym.mdp.protocol import Integers, Random, Reals
+from tests.compiled.cells import SLIPPERY, WALK, cell
+
+
+class Table(NamedTuple):
+    """A task that is given by its tables, and draws the next state in one of several ways.
+
+    Attributes:
+        weights: shape (S, A, S): p(s'|s, a) in parts of their sum.
+        rewards: shape (S, A, S): r(s, a, s').
+        way: how the next state is drawn.
+    """
+
+    weights: Integers
+    rewards: Reals
+    way: str
+
+    @property
+    def observation_space(self) -> spaces.Discrete:
+        """The states, and an end."""
+        return spaces.Discrete(len(self.weights) + 1)
+
+    @property
+    def action_space(self) -> spaces.Discrete:
+        """The actions."""
+        return spaces.Discrete(self.weights.shape[1])
+
+    def initial(self, rng: Random) -> int:
+        """Any state but the end."""
+        return int(rng.integers(len(self.weights)))
+
+    def transition(self, state: int, action: int, rng: Random) -> int:
+        """By the weights; the last state is the end."""
+        weights = self.weights[state, action]
+        total = weights.sum()
+        if self.way == "whole number":
+            left = rng.integers(total)
+        elif self.way == "rounded down":
+            left = int(rng.random() * total)
+        elif self.way == "uniform":
+            left = rng.uniform(0, total)
+        else:
+            left = rng.random()
+            weights, total = weights / total, 1.0
+        bound = 0
+        for next_state in range(len(weights) - 1):
+            bound += weights[next_state]
+            if left < bound:
+                return next_state
+        return len(weights) - 1
+
+    def reward(self, state: int, action: int, next_state: int, rng: Random) -> float:
+        """By the table, with noise of mean 0."""
+        reward: float = self.rewards[state, action, next_state] + rng.normal(0.0, 0.5) + rng.uniform(-1.0, 1.0)
+        return reward
+
+    def terminal(self, state: int) -> bool:
+        """The last state."""
+        return state == len(self.weights)
+
+    def observation(self, state: int, rng: Random) -> int:
+        """The state."""
+        return state
+
+
+@st.composite
+def tables(draw: st.DrawFn) -> Table:
+    """Tasks with up to four states, three actions, and an end."""
+    n_states, n_actions = draw(st.integers(1, 4)), draw(st.integers(1, 3))
+    rng = np.random.default_rng(draw(st.integers(0, 10**6)))
+    weights = rng.integers(0, 5, (n_states, n_actions, n_states + 1))
+    weights[:, :, draw(st.integers(0, n_states))] += 1  # nowhere to go is no task
+    way = draw(st.sampled_from(["chain", "whole number", "rounded down", "uniform"]))
+    return Table(weights, rng.integers(-8, 8, weights.shape) / 2, way)
+
+
+@given(task=tables())
+@settings(max_examples=150)
+def test_tables_come_back(task: Table) -> None:
+    """The model of a task that is made from tables is these tables."""
+    model = finite_model(task)
+    n = len(task.weights)
+    order = [model.rows[state] for state in range(n + 1) if state in model.rows]
+    assert len(order) >= n
+    p = task.weights / task.weights.sum(axis=2, keepdims=True)
+    expected = (p * task.rewards).sum(axis=2)
+    reachable = range(n + 1) if len(order) == n + 1 else range(n)
+    np.testing.assert_allclose(
+        model.p[np.ix_(order[:n], range(p.shape[1]), order)], p[:, :, list(reachable)], atol=1e-12
+    )
+    np.testing.assert_allclose(model.r[order[:n]], expected, atol=1e-12)
+    np.testing.assert_allclose(model.initial[order[:n]], 1 / n, atol=1e-15)
+    for state in range(n):
+        for action in range(p.shape[1]):
+            outcomes = {outcome.next_state: outcome for outcome in model.outcomes(state, action)}
+            assert set(outcomes) == set(np.flatnonzero(p[state, action]).tolist())
+            for next_state, outcome in outcomes.items():
+                assert outcome.probability == pytest.approx(p[state, action, next_state], abs=1e-12)
+                assert outcome.reward == pytest.approx(task.rewards[state, action, next_state], abs=1e-12)
+                assert outcome.terminated == (next_state == n)
+
+
+def solved(model: Any, policy: int) -> Any:
+    """The values of always the same action, from the linear equations V = r + p V."""
+    p, r = model.p[:, policy], model.r[:, policy]
+    going = ~model.terminal
+    values = np.zeros(len(model.states))
+    values[going] = np.linalg.solve(np.eye(going.sum()) - p[np.ix_(going, going)], r[going])
+    return values
+
+
+@pytest.mark.parametrize("size", [1, 2, 7])
+@pytest.mark.parametrize("slip", [0.0, 0.1, 0.25, 0.5, 0.75])
+def test_slippery_walk(size: int, slip: float) -> None:
+    """A student's stochastic task: going right needs as many steps on average as the formula of the random walk says.
+
+    With t_k the mean time from k to k + 1 (staying at 0 where a step back leads nowhere), t_0 = 1/p and
+    t_k = 1/p + (q/p) t_(k-1).
+    """
+    task = cell(SLIPPERY)["SlipperyWalk"](size, slip)
+    times = [1 / (1 - slip)]
+    for _ in range(size - 1):
+        times.append(1 / (1 - slip) + slip / (1 - slip) * times[-1])
+    model = finite_model(task)
+    assert len(model.states) == size + 1
+    value = solved(model, policy=1)[model.row(0)]
+    assert value == pytest.approx(1 - 0.25 * (sum(times) - 1), rel=1e-9)
+    if slip not in (0.0, 0.5):
+        p, q = 1 - slip, slip
+        closed = (size - (q / p) * (1 - (q / p) ** size) / (1 - q / p)) / (p - q)
+        assert sum(times) == pytest.approx(closed, rel=1e-9)
+
+
+def test_deterministic_walk() -> None:
+    """A student's deterministic task: one outcome each, the way counted by hand."""
+    model = finite_model(cell(WALK)["Walk"](4))
+    assert model.states == (0, 1, 2, 3, 4)
+    assert model.terminal.tolist() == [False] * 4 + [True]
+    assert model.successors[:, :, 0].tolist() == [[0, 1], [0, 2], [1, 3], [2, 4], [4, 4]]
+    assert model.rewards[:, :, 0].tolist() == [[-0.25, -0.25]] * 3 + [[-0.25, 1.0], [0.0, 0.0]]
+    assert (model.probabilities == 1).all()
+    assert model.initial.tolist() == [1, 0, 0, 0, 0]
+    assert solved(model, policy=1).tolist() == [0.25, 0.5, 0.75, 1.0, 0.0]
+
+
+def test_ways_to_name_a_state() -> None:
+    """A state may be given as a tuple, a NamedTuple or an array, with Python's or NumPy's numbers."""
+    env = MDPEnv(cell(WALK)["Walk"](4))
+    good: list[Any] = [2, np.int64(2), np.array(2), 2.0]
+    for state in good:
+        assert env.descriptive_model(state, 1) == [(1.0, 3, -0.25, False)]
+    bad: list[Any] = [5, -1, 2.5, "2", None, (2,), np.array([2]), [2], {}, math.nan]
+    for state in bad:
+        with pytest.raises(ValueError, match=r"state must be one of the 5 that can be reached .*, but is"):
+            env.descriptive_model(state, 1)
+
+
+CHANGED = WALK.replace("return max(0, state + 2 * action - 1)", "{}")
+
+NOT_FINITE = {
+    "continuous": ("return state + rng.random()", "cannot hold a continuous random number"),
+    "continuous in a tuple": ("return (state, rng.uniform())", "but there is a continuous random number"),
+    "normal": ("return state + rng.normal()", "cannot follow rng.normal"),
+    "array": ("return np.zeros(3)", "a state must be a number or a tuple of numbers, but there is array"),
+    "text": ("return 'left'", "a state must be a number or a tuple of numbers, but there is 'left'"),
+    "too many": ("return state + 1 + action * 1000", "it has more than 500 states"),
+    "too many at once": ("return tuple(rng.random() < 0.5 for _ in range(50))", "it has more than 500 states"),
+    "endless": ("while rng.random() < 0.5: pass\n        return 0", "more than 1000 random choices"),
+}
+
+
+@pytest.mark.parametrize(("transition", "reason"), NOT_FINITE.values(), ids=NOT_FINITE)
+def test_what_is_not_finite(transition: str, reason: str) -> None:
+    """Tasks without a finite model say so by name, and why."""
+    task = cell(CHANGED.replace("{}", transition).replace("== self.size", "== -1"))["Walk"](4)
+    with pytest.raises(ValueError, match=f"Walk has no finite model: .*{reason}"):
+        finite_model(task, max_states=500)
+
+
+@pytest.mark.parametrize("space", ["spaces.Box(-1, 1, (2,))", "spaces.MultiDiscrete([2, 2])", "spaces.MultiBinary(2)"])
+def test_actions_without_a_model(space: str) -> None:
+    """Only whole numbers as actions have a table."""
+    task = cell(WALK.replace("spaces.Discrete(2)", space))["Walk"](4)
+    with pytest.raises(ValueError, match="Walk has no finite model: its action space is"):
+        finite_model(task)
+
+
+def test_rewards_that_cannot_be_followed() -> None:
+    """Noise that is not only added has no mean that could stand for it."""
+    source = WALK.replace("return 1.0 if next_state == self.size else -0.25", "return max(0.0, rng.normal())")
+    with pytest.raises(ValueError, match=r"Walk has no finite model: .* can only add normal noise"):
+        finite_model(cell(source)["Walk"](4))
+
+
+def test_generative_model() -> None:
+    """It draws from the descriptive model, by a random stream of its own that the seed of `reset` starts anew."""
+    env = MDPEnv(cell(SLIPPERY)["SlipperyWalk"](4, 0.25))
+    env.reset(seed=3)
+    drawn = [env.generative_model(2, 1) for _ in range(2000)]
+    outcomes = env.descriptive_model(2, 1)
+    assert sorted(outcomes) == [(0.25, 1, -0.25, False), (0.75, 3, -0.25, False)]
+    assert {outcome.probability for outcome in drawn} == {1.0}
+    for probability, next_state, _, _ in outcomes:
+        share = np.mean([outcome.next_state == next_state for outcome in drawn])
+        assert abs(share - probability) < 5 * math.sqrt(probability * (1 - probability) / 2000)
+    env.reset()
+    assert [env.generative_model(2, 1) for _ in range(50)] != drawn[:50]
+    env.reset(seed=3)
+    env.step(1)
+    assert [env.generative_model(2, 1) for _ in range(50)] == drawn[:50]
+    unplanned = MDPEnv(env.mdp)
+    unplanned.reset(seed=3)
+    unplanned.step(1)
+    assert [env.step(1)[0] for _ in range(3)] == [unplanned.step(1)[0] for _ in range(3)]

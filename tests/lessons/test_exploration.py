@@ -1,0 +1,140 @@
+"""Exploration on Boulder: the baseline fails, the remedies succeed, and without what makes them remedies they fail too.
+
+"Solves" and "fails" are claims on the share of runs that end at the top, over walls and seeds, with its interval.
+"""
+
+from collections.abc import Callable
+from functools import cache, partial
+from typing import Any
+
+import numpy as np
+import pytest
+
+from edugym import EpsilonGreedy, QLearning, Results, make_mdp, train
+from edugym.lessons import exploration
+from edugym.lessons.exploration import (
+    EPSILON_GREEDY,
+    GO_EXPLORE,
+    METHODS,
+    NOVELTY,
+    best_return,
+    compare,
+    frontier,
+    random_search_steps,
+    share_of_climbs,
+    visits_of,
+)
+from edugym.results.claims import Above, Below
+from edugym.results.statistics import proportion_interval
+
+pytestmark = pytest.mark.slow
+
+SOLVES, FAILS = Above(0.5), Below(0.5)
+
+
+@cache
+def trained(height: int) -> Results:
+    """The three methods of the paper's figure on walls of this height; other seeds than those the lesson shows."""
+    return compare(height, repetitions=20, seed=1)
+
+
+@pytest.mark.parametrize(
+    ("method", "height", "expected"),
+    [
+        (EPSILON_GREEDY, 10, SOLVES),
+        (EPSILON_GREEDY, 30, FAILS),
+        (EPSILON_GREEDY, 100, FAILS),
+        (NOVELTY, 10, SOLVES),
+        (NOVELTY, 30, SOLVES),
+        (NOVELTY, 100, FAILS),
+        (GO_EXPLORE, 10, SOLVES),
+        (GO_EXPLORE, 30, SOLVES),
+        (GO_EXPLORE, 100, SOLVES),
+    ],
+)
+def test_who_solves_what(method: str, height: int, expected: Above | Below) -> None:
+    """As in the paper."""
+    share = trained(height).share(method, at_least=best_return(height))
+    assert expected.holds(share), f"{method} at {height}: {share}"
+
+
+def test_remedies_are_better_on_the_same_walls() -> None:
+    """The difference in return, paired by wall and seed, is above zero."""
+    assert trained(30).difference(NOVELTY, EPSILON_GREEDY).low > 0
+    assert trained(100).difference(GO_EXPLORE, NOVELTY).low > 0
+
+
+def goes_nowhere(environment: Any) -> Any:
+    """Go-Explore that never returns: the ground always counts as the state it has visited least."""
+    agent = METHODS[GO_EXPLORE](environment)
+    agent.visits[1:] = 10**9
+    return agent
+
+
+def optimistic(environment: Any) -> QLearning:
+    """ε-greedy from high values: what has not been tried looks best."""
+    return QLearning.create(environment, learning_rate=0.5, discount=0.9, initial_value=1.0)
+
+
+@pytest.mark.parametrize(
+    ("make", "height", "expected"),
+    [
+        (partial(METHODS[NOVELTY], bonus=0.0), 30, FAILS),
+        (partial(METHODS[NOVELTY], exploration=EpsilonGreedy(0.0)), 30, FAILS),
+        (goes_nowhere, 30, FAILS),
+        (goes_nowhere, 10, SOLVES),  # random search from the ground, with a memory of how it got there
+        (optimistic, 30, SOLVES),
+    ],
+)
+def test_what_makes_the_remedy(make: Callable[..., Any], height: int, expected: Above | Below) -> None:
+    """Without the bonus, without exploring steps, or without returning first, there is no remedy; optimism is one."""
+    share = compare(height, methods={"control": make}, repetitions=20, seed=1).share("control", at_least=1.0)
+    assert expected.holds(share), str(share)
+
+
+def test_what_was_learned_is_the_wall() -> None:
+    """On a wall other than its own, an agent that solves its own one falls."""
+    tops = 0
+    for repetition, agent in trained(30).complete_agents(GO_EXPLORE).items():
+        other = make_mdp("Boulder", height=30, layout_seed=repetition)
+        still = agent.recorded._replace(learning_rate=1e-9)
+        tops += train(other, still, 1, evaluation_episodes=1, seed=repetition).returns[0] == 1.0
+    assert FAILS.holds(proportion_interval(int(tops), 20))
+
+
+def test_everything_that_the_lesson_claims(tmp_path: Any) -> None:
+    """With the lesson's own settings and seed; and its data is where it says."""
+    report = exploration.report(folder=tmp_path)
+    assert len(report.claims) == 17
+    assert [claim.statement for claim in report.claims if not claim.holds] == []
+    assert [figure.name for figure in report.figures] == ["exploration", "visits", "climbs"]
+    for height in exploration.HEIGHTS:
+        assert Results.load(tmp_path / f"height_{height}.csv").complete
+
+
+def test_random_search_formula() -> None:
+    """(N^(H+1) - N)/(N - 1), by first-step analysis: E_s = 1 + E_{s+1}/N + (1 - 1/N) E_0, E_H = 0."""
+    for n_grips, height in ((2, 1), (2, 10), (3, 5), (7, 3)):
+        p = 1 / n_grips
+        equations = np.eye(height)
+        for state in range(height):
+            equations[state, 0] -= 1 - p
+            if state + 1 < height:
+                equations[state, state + 1] -= p
+        steps = np.linalg.solve(equations, np.ones(height))[0]
+        assert steps == pytest.approx(random_search_steps(n_grips, height))
+    assert random_search_steps(2, 10) == 2046
+
+
+def test_share_of_climbs_by_hand() -> None:
+    """Four climbs: two fall at once, one from height 1, and one gets to the top of a wall of two."""
+    visits = np.array([[3, 1, 0], [1, 1, 1]])
+    assert share_of_climbs(visits).tolist() == [1.0, 0.5, 0.25]
+    assert frontier(visits) == 2
+
+
+def test_visits_of_the_figure() -> None:
+    """Every step of every run is somewhere on the wall."""
+    for method in METHODS:
+        for visits in visits_of(trained(30), method):
+            assert visits[:, :30].sum() == exploration.N_STEPS

@@ -1,0 +1,77 @@
+"""The pictures of ``render_mode="ansi"``, character by character."""
+
+from edugym.rendering import icons
+from edugym.rendering.ansi import to_text
+from edugym.rendering.palette import BLUE, GREEN, INK, PAPER, RED, rgb
+from edugym.rendering.scene import Arc, Circle, Line, Rectangle, Scene, Text
+
+
+def test_text_of_a_small_scene() -> None:
+    """A board of cells, two characters wide and one high, with a frame, words and a smiley; what is outside is cut."""
+    picture = Scene(
+        8,
+        5,
+        (
+            Rectangle(0, 0, 8, 5, glyph="#"),
+            Rectangle(1, 1, 6, 3, glyph=" "),
+            Circle(2.5, 2.5, 0.5),  # no glyph: not drawn
+            Circle(3.5, 2.5, 0.5, glyph="o"),
+            *icons.smiley(1.5, 1.5, 0.4),
+            Rectangle(6, 3, 1, 1, glyph="EXIT"),  # more than a character: at the middle
+            Text(4, 4.5, "HP 10"),
+            Text(1, 3.5, "left", anchor="start"),
+            Text(7, 1.5, "right", anchor="end"),
+            Text(7, 2.5, "cut off", anchor="start"),
+            Text(0.5, 0.5, "word", glyph="?"),
+            Text(0, 1.5, "<>"),
+        ),
+        columns=16,
+    )
+    assert to_text(picture).splitlines() == [
+        "?###############",
+        ">#☺      right##",
+        "##    o       cu",
+        "##left     EXIT#",
+        "#####HP 10######",
+    ]
+    cells = [Circle((k + 0.5) * 0.1, 0.5, 0.05, glyph=str(k)) for k in range(10)]
+    assert to_text(Scene(1, 1, cells, columns=20)).split("\n")[5] == "0 1 2 3 4 5 6 7 8 9"
+    finer = to_text(picture, columns=32).splitlines()
+    assert (len(finer), max(map(len, finer))) == (10, 32)
+
+
+def test_text_draws_lines_and_later_shapes_on_top() -> None:
+    """A line's character follows it, an arc's too; a rectangle smaller than a cell still shows; trailing blanks go."""
+    picture = Scene(
+        12,
+        6,
+        (
+            Line(((0.5, 1), (4.5, 5)), glyph="\\"),
+            Arc(9, 5, 3, 180, 360, glyph="*"),
+            Rectangle(0, 5.1, 12, 0.2, glyph="="),
+            Circle(9, 5, 1, glyph="@"),
+        ),
+        columns=24,
+    )
+    assert to_text(picture).splitlines() == [
+        "",
+        " \\\\",
+        "   \\\\        **********",
+        "     \\\\     **        **",
+        "       \\\\   *          *",
+        "=================@======",
+    ]
+
+
+def test_coloured_text() -> None:
+    """In colour, a shape has the colour of its edge on that of its inside, and words leave what is behind them."""
+    words, block = Text(2, 1, "ab", colour=BLUE), Rectangle(3, 0, 1, 2, fill=GREEN, outline=None, glyph="+")
+    picture = Scene(5, 2, (Rectangle(0, 0, 2, 2, fill=RED, glyph="#"), words, block), columns=5)
+
+    def escape(front: str, behind: str) -> str:
+        return "\x1b[38;2;{};{};{};48;2;{};{};{}m".format(*rgb(front), *rgb(behind))
+
+    assert to_text(picture, colour=True) == (
+        f"{escape(INK, RED)}#{escape(BLUE, RED)}a{escape(BLUE, PAPER)}b"
+        f"{escape(GREEN, GREEN)}+{escape(INK, PAPER)} \x1b[0m"
+    )

@@ -1,0 +1,322 @@
+"""Repeated training: pairs, layouts and seeds, the same whatever runs in parallel, and tables that can be saved."""
+
+import copy
+from functools import partial
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import gymnasium
+import joblib
+import numpy as np
+import pandas as pd
+import pytest
+from gymnasium.error import DependencyNotInstalled
+
+from edugym import CountBased, EpsilonGreedy, GoExplore, QLearning, Results, make_mdp, repeat, train
+from edugym.extras import require
+from edugym.files import check_writable, write_whole
+from edugym.lessons import report as lessons
+from edugym.mdp.protocol import Reals
+from edugym.training.configuration import described
+
+AGENTS = {
+    "ε-greedy": partial(QLearning.create, learning_rate=0.5, discount=0.9),
+    "novelty": CountBased.create,
+}
+
+
+def small(n_steps: int = 2_000, **changes: Any) -> Results:
+    """Two methods, three times each, on a low wall."""
+    arguments: dict[str, Any] = {"repetitions": 3, "parameters": {"height": 5}, "jobs": 1} | changes
+    return repeat("Boulder", AGENTS, n_steps, **arguments)
+
+
+def runs(results: Results) -> pd.DataFrame:
+    """One row a run."""
+    return results.table.drop_duplicates(["method", "repetition"])
+
+
+def test_one_row_a_point() -> None:
+    """Two methods, three repetitions, and points at 0, 500, ..., 2 000."""
+    results = small(evaluate_every=500)
+    assert len(results.table) == 2 * 3 * 5
+    assert results.methods == ["ε-greedy", "novelty"]
+    assert sorted(results.table["step"].unique()) == [0, 500, 1000, 1500, 2000]
+    assert results.complete
+    assert results.table["complete"].all()
+    assert results.table["episodes"].sum() > 0
+
+
+def test_methods_are_paired() -> None:
+    """In one repetition all methods have one seed and one layout; in another, others."""
+    results = small()
+    assert (results.table.groupby("repetition")[["seed", "layout_seed"]].nunique() == 1).all(axis=None)
+    assert (runs(results)[["seed", "layout_seed"]].nunique() == 3).all()
+
+
+def test_a_run_is_what_train_gives() -> None:
+    """The table says the seed and layout with which `train` gives the same curve and the same agent."""
+    results = small(seed=5)
+    row = runs(results).query("method == 'novelty' and repetition == 2").iloc[0]
+    wall = make_mdp("Boulder", height=5, layout_seed=int(row["layout_seed"]))
+    assert wall.grips.tolist() != make_mdp("Boulder", height=5).grips.tolist()
+    run = train(wall, CountBased.create(wall), 2_000, seed=int(row["seed"]))
+    assert results.curves("novelty")[2].tolist() == run.returns.tolist()
+    assert (results.agents["novelty"][2].Q == run.agent.Q).all()
+    np.testing.assert_array_equal(results.curves("novelty", "training_return")[2], run.training_returns)
+
+
+def test_a_longer_experiment_begins_with_the_shorter() -> None:
+    """Adding repetitions leaves the first ones as they were."""
+    fewer, more = small(repetitions=2), small(repetitions=4)
+    columns = ["method", "repetition", "seed", "layout_seed", "step", "return"]
+    pd.testing.assert_frame_equal(more.table.query("repetition < 2")[columns], fewer.table[columns])
+
+
+def test_seed_decides() -> None:
+    """Another seed is another experiment; the same one is the same."""
+    pd.testing.assert_frame_equal(small(seed=1).table, small(seed=1).table)
+    assert set(runs(small(seed=1))["seed"]).isdisjoint(runs(small(seed=2))["seed"])
+
+
+def same(one: Results, other: Results) -> bool:
+    """Whether tables and agents are equal."""
+    pd.testing.assert_frame_equal(one.table, other.table)
+    return all(
+        (agent.Q == other.agents[method][repetition].Q).all()
+        for method, agents in one.agents.items()
+        for repetition, agent in agents.items()
+    )
+
+
+@pytest.mark.parametrize("n_steps", [2_000, 6_000])
+def test_jobs_change_nothing(n_steps: int) -> None:
+    """One at a time or three at a time, interpreted and compiled."""
+    assert same(small(n_steps, jobs=1), small(n_steps, jobs=3))
+
+
+@pytest.mark.slow
+def test_other_processes_change_nothing() -> None:
+    """The back ends of joblib are chosen with joblib's own function."""
+    with joblib.parallel_config(backend="loky", n_jobs=2):
+        elsewhere = small(jobs=None)
+    assert same(small(), elsewhere)
+
+
+def test_a_fixed_layout_stays() -> None:
+    """A user who names a layout gets it in every repetition."""
+    results = small(parameters={"height": 5, "layout_seed": 7})
+    assert (runs(results)["layout_seed"] == 7).all()
+    assert runs(results)["seed"].nunique() == 3
+    agents = results.agents["novelty"].values()
+    assert len({tuple(agent.Q[:5].argmax(axis=1)) for agent in agents}) == 1  # all have learned the same wall
+
+
+def test_an_mdp_has_no_layout_to_vary() -> None:
+    """It is one fixed task, described by its fields."""
+    results = repeat(make_mdp("Boulder", height=4), AGENTS, 500, repetitions=2, jobs=1)
+    assert results.table["layout_seed"].isna().all()
+    assert set(results.table["environment"]) == {"Boulder"}
+    assert set(results.table["environment.height"]) == {4}
+
+
+def test_agents_are_copied() -> None:
+    """An agent that is given serves every repetition as it was, and stays as it was."""
+    wall = make_mdp("Boulder", height=4)
+    given = QLearning.create(wall, initial_value=0.5)
+    results = repeat(
+        wall, {"given": given, "made": lambda task: QLearning.create(task, initial_value=0.5)}, 500, jobs=1
+    )
+    assert (given.Q == 0.5).all()
+    for repetition, agent in results.agents["given"].items():
+        assert (agent.Q == results.agents["made"][repetition].Q).all()
+    assert len({agent.Q.tobytes() for agent in results.agents["given"].values()}) == 10
+
+
+def test_any_gymnasium_environment() -> None:
+    """By id with parameters, or as it is; one that is given is not touched."""
+    agents = {"Q": partial(QLearning.create, learning_rate=0.5, discount=1.0)}
+    arguments: dict[str, Any] = {"repetitions": 2, "max_steps": 200, "jobs": 1}
+    by_id = repeat("CliffWalking-v1", agents, 3_000, parameters={"is_slippery": True}, **arguments)
+    assert set(by_id.table["environment.is_slippery"]) == {True}
+    env = gymnasium.make("CliffWalking-v1", is_slippery=True)
+    env.reset(seed=0)
+    before: Any = copy.deepcopy(env.unwrapped)
+    given = repeat(env, agents, 3_000, **arguments)
+    after: Any = env.unwrapped
+    assert (after.s, after.np_random.random()) == (before.s, before.np_random.random())
+    assert by_id.curves("Q").equals(given.curves("Q"))
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"environment": "Bolder"}, "environment must be one of Boulder, .*Bolder"),
+        ({"environment": "edugym/Bolder-v0"}, "environment must be one of Boulder, .*Bolder"),
+        ({"parameters": {"heigth": 3}}, "has no parameter 'heigth'; it has height, n_grips"),
+        ({"parameters": {"height": 0}}, "height must be 1 or more, but is 0"),
+        ({"environment": make_mdp("Boulder"), "parameters": {"height": 3}}, "parameters can be given with the name"),
+        ({"agents": {}}, "agents must have one"),
+        ({"agents": {"Q": QLearning}}, r"agents\['Q'\] must be an agent or a function"),
+        ({"agents": {"Q": 3}}, r"agents\['Q'\] must be an agent or a function"),
+        ({"n_steps": 0}, "n_steps must be 1 or more, but is 0"),
+        ({"repetitions": 0}, "repetitions must be 1 or more, but is 0"),
+        ({"seed": -1}, "seed must be 0 or more, but is -1"),
+        ({"jobs": 0}, "jobs must be 1 or more, but is 0"),
+        ({"evaluate_every": 0}, "evaluate_every must be 1 or more, but is 0"),
+    ],
+)
+def test_wrong_arguments_are_named(changes: dict[str, Any], message: str) -> None:
+    """Each message has the parameter, its value, and what is allowed."""
+    arguments: dict[str, Any] = {
+        "environment": "Boulder",
+        "agents": AGENTS,
+        "n_steps": 100,
+        "repetitions": 1,
+        "jobs": 1,
+    } | changes
+    with pytest.raises(ValueError, match=message):
+        repeat(**arguments)
+
+
+def test_an_unwritable_file_is_refused_before_the_work(tmp_path: Path) -> None:
+    """No agent is made for results that could not be kept."""
+    (tmp_path / "file").write_text("")
+    made = []
+    agents = {"Q": lambda task: made.append(task)}
+    for path in (tmp_path / "file" / "results.csv", tmp_path):
+        with pytest.raises(OSError, match="cannot write to"):
+            repeat("Boulder", agents, 100, save_to=path)
+    assert not made
+
+
+def test_saved_and_loaded_is_the_same(tmp_path: Path) -> None:
+    """Every number to its last bit, every setting, and the versions."""
+    agents = {**AGENTS, "Go-Explore": GoExplore.create}
+    path = tmp_path / "new" / "results.csv"
+    results = repeat("Boulder", agents, 1_000, repetitions=2, evaluation_episodes=3, jobs=1, save_to=path)
+    loaded = Results.load(path)
+    pd.testing.assert_frame_equal(loaded.table, results.table)
+    assert loaded.complete
+    assert loaded.agents == {}
+    assert loaded.share("novelty", at_least=1.0) == results.share("novelty", at_least=1.0)
+    row = loaded.table.query("method == 'ε-greedy'").iloc[0]
+    assert row["agent"] == "QLearning"
+    assert row["agent.learning_rate"] == 0.5
+    assert row["agent.exploration"] == "EpsilonGreedy"
+    assert row["agent.exploration.epsilon"] == 0.1
+    assert row["environment"] == "edugym/Boulder-v0"
+    assert row["environment.height"] == 10
+    assert row["experiment_seed"] == 0
+    assert f"numpy {np.__version__}" in row["versions"]
+    assert pd.isna(row["agent.bonus"])  # a setting of another method
+    assert [file.name for file in path.parent.iterdir()] == ["results.csv"]
+
+
+def test_a_failed_save_leaves_the_old_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nobody ever finds half a file, or the rests of one."""
+
+    def full_disk(self: Path, contents: bytes) -> None:
+        with self.open("wb") as file:
+            file.write(contents[:1])
+        raise OSError("no space left")
+
+    path = tmp_path / "results.csv"
+    write_whole(path, b"old")
+    monkeypatch.setattr(Path, "write_bytes", full_disk)
+    with pytest.raises(OSError, match="no space left"):
+        write_whole(path, b"new")
+    assert path.read_bytes() == b"old"
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_other_tables_are_not_results(tmp_path: Path) -> None:
+    """The message says what is missing."""
+    path = tmp_path / "other.csv"
+    path.write_text("method,step\nQ,1\n")
+    with pytest.raises(ValueError, match="no column 'repetition'"):
+        Results.load(path)
+
+
+def test_paths_can_be_checked(tmp_path: Path) -> None:
+    """Folders are made on the way, and nothing is left in them."""
+    assert check_writable(tmp_path / "a" / "b.csv") == tmp_path / "a" / "b.csv"
+    assert list((tmp_path / "a").iterdir()) == []
+
+
+def test_results_answer_questions() -> None:
+    """Final values, means, shares and differences, from a table made by hand."""
+    table = small(repetitions=3, evaluate_every=2_000).table
+    table["return"] = np.where(table["step"] == 0, 9.0, table["repetition"] + (table["method"] == "novelty"))
+    results = Results(table)
+    assert results.final("novelty").tolist() == [1, 2, 3]
+    assert results.mean("novelty").estimate == 2
+    assert results.share("novelty", at_least=2)[0::3] == (2 / 3, 3)
+    assert results.difference("novelty", "ε-greedy")[:3] == (1, 1, 1)
+
+
+@pytest.mark.parametrize(("method", "column"), [("Q", "return"), ("novelty", "reward")])
+def test_unknown_methods_and_columns_are_named(method: str, column: str) -> None:
+    """The message has what there is."""
+    with pytest.raises(ValueError, match=r"must be one of .*(novelty|training_return)"):
+        small().curves(method, column)
+
+
+class Optimist(NamedTuple):
+    """A value that holds another, tables long and short, and nothing."""
+
+    inner: QLearning
+    twice: QLearning
+    table: Reals
+    blank: Reals
+    short: Reals
+    limit: int | None
+
+
+class Plain:
+    """An agent that is an ordinary object."""
+
+    def __init__(self) -> None:
+        """With a setting, a hidden one, and something else."""
+        self.rate = 0.5
+        self._hidden = 1
+        self.memory = [1, 2]
+
+
+def test_settings_are_flat() -> None:
+    """Each part once, under the path that leads to it; empty tables and None are no settings."""
+    inner = QLearning.create((40, 2), exploration=EpsilonGreedy(0.2), initial_value=2.0)
+    value = Optimist(inner, inner, np.arange(40.0), np.zeros(50), np.array([1.0, 2.0]), None)
+    settings = described(value, "agent")
+    table = settings.pop("agent.table")
+    assert settings == {
+        "agent": "Optimist",
+        "agent.inner": "QLearning",
+        "agent.inner.Q": '{"shape": [40, 2], "filled_with": 2.0}',
+        "agent.inner.learning_rate": 0.1,
+        "agent.inner.discount": 0.99,
+        "agent.inner.exploration": "EpsilonGreedy",
+        "agent.inner.exploration.epsilon": 0.2,
+        "agent.short": "[1.0, 2.0]",
+    }
+    assert table == described(copy.deepcopy(value), "agent")["agent.table"]
+    assert table != described(value._replace(table=np.arange(40.0) + 1), "agent")["agent.table"]
+    assert described(Plain(), "agent") == {"agent": "Plain", "agent.rate": 0.5}
+
+
+def test_missing_libraries_are_named() -> None:
+    """With what installs them."""
+    with pytest.raises(DependencyNotInstalled, match=r'no_such is not installed, run `pip install "edugym\[plot\]"`'):
+        require("plot", "numpy", "no_such")
+
+
+def test_unknown_lessons_are_named() -> None:
+    """The message has those there are."""
+    with pytest.raises(ValueError, match=r"lesson must be one of exploration.* but is 'explore'"):
+        lessons.experiment("explore")
+
+
+@pytest.mark.parametrize("lesson", list(lessons.MODULES))
+def test_every_lesson_has_its_experiments(lesson: str) -> None:
+    """A module with the one function that all share."""
+    assert callable(lessons.experiment(lesson).report)

@@ -1,0 +1,91 @@
+"""Recorded visits: every step once, where and when it was; and recording changes nothing else."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+
+from edugym import CountBased, GoExplore, QLearning, make_mdp, train
+from edugym.agents.strategies import greedy_action
+from edugym.mdp.protocol import Random, Reals
+from edugym.training.visits import record_visits
+
+WALL = make_mdp("Boulder", height=6, layout_seed=3)
+
+
+class Sarsa(NamedTuple):
+    """On-policy, and without `greedy`: evaluated as it acts."""
+
+    Q: Reals
+
+    @property
+    def on_policy(self) -> bool:
+        """It learns from its next action."""
+        return True
+
+    def act(self, state: int, rng: Random) -> int:
+        """ε-greedy."""
+        return int(rng.random() * 2) if rng.random() < 0.2 else greedy_action(self.Q, state, rng)
+
+    def learn(
+        self, state: int, action: int, reward: float, next_state: int, next_action: int, terminated: bool
+    ) -> None:
+        """The update of section 6.4."""
+        value = 0.0 if terminated else self.Q[next_state, next_action]
+        self.Q[state, action] += 0.5 * (reward + 0.9 * value - self.Q[state, action])
+
+
+def sarsa(shape: Any) -> Sarsa:
+    """A new one."""
+    return Sarsa(np.zeros((7, 2)))
+
+
+@pytest.mark.parametrize("n_steps", [1_000, pytest.param(20_000, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("make", [QLearning.create, CountBased.create, GoExplore.create, sarsa])
+def test_recording_changes_nothing(make: Any, n_steps: int) -> None:
+    """The same curve and the same tables, bit for bit: interpreted and compiled, on- and off-policy."""
+    agent, watched = make(WALL), make(WALL)
+    alone = train(WALL, agent, n_steps, seed=5)
+    recorded = train(WALL, record_visits(watched, WALL, n_steps), n_steps, seed=5)
+    assert recorded.returns.tolist() == alone.returns.tolist()
+    np.testing.assert_array_equal(recorded.training_returns, alone.training_returns)
+    assert (watched.Q == agent.Q).all()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("make", [QLearning.create, sarsa])
+def test_compiled_counts_are_interpreted_counts(make: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The recorder is plain Python that is compiled, too."""
+    compiled, interpreted = (record_visits(make(WALL), WALL, 6_000) for _ in range(2))
+    train(WALL, compiled, 6_000, seed=1)
+    monkeypatch.setattr("edugym.training.train.executable", lambda loop, *_, **__: loop)
+    train(WALL, interpreted, 6_000, seed=1)
+    assert (compiled.visits == interpreted.visits).all()
+
+
+@pytest.mark.parametrize("make", [QLearning.create, sarsa])
+def test_every_step_counts_once(make: Any) -> None:
+    """In each interval as many visits as steps, and one more for each time the top was reached."""
+    recorder = record_visits(make(WALL), WALL, 3_000, n_intervals=6)
+    run = train(WALL, recorder, 3_000, evaluate_every=500, seed=2)
+    reached = np.nan_to_num(run.training_returns[1:] * run.episodes[1:])  # the return of an episode is 1 at the top
+    assert recorder.visits.shape == (6, 7)
+    assert recorder.visits[:, 6].tolist() == np.round(reached).tolist()
+    assert recorder.visits[:, :6].sum(axis=1).tolist() == [500] * 6
+
+
+def test_visits_are_where_the_agent_was() -> None:
+    """A climb by hand: up, up, a fall, and to the top of a wall of two."""
+    recorder: Any = record_visits(QLearning.create((3, 2)), (3, 2), 4, n_intervals=2)
+    for state, next_state in ((0, 1), (1, 0), (0, 1), (1, 2)):
+        recorder.learn(state, 0, 0.0, next_state, next_state == 2, False)
+    assert recorder.visits.tolist() == [[1, 1, 0], [1, 1, 1]]
+    recorder.learn(0, 0, 0.0, 1, False, False)  # beyond the steps that were announced
+    assert recorder.visits.tolist() == [[1, 1, 0], [2, 1, 1]]
+
+
+@pytest.mark.parametrize("name", ["n_steps", "n_intervals"])
+def test_wrong_numbers_are_named(name: str) -> None:
+    """Of steps and intervals there is one or more."""
+    with pytest.raises(ValueError, match=f"{name} must be 1 or more, but is 0"):
+        record_visits(QLearning.create((3, 2)), (3, 2), **{"n_steps": 10, name: 0})
