@@ -61,7 +61,7 @@ def page(entry: Entry) -> str:
             f'gymnasium.make("{entry.id}", {parameters(entry)})',
             "```",
             "",
-            inspect.cleandoc(entry.load().__doc__ or ""),
+            inspect.cleandoc(entry.load_mdp().__doc__ or ""),
             "",
         ]
     )

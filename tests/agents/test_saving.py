@@ -49,7 +49,7 @@ def test_no_pickle_is_in_the_file(tmp_path: Path) -> None:
     """NumPy reads all of it without being allowed to unpickle, and no array holds objects."""
     save(QLearning.create((3, 2), exploration=UCB.create((3, 2))), tmp_path / "agent.npz")
     with np.load(tmp_path / "agent.npz", allow_pickle=False) as file:
-        assert set(file.files) == {"structure", "agent.Q", "agent.exploration.counts"}
+        assert set(file.files) == {"structure", "agent.Q", "agent.exploration.counts", "agent.exploration.bounds"}
         assert all(file[name].dtype.kind in "ifU" for name in file.files)
 
 

@@ -12,7 +12,7 @@ from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_notebook
 
 from edugym.agents.q_learning import QLearning
-from edugym.agents.strategies import greedy_action
+from edugym.agents.tables import greedy_action
 from edugym.notebook import frames, play, source
 from edugym.notebook.panel import WIDGET
 from edugym.playing import Game

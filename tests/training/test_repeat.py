@@ -19,9 +19,9 @@ from edugym.lessons import report as lessons
 from edugym.mdp.protocol import Reals
 from edugym.training.configuration import described
 
-AGENTS = {
+AGENTS: dict[str, Any] = {
     "ε-greedy": partial(QLearning.create, learning_rate=0.5, discount=0.9),
-    "novelty": CountBased.create,
+    "novelty": lambda wall: CountBased.create(wall, learning_rate=0.5, discount=0.9),
 }
 
 
@@ -60,7 +60,7 @@ def test_a_run_is_what_train_gives() -> None:
     row = runs(results).query("method == 'novelty' and repetition == 2").iloc[0]
     wall = make_mdp("Boulder", height=5, layout_seed=int(row["layout_seed"]))
     assert wall.grips.tolist() != make_mdp("Boulder", height=5).grips.tolist()
-    run = train(wall, CountBased.create(wall), 2_000, seed=int(row["seed"]))
+    run = train(wall, AGENTS["novelty"](wall), 2_000, seed=int(row["seed"]))
     assert results.curves("novelty")[2].tolist() == run.returns.tolist()
     assert (results.agents["novelty"][2].Q == run.agent.Q).all()
     np.testing.assert_array_equal(results.curves("novelty", "training_return")[2], run.training_returns)
