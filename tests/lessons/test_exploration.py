@@ -108,6 +108,7 @@ def test_everything_that_the_lesson_claims(tmp_path: Any) -> None:
     assert len(report.claims) == 17
     assert [claim.statement for claim in report.claims if not claim.holds] == []
     assert [figure.name for figure in report.figures] == ["exploration", "visits", "climbs"]
+    assert [len(row) for figure in report.figures for row in figure.rows] == [3, 3, 3, 1]
     for height in exploration.HEIGHTS:
         assert Results.load(tmp_path / f"height_{height}.csv").complete
 
