@@ -1,10 +1,11 @@
-"""Writes the pages of the environments, `docs/environments/`, from what the code says of itself.
+"""Write the pages of the environments, `docs/environments/`, from the code.
 
-The text of a page is the docstring of the environment's class, its table the row in the registry, its parameters the
-constructor's own: there is no second copy of any of them. A picture and a short animation are drawn by the environment.
+The text of a page is the docstring of the environment's class, its first line comes from the table of environments, and
+its parameters from the constructor, so that nothing is written twice. The environment draws the picture and a short
+animation.
 
     python docs/pages.py            write everything
-    python docs/pages.py --check    write nothing; fail if a page is not what the code says
+    python docs/pages.py --check    write nothing; fail if a page is out of date
 """
 
 import argparse
@@ -28,7 +29,7 @@ from edugym.rendering.svg import to_svg
 PAGES = Path(__file__).parent / "environments"
 FRAMES = 31
 
-# Who plays in the animation, where Q-learning on what the agent sees would not show the task.
+# The players of the animations in which Q-learning on the observations would not show the task.
 ACTORS: dict[str, Callable[[Any], Any]] = {
     "Catch": lambda env: (
         lambda observation: 1 + (env.state.ball_x > env.state.paddle_x) - (env.state.ball_x < env.state.paddle_x)
@@ -41,13 +42,13 @@ ACTORS: dict[str, Callable[[Any], Any]] = {
 
 
 def parameters(entry: Entry) -> str:
-    """The parameters of an environment with their defaults, as in a call."""
+    """Return the parameters of an environment with their defaults, as in a call."""
     signature = inspect.signature(entry.load())
     return ", ".join(f"{name}={p.default!r}" for name, p in signature.parameters.items() if name != "render_mode")
 
 
 def page(entry: Entry) -> str:
-    """The page of one environment."""
+    """Return the page of one environment."""
     name = entry.name.lower()
     return "\n".join(
         [
@@ -68,7 +69,7 @@ def page(entry: Entry) -> str:
 
 
 def index() -> str:
-    """The table of all environments."""
+    """Return the page with the table of all environments."""
     rows = [
         f"| [![{e.name}]({e.name.lower()}.svg)]({e.name.lower()}.md) | [{e.name}]({e.name.lower()}.md) | {e.challenge} "
         f"| `{parameters(e)}` |"
@@ -79,12 +80,12 @@ def index() -> str:
 
 
 def pages() -> dict[Path, str]:
-    """The text of every page."""
+    """Return the text of every page."""
     return {PAGES / "README.md": index(), **{PAGES / f"{e.name.lower()}.md": page(e) for e in ENVIRONMENTS}}
 
 
 def episode(entry: Entry) -> tuple[Scene, list[Frame]]:
-    """The picture, from the middle of an episode, and the whole of it."""
+    """Return a picture from the middle of an episode, and all frames of the episode."""
     env = entry.load()()
     if entry.name in ACTORS:
         actor = ACTORS[entry.name](env)
@@ -98,7 +99,7 @@ def episode(entry: Entry) -> tuple[Scene, list[Frame]]:
 
 
 def montage(pictures: list[Scene], columns: int = 3, side: int = 240, gap: int = 16) -> Image.Image:
-    """All pictures in rows on one sheet, each scaled to fit a square."""
+    """Arrange all pictures in rows, each scaled to fit a square."""
     rows = -(-len(pictures) // columns)
     sheet = Image.new("RGB", (columns * (side + gap) + gap, rows * (side + gap) + gap), "white")
     for k, picture in enumerate(pictures):
@@ -110,7 +111,7 @@ def montage(pictures: list[Scene], columns: int = 3, side: int = 240, gap: int =
 
 
 def main() -> int:
-    """The command line."""
+    """Run the command line."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true", help="write nothing, and fail if a page is out of date")
     check = parser.parse_args().check
@@ -122,7 +123,7 @@ def main() -> int:
         stale = [path for path, text in texts.items() if not path.exists() or path.read_text(encoding="utf-8") != text]
         stale += [path for path in (*films, PAGES / "all.png") if not path.exists()]  # pixels differ between machines
         for path in stale:
-            print(f"{path} is not what the code says: run python docs/pages.py", file=sys.stderr)
+            print(f"{path} is out of date: run python docs/pages.py", file=sys.stderr)
         return 1 if stale else 0
     PAGES.mkdir(exist_ok=True)
     for path, text in texts.items():

@@ -15,6 +15,7 @@ from PIL import Image
 
 from edugym.notebook import sliders
 from edugym.notebook.controls import call
+from edugym.plotting import Sheet
 from edugym.rendering.scene import Circle, Scene
 from tests.notebook.widgets import texts
 
@@ -164,6 +165,8 @@ def nothing_returned() -> None:
         (grid_of_axes, "image/png", "iVBOR", "grid_of_axes"),
         (figure_without_pyplot, "image/png", "iVBOR", "drawn apart"),
         (nothing_returned, "image/png", "iVBOR", "made"),
+        (lambda: Sheet("made", []), "image/png", "iVBOR", "<lambda>"),
+        (lambda: ("two", [1, 2]), "text/html", "<pre>(&#x27;two&#x27;, [1, 2])</pre>", "<lambda>"),
         (lambda: Scene(1, 1, (Circle(0.5, 0.5, 0.2),)), "image/svg+xml", "<svg", "<lambda>"),
         (lambda: pd.DataFrame({"method": [1]}), "text/html", "<div>", "<lambda>"),
         (lambda: "a < b", "text/html", "<pre>a &lt; b</pre>", "<lambda>"),

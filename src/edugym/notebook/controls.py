@@ -167,8 +167,10 @@ def figure_of(result: Any) -> "Figure | None":
     """Return the figure in a result, or the figure of its axes; None if the result is something else."""
     from matplotlib.figure import Figure
 
-    several = isinstance(result, np.ndarray | list | tuple) and np.size(result) > 0
-    figure = getattr(np.ravel(result)[0] if several else result, "figure", None)
+    first = np.ravel(result)[0] if isinstance(result, np.ndarray) and result.size > 0 else result
+    while isinstance(first, list | tuple) and first:
+        first = first[0]
+    figure = getattr(first, "figure", None)
     return figure if isinstance(figure, Figure) else None
 
 

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.figure import Figure
 
-SCREEN_DPI = 90
+SCREEN_DPI = 110
 
 
 class Sheet(NamedTuple):
@@ -52,11 +52,12 @@ class Sheet(NamedTuple):
                     ax.set_ylabel("")
         if labelled:
             n_in_a_row = max(2, int(width / 2))  # a label takes about two inches
+            figure.set_figheight(figure.get_figheight() + 0.25 * -(-len(labelled) // n_in_a_row))
             figure.legend(
-                list(labelled.values()),
-                list(labelled),
+                labelled.values(),
+                labelled.keys(),
                 loc="outside upper center",
-                ncols=min(len(labelled), n_in_a_row),
+                ncols=n_in_a_row,
                 frameon=False,
                 fontsize=9,
             )
