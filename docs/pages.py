@@ -15,13 +15,14 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from PIL import Image
+from PIL import Image, ImageDraw, ImageFont
 
 from edugym import EpsilonGreedy, QLearning, train
 from edugym.envs.trashbot.planning import ScriptedController
 from edugym.playing.films import play_episode, record
 from edugym.playing.game import Frame
 from edugym.registration import ENVIRONMENTS, Entry
+from edugym.rendering.palette import INK
 from edugym.rendering.pixels import to_pixels
 from edugym.rendering.scene import Scene
 from edugym.rendering.svg import to_svg
@@ -47,6 +48,13 @@ def parameters(entry: Entry) -> str:
     return ", ".join(f"{name}={p.default!r}" for name, p in signature.parameters.items() if name != "render_mode")
 
 
+def lesson_link(entry: Entry) -> str:
+    """Return a link to the lesson on an environment, or nothing if it is not written yet."""
+    sources = (PAGES.parents[1] / "lessons").glob(f"[0-9][0-9]_{entry.lesson}.py")
+    links = [f" · lesson: [{entry.lesson}](../../notebooks/{source.stem}.ipynb)" for source in sources]
+    return "".join(links)
+
+
 def page(entry: Entry) -> str:
     """Return the page of one environment."""
     name = entry.name.lower()
@@ -54,7 +62,7 @@ def page(entry: Entry) -> str:
         [
             f"# {entry.name}",
             "",
-            f"**{entry.challenge}** · `{entry.id}` · lesson: {entry.lesson}",
+            f"**{entry.challenge}** · `{entry.id}`{lesson_link(entry)}",
             "",
             f"![The picture of {entry.name}]({name}.svg) ![An episode of {entry.name}]({name}.gif)",
             "",
@@ -98,15 +106,19 @@ def episode(entry: Entry) -> tuple[Scene, list[Frame]]:
     return picture, frames
 
 
-def montage(pictures: list[Scene], columns: int = 3, side: int = 240, gap: int = 16) -> Image.Image:
-    """Arrange all pictures in rows, each scaled to fit a square."""
+def montage(
+    pictures: dict[str, Scene], columns: int = 3, side: int = 240, gap: int = 16, text: int = 26
+) -> Image.Image:
+    """Arrange all pictures in rows, each scaled to fit a square, with its name below."""
     rows = -(-len(pictures) // columns)
-    sheet = Image.new("RGB", (columns * (side + gap) + gap, rows * (side + gap) + gap), "white")
-    for k, picture in enumerate(pictures):
+    sheet = Image.new("RGB", (columns * (side + gap) + gap, rows * (side + text + gap) + gap), "white")
+    for k, (name, picture) in enumerate(pictures.items()):
         image = Image.fromarray(to_pixels(picture))
         image.thumbnail((side, side))
-        x, y = gap + k % columns * (side + gap), gap + k // columns * (side + gap)
+        x, y = gap + k % columns * (side + gap), gap + k // columns * (side + text + gap)
         sheet.paste(image, (x + (side - image.width) // 2, y + (side - image.height) // 2))
+        font = ImageFont.load_default(15)
+        ImageDraw.Draw(sheet).text((x + side / 2, y + side + text / 2), name, INK, font, anchor="mm")
     return sheet
 
 
@@ -130,7 +142,7 @@ def main() -> int:
         path.write_text(text, encoding="utf-8")
     for entry, (_, frames) in shown.items():
         record(frames, PAGES / f"{entry.name.lower()}.gif", frames_per_second=3.0)
-    montage([picture for picture, _ in shown.values()]).save(PAGES / "all.png", optimize=True)
+    montage({entry.name: picture for entry, (picture, _) in shown.items()}).save(PAGES / "all.png", optimize=True)
     return 0
 
 
