@@ -15,7 +15,6 @@ from gymnasium.error import DependencyNotInstalled
 from edugym import CountBased, EpsilonGreedy, GoExplore, QLearning, Results, make_mdp, repeat, train
 from edugym.extras import require
 from edugym.files import check_writable, write_whole
-from edugym.lessons import report as lessons
 from edugym.mdp.protocol import Reals
 from edugym.training.configuration import described
 
@@ -308,15 +307,3 @@ def test_missing_libraries_are_named() -> None:
     """With what installs them."""
     with pytest.raises(DependencyNotInstalled, match=r'no_such is not installed, run `pip install "edugym\[plot\]"`'):
         require("plot", "numpy", "no_such")
-
-
-def test_unknown_lessons_are_named() -> None:
-    """The message has those there are."""
-    with pytest.raises(ValueError, match=r"lesson must be one of exploration.* but is 'explore'"):
-        lessons.experiment("explore")
-
-
-@pytest.mark.parametrize("lesson", list(lessons.MODULES))
-def test_every_lesson_has_its_experiments(lesson: str) -> None:
-    """A module with the one function that all share."""
-    assert callable(lessons.experiment(lesson).report)

@@ -1,0 +1,29 @@
+"""How the experiments of lessons are found."""
+
+from pathlib import Path
+
+import pytest
+
+import edugym.lessons
+from edugym.experiments import lesson_names, load_experiments
+
+
+@pytest.mark.parametrize("lesson", lesson_names())
+def test_every_lesson_has_a_report(lesson: str) -> None:
+    """Each module has the one function that all share."""
+    assert callable(load_experiments(lesson).report)
+
+
+def test_a_lesson_is_found_by_its_place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A new module needs no list. Lessons come in the order of their environments, and others follow by name."""
+    for name in ("zebra", "model_based", "apple"):
+        (tmp_path / f"{name}.py").write_text("report = 'found here'\n")
+    monkeypatch.setattr(edugym.lessons, "__path__", [*edugym.lessons.__path__, str(tmp_path)])
+    assert lesson_names() == ["exploration", "model_based", "apple", "zebra"]
+    assert str(load_experiments("zebra").report) == "found here"
+
+
+def test_unknown_lessons_are_named() -> None:
+    """The message lists the lessons."""
+    with pytest.raises(ValueError, match=r"lesson must be one of 'exploration'.* but is 'explore'"):
+        load_experiments("explore")
