@@ -21,7 +21,7 @@ from edugym import EpsilonGreedy, QLearning, train
 from edugym.envs.trashbot.planning import ScriptedController
 from edugym.playing.films import play_episode, record
 from edugym.playing.game import Frame
-from edugym.registration import ENVIRONMENTS, Entry
+from edugym.registration import ENVIRONMENTS, Entry, in_course_order
 from edugym.rendering.palette import INK
 from edugym.rendering.pixels import to_pixels
 from edugym.rendering.scene import Scene
@@ -50,8 +50,8 @@ def parameters(entry: Entry) -> str:
 
 def lesson_link(entry: Entry) -> str:
     """Return a link to the lesson on an environment, or nothing if it is not written yet."""
-    sources = (PAGES.parents[1] / "lessons").glob(f"[0-9][0-9]_{entry.lesson}.py")
-    links = [f" · lesson: [{entry.lesson}](../../notebooks/{source.stem}.ipynb)" for source in sources]
+    sources = (PAGES.parents[1] / "lessons").glob(f"{entry.lesson or 0:02d}_*.py")
+    links = [f" · lesson: [{source.stem[3:]}](../../notebooks/{source.stem}.ipynb)" for source in sources]
     return "".join(links)
 
 
@@ -81,7 +81,7 @@ def index() -> str:
     rows = [
         f"| [![{e.name}]({e.name.lower()}.svg)]({e.name.lower()}.md) | [{e.name}]({e.name.lower()}.md) | {e.challenge} "
         f"| `{parameters(e)}` |"
-        for e in ENVIRONMENTS
+        for e in in_course_order()
     ]
     head = ["| | environment | its one challenge | parameters and defaults |", "|---|---|---|---|"]
     return "\n".join(["# The environments", "", *head, *rows, ""])
@@ -127,7 +127,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true", help="write nothing, and fail if a page is out of date")
     check = parser.parse_args().check
-    shown = {entry: episode(entry) for entry in ENVIRONMENTS}
+    shown = {entry: episode(entry) for entry in in_course_order()}
     pictures = {PAGES / f"{e.name.lower()}.svg": to_svg(picture, 240) for e, (picture, _) in shown.items()}
     texts = {**pages(), **pictures}
     if check:

@@ -13,7 +13,7 @@ from gymnasium.error import DependencyNotInstalled
 from edugym.experiments import Report, lesson_names, load_experiments
 from edugym.extras import require
 from edugym.files import check_writable, write_whole
-from edugym.registration import ENVIRONMENTS, parameters_of
+from edugym.registration import in_course_order, parameters_of
 from edugym.results.claims import Claim
 
 try:
@@ -51,7 +51,7 @@ def edugym() -> None:
 def list_environments() -> None:
     """List the environments, with their challenges and parameters."""
     table = Table("id", "challenge", "parameters (default)", box=None, pad_edge=False)
-    for entry in ENVIRONMENTS:
+    for entry in in_course_order():
         parameters = (f"{name} ({_short(default)})" for name, default in parameters_of(entry.load()).items())
         table.add_row(entry.id, entry.challenge, ", ".join(parameters))
     Console().print(table)

@@ -9,7 +9,9 @@ found by their place; there is no list of them.
 """
 
 import importlib
+import math
 import pkgutil
+import re
 import threading
 from collections.abc import Sequence
 from pathlib import Path
@@ -18,7 +20,6 @@ from typing import NamedTuple, Protocol, cast
 import edugym.lessons
 from edugym.checks import one_of
 from edugym.plotting.sheet import Sheet
-from edugym.registration import ENVIRONMENTS
 from edugym.results.claims import Claim
 
 
@@ -61,10 +62,15 @@ class Experiments(Protocol):
 
 
 def lesson_names() -> list[str]:
-    """Return the names of all lessons with experiments: in the order of their environments, then by name."""
-    places = {entry.lesson: place for place, entry in enumerate(ENVIRONMENTS)}
-    names = [module.name for module in pkgutil.iter_modules(edugym.lessons.__path__)]
-    return sorted(names, key=lambda name: (places.get(name, len(places)), name))
+    """Return the names of all lessons with experiments, in order: by "(lesson 1)" in the first lines of the files."""
+
+    def place(name: str) -> tuple[float, str]:
+        folder = next(path for path in edugym.lessons.__path__ if Path(path, f"{name}.py").exists())
+        with Path(folder, f"{name}.py").open(encoding="utf-8") as file:
+            number = re.search(r"\(lesson (\d+)\)", file.readline())
+        return (int(number[1]) if number else math.inf), name
+
+    return sorted((module.name for module in pkgutil.iter_modules(edugym.lessons.__path__)), key=place)
 
 
 def load_experiments(lesson: str) -> Experiments:

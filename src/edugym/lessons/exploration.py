@@ -1,4 +1,4 @@
-"""The exploration lesson: the paper's figure on Boulder, and an explanation of it.
+"""Exploration (lesson 1): the paper's figure on Boulder, and why it looks as it does.
 
 Q-learning with three ways to explore climbs walls of height 10, 30 and 100 for 20 000 steps. Settings: discount 0.9;
 learning rate 0.5; ε = 0.1 for ε-greedy and for the novelty reward, which is 1/√n(s') for entering s' for the n-th time;
