@@ -24,7 +24,8 @@ if TYPE_CHECKING:
         ScheduledEpsilonGreedy,
         Softmax,
     )
-    from edugym.exact.model import FiniteModel, finite_model
+    from edugym.exact.model import finite_model
+    from edugym.exact.tables import FiniteModel
     from edugym.exact.value_iteration import value_iteration
     from edugym.mdp.tabular import Tabular, TabularObservation, table_size
     from edugym.results.tables import Results
@@ -81,7 +82,8 @@ _HOMES = {
     "edugym.results.tables": ("Results",),
     "edugym.training.train": ("Run", "train"),
     "edugym.adapters.gymnasium_env": ("MDPEnv",),
-    "edugym.exact.model": ("FiniteModel", "finite_model"),
+    "edugym.exact.model": ("finite_model",),
+    "edugym.exact.tables": ("FiniteModel",),
     "edugym.adapters.vector_env": ("MDPVectorEnv",),
     "edugym.exact.value_iteration": ("value_iteration",),
     "edugym.mdp.tabular": ("Tabular", "TabularObservation", "table_size"),

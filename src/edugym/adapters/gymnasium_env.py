@@ -13,7 +13,7 @@ from edugym.checks import one_of
 from edugym.mdp.protocol import MDP, coerced, step_limit
 
 if TYPE_CHECKING:
-    from edugym.exact.model import FiniteModel, Outcome
+    from edugym.exact.tables import FiniteModel, Outcome
     from edugym.rendering.scene import Scene
 
 M = TypeVar("M", bound=MDP[Any, Any])
