@@ -27,9 +27,7 @@ FALSE_ALARM = 1e-12
 """How likely a correct model may at most be refused."""
 
 
-HINT = (
-    "an exact model follows random numbers that come from `rng` in the same call and are only compared or rounded down"
-)
+HINT = "the model can only follow random numbers that come from `rng` in the same call and are compared or rounded down"
 
 
 def compare_with_steps(model: FiniteModel) -> None:
@@ -72,7 +70,7 @@ def _compare_steps(model: FiniteModel, state: Any, action: int, n_steps: int, rn
         expected = possible[next_state]
         if expected and not any(math.isclose(reward, value, rel_tol=1e-9, abs_tol=1e-12) for value in expected):
             raise ValueError(
-                f"{place} a real step to {next_state!r} pays {reward}, but the model says {expected}: {HINT}"
+                f"{place} a real step to {next_state!r} pays {reward}, but the model says {sorted(expected)}: {HINT}"
             )
 
 

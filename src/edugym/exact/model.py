@@ -21,6 +21,10 @@ from edugym.exact.tables import FiniteModel, plain
 from edugym.mdp.protocol import MDP
 
 MAX_STATES = 50_000
+MAX_WAYS = 20_000
+"""How many ways one step may go: thirty coins, say, are thrown in a billion ways."""
+MAX_ENTRIES = 50_000_000
+"""Of each of the three tables of shape (S, A, K): more would not fit into the memory of a small machine."""
 METHODS = ("action_space", "initial", "transition", "reward", "terminal", "observation")
 
 
@@ -41,24 +45,24 @@ def finite_model(mdp: MDP[Any, Any], max_states: int = MAX_STATES) -> FiniteMode
     """
     whole_number("max_states", max_states, 1)
     _check_task(mdp)
+    before = global_randomness()
     try:
-        before = global_randomness()
         model = _explored(mdp, max_states)
         compare_with_steps(model)
-        if global_randomness() != before:
-            raise ValueError(
-                "its methods draw from np.random or random, which no seed of an environment governs: "
-                "use the `rng` that they are given"
-            )
-        return model
+        problem = None
     except ValueError as error:
-        raise ValueError(f"{type(mdp).__name__} has no finite model: {error}") from error
+        problem = error
+    if global_randomness() != before:
+        problem = ValueError("its methods draw from np.random or random: use the `rng` that they are given")
+    if problem:
+        raise ValueError(f"{type(mdp).__name__} has no finite model: {problem}") from problem
+    return model
 
 
 def _check_task(mdp: Any) -> None:
     """Refuse what is no MDP."""
     if isinstance(mdp, Env):
-        raise ValueError(f"mdp must be an MDP, but is the environment {mdp}: pass its MDP, env.unwrapped.mdp")
+        raise ValueError(f"mdp must be an MDP, but is {mdp} (an environment of EduGym has one: env.unwrapped.mdp)")
     if isinstance(mdp, type):
         raise ValueError(f"mdp must be an MDP, but is the class {mdp.__name__}: pass a value, {mdp.__name__}(...)")
     missing = [name for name in METHODS if not hasattr(mdp, name)]
@@ -89,17 +93,22 @@ class _Explorer:
         self.states.append(state)
         return len(self.states) - 1
 
-    def reached(self, draw: Any, place: str) -> dict[int, float]:
+    def reached(self, draw: partial[Any]) -> dict[int, float]:
         """The states that a draw can give, by row, with their probabilities."""
         total: dict[int, float] = {}
-        for p, state in branches(draw):
+        for way, (p, state) in enumerate(branches(draw)):
+            if way == MAX_WAYS:
+                raise ValueError(f"one step can go more than {MAX_WAYS} ways")
             self.ways_left -= 1
             if self.ways_left < 0:
-                raise ValueError("its states can go too many ways in all (more with a larger max_states)")
+                raise ValueError("its steps can go too many ways in all (a larger max_states allows more)")
+            if state is None:
+                raise ValueError(f"{'transition' if draw.args else 'initial'} returns None: is its `return` missing?")
             row = self.row(state)
             total[row] = total.get(row, 0.0) + p
         if abs(sum(total.values()) - 1.0) > 1e-6:
-            raise ValueError(f"the probabilities of what can happen {place} sum to {sum(total.values()):.6g}")
+            where = f"after action {draw.args[1]} in state {draw.args[0]!r}" if draw.args else "at the start"
+            raise ValueError(f"the probabilities of what can happen {where} sum to {sum(total.values()):.6g}")
         return total
 
     def ends(self, state: Any) -> bool:
@@ -128,18 +137,14 @@ def _explored(mdp: MDP[Any, Any], max_states: int) -> FiniteModel:
         raise ValueError(f"its action space is {mdp.action_space}, not Discrete(n)")
     n_actions = int(mdp.action_space.n)
     explorer = _Explorer(mdp, max_states)
-    first = explorer.reached(mdp.initial, "at the start")
+    first = explorer.reached(partial(mdp.initial))
     # For each state and action in turn: how many outcomes it has, then for each outcome: successor, p and reward.
     widths, successors, probabilities, rewards = array("l"), array("l"), array("d"), array("d")
     terminal = array("b")
     for s, state in enumerate(explorer.states):  # grows on the way
         terminal.append(explorer.ends(state))
         for action in range(n_actions):
-            if terminal[s]:
-                reached = {s: 1.0}
-            else:
-                place = f"after action {action} in state {state!r}"
-                reached = explorer.reached(partial(mdp.transition, state, action), place)
+            reached = {s: 1.0} if terminal[s] else explorer.reached(partial(mdp.transition, state, action))
             widths.append(len(reached))
             successors.extend(reached)
             probabilities.extend(reached.values())
@@ -154,12 +159,15 @@ def _explored(mdp: MDP[Any, Any], max_states: int) -> FiniteModel:
     initial[rank[list(first)]] = list(first.values())
 
     width = np.array(widths)
+    entries = len(width) * int(width.max())
+    if entries > MAX_ENTRIES:
+        raise ValueError(f"its tables would have {entries} entries, and {MAX_ENTRIES} is the limit")
     places = np.arange(width.max()) < width[:, np.newaxis]  # shape (S * A, K): which places of the tables are used
     shape = (len(states), n_actions, width.max())
 
-    def table(entries: Any) -> Any:
-        filled = np.zeros(places.shape, entries.dtype)
-        filled[places] = entries
+    def table(numbers: Any) -> Any:
+        filled = np.zeros(places.shape, numbers.dtype)
+        filled[places] = numbers
         return filled.reshape(shape)[order]
 
     return FiniteModel(

@@ -5,7 +5,7 @@ import numpy as np
 from edugym.checks import whole_number
 from edugym.exact.policy_evaluation import policy_evaluation
 from edugym.exact.tables import FiniteModel
-from edugym.exact.values import Values
+from edugym.exact.values import Values, check_model
 
 BETTER = 1e-8
 """How much better (of large values: by this share of them) an action must be to replace the present one."""
@@ -40,6 +40,7 @@ def policy_iteration(
     References: Howard (1960); Sutton and Barto, 2nd edition, the box of section 4.3 (which would go on for ever between
     equally good policies, exercise 4.4: here an action stays until another one is better).
     """
+    check_model(model, discount)
     whole_number("max_iterations", max_iterations, 1)
     n_states, n_actions, _ = model.successors.shape
     policy = np.full((n_states, n_actions), 1 / n_actions)

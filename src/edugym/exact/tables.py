@@ -70,7 +70,7 @@ class FiniteModel(NamedTuple):
         """What it is a model of, and its sizes."""
         n_states, n_actions, width = self.successors.shape
         task = "a task" if self.mdp is None else type(self.mdp).__name__
-        return f"<model of {task}: {n_states} states, {n_actions} actions, up to {width} outcomes of each>"
+        return f"<model of {task}: {n_states} states, {n_actions} actions, at most {width} outcome(s) of each>"
 
     @property
     def p(self) -> Reals:
