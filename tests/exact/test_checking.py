@@ -55,7 +55,7 @@ WRONG = {
     ),
     "a kept number": (
         slip(MOVE, "kept.append(rng.random())\nreturn 0 if kept[0] < 0.5 else state + 1"),
-        "after action 0 in state 0 sum to 1.5",
+        "a random number kept from an earlier call: draw it where it is used",
     ),
     "a kept number, later": (
         slip(PAY, "kept.append(rng.random())\nreturn kept[0]"),
@@ -64,6 +64,10 @@ WRONG = {
     "a generator of its own": (
         slip(MOVE, "return max(0, state + 2 * int(held.random() < 0.5) - 1)"),
         "which the model does not know of",
+    ),
+    "now and then a coin": (
+        slip(MOVE, "counter[0] += 1\nif counter[0] % 2:\n    return int(rng.random() < 0.5)\nreturn state"),
+        r"the probabilities of what can happen after action 0 in state 0 sum to 1\.5",
     ),
     "a counter": (
         slip(MOVE, "counter[0] += 1\nreturn max(0, state + 2 * (counter[0] % 2) - 1)"),

@@ -56,6 +56,20 @@ def test_samples_come_as_often_as_the_model_says() -> None:
     assert {model.sample(3, 1, rng) for _ in range(100)} == {(4, 1.0, True), (2, -0.25, False)}
 
 
+@pytest.mark.parametrize(("number", "next_state"), [(0.0, 1), (0.24, 1), (0.25, 3), (0.999, 3)])
+def test_a_sample_divides_the_unit_interval(number: float, next_state: int) -> None:
+    """The first outcome takes the numbers below its probability."""
+
+    class Fixed:
+        def random(self) -> float:
+            return number
+
+    rng: Any = Fixed()
+    model = finite_model(cell(SLIPPERY)["SlipperyWalk"](4, 0.25))
+    assert [outcome[:2] for outcome in model.outcomes(2, 1)] == [(0.25, 1), (0.75, 3)]
+    assert model.sample(2, 1, rng).next_state == next_state
+
+
 def test_samples_are_repeated_by_the_same_generator() -> None:
     """All chance comes from `rng`."""
     model = finite_model(cell(SLIPPERY)["SlipperyWalk"](4, 0.5))

@@ -15,6 +15,7 @@ MOST_ANSWERS = 1_000
 """After so many answers on one way the code is taken to go on for ever, as rejection sampling may."""
 ROUNDING = 1e-12
 """Less likely answers are not taken: they come from sums of probabilities that are not quite 1."""
+KEPT = "an exact model cannot follow a random number kept from an earlier call: draw it where it is used"
 
 
 def branches(draw: Callable[[Any], Any], means: bool = False) -> Iterator[tuple[float, Any]]:
@@ -51,7 +52,8 @@ class BranchingGenerator:
     """In the place of a `numpy.random.Generator`: answers by a sequence of choices, then by the first possible.
 
     Attributes:
-        probability: of the answers given so far.
+        means: whether random numbers may end as their means.
+        draws: the random numbers given out.
         untried: the other sequences of choices met on the way.
         refused: why the code cannot be followed, or "".
         over: whether the code that it was given to has returned.
@@ -61,13 +63,19 @@ class BranchingGenerator:
 
     def __init__(self, choices: tuple[int, ...], means: bool) -> None:
         """Follow `choices` as far as they go."""
-        self.probability = 1.0
         self.means = means
+        self.draws: list[Draw] = []
         self.untried: list[tuple[int, ...]] = []
         self.refused = ""
         self.over = False
         self._given = choices
         self._taken: tuple[int, ...] = ()
+        self._probability = 1.0
+
+    @property
+    def probability(self) -> float:
+        """Of the answers given so far: of the choices made and of the intervals that are known."""
+        return self._probability * math.prod([draw.high - draw.low for draw in self.draws])
 
     def refuse(self, why: str) -> NoReturn:
         """Stop, and remember why: the code may catch the error."""
@@ -75,12 +83,13 @@ class BranchingGenerator:
         raise ValueError(why)
 
     def decide(self, probabilities: Sequence[float]) -> int:
-        """Take one of several ways, by their probabilities; note the others, to be taken in later runs."""
-        if self.over:
-            self.refuse(
-                "an exact model cannot follow a random number kept from an earlier call: draw it where it is used"
-            )
-        possible = [k for k, p in enumerate(probabilities) if p > 0]
+        """Draw one of several things by their probabilities."""
+        choice = self.take([k for k, p in enumerate(probabilities) if p > 0])
+        self._probability *= probabilities[choice]
+        return choice
+
+    def take(self, possible: Sequence[int]) -> int:
+        """Take one of several ways, and note the others, to be taken in later runs."""
         step = len(self._taken)
         if step == MOST_ANSWERS:
             self.refuse(f"an exact model cannot follow more than {MOST_ANSWERS} random choices in one step")
@@ -90,16 +99,20 @@ class BranchingGenerator:
             choice = possible[0]
             self.untried += [(*self._taken, k) for k in possible[1:]]
         self._taken += (choice,)
-        self.probability *= probabilities[choice]
         return choice
+
+    def draw(self) -> "Draw":
+        """A number uniform on [0, 1)."""
+        self.draws.append(Draw(self))
+        return self.draws[-1]
 
     def random(self) -> "Unknown":
         """A number uniform on [0, 1)."""
-        return Unknown({Draw(self): 1.0}, 0.0)
+        return Unknown({self.draw(): 1.0}, 0.0)
 
     def uniform(self, low: float = 0.0, high: float = 1.0) -> "Unknown":
         """A number uniform on [low, high)."""
-        return Unknown({Draw(self): high - low}, low)
+        return Unknown({self.draw(): high - low}, low)
 
     def integers(self, low: int, high: int | None = None) -> int:
         """A whole number uniform on low, ..., high - 1 (or 0, ..., low - 1)."""
@@ -140,10 +153,12 @@ class Draw:
 
     def below(self, threshold: float) -> bool:
         """Whether it is below a threshold: where that is open, both ways are taken."""
+        if self.rng.over:
+            raise ValueError(KEPT)
         share = (threshold - self.low) / (self.high - self.low)
         if share <= ROUNDING or share >= 1.0 - ROUNDING:
             return share > 0.5
-        if self.rng.decide([share, 1.0 - share]) == 0:
+        if self.rng.take([0, 1]) == 0:
             self.high = threshold
             return True
         self.low = threshold
@@ -198,7 +213,7 @@ class Unknown:
             if not draw.rng.means:
                 self._refuse("a finite model cannot hold a continuous random number in a state")
             if draw.rng.over:
-                self._refuse("an exact model cannot follow a random number kept from an earlier call")
+                raise ValueError(KEPT)
             total += 0.0 if isinstance(draw, Noise) else factor * (draw.low + draw.high) / 2
         return total
 

@@ -2,10 +2,10 @@
 
 from itertools import islice
 
-from edugym.checks import between, whole_number
+from edugym.checks import whole_number
 from edugym.exact.tables import FiniteModel
-from edugym.exact.values import StateValues, Values, check_model, expected_return, sweeps
-from edugym.mdp.protocol import Reals
+from edugym.exact.value_iteration import best_values
+from edugym.exact.values import Values, check_model, expected_return, sweeps
 
 
 def finite_horizon(model: FiniteModel, horizon: int, discount: float = 1.0, *, epsilon: float = 0.0) -> list[Values]:
@@ -32,18 +32,3 @@ def finite_horizon(model: FiniteModel, horizon: int, discount: float = 1.0, *, e
     whole_number("horizon", horizon, 1)
     steps = islice(sweeps(model, best_values(epsilon), discount), horizon + 1)
     return [Values(V, Q, expected_return(model, V), model) for V, Q in steps]
-
-
-def best_values(epsilon: float) -> StateValues:
-    """What the best action is worth that is replaced by a random one with probability ε.
-
-    Raises:
-        ValueError: ε is not from 0 to 1.
-    """
-    between("epsilon", epsilon, 0, 1)
-
-    def best(Q: Reals) -> Reals:
-        V: Reals = (1 - epsilon) * Q.max(axis=1) + epsilon * Q.mean(axis=1)
-        return V
-
-    return best

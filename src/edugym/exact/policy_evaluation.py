@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from edugym.exact.tables import FiniteModel
-from edugym.exact.values import Values, check_model, settle
+from edugym.exact.values import Values, check_model, sweep_until_settled
 from edugym.mdp.protocol import Reals
 
 
@@ -48,7 +48,7 @@ def policy_evaluation(
         V: Reals = np.einsum("sa,sa->s", probabilities, Q)
         return V
 
-    return settle(model, expected, discount, horizon, tolerance, max_sweeps)
+    return sweep_until_settled(model, expected, discount, horizon, tolerance, max_sweeps)
 
 
 def as_probabilities(policy: Any, model: FiniteModel) -> Reals:

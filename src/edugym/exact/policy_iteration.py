@@ -6,9 +6,10 @@ from edugym.checks import whole_number
 from edugym.exact.policy_evaluation import policy_evaluation
 from edugym.exact.tables import FiniteModel
 from edugym.exact.values import Values, check_model
+from edugym.mdp.protocol import Reals
 
 BETTER = 1e-8
-"""How much better (of large values: by this share of them) an action must be to replace the present one."""
+"""How much better (of large values: by this share of them) than the policy an action must be for another round."""
 
 
 def policy_iteration(
@@ -38,16 +39,16 @@ def policy_iteration(
         ValueError: a parameter is not as above, or values or policies do not settle.
 
     References: Howard (1960); Sutton and Barto, 2nd edition, the box of section 4.3 (which would go on for ever between
-    equally good policies, exercise 4.4: here an action stays until another one is better).
+    equally good policies, exercise 4.4: here it ends when no action is better).
     """
     check_model(model, discount)
     whole_number("max_iterations", max_iterations, 1)
     n_states, n_actions, _ = model.successors.shape
-    policy = np.full((n_states, n_actions), 1 / n_actions)
+    policy: Reals = np.full((n_states, n_actions), 1 / n_actions)
     for _ in range(max_iterations):
         values = policy_evaluation(model, policy, discount, tolerance=tolerance, max_sweeps=max_sweeps)
         better = values.Q.max(axis=1) > values.V + BETTER * np.maximum(1.0, np.abs(values.V))
         if not better.any():
             return values
-        policy[better] = values.greedy_policy()[better]
+        policy = values.greedy_policy()
     raise ValueError(f"the policy does not settle in {max_iterations} improvements")

@@ -1,8 +1,9 @@
 """Value iteration: the optimum that every learning curve is drawn against."""
 
-from edugym.exact.finite_horizon import best_values
+from edugym.checks import between
 from edugym.exact.tables import FiniteModel
-from edugym.exact.values import Values, settle
+from edugym.exact.values import StateValues, Values, sweep_until_settled
+from edugym.mdp.protocol import Reals
 
 
 def value_iteration(
@@ -39,4 +40,19 @@ def value_iteration(
     References: Sutton and Barto, 2nd edition, equation 4.10 and the box of section 4.4; section 5.4 for ε-soft
     policies.
     """
-    return settle(model, best_values(epsilon), discount, horizon, tolerance, max_sweeps)
+    return sweep_until_settled(model, best_values(epsilon), discount, horizon, tolerance, max_sweeps)
+
+
+def best_values(epsilon: float) -> StateValues:
+    """What the best action is worth that is replaced by a random one with probability ε.
+
+    Raises:
+        ValueError: ε is not from 0 to 1.
+    """
+    between("epsilon", epsilon, 0, 1)
+
+    def best(Q: Reals) -> Reals:
+        V: Reals = (1 - epsilon) * Q.max(axis=1) + epsilon * Q.mean(axis=1)
+        return V
+
+    return best

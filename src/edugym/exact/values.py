@@ -75,7 +75,7 @@ def sweeps(model: FiniteModel, state_values: StateValues, discount: float) -> It
         V = state_values(Q)
 
 
-def settle(
+def sweep_until_settled(
     model: FiniteModel,
     state_values: StateValues,
     discount: float,
@@ -97,7 +97,7 @@ def settle(
         whole_number("horizon", horizon, 1)
     before = None
     for sweep, (V, Q) in enumerate(sweeps(model, state_values, discount)):
-        settled = before is not None and np.abs(V - before).max() < tolerance
+        settled = before is not None and np.abs(V - before).max() < tolerance  # Δ < θ in the boxes
         if sweep == horizon or (horizon is None and settled):
             return Values(V, Q, expected_return(model, V), model)
         if horizon is None and sweep == max_sweeps:
