@@ -74,7 +74,7 @@ class BranchingGenerator:
 
     @property
     def probability(self) -> float:
-        """Of the answers given so far: of the choices made and of the intervals that are known."""
+        """The probability of all answers so far: of the choices, and of the intervals in which the numbers lie."""
         return self._probability * math.prod([draw.high - draw.low for draw in self.draws])
 
     def refuse(self, why: str) -> NoReturn:

@@ -44,7 +44,7 @@ def value_iteration(
 
 
 def best_values(epsilon: float) -> StateValues:
-    """What the best action is worth that is replaced by a random one with probability ε.
+    """The values of states where the best action is taken, but a random one with probability ε.
 
     Raises:
         ValueError: ε is not from 0 to 1.
