@@ -212,20 +212,3 @@ def test_an_unwritable_path_is_an_ordinary_error(tmp_path: Path) -> None:
     with pytest.raises(OSError, match=r"cannot write to .*folder: it is a folder"):
         save(agent, tmp_path / "folder")
     assert sorted(os.listdir(tmp_path)) == ["file", "folder", "new folder"]
-
-
-def test_an_old_file_survives_a_failure(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The new one takes its place only when it is complete."""
-    path = tmp_path / "agent.npz"
-    save(QLearning.create((2, 2), initial_value=1), path)
-
-    def disk_full(self: Path, contents: bytes) -> None:
-        with self.open("wb") as file:
-            file.write(contents[: len(contents) // 2])
-        raise OSError("no space left")
-
-    monkeypatch.setattr(Path, "write_bytes", disk_full)
-    with pytest.raises(OSError, match="no space left"):
-        save(QLearning.create((2, 2), initial_value=2), path)
-    assert (load(path).Q == 1).all()
-    assert os.listdir(tmp_path) == ["agent.npz"]
