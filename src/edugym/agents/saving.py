@@ -115,7 +115,7 @@ def _array(archive: zipfile.ZipFile, entry: zipfile.ZipInfo) -> Any:
             raise ValueError(f"{entry.filename} is not an array that save() wrote")
         shape, is_fortran, dtype = np.lib.format.read_array_header_1_0(file)
         size = entry.file_size - file.tell()
-        if dtype.kind not in "biufU" or min(shape, default=0) < 0 or math.prod(shape) * dtype.itemsize != size:
+        if dtype.kind not in "biufU" or math.prod(shape) * dtype.itemsize != size:
             raise ValueError(f"{entry.filename} is not an array that save() wrote")
         return np.ndarray(shape, dtype, bytearray(file.read()), order="F" if is_fortran else "C")
 
