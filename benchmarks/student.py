@@ -9,7 +9,7 @@ import gymnasium
 import numpy as np
 from gymnasium import spaces
 
-from edugym.agents.strategies import best_value, greedy_action
+from edugym.agents.tables import best_value, greedy_action
 from edugym.mdp.protocol import Random, Reals
 
 

@@ -1,10 +1,11 @@
-"""Writes the pages of the environments, `docs/environments/`, from what the code says of itself.
+"""Write the pages of the environments, `docs/environments/`, from the code.
 
-The text of a page is the docstring of the environment's class, its table the row in the registry, its parameters the
-constructor's own: there is no second copy of any of them. A picture and a short animation are drawn by the environment.
+The text of a page is the docstring of the environment's class, its first line comes from the table of environments, and
+its parameters from the constructor, so that nothing is written twice. The environment draws the picture and a short
+animation.
 
     python docs/pages.py            write everything
-    python docs/pages.py --check    write nothing; fail if a page is not what the code says
+    python docs/pages.py --check    write nothing; fail if a page is out of date
 """
 
 import argparse
@@ -14,13 +15,14 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from PIL import Image
+from PIL import Image, ImageDraw, ImageFont
 
 from edugym import EpsilonGreedy, QLearning, train
 from edugym.envs.trashbot.planning import ScriptedController
 from edugym.playing.films import play_episode, record
 from edugym.playing.game import Frame
-from edugym.registration import ENVIRONMENTS, Entry
+from edugym.registration import ENVIRONMENTS, Entry, in_course_order
+from edugym.rendering.palette import INK
 from edugym.rendering.pixels import to_pixels
 from edugym.rendering.scene import Scene
 from edugym.rendering.svg import to_svg
@@ -28,7 +30,7 @@ from edugym.rendering.svg import to_svg
 PAGES = Path(__file__).parent / "environments"
 FRAMES = 31
 
-# Who plays in the animation, where Q-learning on what the agent sees would not show the task.
+# The players of the animations in which Q-learning on the observations would not show the task.
 ACTORS: dict[str, Callable[[Any], Any]] = {
     "Catch": lambda env: (
         lambda observation: 1 + (env.state.ball_x > env.state.paddle_x) - (env.state.ball_x < env.state.paddle_x)
@@ -41,19 +43,26 @@ ACTORS: dict[str, Callable[[Any], Any]] = {
 
 
 def parameters(entry: Entry) -> str:
-    """The parameters of an environment with their defaults, as in a call."""
+    """Return the parameters of an environment with their defaults, as in a call."""
     signature = inspect.signature(entry.load())
     return ", ".join(f"{name}={p.default!r}" for name, p in signature.parameters.items() if name != "render_mode")
 
 
+def lesson_link(entry: Entry) -> str:
+    """Return a link to the lesson on an environment, or nothing if it is not written yet."""
+    sources = (PAGES.parents[1] / "lessons").glob(f"{entry.lesson or 0:02d}_*.py")
+    links = [f" · lesson: [{source.stem[3:]}](../../notebooks/{source.stem}.ipynb)" for source in sources]
+    return "".join(links)
+
+
 def page(entry: Entry) -> str:
-    """The page of one environment."""
+    """Return the page of one environment."""
     name = entry.name.lower()
     return "\n".join(
         [
             f"# {entry.name}",
             "",
-            f"**{entry.challenge}** · `{entry.id}` · lesson: {entry.lesson}",
+            f"**{entry.challenge}** · `{entry.id}`{lesson_link(entry)}",
             "",
             f"![The picture of {entry.name}]({name}.svg) ![An episode of {entry.name}]({name}.gif)",
             "",
@@ -61,30 +70,30 @@ def page(entry: Entry) -> str:
             f'gymnasium.make("{entry.id}", {parameters(entry)})',
             "```",
             "",
-            inspect.cleandoc(entry.load().__doc__ or ""),
+            inspect.cleandoc(entry.load_mdp().__doc__ or ""),
             "",
         ]
     )
 
 
 def index() -> str:
-    """The table of all environments."""
+    """Return the page with the table of all environments."""
     rows = [
         f"| [![{e.name}]({e.name.lower()}.svg)]({e.name.lower()}.md) | [{e.name}]({e.name.lower()}.md) | {e.challenge} "
         f"| `{parameters(e)}` |"
-        for e in ENVIRONMENTS
+        for e in in_course_order()
     ]
     head = ["| | environment | its one challenge | parameters and defaults |", "|---|---|---|---|"]
     return "\n".join(["# The environments", "", *head, *rows, ""])
 
 
 def pages() -> dict[Path, str]:
-    """The text of every page."""
+    """Return the text of every page."""
     return {PAGES / "README.md": index(), **{PAGES / f"{e.name.lower()}.md": page(e) for e in ENVIRONMENTS}}
 
 
 def episode(entry: Entry) -> tuple[Scene, list[Frame]]:
-    """The picture, from the middle of an episode, and the whole of it."""
+    """Return a picture from the middle of an episode, and all frames of the episode."""
     env = entry.load()()
     if entry.name in ACTORS:
         actor = ACTORS[entry.name](env)
@@ -97,24 +106,28 @@ def episode(entry: Entry) -> tuple[Scene, list[Frame]]:
     return picture, frames
 
 
-def montage(pictures: list[Scene], columns: int = 3, side: int = 240, gap: int = 16) -> Image.Image:
-    """All pictures in rows on one sheet, each scaled to fit a square."""
+def montage(
+    pictures: dict[str, Scene], columns: int = 3, side: int = 240, gap: int = 16, text: int = 26
+) -> Image.Image:
+    """Arrange all pictures in rows, each scaled to fit a square, with its name below."""
     rows = -(-len(pictures) // columns)
-    sheet = Image.new("RGB", (columns * (side + gap) + gap, rows * (side + gap) + gap), "white")
-    for k, picture in enumerate(pictures):
+    sheet = Image.new("RGB", (columns * (side + gap) + gap, rows * (side + text + gap) + gap), "white")
+    for k, (name, picture) in enumerate(pictures.items()):
         image = Image.fromarray(to_pixels(picture))
         image.thumbnail((side, side))
-        x, y = gap + k % columns * (side + gap), gap + k // columns * (side + gap)
+        x, y = gap + k % columns * (side + gap), gap + k // columns * (side + text + gap)
         sheet.paste(image, (x + (side - image.width) // 2, y + (side - image.height) // 2))
+        font = ImageFont.load_default(15)
+        ImageDraw.Draw(sheet).text((x + side / 2, y + side + text / 2), name, INK, font, anchor="mm")
     return sheet
 
 
 def main() -> int:
-    """The command line."""
+    """Run the command line."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true", help="write nothing, and fail if a page is out of date")
     check = parser.parse_args().check
-    shown = {entry: episode(entry) for entry in ENVIRONMENTS}
+    shown = {entry: episode(entry) for entry in in_course_order()}
     pictures = {PAGES / f"{e.name.lower()}.svg": to_svg(picture, 240) for e, (picture, _) in shown.items()}
     texts = {**pages(), **pictures}
     if check:
@@ -122,14 +135,14 @@ def main() -> int:
         stale = [path for path, text in texts.items() if not path.exists() or path.read_text(encoding="utf-8") != text]
         stale += [path for path in (*films, PAGES / "all.png") if not path.exists()]  # pixels differ between machines
         for path in stale:
-            print(f"{path} is not what the code says: run python docs/pages.py", file=sys.stderr)
+            print(f"{path} is out of date: run python docs/pages.py", file=sys.stderr)
         return 1 if stale else 0
     PAGES.mkdir(exist_ok=True)
     for path, text in texts.items():
         path.write_text(text, encoding="utf-8")
     for entry, (_, frames) in shown.items():
         record(frames, PAGES / f"{entry.name.lower()}.gif", frames_per_second=3.0)
-    montage([picture for picture, _ in shown.values()]).save(PAGES / "all.png", optimize=True)
+    montage({entry.name: picture for entry, (picture, _) in shown.items()}).save(PAGES / "all.png", optimize=True)
     return 0
 
 

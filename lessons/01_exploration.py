@@ -1,12 +1,11 @@
 # %% [markdown]
 # # Exploration: Boulder
 #
-# **The challenge.** An agent can only learn from rewards that it finds. When the one reward is at the end of a long
-# sequence of right choices, trying at random does not find it, and something else must drive the agent on.
+# **The challenge.** An agent can only learn from rewards that it finds. When the only reward is at the end of a long
+# sequence of right choices, random actions do not find it, and something else must drive the agent on.
 #
 # **You will be able to** explain why random exploration fails on sparse rewards, and by how much; turn a novelty
-# reward into four lines of code, and see where it gets stuck; explain what "first return, then explore" does about
-# that.
+# reward into four lines of code, and see where it gets stuck; explain how "first return, then explore" avoids that.
 #
 # **Time.** 45 minutes. **Before you start.** You should know what a value function and Q-learning are (Sutton and
 # Barto, 2nd edition, sections 3.5 and 6.5), and ε-greedy action selection (section 2.2).
@@ -15,20 +14,19 @@
 from typing import NamedTuple
 
 import gymnasium as gym
-import matplotlib.pyplot as plt
 import numpy as np
 
 from edugym import CountBased, EpsilonGreedy, GoExplore, QLearning, make_mdp, repeat, train
 from edugym.lessons import exploration
-from edugym.notebook import explore, play, source
-from edugym.plotting import learning_curves, lines, visitation_map
+from edugym.notebook import play, sliders, source
+from edugym.plotting import Sheet
 
 # %% [markdown]
 # ## Meet the environment: a wall on which one grip holds
 #
-# A climber stands before a wall of height $H$. At every height there are $N$ grips. One of them holds; the others are
-# cracked, and whoever reaches for one of those is back on the ground, hanging safely in the rope. The climber sees
-# how high it is, and nothing else: not which grip holds.
+# A climber stands before a wall of height $H$. At every height there are $N$ grips. One of them holds, and the others
+# are cracked: a climber who reaches for a cracked grip falls into the rope and is back on the ground. The climber
+# sees its own height, and nothing else. It does not see which grip holds.
 
 # %%
 env = gym.make("edugym/Boulder-v0", height=8, n_grips=3).unwrapped
@@ -44,18 +42,20 @@ env.scene()
 # |---|---|---|
 # | states | $\mathcal{S} = \{0, 1, \dots, H\}$ | the position: 0 is the ground, $H$ the top |
 # | actions | $\mathcal{A} = \{0, \dots, N-1\}$ | the grip to reach for |
-# | dynamics | $p(s+1 \mid s, g_s) = 1$, else $p(0 \mid s, a) = 1$ | the right grip $g_s$ leads up, others down |
-# | reward | $r(s, a, s') = 1$ if $s' = H$, else $0$ | the top only |
-# | discount | $\gamma = 0.9$ | the agents' own; the returns shown are not discounted |
+# | dynamics | $p(s+1 \mid s, g_s) = 1$, else $p(0 \mid s, a) = 1$ | the right grip $g_s$ leads up, the others down |
+# | reward | $r(s, a, s') = 1$ if $s' = H$, else $0$ | only the top is rewarded |
+# | discount | $\gamma = 0.9$ | used by the agents; the returns in the figures are not discounted |
 #
-# And this is the whole environment. It is the code that runs in every experiment below:
+# An episode ends at the top (it *terminates*) or after $10 H$ steps (it is *truncated*).
+#
+# This is the whole environment, the code that runs in every experiment below:
 
 # %%
 source(type(env.mdp))
 
 # %% [markdown]
-# **Play it yourself.** Climb to the top. (The picture shows which grips hold. The agent has no picture: cover the
-# wall with your hand, and look only at the position.) How many steps did you need?
+# **Play it yourself.** Climb to the top. How many steps did you need? (The picture shows which grips hold. The agent
+# has no picture: cover the wall with your hand, and look only at the position.)
 
 # %%
 play("Boulder", height=8, n_grips=2)
@@ -64,7 +64,7 @@ play("Boulder", height=8, n_grips=2)
 # ## The idea: three ways to explore
 #
 # ### Try at random
-# **ε-greedy** takes a random action with probability $\varepsilon$, and the one that it believes best otherwise:
+# **ε-greedy** takes a random action with probability $\varepsilon$, and otherwise the action that it believes best:
 #
 # $$
 # A = \begin{cases} \text{a random action} & \text{with probability } \varepsilon \\
@@ -75,51 +75,58 @@ play("Boulder", height=8, n_grips=2)
 source(EpsilonGreedy.choose)
 
 # %% [markdown]
-# As long as nothing was ever rewarded, all of $Q$ is zero, every action is a tie, and the climber tries at random. A
-# climb from the ground to the top then needs $H$ right choices in a row, each with probability $1/N$, and every
-# wrong one costs the way up to there again. The expected number of steps until the first success is
+# Before the first reward all values in $Q$ are zero, all actions are tied, and the climber acts at random. To get from
+# the ground to the top it needs $H$ right choices in a row, each with probability $1/N$, and a wrong choice sends it
+# back to the ground. How many steps does that take? Let $T_h$ be the expected number of steps from the ground to
+# height $h$. To get one higher, the climber first gets to $h$ and then takes one more step. With probability $1 - 1/N$
+# that step is wrong, and everything starts again:
 #
 # $$
-# \frac{N^{H+1} - N}{N - 1}
+# T_{h+1} = T_h + 1 + \left(1 - \tfrac{1}{N}\right) T_{h+1}
+# \quad\Rightarrow\quad T_{h+1} = N \, (T_h + 1)
+# \quad\Rightarrow\quad T_H = N + N^2 + \dots + N^H = \frac{N^{H+1} - N}{N - 1}
 # $$
+#
+# (This holds without a step limit. A limit makes the search a little longer, since it cuts off some good climbs.)
 
 # %%
 for height in (10, 30, 100):
     steps = (2 ** (height + 1) - 2) / (2 - 1)
-    print(f"height {height:3}: {steps:.3g} steps until a random climber is on top for the first time")
+    print(f"height {height:3}: {steps:.3g} steps until a random climber reaches the top for the first time")
 
 # %% [markdown]
 # ### Look for what is new
-# **Novelty reward.** Count how often each state was entered, and pay a bonus for entering one that is rarely
-# visited. Then learn from the reward and the bonus together, by the same Q-learning:
+# **Novelty reward.** Let $n(s)$ count how often state $s$ was entered, and pay a bonus for entering a state that was
+# rarely entered before. Q-learning then learns from $R^+$, the sum of reward and bonus, where $\beta$ is the size of
+# the first bonus:
 #
 # $$
 # \begin{aligned}
-# N(S') &\leftarrow N(S') + 1 \\
-# R^+ &= R + \beta / \sqrt{N(S')} \\
+# n(S') &\leftarrow n(S') + 1 \\
+# R^+ &= R + \beta / \sqrt{n(S')} \\
 # Q(S, A) &\leftarrow Q(S, A) + \alpha \left[ R^+ + \gamma \max_a Q(S', a) - Q(S, A) \right]
 # \end{aligned}
 # $$
 #
-# Now there is something to learn from at every step. Backed up along the way, the bonus draws the agent to the edge
-# of what it knows.
+# Now there is something to learn from at every step. Q-learning backs the bonus up along the path, so that it draws
+# the agent to its *frontier*, the edge of what it knows.
 
 # %%
 source(CountBased.learn)
 
 # %% [markdown]
 # ### First return, then explore
-# **Go-Explore** does not hope to get back to the edge: it goes there. It keeps an archive of all states that it has
-# met. For each try it chooses the one visited least as its *goal*, returns to it *without* exploring, and only then
-# acts at random, for 20 steps. To be able to return it learns a table of values for every goal,
+# **Go-Explore** separates getting back from exploring. It keeps an archive of all states that it has met. For each try
+# it chooses the least visited state as its *goal*, returns to it *without* exploring, and only then takes 20 random
+# steps. To be able to return it learns a table of values for every goal $g$ (where $1\{\cdot\}$ is 1 if the condition
+# is true, and 0 otherwise):
 #
 # $$
 # Q(g, S, A) \leftarrow Q(g, S, A) + \alpha \left[ 1\{S' = g\} + \gamma\, 1\{S' \neq g\} \max_a Q(g, S', a) - Q(g, S, A) \right]
 # $$
 #
-# and from each try it learns for every state on the way as if that had been the goal (*hindsight*). What the agent
-# is doing is in `self.now`: its goal, how long it has explored, and the steps of this try, in arrays, since a tuple
-# cannot change.
+# After each try it learns about every state on its path as if that state had been the goal (*hindsight*). The arrays
+# in `self.now` hold what changes within a try: the goal, the number of exploring steps, and the path.
 
 # %%
 source(GoExplore.act)
@@ -130,149 +137,124 @@ source(GoExplore.learn_to_reach)
 # %% [markdown]
 # ## The experiment: three walls
 #
-# This is the paper's figure, computed here and now: walls of height 10, 30 and 100, three methods, 20 000 steps.
+# This is the paper's figure, computed here and now: three walls, of height 10, 30 and 100, three methods, 20 000
+# steps.
 #
 # | setting | value |
 # |---|---|
 # | all | tabular Q-learning, learning rate $\alpha = 0.5$, discount $\gamma = 0.9$, ties broken at random |
 # | ε-greedy and novelty reward | $\varepsilon = 0.1$ |
-# | novelty reward | $\beta = 1$, on the state entered |
+# | novelty reward | $\beta = 1$, for the state that is entered |
 # | Go-Explore | 20 random steps from each goal |
-# | evaluation | one episode without exploring, every 200 steps; episodes last $10 H$ steps at most |
-# | repetitions | 10, each on a wall of its own, the same for all methods; bands are 95 % intervals |
+# | evaluation | one episode without exploring, every 200 steps; episodes last at most $10 H$ steps |
+# | repetitions | 10, each on its own wall, the same wall for all methods; bands are 95 % intervals |
 #
-# Two dashed lines show what is possible: the optimum, from the exact model of the task, and what the best policy
-# gets in an episode that has to explore all the time, with $\varepsilon = 0.1$. (Evaluation does not explore, so a
-# learner may be above the second line; while it *trains*, an ε-greedy agent cannot be.)
+# Two black lines show what is possible, computed from the exact model of the task: the optimum (dashed), and the
+# return of the best *ε-soft* policy, the best that takes a random action with probability $\varepsilon = 0.1$ all the
+# time (dotted). Evaluation does not explore, so a learner may rise above the dotted line; an ε-greedy agent cannot
+# while it *trains*.
 
 
 # %%
 def figure(heights=(10, 30, 100), n_grips=2, repetitions=10):
-    """The learning curves of the three methods: one panel for each height."""
-    fig, axes = plt.subplots(1, len(heights), figsize=(4.4 * len(heights), 3.6), sharey=True, squeeze=False)
-    for ax, height in zip(axes[0], heights, strict=True):
+    """Draw the learning curves of the three methods, one panel for each height."""
+    panels = []
+    for height in heights:
         results = exploration.compare(height, n_grips=n_grips, repetitions=repetitions)
-        optimum = exploration.best_return(height, n_grips=n_grips)
-        soft_optimum = exploration.best_return(height, 0.1, n_grips)
-        title = f"height {height}, {n_grips} grips"
-        learning_curves(
-            results,
-            ax,
-            share=True,
-            optimum=optimum,
-            soft_optimum=soft_optimum,
-            title=title,
-            legend=height == heights[0],
-        )
-    return fig
+        panels.append(exploration.curves(results, height, n_grips))
+    return Sheet("learning curves", [panels])
 
 
-_ = figure()
-plt.show()
+figure()
 
 # %% [markdown]
-# ε-greedy solves the low wall only. The novelty reward solves the middle one as well. Go-Explore solves all three.
-# (On the high wall the lines of the other two lie on each other, at 0. On the lower ones even a policy that goes on
-# exploring gets to the top in nearly every episode of $10 H$ steps, so that the two dashed lines cannot be told
-# apart.)
+# ε-greedy solves only the low wall. The novelty reward solves the middle wall as well. Go-Explore solves all three.
+# (On the high wall the lines of the other two coincide at 0. On the lower walls even a policy that keeps exploring
+# reaches the top in nearly every episode, so that the two black lines coincide.)
 
 # %% [markdown]
 # ## Your turn
 #
-# Move a slider and let it go: all of it is computed again. How high can the novelty reward climb? What do more grips
-# change, and for whom?
+# Move a slider and release it: the whole experiment is computed again. How high can the novelty reward climb? What do
+# more grips change, and for which method?
 
 
 # %%
 def one_wall(height=20, n_grips=2):
-    """The learning curves of the three methods on walls of one kind."""
+    """Draw the learning curves of the three methods on walls of one kind."""
     return figure((height,), n_grips)
 
 
-explore(one_wall, height=(5, 100, 5), n_grips=(2, 5))
+sliders(one_wall, height=(5, 100, 5), n_grips=(2, 5))
 
 # %% [markdown]
 # ## See inside: where do they spend their time?
 #
-# Each picture shows a training run on a wall of height 100: time to the right, the wall upwards, darker where the
-# agent was more often.
+# Each picture is the mean of three training runs on walls of height 100. Time runs to the right and the wall upwards;
+# darker means more visits, and white means none.
 
 
 # %%
 def visits_over_the_wall(height=100, repetitions=3):
-    """For every method, how often each height was visited as training went on."""
+    """Draw how often each height was visited in the course of training, for every method."""
     results = exploration.compare(height, repetitions=repetitions)
-    fig, axes = plt.subplots(1, len(results.methods), figsize=(13, 3.8), sharey=True)
-    for ax, method in zip(axes, results.methods, strict=True):
-        visits = np.mean(list(exploration.visits_of(results, method)), axis=0)
-        visitation_map(visits, exploration.N_STEPS, ax, title=method, y_label="height", colour_bar=False)
-    return fig
+    return Sheet("visits", [exploration.visit_maps(results, height)])
 
 
-_ = visits_over_the_wall()
-plt.show()
+visits_over_the_wall()
 
 # %% [markdown]
-# - **ε-greedy** hardly ever gets higher than a dozen grips, and then by luck. It has nothing to learn from.
+# - **ε-greedy** rarely gets higher than a dozen grips, and only by luck. It has nothing to learn from.
 # - **Novelty** climbs fast at first, and then ever more slowly: after 20 000 steps its frontier is near 40.
 # - **Go-Explore** moves its frontier up steadily, to the top.
 #
-# Why does novelty slow down? Look at how a climb must succeed. To see something new the agent has to get back to its
-# frontier first, *while it keeps taking random actions*. With two grips, an ε-greedy climber takes the wrong one
-# with probability
-# $\varepsilon/2 = 0.05$ at every step, so that it comes back to height $h$ in a share of $0.95^h$ of its climbs.
-# This is called **derailment**. Go-Explore returns without exploring: it cannot derail.
+# Why does novelty slow down? To see something new, the agent must first get back to its frontier, *while it keeps
+# taking random actions*. With two grips, an ε-greedy climber takes the wrong grip with probability $\varepsilon/2 =
+# 0.05$ at every step, so only a share of $0.95^h$ of its climbs gets back to height $h$. This is called
+# **derailment**. Go-Explore returns without exploring, so it cannot derail.
 
 
 # %%
 def climbs_back(height=100, repetitions=10):
-    """The share of climbs that came to each height, in the second half of training, beside 0.95 to the power of it."""
+    """Draw the share of climbs that reach each height in the second half of training, beside 0.95^height."""
     results = exploration.compare(height, repetitions=repetitions)
-    shares = {
-        method: np.mean(
-            [exploration.share_of_climbs(exploration.later(v)) for v in exploration.visits_of(results, method)],
-            axis=0,
-        )
-        for method in results.methods
-    }
-    heights = np.arange(height + 1.0)
-    ax = lines(
-        heights, shares, theory={r"$0.95^h$": 0.95**heights}, x_label="height", y_label="share of climbs that get there"
-    )
-    ax.set(yscale="log", ylim=(1e-4, 1.2))
-    return ax
+    return Sheet("climbs", [[exploration.climb_shares(results, height)]])
 
 
-_ = climbs_back()
-plt.show()
+climbs_back()
 
 # %% [markdown]
-# The novelty agent follows the dashed line, $0.95^h$, up to where it knows the way, near 30 for the ten runs of this
-# figure, and falls off beyond that, where its runs have got to different heights and have learnt less and less.
-# Go-Explore's line is flat: of its climbs four in five end near the ground, where its random exploring begins and
-# ends; those that are on the way to a goal arrive.
+# The novelty agent follows the dashed line, $0.95^h$, as far as all of its runs know the way: up to about 30 here.
+# Above that its line drops faster, because the runs have reached different heights. Go-Explore's line is flat. Four of
+# five of its climbs end near the ground: after a fall it takes the rest of its 20 random steps from there. The other
+# climbs are on their way to a goal, and they arrive.
 #
-# At height 40, one climb in eight comes back; at 100, six in a thousand would. And once back at the frontier, an
-# agent that knows nothing of the next height takes the right grip every second time, and then must come back
-# *again*, to learn about the one after.
+# At height 40, one novelty climb in eight gets back; at height 100, six in a thousand would. And once at its frontier,
+# the agent does not know which grip holds. On the first visit it takes the right one about half of the time. After a
+# wrong one it is even worse off: the fall has earned a small bonus, too, so the wrong grip now looks better than the
+# one that it has not tried, and only a random step will try that one. So slips are what ends its climbs, and also what
+# it needs at the frontier. (You will switch them off below.)
 #
-# There is a second effect, **detachment**: the bonus at the frontier fades as the frontier is visited, so that the
-# agent may turn away from it before it has passed it on. The paper names this as the main reason. Here it is not:
-# `edugym reproduce exploration` measures that after training the greedy policy of the novelty agent still leads to
-# its frontier.
+# The paper gives another reason, **detachment**: the bonus at a frontier fades with every visit, so that the agent may
+# turn to another frontier and never come back to this one. A wall has only one frontier, so this experiment cannot
+# show detachment. `edugym reproduce exploration` does show that after training the greedy policy of the novelty agent
+# still leads to its frontier.
+#
+# Is it *returning first* that solves the high wall? It is sufficient, but it is not the only way: in exercise 2 you
+# meet an agent that solves walls without it.
 
 # %% [markdown]
 # ## Predict, then check
 #
-# Commit yourself to an answer before you run the cell below each question. It is the surprise that teaches.
+# Write down your answer before you run the cell below each question. You learn most when you are surprised.
 #
-# **Predict.** The slips of ε-greedy end most climbs. So switch them off: train the novelty agent with $\varepsilon =
-# 0$ on a wall of height 100. How high does it get, compared with about 40?
+# **Predict.** Random steps end most climbs. So switch them off: train the novelty agent with $\varepsilon = 0$ on a
+# wall of height 100. How high does it get, compared with about 40?
 
 
 # %%
 def highest_visited(height=100, **settings):
-    """The mean highest state that the novelty agent ever visited, over 10 repetitions."""
+    """Return the highest state that the novelty agent ever visited, a mean over 10 repetitions."""
     method = {"novelty": lambda wall: CountBased.create(wall, **settings)}
     results = exploration.compare(height, methods=method, repetitions=10)
     return np.mean([exploration.frontier(visits) for visits in exploration.visits_of(results, "novelty")])
@@ -284,17 +266,15 @@ for epsilon in (0.1, 0.02, 0.0):
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** With $\varepsilon = 0$ it hardly leaves the ground: between 1 and 2 on average. A bonus is paid for
-# states that were *entered*, and all values start at zero: as soon as a wrong grip has paid a little (falling to the
-# ground is an entered state, too), it looks better than a grip that was never tried. The novelty reward pulls the
-# agent back to the edge of what it knows; it is ε that takes the step beyond. Optimistic initial values take it in
-# another way: see exercise 2.
+# **Measured.** With $\varepsilon = 0$ it hardly leaves the ground: it gets to between 1 and 2 on average. All values
+# start at zero, and a fall earns a bonus as well, for entering the ground. So a wrong grip soon looks better than a
+# grip that was never tried. The novelty reward pulls the agent back to its frontier, and a random step takes it
+# beyond. Exercise 2 shows another way to get beyond: optimistic initial values.
 # </details>
 
 # %% [markdown]
 # **Predict.** Most textbooks set the discount nearer to 1. Does the novelty agent do better on a wall of height 10
-# with
-# $\gamma = 0.99$ than with $0.9$?
+# with $\gamma = 0.99$ than with $\gamma = 0.9$?
 
 # %%
 for discount in (0.9, 0.99):
@@ -307,14 +287,15 @@ for discount in (0.9, 0.99):
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** All runs with 0.9; none with 0.99. A climber who never reaches the top collects bonuses for ever; at
-# the top the episode ends, and so do they. With a long sight, the small bonuses of all the future add up to more
-# than the reward of 1: the agent is paid for staying. A bonus changes the *task*, not only the exploration.
+# **Measured.** All runs with 0.9, and none with 0.99. A climber who never reaches the top collects bonuses for ever;
+# at the top the episode ends, and the bonuses end with it. With the higher discount, the many small bonuses of the
+# future add up to more than the reward of 1, so the agent is paid for staying away from the top. A bonus changes the
+# *task*, not only the exploration.
 # </details>
 
 # %% [markdown]
-# **Predict.** How many steps does a random climber need on a wall with *three* grips and height 5, more or fewer
-# than with two grips and height 8?
+# **Predict.** Does a random climber need more steps on a wall with *three* grips and height 5, or on a wall with two
+# grips and height 8?
 
 # %%
 print(
@@ -323,22 +304,21 @@ print(
     "steps;  N = 3, H = 5:",
     exploration.random_search_steps(3, 5),
 )
-print("watched, for N = 3, H = 5:", round(exploration.watch_random_search(3, 5, climbs=200, repetitions=10).estimate))
+print("measured, for N = 3, H = 5:", round(exploration.watch_random_search(3, 5, climbs=200, repetitions=10).estimate))
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** 510 and 363: fewer. Both grow exponentially with the height; the number of grips is the base. What is
-# watched agrees within a few percent.
+# **Measured.** Two grips and height 8 take longer: 510 steps, not 363. Both numbers grow exponentially with the
+# height, and the number of grips is the base. The measurement agrees with the formula within a few percent.
 # </details>
 
 # %% [markdown]
 # ## Exercises
 #
 # ### Exercise 1: change a parameter
-# An ε-greedy climber knows the whole wall and keeps exploring with $\varepsilon$. What $\varepsilon$ may it have at
-# most, if half of its climbs on a wall of height 100 with two grips are to reach the top? Set `epsilon` to that
-# number.
+# An ε-greedy climber knows the whole wall and keeps exploring. Half of its climbs on a wall of height 100 with two
+# grips should reach the top. What is the largest possible $\varepsilon$? Set `epsilon` to that number.
 #
 # <details><summary>Hint</summary>A random action is the wrong one with probability 1/2, so a step goes wrong with
 # probability ε/2. Solve (1 − ε/2)^100 = 1/2.</details>
@@ -359,9 +339,9 @@ assert share < 0.55, f"with ε = {epsilon:.3f} as many as {share:.1%} of the cli
 
 # %% [markdown]
 # ### Exercise 2: optimistic initial values
-# Start all values of $Q$ from 1 instead of 0, and let the agent be greedy ($\varepsilon = 0$): whatever it tries
-# disappoints it, so it tries what it has not tried yet (Sutton and Barto, section 2.6). Write the function that
-# makes this agent. Does it solve height 30 in 20 000 steps, where ε-greedy failed?
+# Let all values of $Q$ start at 1 instead of 0, and let the agent be greedy ($\varepsilon = 0$). Every action that it
+# tries is disappointing, so it goes on to actions that it has not tried yet (Sutton and Barto, section 2.6). Write the
+# function that makes this agent. Does it solve height 30 in 20 000 steps, where ε-greedy failed?
 #
 # <details><summary>Hint</summary>`QLearning.create` has a parameter `initial_value`, and `EpsilonGreedy(0.0)` never
 # explores. Use the learning rate 0.5 and the discount 0.9 of the lesson.</details>
@@ -369,7 +349,7 @@ assert share < 0.55, f"with ε = {epsilon:.3f} as many as {share:.1%} of the cli
 
 # %%
 def optimist(wall):
-    """A greedy Q-learning agent that believes everything to be worth 1 until it has tried it."""
+    """Make a greedy Q-learning agent that values every action at 1 until it has tried it."""
     ### BEGIN SOLUTION
     return QLearning.create(wall, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=1.0)
     ### END SOLUTION
@@ -378,10 +358,10 @@ def optimist(wall):
 # %% tags=["check"] points=2
 made = optimist(make_mdp("Boulder", height=30))
 assert made.Q.min() == made.Q.max() == 1.0, (
-    f"all values must start from 1, but they start from {made.Q.min()} to {made.Q.max()}"
+    f"all values must start at 1, but they start between {made.Q.min()} and {made.Q.max()}"
 )
 assert made.exploration.epsilon == 0.0, (
-    f"the optimist explores by its values alone: ε must be 0, not {made.exploration.epsilon}"
+    f"the optimist explores only by its values, so ε must be 0, not {made.exploration.epsilon}"
 )
 solved = repeat("Boulder", {"optimist": optimist}, 20_000, parameters={"height": 30}).final("optimist").mean()
 assert solved > 0.9, f"{solved:.0%} of the runs solve the wall; with learning rate 0.5 and discount 0.9 all should"
@@ -392,12 +372,11 @@ assert made.discount == 0.9
 
 # %% [markdown]
 # ### Exercise 3: write this agent in ten lines
-# Write a Q-learning agent with a novelty reward of your own, from the equations above. Its tables are given; `act`
-# is done. Complete `learn`. It is plain Python, and it will run as machine code, tens of millions of steps a second,
-# without your doing anything about it.
+# Write your own Q-learning agent with a novelty reward, from the equations above. Its tables and `act` are given;
+# complete `learn`. You write plain Python, and it runs as machine code, tens of millions of steps a second.
 #
-# <details><summary>Hint</summary>Count the state that was entered first, then add 1/√N to the reward. The value of
-# the next state is 0 if the episode has terminated, and the highest entry of its row of Q otherwise:
+# <details><summary>Hint</summary>First count the state that was entered, then add 1/√n to the reward. The value of the
+# next state is 0 if the episode has terminated, and otherwise the largest entry in its row of Q:
 # `max(self.Q[next_state])`.</details>
 
 
@@ -409,7 +388,7 @@ class MyExplorer(NamedTuple):
     visits: np.ndarray
 
     def act(self, state, rng):
-        """ε-greedy with ε = 0.1, ties broken at random."""
+        """Choose ε-greedily with ε = 0.1; ties are broken at random."""
         if rng.random() < 0.1 or self.Q[state, 0] == self.Q[state, 1]:
             return int(rng.random() * 2)
         return 0 if self.Q[state, 0] > self.Q[state, 1] else 1
@@ -445,13 +424,13 @@ assert tops >= 3, f"only {tops} of 5 runs reached the top of a wall of height 30
 
 # %% [markdown]
 # ### Exercise 4: swap in another environment
-# The same agents learn in any Gymnasium environment with whole numbers for observations and actions. FrozenLake on a
-# map of 8 by 8, not slippery, is a sparse task too: one reward, in the far corner, and holes on the way. Compare the
-# three methods there: assign to `frozen` what `repeat` returns for `exploration.METHODS`, 20 000 steps and 5
-# repetitions.
+# The same agents learn in any Gymnasium environment with whole numbers for observations and actions. FrozenLake with a
+# map of 8 by 8, not slippery, is a sparse task too: it has one reward, in the far corner, and holes on the way.
+# Compare the three methods there: call `repeat` with `exploration.METHODS`, 20 000 steps and 5 repetitions, and assign
+# the results to `frozen`.
 #
-# (The novelty reward helps less there than on the wall. A hole ends the episode, and with it all bonuses to come;
-# and a bonus of 1 is as large as the reward that waits 14 steps away, which is discounted to a quarter.)
+# (The novelty reward helps less there than on the wall. A hole ends the episode, and with it all later bonuses. And a
+# bonus of 1 is as large as the reward, which is 14 steps away and is discounted to a quarter.)
 #
 # <details><summary>Hint</summary>`repeat` takes a Gymnasium environment as its first argument, and a dictionary of
 # methods as its second.</details>
@@ -473,24 +452,29 @@ for method in frozen.methods:
 # %% [markdown]
 # ## What you saw
 #
-# - Random exploration needs a number of steps that grows exponentially with the depth of the reward. It is not slow:
+# - Random exploration takes a number of steps that grows exponentially with the depth of the reward. It is not slow,
 #   it is hopeless.
-# - A novelty reward gives the agent something to learn from at every step. It draws the agent back to the edge of
-#   what it knows.
-# - Getting back *while exploring* fails more often the deeper the edge is. Returning first and exploring then does
-#   not.
+# - A novelty reward gives the agent something to learn from at every step. It draws the agent back to its frontier.
+# - Getting back *while exploring* fails more often the farther away the frontier is. Returning first, and exploring
+#   only then, avoids that. Optimistic initial values are another remedy: what is needed is exploration that is
+#   *systematic*, where ε-greedy only slips.
 # - A bonus is part of the task as long as it is paid: it can make the agent prefer exploring to the goal.
 #
 # ### Limits
-# A table can count how often a state was visited; pictures hardly ever come twice, and counting must be replaced by
-# something like it (density models, prediction errors). Go-Explore here stores a value for every pair of a state and
-# a goal, which is affordable for a wall of height 100 and not for much else. And a state must say where one is: with
-# a hidden state, "return" means nothing.
+# A table can count visits of a state. The same picture hardly ever comes twice, so for pictures something must stand
+# in for counts (density models, prediction errors). Go-Explore here stores a value for every action in every state for
+# every goal, which a wall of height 100 allows and few other tasks do. And the agent must know its state: where the
+# state is hidden, it cannot tell whether it has returned.
 #
 # ### Further reading
-# - Sutton and Barto, *Reinforcement Learning*, 2nd edition: 2.2–2.7 (exploration in bandits), 8.3 (a bonus for what
-#   was long not tried).
+# - Moerland et al. (2023), *EduGym: An environment and notebook suite for reinforcement learning education*: the
+#   paper.
+# - Sutton and Barto, *Reinforcement Learning*, 2nd edition: 2.2–2.7 (exploration in bandits), 8.3 (a bonus for actions
+#   that were not tried for a long time).
 # - Ecoffet, Huizinga, Lehman, Stanley and Clune (2021), *First return, then explore*: detachment and derailment.
-# - Chentanez, Barto and Singh (2004), *Intrinsically motivated reinforcement learning*.
+# - Strehl and Littman (2008), *An analysis of model-based interval estimation for Markov decision processes*: the
+#   bonus $\beta / \sqrt{n}$.
+# - Singh, Barto and Chentanez (2004), *Intrinsically motivated reinforcement learning*: a bonus not for rare states,
+#   but for errors in predicting the outcome of skills.
 # - Amin, Gomrokchi, Satija, van Hoof and Precup (2021), *A survey of exploration methods in reinforcement learning*.
-# - Strens (2000), *A Bayesian framework for reinforcement learning*: the chain from which this wall descends.
+# - Strens (2000), *A Bayesian framework for reinforcement learning*: the chain on which this wall is based.

@@ -1,5 +1,6 @@
 """The command `edugym`: what it writes, what it says, and its exit status."""
 
+import errno
 import inspect
 import os
 import signal
@@ -17,8 +18,8 @@ from typer.testing import CliRunner, Result
 
 from edugym import Results
 from edugym.cli import app
-from edugym.lessons import report as lessons
-from edugym.lessons.report import Figure, Lines, Report
+from edugym.experiments import Report
+from edugym.plotting import Lines, Sheet
 from edugym.registration import ENVIRONMENTS
 from edugym.results.claims import Above, Claim
 from edugym.results.statistics import Interval
@@ -40,10 +41,10 @@ def lesson(monkeypatch: pytest.MonkeyPatch) -> dict[str, Any]:
         claims = [
             Claim("It works", "share", Interval(s, s - 0.1, s + 0.1, 9), Above(0.5), "why") for s in asked["shares"]
         ]
-        return Report(claims, [Figure("picture", [[Lines("line", x, {"A": x}, "x", "y", {})]])])
+        return Report(claims, [Sheet("picture", [[Lines(x, {"A": x}, "line")]])])
 
-    monkeypatch.setitem(sys.modules, "made_up", SimpleNamespace(report=report))
-    monkeypatch.setitem(lessons.MODULES, "made_up", "made_up")
+    monkeypatch.setattr("edugym.cli.load_experiments", lambda name: SimpleNamespace(report=report))
+    monkeypatch.setattr("edugym.cli.lesson_names", lambda: ["made_up"])
     return asked
 
 
@@ -92,9 +93,8 @@ def test_a_claim_that_does_not_hold_is_status_1(lesson: dict[str, Any], tmp_path
     assert "repetitions" not in lesson  # the lesson's own number
 
 
-def test_all_lessons_by_default(lesson: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_all_lessons_by_default(lesson: dict[str, Any], tmp_path: Path) -> None:
     """Each in a folder of its own."""
-    monkeypatch.setattr("edugym.cli.MODULES", {"made_up": "made_up"})
     assert run("reproduce", "--output", str(tmp_path)).exit_code == 0
     assert (tmp_path / "made_up" / "claims.csv").exists()
 
@@ -106,12 +106,14 @@ def test_all_lessons_by_default(lesson: dict[str, Any], tmp_path: Path, monkeypa
         (["exploration", "--repetitions", "1"], "--repetitions"),
         (["exploration", "--seed", "-1"], "--seed"),
         (["exploration", "--jobs", "0"], "--jobs"),
+        (["exploration", "--jobs", "100000000"], "--jobs"),
+        (["exploration", "--output", ""], "the path is empty"),
         (["exploration", "--colour"], "--colour"),
     ],
 )
 def test_bad_usage_is_status_2(arguments: list[str], said: str, tmp_path: Path) -> None:
     """And names what is wrong, before anything is written."""
-    result = run("reproduce", *arguments, "--output", str(tmp_path / "new"))
+    result = run("reproduce", "--output", str(tmp_path / "new"), *arguments)
     assert result.exit_code == 2
     assert said in result.output
     assert not (tmp_path / "new").exists()
@@ -137,10 +139,45 @@ def test_ctrl_c_is_status_130(lesson: dict[str, Any], tmp_path: Path, monkeypatc
         raise KeyboardInterrupt
 
     for report in (interrupted, between):
-        monkeypatch.setitem(sys.modules, "made_up", SimpleNamespace(report=report))
+        module = SimpleNamespace(report=report)
+        monkeypatch.setattr("edugym.cli.load_experiments", lambda name, module=module: module)
         result = run("reproduce", "made_up", "--output", str(tmp_path))
         assert result.exit_code == 130
-        assert f"interrupted; what was done is in {tmp_path}" in result.output
+        assert f"interrupted; the data so far is in {tmp_path}" in result.output
+
+
+def test_a_parameter_is_set_once() -> None:
+    """Of two values one would silently win."""
+    result = run("play", "Boulder", "--set", "height=3", "--set", "height=4")
+    assert result.exit_code == 2
+    assert "parameter height must be set once, but is set twice" in result.output
+
+
+def test_a_film_needs_a_path() -> None:
+    """An empty one would be the current folder."""
+    result = run("play", "Boulder", "--gif", "")
+    assert result.exit_code == 2
+    assert "the path is empty" in result.output
+
+
+COMMAND = [sys.executable, "-c", "from edugym.cli import main; main()"]
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="this system has no /dev/full")
+def test_output_that_cannot_be_written_is_one_line() -> None:
+    """No traceback, neither by the command nor by Python at its end."""
+    with open("/dev/full", "w") as full:
+        done = subprocess.run([*COMMAND, "list"], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+    assert (done.returncode, done.stderr) == (1, f"edugym: cannot write the output: {os.strerror(errno.ENOSPC)}\n")
+
+
+def test_a_reader_that_leaves_is_no_error() -> None:
+    """As in `edugym list | head -1`."""
+    read, write = os.pipe()
+    os.close(read)
+    with os.fdopen(write, "w") as pipe:
+        done = subprocess.run([*COMMAND, "list"], stdout=pipe, stderr=subprocess.PIPE, text=True, check=False)
+    assert done.stderr == ""
 
 
 def test_without_typer_it_says_what_to_install() -> None:
@@ -176,5 +213,5 @@ def test_ctrl_c_writes_what_is_done(tmp_path: Path) -> None:
         finally:
             child.kill()
     assert child.returncode == 130, said
-    assert f"interrupted; what was done is in {tmp_path}" in said
+    assert f"interrupted; the data so far is in {tmp_path}" in said
     assert Results.load(first).complete

@@ -1,103 +1,41 @@
 """EduGym: a reinforcement-learning course you can run.
 
-Importing it registers the environments with Gymnasium, and nothing more: the names below are loaded when first used.
+Importing it registers the environments with Gymnasium, and nothing more: every other name is loaded when it is first
+used. `__init__.pyi` lists the public names; an agent, a wrapper or an environment is also found by the name of its file
+(`edugym.QLearning` in `agents/q_learning.py`).
 """
 
+import ast
 import importlib
-from typing import TYPE_CHECKING, Any
+from functools import cache
+from pathlib import Path
+from typing import Any
 
-from edugym.registration import ENVIRONMENTS, make_mdp, register_environments
-
-if TYPE_CHECKING:
-    from edugym.adapters.gymnasium_env import MDPEnv
-    from edugym.adapters.vector_env import MDPVectorEnv
-    from edugym.agents.count_based import CountBased
-    from edugym.agents.go_explore import GoExplore
-    from edugym.agents.q_learning import QLearning
-    from edugym.agents.saving import load, save
-    from edugym.agents.strategies import (
-        UCB,
-        EpsilonGreedy,
-        ExponentialDecay,
-        Greedy,
-        LinearDecay,
-        ScheduledEpsilonGreedy,
-        Softmax,
-    )
-    from edugym.exact.model import FiniteModel, finite_model
-    from edugym.exact.value_iteration import value_iteration
-    from edugym.mdp.tabular import Tabular, TabularObservation, table_size
-    from edugym.results.tables import Results
-    from edugym.training.repeat import repeat
-    from edugym.training.train import Run, train
+from edugym.registration import in_snake_case, register_environments
 
 __version__ = "0.1.0"
-
-__all__ = [
-    "ENVIRONMENTS",
-    "UCB",
-    "CountBased",
-    "EpsilonGreedy",
-    "ExponentialDecay",
-    "FiniteModel",
-    "GoExplore",
-    "Greedy",
-    "LinearDecay",
-    "MDPEnv",
-    "MDPVectorEnv",
-    "QLearning",
-    "Results",
-    "Run",
-    "ScheduledEpsilonGreedy",
-    "Softmax",
-    "Tabular",
-    "TabularObservation",
-    "finite_model",
-    "load",
-    "make_mdp",
-    "register_environments",
-    "repeat",
-    "save",
-    "table_size",
-    "train",
-    "value_iteration",
-]
-
-_HOMES = {
-    "edugym.agents.count_based": ("CountBased",),
-    "edugym.agents.strategies": (
-        "UCB",
-        "EpsilonGreedy",
-        "ExponentialDecay",
-        "Greedy",
-        "LinearDecay",
-        "ScheduledEpsilonGreedy",
-        "Softmax",
-    ),
-    "edugym.agents.go_explore": ("GoExplore",),
-    "edugym.agents.q_learning": ("QLearning",),
-    "edugym.agents.saving": ("load", "save"),
-    "edugym.training.repeat": ("repeat",),
-    "edugym.results.tables": ("Results",),
-    "edugym.training.train": ("Run", "train"),
-    "edugym.adapters.gymnasium_env": ("MDPEnv",),
-    "edugym.exact.model": ("FiniteModel", "finite_model"),
-    "edugym.adapters.vector_env": ("MDPVectorEnv",),
-    "edugym.exact.value_iteration": ("value_iteration",),
-    "edugym.mdp.tabular": ("Tabular", "TabularObservation", "table_size"),
-}
 
 register_environments()
 
 
+@cache
+def _homes() -> dict[str, str]:
+    """The module of each public name, as `__init__.pyi` lists them."""
+    imports = ast.parse(Path(__file__).with_suffix(".pyi").read_text(encoding="utf-8")).body
+    return {name.name: str(part.module) for part in imports if isinstance(part, ast.ImportFrom) for name in part.names}
+
+
 def __getattr__(name: str) -> Any:
     """Load a public name when it is first used."""
-    for home, names in _HOMES.items():
-        if name in names:
-            return getattr(importlib.import_module(home), name)
+    if name in _homes():
+        return getattr(importlib.import_module(_homes()[name]), name)
+    for folder in ("agents", "mdp", "envs"):
+        file = in_snake_case(name)
+        if file != name and importlib.util.find_spec(f"edugym.{folder}.{file}"):
+            return getattr(importlib.import_module(f"edugym.{folder}.{file}"), name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
 def __dir__() -> list[str]:
     """The public names, for completion."""
-    return __all__
+    return sorted(_homes())

@@ -1,5 +1,6 @@
 """Checks of parameters: each raises a `ValueError` that names the parameter, its value and what is allowed."""
 
+import sys
 from collections.abc import Sequence
 from typing import Any
 
@@ -7,6 +8,13 @@ import numpy as np
 
 MOST_STEPS = 2**62
 """A number that machine code can hold, and count on from."""
+
+
+def a_number(name: str, value: Any) -> None:
+    """Refuse a `value` that is not a finite number."""
+    _number(name, value, "finite")
+    if not abs(value) <= sys.float_info.max:
+        raise ValueError(f"{name} must be a finite number, but is {value!r}")
 
 
 def at_least(name: str, value: Any, low: float) -> None:

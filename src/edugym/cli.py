@@ -1,6 +1,7 @@
-"""The command `edugym`: what the package does, from a terminal."""
+"""The command `edugym`."""
 
 import ast
+import os
 import sys
 import threading
 import warnings
@@ -9,10 +10,10 @@ from typing import Annotated, Any, Literal
 
 from gymnasium.error import DependencyNotInstalled
 
+from edugym.experiments import Report, lesson_names, load_experiments
 from edugym.extras import require
 from edugym.files import check_writable, write_whole
-from edugym.lessons.report import MODULES, Report, experiment
-from edugym.registration import ENVIRONMENTS, parameters_of
+from edugym.registration import in_course_order, parameters_of
 from edugym.results.claims import Claim
 
 try:
@@ -26,9 +27,19 @@ from rich.console import Console
 from rich.table import Column, Table
 
 INTERRUPTED = 130
-"""The exit status of a command that Ctrl-C ended, as shells have it."""
+"""The exit status of a command that Ctrl-C ended, as shells expect it."""
+
+MOST_JOBS = 1_000
+"""The most runs at a time: each is a thread or a process."""
 
 app = typer.Typer(no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False)
+
+
+def _path(text: str) -> Path:
+    """Return the path that is written in an option; an empty one would silently mean the current folder."""
+    if not text:
+        raise typer.BadParameter("the path is empty; the current folder is written '.'")
+    return Path(text)
 
 
 @app.callback()
@@ -40,7 +51,7 @@ def edugym() -> None:
 def list_environments() -> None:
     """List the environments, with their challenges and parameters."""
     table = Table("id", "challenge", "parameters (default)", box=None, pad_edge=False)
-    for entry in ENVIRONMENTS:
+    for entry in in_course_order():
         parameters = (f"{name} ({_short(default)})" for name, default in parameters_of(entry.load()).items())
         table.add_row(entry.id, entry.challenge, ", ".join(parameters))
     Console().print(table)
@@ -54,16 +65,18 @@ def play(
     ] = None,
     render: Annotated[Literal["ansi", "human"], typer.Option(help="In this terminal, or in a window.")] = "ansi",
     seed: Annotated[
-        int | None, typer.Option(min=0, help="Of the first episode. By default another one each time.")
+        int | None, typer.Option(min=0, help="The seed of the first episode; by default a new one each time.")
     ] = None,
-    gif: Annotated[Path | None, typer.Option(help="A file for the last finished episode, as a film.")] = None,
+    gif: Annotated[
+        Path | None, typer.Option(parser=_path, metavar="PATH", help="Save the last finished episode as a film.")
+    ] = None,
 ) -> None:
-    """Play an environment with keys, which are shown on the screen."""
+    """Play an environment with the keyboard; the keys are shown on the screen."""
     from edugym import playing
     from edugym.playing.game import made
 
     try:
-        env = made(environment, "ansi", dict(map(_parameter, parameters or [])))
+        env = made(environment, "ansi", _parameters(parameters or []))
         game = playing.Game(env, seed=seed)
     except (TypeError, ValueError) as error:
         raise typer.BadParameter(str(error)) from error
@@ -76,43 +89,60 @@ def play(
 
 
 def _short(default: Any) -> str:
-    """A default value for the table; a number with many digits is rounded."""
+    """Format a default value for the table; a number with many digits is rounded."""
     return str(float(f"{default:.4g}") if isinstance(default, float) else default)
 
 
-def _parameter(text: str) -> tuple[str, Any]:
-    """The name and the value in NAME=VALUE; a value that is no number (or inf), True, False or None is a text."""
-    name, equals, value = text.partition("=")
-    if not equals or not name.isidentifier():
-        raise ValueError(f"a parameter is written name=value, but not {text!r}")
+def _parameters(texts: list[str]) -> dict[str, Any]:
+    """Read parameters that are written NAME=VALUE.
+
+    Raises:
+        ValueError: one is not written so, or is given twice.
+    """
+    parameters: dict[str, Any] = {}
+    for text in texts:
+        name, equals, value = text.partition("=")
+        if not equals or not name.isidentifier():
+            raise ValueError(f"a parameter is written name=value, but not {text!r}")
+        if name in parameters:
+            raise ValueError(f"parameter {name} must be set once, but is set twice")
+        parameters[name] = _value(value)
+    return parameters
+
+
+def _value(text: str) -> Any:
+    """Read a value: a Python literal, a number such as inf, or else the text itself."""
     for read in (ast.literal_eval, float):
         try:
-            return name, read(value)
+            return read(text)
         except (TypeError, ValueError, SyntaxError):
             continue
-    return name, value
+    return text
 
 
 @app.command()
 def reproduce(
-    lesson: Annotated[str | None, typer.Argument(help=f"One of: {', '.join(MODULES)}. By default all.")] = None,
-    output: Annotated[Path, typer.Option(help="The folder to write to.")] = Path("results"),
+    lesson: Annotated[str | None, typer.Argument(help=f"One of: {', '.join(lesson_names())}. By default all.")] = None,
+    output: Annotated[
+        Path, typer.Option(parser=_path, metavar="FOLDER", help="The folder for figures and data.")
+    ] = Path("results"),
     repetitions: Annotated[
-        int | None, typer.Option(min=2, help="Runs of each method. By default as many as the lesson says.")
+        int | None, typer.Option(min=2, help="Runs of each method; by default the number of the lesson.")
     ] = None,
-    seed: Annotated[int, typer.Option(min=0, help="From which all random numbers come.")] = 0,
-    jobs: Annotated[int, typer.Option(min=-1, help="Runs at a time; -1 for one a core.")] = -1,
+    seed: Annotated[int, typer.Option(min=0, help="The seed of all random numbers.")] = 0,
+    jobs: Annotated[int, typer.Option(min=-1, max=MOST_JOBS, help="Runs at a time; -1 means one for each core.")] = -1,
 ) -> None:
-    """Redo the experiments behind the paper's figures, and say which claims hold.
+    """Run the experiments behind the paper's figures again, and report which claims hold.
 
     Figures (PNG, SVG) and data (CSV) are written to OUTPUT/LESSON. The exit status is 0 when every claim holds, 1 when
-    one does not, 2 when the command is wrong, and 130 after Ctrl-C, which writes what is done.
+    a claim does not hold, 2 when the command is wrong, and 130 after Ctrl-C, which keeps the data so far.
     """
-    if lesson is not None and lesson not in MODULES:
-        raise typer.BadParameter(f"{lesson!r} is none of: {', '.join(MODULES)}", param_hint="LESSON")
+    names = lesson_names()
+    if lesson is not None and lesson not in names:
+        raise typer.BadParameter(f"{lesson!r} is none of: {', '.join(names)}", param_hint="LESSON")
     if jobs == 0:
         raise typer.BadParameter("0 runs at a time do nothing: give 1 or more, or -1", param_hint="--jobs")
-    chosen = [lesson] if lesson is not None else list(MODULES)
+    chosen = names if lesson is None else [lesson]
     for name in chosen:
         try:
             check_writable(output / name / "claims.csv")
@@ -125,29 +155,29 @@ def reproduce(
         for name in chosen:
             all_hold &= _reproduce(name, output / name, how)
     except KeyboardInterrupt:
-        typer.echo(f"edugym: interrupted; what was done is in {output}", err=True)
+        typer.echo(f"edugym: interrupted; the data so far is in {output}", err=True)
         raise typer.Exit(INTERRUPTED) from None
     raise typer.Exit(0 if all_hold else 1)
 
 
 def _reproduce(lesson: str, folder: Path, how: dict[str, Any]) -> bool:
-    """Redo one lesson; whether all its claims hold.
+    """Run the experiments of one lesson, and return whether all claims hold.
 
     Raises:
-        KeyboardInterrupt: Ctrl-C; what is done has been written.
+        KeyboardInterrupt: after Ctrl-C; the data so far is saved, and no figure is drawn.
     """
-    from edugym.plotting import draw, save_figure
+    from edugym.plotting import save_figure
 
     stop = threading.Event()
     with warnings.catch_warnings(record=True) as warned:
         warnings.simplefilter("always")
-        report = experiment(lesson).report(**how, stop=stop, folder=folder)
+        report = load_experiments(lesson).report(**how, stop=stop, folder=folder)
     for warning in warned:
         typer.echo(f"edugym: {warning.message}", err=True)
     if stop.is_set():
         raise KeyboardInterrupt
     for figure in report.figures:
-        save_figure(draw(figure), folder / figure.name)
+        save_figure(figure.draw(), folder / figure.name)
     _write_claims(report, folder / "claims.csv")
     _print_claims(lesson, report.claims)
     typer.echo(f"Figures and data are in {folder}.")
@@ -180,8 +210,19 @@ def _row(claim: Claim) -> tuple[str, str, str, str]:
 
 
 def main() -> None:
-    """Run the command; a library that is missing is named with what to install."""
+    """Run the command. A missing library, or output that cannot be written, ends it with one line."""
     try:
-        app()
+        try:
+            app()
+        finally:
+            if sys.stdout is not None:
+                sys.stdout.flush()  # here, where an error can still be reported
     except DependencyNotInstalled as missing:
         raise SystemExit(f"edugym: {missing}") from None
+    except OSError as error:
+        # Python flushes once more at its end, which would fail again, with a traceback.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        if isinstance(error, BrokenPipeError):  # as in `edugym list | head`: nobody reads on
+            raise SystemExit(1) from None
+        about_a_file = error.filename is not None or error.strerror is None
+        raise SystemExit(f"edugym: {error if about_a_file else f'cannot write the output: {error.strerror}'}") from None

@@ -1,13 +1,23 @@
-"""The environments, in one table, and their registration with Gymnasium."""
+"""The environments, found by their files in `edugym/envs`, and their registration with Gymnasium.
+
+`envs/memory_corridor.py` holds the MDP `MemoryCorridor`, which becomes `edugym/MemoryCorridor-v0`. The first line of
+the file says its challenge, and its lesson if it has one: "Boulder: exploration (lesson 1)."
+"""
 
 import importlib
 import inspect
+import pkgutil
+import re
 from collections.abc import Callable, Mapping
-from functools import partial
+from functools import cache, partial
 from typing import Any, NamedTuple
 
 import gymnasium
 from gymnasium.envs.registration import EnvSpec, load_env_creator
+
+from edugym import envs
+
+FIRST_LINE = re.compile(r"(?P<name>\w+): (?P<challenge>.+?)( \(lesson (?P<lesson>\d+)\))?\.$")
 
 
 class Entry(NamedTuple):
@@ -15,37 +25,63 @@ class Entry(NamedTuple):
 
     Attributes:
         name: its name; its Gymnasium id is `edugym/<name>-v0`.
-        module: where its class `<name>Env` is.
-        challenge: the one challenge that it isolates.
-        lesson: the lesson that is about it.
+        module: where its MDP of this name is.
     """
 
     name: str
     module: str
-    challenge: str
-    lesson: str
 
     @property
     def id(self) -> str:
         """What to pass to `gymnasium.make` and `gymnasium.make_vec`."""
         return f"edugym/{self.name}-v0"
 
+    @property
+    def challenge(self) -> str:
+        """The one challenge that it isolates, as the first line of its file says."""
+        return self._said("challenge") or ""
+
+    @property
+    def lesson(self) -> int | None:
+        """The number of its lesson, if it has one."""
+        number = self._said("lesson")
+        return None if number is None else int(number)
+
+    def load_mdp(self) -> Any:
+        """The class of its MDP."""
+        return getattr(importlib.import_module(self.module), self.name)
+
     def load(self) -> Any:
-        """Its Gymnasium class."""
-        return getattr(importlib.import_module(self.module), f"{self.name}Env")
+        """Its Gymnasium class: `<name>Env` in its file, or else one that only adds the API to the MDP."""
+        from edugym.adapters.gymnasium_env import gymnasium_class
+
+        module = importlib.import_module(self.module)
+        own = getattr(module, f"{self.name}Env", None)
+        return gymnasium_class(self.load_mdp(), __name__) if own is None else own
+
+    def _said(self, group: str) -> str | None:
+        text = (importlib.import_module(self.module).__doc__ or "").strip().splitlines()
+        match = FIRST_LINE.match(text[0]) if text else None
+        return match[group] if match else None
 
 
-ENVIRONMENTS = (
-    Entry("Boulder", "edugym.envs.boulder", "Exploration", "exploration"),
-    Entry("Roadrunner", "edugym.envs.roadrunner", "Credit assignment: on- and off-policy", "on_off_policy"),
-    Entry("Study", "edugym.envs.study", "Credit assignment: depth", "depth"),
-    Entry("Catch", "edugym.envs.catch", "Dimensionality", "dimensionality"),
-    Entry("MemoryCorridor", "edugym.envs.memory_corridor", "Partial observability", "memory"),
-    Entry("Tamagotchi", "edugym.envs.tamagotchi", "Amount of signal", "signal"),
-    Entry("Trashbot", "edugym.envs.trashbot.task", "Discrete and continuous", "discrete_continuous"),
-    Entry("Golf", "edugym.envs.golf", "Stochasticity", "stochasticity"),
-    Entry("Supermarket", "edugym.envs.supermarket", "Model-based reinforcement learning", "model_based"),
-)
+def in_snake_case(name: str) -> str:
+    """The name of a class as the name of a file: MemoryCorridor, memory_corridor; QLearning, q_learning."""
+    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", "_", name).lower()
+
+
+def _found() -> tuple[Entry, ...]:
+    files = (module.name for module in pkgutil.iter_modules(envs.__path__))
+    return tuple(Entry("".join(map(str.capitalize, file.split("_"))), f"{envs.__name__}.{file}") for file in files)
+
+
+ENVIRONMENTS = _found()
+"""Every environment, by name."""
+
+
+def in_course_order() -> list[Entry]:
+    """The environments by the numbers of their lessons, those without one last."""
+    return sorted(ENVIRONMENTS, key=lambda entry: (entry.lesson is None, entry.lesson))
 
 
 def register_environments() -> None:
@@ -54,8 +90,8 @@ def register_environments() -> None:
         if entry.id not in gymnasium.registry:
             gymnasium.register(
                 entry.id,
-                entry_point=f"{entry.module}:{entry.name}Env",
-                vector_entry_point=f"edugym.registration:make_{entry.name}_vector",
+                entry_point=f"{__name__}:{entry.name}Env",
+                vector_entry_point=f"{__name__}:make_{entry.name}_vector",
             )
 
 
@@ -72,12 +108,13 @@ def find(name: str) -> Entry:
 
 
 def full_id(name: str) -> str:
-    """The Gymnasium id of an environment of the course that is given by its name alone; any other id as it is.
+    """The Gymnasium id of an environment of the course; any other id stays as it is.
 
-    The prefix `edugym:`, by which Gymnasium is told to import this package, is taken off.
+    The name alone (Boulder) is enough. The prefix `edugym:`, by which Gymnasium is told to import this package, is
+    taken off.
     """
     name = name.removeprefix("edugym:")
-    return next((entry.id for entry in ENVIRONMENTS if entry.name == name), name)
+    return next((entry.id for entry in ENVIRONMENTS if entry.name in (name, name.removesuffix("-v0"))), name)
 
 
 def specification(name: str, parameters: Mapping[str, Any]) -> tuple[EnvSpec, dict[str, Any]]:
@@ -107,13 +144,13 @@ def specification(name: str, parameters: Mapping[str, Any]) -> tuple[EnvSpec, di
 
 
 def parameters_of(creator: Callable[..., Any]) -> dict[str, Any]:
-    """The parameters of a task with their defaults, as its class has them (how it is drawn is none)."""
+    """The parameters of a task with their defaults, less `render_mode`, which changes nothing in the task."""
     parts = inspect.signature(creator).parameters
     return {name: part.default for name, part in parts.items() if name != "render_mode"}
 
 
 def make_mdp(name: str, **parameters: Any) -> Any:
-    """The MDP of an environment, for experiments: `make_mdp("Boulder", height=30)`.
+    """The MDP of an environment by its name: `make_mdp("Boulder", height=30)` is `Boulder.create(height=30)`.
 
     Raises:
         ValueError: there is no such environment, it has no such parameter, or one is not as its class says.
@@ -134,9 +171,12 @@ def _make_vector(entry: Entry, num_envs: int = 1, autoreset_mode: str = "NextSte
     return MDPVectorEnv(entry.load()(**parameters), num_envs, autoreset_mode)
 
 
+@cache
 def __getattr__(name: str) -> Any:
-    """`make_<name>_vector` for every environment: Gymnasium asks for a name, where to find what makes its copies."""
+    """`<name>Env` and `make_<name>_vector` for every environment, by which Gymnasium and pickle ask for them."""
     for entry in ENVIRONMENTS:
         if name == f"make_{entry.name}_vector":
             return partial(_make_vector, entry)
+        if name == f"{entry.name}Env":
+            return entry.load()
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

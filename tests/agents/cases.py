@@ -1,18 +1,19 @@
-"""Every agent and every exploration strategy of the package, for the tests that hold for all of them."""
+"""Every agent and every exploration strategy of the package, for the tests that hold for all of them.
+
+Agents are found by their files. `tests/agents/test_<name>.py` may say more of one, in a dictionary `CASES`.
+"""
 
 import importlib
 import pkgutil
 from collections.abc import Callable, Iterator
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from edugym import (
     UCB,
-    CountBased,
     EpsilonGreedy,
     ExponentialDecay,
-    GoExplore,
     Greedy,
     LinearDecay,
     QLearning,
@@ -20,21 +21,7 @@ from edugym import (
     Softmax,
     agents,
 )
-
-
-class Case(NamedTuple):
-    """An agent to test.
-
-    Attributes:
-        kind: its class.
-        create: makes a new one for an environment (or the shape of its table).
-        estimates_return: whether its Q(s, a) estimates the discounted return, for which there are closed forms.
-    """
-
-    kind: type
-    create: Callable[[Any], Any]
-    estimates_return: bool = True
-
+from tests.agents.case import Case
 
 STRATEGIES: dict[str, Callable[[Any], Any]] = {
     "greedy": lambda environment: Greedy(),
@@ -45,27 +32,30 @@ STRATEGIES: dict[str, Callable[[Any], Any]] = {
     "ucb": lambda environment: UCB.create(environment, 0.5),
 }
 
-AGENTS: dict[str, Case] = {
-    "QLearning": Case(QLearning, lambda env: QLearning.create(env, learning_rate=0.5, discount=0.5)),
-    "CountBased": Case(CountBased, lambda env: CountBased.create(env, bonus=0.0, learning_rate=0.5, discount=0.5)),
-    "CountBased with its bonus": Case(CountBased, CountBased.create, False),
-    "GoExplore": Case(GoExplore, lambda env: GoExplore.create(env, explore_steps=3, longest=50), False),
-}
+
+def package_classes(method: str) -> Iterator[type]:
+    """Every NamedTuple class in `edugym.agents` that has such a method."""
+    for module in pkgutil.iter_modules(agents.__path__, "edugym.agents."):
+        for thing in vars(importlib.import_module(module.name)).values():
+            mine = isinstance(thing, type) and thing.__module__ == module.name
+            if mine and issubclass(thing, tuple) and hasattr(thing, method):
+                yield thing
+
+
+def _described(kind: type) -> dict[str, Case]:
+    """The cases of an agent: as its test file has them, or as it is at its defaults."""
+    name = f"tests.agents.test_{kind.__module__.rpartition('.')[2]}"
+    described: dict[str, Case] = getattr(importlib.import_module(name), "CASES", {})
+    return described or {kind.__name__: Case(kind, kind.create)}  # type: ignore[attr-defined]
 
 
 def _exploring(make: Callable[[Any], Any]) -> Case:
     return Case(QLearning, lambda env: QLearning.create(env, exploration=make(env)))
 
 
+AGENTS = {name: case for kind in package_classes("learn") for name, case in _described(kind).items()}
+
 CASES: dict[str, Case] = {**AGENTS, **{f"QLearning, {name}": _exploring(make) for name, make in STRATEGIES.items()}}
-
-
-def package_classes(method: str) -> Iterator[type]:
-    """Every NamedTuple class in `edugym.agents` that has such a method."""
-    for module in pkgutil.iter_modules(agents.__path__, "edugym.agents."):
-        for thing in vars(importlib.import_module(module.name)).values():
-            if isinstance(thing, type) and issubclass(thing, tuple) and hasattr(thing, method):
-                yield thing
 
 
 def same(one: Any, other: Any) -> bool:

@@ -9,12 +9,14 @@ import pytest
 from gymnasium import spaces
 
 from edugym import CountBased, GoExplore, QLearning, TabularObservation, load, make_mdp, save, train
+from edugym.adapters.tabular_observation import tabular
 from edugym.compiled.compiler import compiled
 from edugym.mdp.protocol import Random
-from edugym.mdp.tabular import tabular
-from edugym.training.loops import Log, off_policy, on_policy, start
-from edugym.training.train import told_of_truncation
-from tests.agents.cases import AGENTS, CASES, STRATEGIES, Case, package_classes, same
+from edugym.training.contract import is_on_policy, learner
+from edugym.training.loops import off_policy, on_policy, start_off_policy
+from edugym.training.trainers import new_log
+from tests.agents.case import Case
+from tests.agents.cases import AGENTS, CASES, STRATEGIES, package_classes, same
 
 MDPS = ("Boulder", "Golf", "MemoryCorridor")  # states that are numbers, tuples, and hold arrays
 
@@ -67,10 +69,13 @@ class Cycle(NamedTuple):
 def run_loop(mdp: Any, agent: Any, n_steps: int, seed: int, compile_it: bool) -> tuple[Any, ...]:
     """Run the loop for `n_steps` and give everything that it left behind."""
     environment_rng, agent_rng = np.random.default_rng([seed, 0]), np.random.default_rng([seed, 1])
-    log = Log(np.zeros(1), np.zeros(1, np.int64))
-    moment = start(mdp, agent, environment_rng, agent_rng)
-    loop: Any = on_policy if getattr(agent, "on_policy", False) else off_policy
-    arguments = (mdp, told_of_truncation(agent), 40, environment_rng, agent_rng, log, moment)
+    log = new_log()
+    loop: Any = off_policy
+    moment: Any = start_off_policy(mdp, environment_rng)
+    if is_on_policy(agent):
+        loop = on_policy
+        moment = (*moment[:2], agent.act(moment[1], agent_rng), *moment[2:])
+    arguments = (mdp, learner(agent), 40, environment_rng, agent_rng, log, moment)
     if compile_it:
         loop = compiled(loop, n_steps, *arguments)
     moment = loop(n_steps, *arguments)
@@ -79,8 +84,8 @@ def run_loop(mdp: Any, agent: Any, n_steps: int, seed: int, compile_it: bool) ->
 
 def play_by_hand(env: gymnasium.Env[Any, Any], agent: Any, n_steps: int, agent_rng: Random, first_seed: int) -> Any:
     """The loop as one writes it for any Gymnasium environment; gives the last observation."""
-    on = getattr(agent, "on_policy", False)
-    told = told_of_truncation(agent)
+    on = is_on_policy(agent)
+    told = learner(agent)
     observation, _ = env.reset(seed=first_seed)
     action = agent.act(observation, agent_rng) if on else None
     for _ in range(n_steps):
@@ -120,6 +125,7 @@ def experienced(case: Case, environment: Any) -> Any:
 def test_every_agent_and_every_strategy_of_the_package_is_in_the_table() -> None:
     """No new agent escapes these tests."""
     assert {case.kind for case in AGENTS.values()} == set(package_classes("learn"))
+    assert len(AGENTS) >= 4
     assert {type(make((2, 2))) for make in STRATEGIES.values()} == set(package_classes("choose"))
 
 

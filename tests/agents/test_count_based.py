@@ -6,6 +6,12 @@ import numpy as np
 import pytest
 
 from edugym import CountBased, QLearning, make_mdp, train
+from tests.agents.case import Case
+
+CASES = {
+    "CountBased": Case(CountBased, lambda e: CountBased.create(e, bonus=0.0, learning_rate=0.5, discount=0.5), True),
+    "CountBased with its bonus": Case(CountBased, CountBased.create),
+}
 
 
 def test_the_first_updates_by_hand() -> None:

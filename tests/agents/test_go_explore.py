@@ -10,6 +10,9 @@ from hypothesis import strategies as st
 from edugym import GoExplore
 from edugym.exact.branching import branches
 from edugym.mdp.protocol import Reals
+from tests.agents.case import Case
+
+CASES = {"GoExplore": Case(GoExplore, lambda env: GoExplore.create(env, explore_steps=3, longest=50))}
 
 RNG = np.random.default_rng(0)
 
@@ -158,7 +161,7 @@ def test_it_exploits_the_best_reward_it_met() -> None:
     agent.Q[0], agent.Q[1], agent.Q[2] = ([[1.0, 0.0]] * 3), ([[0.0, 1.0]] * 3), ([[1.0, 0.0]] * 3)
     for reward, next_state, best in ((-5.0, 1, 1), (-7.0, 2, 1), (0.5, 2, 2), (0.5, 1, 2), (0.0, 0, 2)):
         walk(agent, (0, 0, next_state), reward=reward, terminated=True)
-        assert agent.now.best[1] == best
+        assert agent.best_state[0] == best
     agent.Q[0], agent.Q[1], agent.Q[2] = ([[1.0, 0.0]] * 3), ([[1.0, 0.0]] * 3), ([[0.0, 1.0]] * 3)
     assert {agent.greedy(state, RNG) for state in range(3) for _ in range(20)} == {1}
 

@@ -53,9 +53,10 @@ def test_q_learning_climbs_a_low_wall() -> None:
 
 def test_counting_climbs_where_epsilon_greedy_does_not() -> None:
     """Height 25, where random climbing takes 67 million steps on average: the bonus does it in 100 000."""
-    low, _ = interval(on_boulder(25, 100_000, CountBased.create))
+    settings = {"learning_rate": 0.5, "discount": 0.9}
+    low, _ = interval(on_boulder(25, 100_000, lambda mdp: CountBased.create(mdp, **settings)))
     _, high = interval(on_boulder(25, 100_000, QLearning.create))
-    _, without_bonus = interval(on_boulder(25, 100_000, lambda mdp: CountBased.create(mdp, bonus=0.0)))
+    _, without_bonus = interval(on_boulder(25, 100_000, lambda mdp: CountBased.create(mdp, bonus=0.0, **settings)))
     assert low > 0.8
     assert high < 0.2
     assert without_bonus < 0.2

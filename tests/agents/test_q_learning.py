@@ -8,6 +8,9 @@ from hypothesis.extra.numpy import arrays
 
 from edugym import QLearning
 from edugym.mdp.protocol import Reals
+from tests.agents.case import Case
+
+CASES = {"QLearning": Case(QLearning, lambda env: QLearning.create(env, learning_rate=0.5, discount=0.5), True)}
 
 
 def agent_with(Q: list[list[float]], learning_rate: float = 0.5, discount: float = 0.9) -> QLearning:

@@ -20,7 +20,7 @@ from edugym import (
     ScheduledEpsilonGreedy,
     Softmax,
 )
-from edugym.agents.strategies import best_value, greedy_action
+from edugym.agents.tables import best_value, greedy_action
 from edugym.exact.branching import branches
 from edugym.mdp.protocol import Integers, Random, Reals
 
@@ -98,7 +98,7 @@ def test_frequencies_of_a_real_generator_agree(make: Callable[[], Any], expected
 def test_only_the_row_of_the_state_counts() -> None:
     """Other states' values are not looked at."""
     Q = np.array([[9.0, 0.0], [0.0, 1.0], [9.0, 0.0]])
-    for strategy in (Greedy(), EpsilonGreedy(0.0), Softmax(0.001), UCB(np.full((3, 2), 5), 0.1)):
+    for strategy in (Greedy(), EpsilonGreedy(0.0), Softmax(0.001), UCB(np.full((3, 2), 5), np.zeros((1, 2)), 0.1)):
         assert strategy.choose(Q, 1, np.random.default_rng(0)) == 1
 
 
@@ -181,7 +181,7 @@ def ucb(values: list[float], counts: list[int], c: float) -> tuple[list[float], 
     left: list[Integers] = []
 
     def make() -> UCB:
-        strategy = UCB(np.array([counts]), c)
+        strategy = UCB(np.array([counts]), np.zeros((1, len(counts))), c)
         left.append(strategy.counts)
         return strategy
 
@@ -217,7 +217,7 @@ def test_ucb_without_bonus_is_greedy_and_breaks_ties_uniformly() -> None:
 
 def test_ucb_counts_what_it_chooses() -> None:
     """One more for the chosen action of this state, and nothing else."""
-    strategy = UCB(np.array([[2, 7], [1, 1]]), 0.0)
+    strategy = UCB(np.array([[2, 7], [1, 1]]), np.zeros((1, 2)), 0.0)
     assert strategy.choose(np.array([[0.0, 1.0], [5.0, 0.0]]), 0, np.random.default_rng(0)) == 1
     assert strategy.counts.tolist() == [[2, 8], [1, 1]]
     fresh = UCB.create((3, 4))
@@ -260,7 +260,7 @@ def test_strategies_draw_nothing_they_do_not_need(seed: int) -> None:
         (EpsilonGreedy(2.0), "epsilon must be from 0 to 1, but is 2.0"),
         (EpsilonGreedy(-0.1), "epsilon must be from 0 to 1, but is -0.1"),
         (Softmax(0.0), "temperature must be greater than 0, but is 0.0"),
-        (0.1, "exploration must be a strategy with a method choose, but is 0.1"),
+        (0.1, "exploration must be a strategy such as EpsilonGreedy\\(0.1\\), but is 0.1"),
     ],
 )
 def test_agents_refuse_strategies_that_make_no_sense(exploration: Any, message: str) -> None:
@@ -278,7 +278,7 @@ def test_agents_refuse_strategies_that_make_no_sense(exploration: Any, message: 
         (LinearDecay(1.0, 0.1, 0), "steps must be 1 or more, but is 0"),
         (ExponentialDecay(1.0, -0.1, 0.9), "end must be from 0 to 1, but is -0.1"),
         (ExponentialDecay(1.0, 0.1, 0.0), "rate must be greater than 0 and at most 1, but is 0.0"),
-        (0.1, "schedule must have a method value, but is 0.1"),
+        (0.1, "schedule must be a value with a method value, but is 0.1"),
     ],
 )
 def test_schedules_that_make_no_sense_are_refused(schedule: Any, message: str) -> None:

@@ -7,12 +7,14 @@ import numpy as np
 import pytest
 from gymnasium import spaces
 
+from edugym.adapters.tabular_observation import tabular
 from edugym.agents.q_learning import QLearning
 from edugym.compiled.compiler import compiled
 from edugym.mdp.protocol import Random, step_limit
-from edugym.mdp.tabular import tabular
 from edugym.registration import Entry
-from edugym.training.loops import GreedyActor, Log, OneStepAgent, off_policy, on_policy, play_episodes, start
+from edugym.training.contract import GreedyActor, learner
+from edugym.training.loops import off_policy, on_policy, play_episodes, start_off_policy, start_on_policy
+from edugym.training.trainers import new_log
 from tests.contract.parameters import Keywords
 from tests.contract.play import every_corner, every_environment, plain
 
@@ -36,11 +38,6 @@ class Witness(NamedTuple):
     seen: Any
     next_seen: Any
     told: Any
-
-    @property
-    def on_policy(self) -> bool:
-        """It is told its next action."""
-        return True
 
     def act(self, state: Any, rng: Random) -> int:
         """Any action."""
@@ -101,9 +98,9 @@ def test_on_policy(entry: Entry, keywords: Keywords) -> None:
     mdp = as_table(entry.load()(**keywords).mdp)
     if not isinstance(mdp.action_space, spaces.Discrete):
         pytest.skip("agents in loops have whole numbers for actions")
-    agent, log = witness(mdp), Log(np.zeros(1), np.zeros(1, np.int64))
+    agent, log = witness(mdp), new_log()
     rng, agent_rng, start_rng, agent_start_rng, *_ = streams(1)
-    moment = start(mdp, agent, start_rng, agent_start_rng)
+    moment = start_on_policy(mdp, agent, start_rng, agent_start_rng)
     limit = step_limit(mdp) or 50
     interpreted, machine_code = both(on_policy, N_STEPS, mdp, agent, limit, rng, agent_rng, log, moment)
     assert interpreted == machine_code
@@ -119,11 +116,11 @@ def test_off_policy_and_evaluation(entry: Entry, keywords: Keywords) -> None:
         pytest.skip("Q-learning needs a table")
     if int(mdp.observation_space.n) * int(mdp.action_space.n) > LARGEST_TABLE:
         pytest.skip("its table would be too large")
-    agent, log = QLearning.create(mdp), Log(np.zeros(1), np.zeros(1, np.int64))
-    rng, agent_rng, start_rng, agent_start_rng, *_ = streams(2)
-    moment = start(mdp, agent, start_rng, agent_start_rng)
+    agent, log = QLearning.create(mdp), new_log()
+    rng, agent_rng, start_rng, *_ = streams(2)
+    moment = start_off_policy(mdp, start_rng)
     limit = step_limit(mdp) or 50
-    arguments = (mdp, OneStepAgent(agent), limit, rng, agent_rng, log, moment)
+    arguments = (mdp, learner(agent), limit, rng, agent_rng, log, moment)
     interpreted, machine_code = both(off_policy, N_STEPS, *arguments)
     assert interpreted == machine_code
     off_policy(N_STEPS, *arguments)
@@ -140,9 +137,9 @@ def test_chunks(entry: Entry) -> None:
         pytest.skip("agents in loops have whole numbers for actions")
     outcomes = []
     for pieces in ([N_STEPS], [1, 2, 997, 700, 300]):
-        agent, log = witness(mdp), Log(np.zeros(1), np.zeros(1, np.int64))
+        agent, log = witness(mdp), new_log()
         rng, agent_rng, *_ = streams(3)
-        moment = start(mdp, agent, rng, agent_rng)
+        moment = start_on_policy(mdp, agent, rng, agent_rng)
         arguments = (mdp, agent, step_limit(mdp) or 50, rng, agent_rng, log)
         run = compiled(on_policy, N_STEPS, *arguments, moment)
         for n in pieces:

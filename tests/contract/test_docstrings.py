@@ -28,7 +28,7 @@ HEADINGS = [
 
 def sections(entry: Entry) -> dict[str, str]:
     """The sections of the class docstring, in their order."""
-    text = inspect.getdoc(entry.load()) or ""
+    text = inspect.getdoc(entry.load_mdp()) or ""
     _, *parts = re.split(r"^## (.+)\n", text, flags=re.MULTILINE)
     return dict(zip(parts[::2], map(str.strip, parts[1::2]), strict=True))
 
@@ -38,7 +38,7 @@ def test_headings(entry: Entry) -> None:
     """All headings are there, in the one order, and something stands under each."""
     assert list(sections(entry)) == HEADINGS
     assert all(sections(entry).values())
-    assert (entry.load().__doc__ or "").splitlines()[0].endswith(".")
+    assert (entry.load_mdp().__doc__ or "").splitlines()[0].endswith(".")
 
 
 @every_environment

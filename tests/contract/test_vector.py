@@ -12,10 +12,10 @@ from gymnasium.error import ResetNeeded
 from gymnasium.vector import AutoresetMode
 
 from edugym.adapters.vector_env import MDPVectorEnv
-from edugym.envs.boulder import BoulderEnv
 from edugym.registration import Entry
 from tests.contract.parameters import PARAMETERS, Keywords
 from tests.contract.play import MODES, Copies, every_corner, every_environment, plain
+from tests.envs.classes import BoulderEnv
 
 
 def choose(name: str, copies: Copies, rng: np.random.Generator) -> np.ndarray[Any, Any]:

@@ -4,11 +4,37 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import strategies as st
 
-from edugym.envs.boulder import BoulderEnv
+from edugym.envs.boulder import Boulder
 from edugym.exact.model import finite_model
 from edugym.exact.value_iteration import value_iteration
 from edugym.registration import make_mdp
+from tests.contract.described import LAYOUT_SEEDS, NO_STEPS, NO_WHOLE_NUMBER, Parameters, refused
+from tests.envs.classes import BoulderEnv
+
+PARAMETERS = Parameters(
+    valid=st.fixed_dictionaries(
+        {"height": st.integers(1, 15), "n_grips": st.integers(2, 5)},
+        optional={"max_steps": st.integers(1, 60), "layout_seed": LAYOUT_SEEDS},
+    ),
+    corners=(
+        {},
+        {"height": 1, "max_steps": 1},
+        {"height": 100, "max_steps": 120},
+        {"height": 3, "n_grips": 50, "layout_seed": 2**63},
+    ),
+    bad=(
+        *refused("height", 0, -1, *NO_WHOLE_NUMBER),
+        *refused("n_grips", 1, -2, *NO_WHOLE_NUMBER),
+        *refused("max_steps", *NO_STEPS),
+        *refused("layout_seed", -1, *NO_WHOLE_NUMBER),
+    ),
+    finite=({}, {"height": 1}, {"height": 4, "n_grips": 7, "layout_seed": 3}),
+    random=False,
+    informed=lambda info, _: max(info["right_grip"], 0),
+)
+
 
 START = """
 
@@ -96,8 +122,8 @@ def test_random_climber_at_the_defaults() -> None:
     """The docstring's 2 046 and 2.5e30 are these numbers."""
     assert (2**11 - 2) / (2 - 1) == 2046
     assert float(f"{2**101 - 2:.1e}") == 2.5e30
-    assert "2 046" in (BoulderEnv.__doc__ or "")
-    assert "2.5e30" in (BoulderEnv.__doc__ or "")
+    assert "2 046" in (Boulder.__doc__ or "")
+    assert "2.5e30" in (Boulder.__doc__ or "")
 
 
 def test_best_return() -> None:

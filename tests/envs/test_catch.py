@@ -6,19 +6,55 @@ from typing import Any
 import gymnasium
 import numpy as np
 import pytest
+from hypothesis import strategies as st
 from scipy import stats
 
 import edugym
-from edugym.envs.catch import BALL, PADDLE, Catch, CatchEnv, CatchGrid, CatchImage, Fall
+from edugym.envs.catch import BALL, PADDLE, Catch, CatchGrid, CatchImage, Fall
 from edugym.exact.model import finite_model
 from edugym.exact.value_iteration import value_iteration
 from edugym.rendering.palette import RED, YELLOW
 from edugym.rendering.scene import Circle, Rectangle
+from tests.contract.described import NO_WHOLE_NUMBER, Keywords, Parameters, refused
+from tests.envs.classes import CatchEnv
+
+
+@st.composite
+def boards(draw: st.DrawFn) -> Keywords:
+    """Boards on which every ball can be caught."""
+    rows = draw(st.integers(2, 12))
+    kind = draw(st.sampled_from(["grid", "default", "vectorised", "rgb"]))
+    return {"rows": rows, "columns": draw(st.integers(1, 2 * rows - 1)), "observation_type": kind}
+
+
+PARAMETERS = Parameters(
+    valid=boards(),
+    corners=(
+        {},
+        {"rows": 2, "columns": 1, "observation_type": "vectorised"},
+        {"rows": 2, "columns": 3, "observation_type": "rgb"},
+        {"rows": 20, "columns": 39, "observation_type": "default"},
+        {"rows": 100, "columns": 199, "observation_type": "vectorised"},
+    ),
+    bad=(
+        *refused("rows", 1, 0, -10, *NO_WHOLE_NUMBER),
+        *refused("columns", 0, -1, 20, 1000, *NO_WHOLE_NUMBER),
+        *refused("columns", 4, rows=2),
+        *refused("observation_type", "pixels", "Grid", "", None, 0),
+    ),
+    finite=(
+        {"observation_type": "vectorised"},
+        {"rows": 4, "columns": 7},
+        {"rows": 2, "columns": 2, "observation_type": "rgb"},
+    ),
+    informed=lambda info, _: 1 + (info["ball"][0] > info["paddle"]) - (info["ball"][0] < info["paddle"]),
+)
+
 
 LEFT, STAY, RIGHT = 0, 1, 2
 
 
-def drop(env: CatchEnv, column: int) -> None:
+def drop(env: Any, column: int) -> None:
     """Start an episode whose ball falls in a column."""
     for seed in range(1_000):
         env.reset(seed=seed)
@@ -175,11 +211,13 @@ def test_every_ball_can_be_caught_exactly_when() -> None:
 
 
 def test_info() -> None:
-    """Where the ball and the paddle are, as plain numbers."""
+    """Where the ball and the paddle are."""
     env = CatchEnv(rows=4)
     drop(env, 1)
-    assert env.info() == {"ball": (1, 0), "paddle": 2}
-    assert env.step(np.int64(RIGHT))[4] == {"ball": (1, 1), "paddle": 3}
+    assert env.info()["ball"].tolist() == [1, 0]
+    assert env.info()["paddle"] == 2
+    info = env.step(np.int64(RIGHT))[4]
+    assert (info["ball"].tolist(), info["paddle"]) == ([1, 1], 3)
     assert env.named_actions() == {"left": LEFT, "stay": STAY, "right": RIGHT}
 
 

@@ -1,15 +1,60 @@
 """Golf: an episode on paper, the edges of green and course, and the noise of every swing."""
 
 import math
+from math import inf, nan
 from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import strategies as st
 
-from edugym.envs.golf import DISTANCES, Ball, Golf, GolfEnv
+from edugym.envs.golf import DISTANCES, Ball, Golf
 from edugym.exact.model import finite_model
 from edugym.exact.value_iteration import value_iteration
 from edugym.registration import make_mdp
+from tests.contract.described import NO_WHOLE_NUMBER, Keywords, Parameters, refused
+from tests.envs.classes import GolfEnv
+
+
+@st.composite
+def courses(draw: st.DrawFn) -> Keywords:
+    """Golf courses: the green does not reach the tee."""
+    width = draw(st.sampled_from([3, 5, 7, 9]))
+    length = draw(st.integers(width, 20))
+    return {
+        "width": width,
+        "length": length,
+        "green_radius": draw(st.floats(0.1, length - width / 2, exclude_max=True)),
+        "max_hits": draw(st.integers(1, 12)),
+        "stochasticity_level": draw(st.floats(0.001, 0.1)),
+        "observe_hits": draw(st.booleans()),
+    }
+
+
+PARAMETERS = Parameters(
+    valid=courses(),
+    corners=(
+        {},
+        {"observe_hits": True},
+        {"width": 3, "length": 3, "green_radius": 0.5, "max_hits": 1},
+        {"width": 21, "length": 60, "max_hits": 100, "observe_hits": True},
+        {"stochasticity_level": 0},
+        {"stochasticity_level": 0.0, "max_hits": 3, "observe_hits": True},
+        {"stochasticity_level": 1e18, "observe_hits": True},
+    ),
+    bad=(
+        *refused("width", 1, 4, -7, *NO_WHOLE_NUMBER),
+        *refused("length", 6, 0, *NO_WHOLE_NUMBER),
+        *refused("green_radius", 0, -1.0, 13.5, 100, nan, inf, "2", None, True),
+        *refused("green_radius", 0.5, stochasticity_level=0),  # whole cells lie half a cell from the flag or more
+        *refused("max_hits", 0, *NO_WHOLE_NUMBER),
+        *refused("max_hits", 1, stochasticity_level=0),
+        *refused("stochasticity_level", -0.1, nan, inf, "a", None, True),
+        *refused("observe_hits", 1, "yes", None),
+    ),
+    finite=({"stochasticity_level": 0}, {"stochasticity_level": 0, "observe_hits": True, "max_hits": 4}),
+)
+
 
 RNG = np.random.default_rng(0)  # for what draws nothing
 
@@ -60,7 +105,7 @@ def test_an_episode_without_noise() -> None:
     """A drive, a putt and a putt along the middle: ten cells, one and one, and the ball is 1.5 from the flag."""
     env = GolfEnv(stochasticity_level=0)
     observation, info = env.reset(seed=0)
-    assert (observation.tolist(), info) == ([3, 0], {"ball": (3.5, 0.0), "hits": 0})
+    assert (observation.tolist(), info["ball"].tolist(), info["hits"]) == ([3, 0], [3.5, 0.0], 0)
     for action, cell, reward, terminated, ball in (
         (2, [3, 10], 0.0, False, (3.5, 10.0)),
         (0, [3, 11], 0.0, False, (3.5, 11.0)),
@@ -68,7 +113,7 @@ def test_an_episode_without_noise() -> None:
     ):
         observation, *seen, info = env.step(action)
         assert observation.tolist() == cell
-        assert (*seen, info["ball"]) == (reward, terminated, False, ball)
+        assert (*seen, tuple(info["ball"])) == (reward, terminated, False, ball)
 
 
 def test_an_episode_with_noise() -> None:

@@ -4,8 +4,22 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import strategies as st
 
-from edugym.envs.memory_corridor import Corridor, MemoryCorridor, MemoryCorridorEnv
+from edugym.envs.memory_corridor import MemoryCorridor
+from tests.contract.described import NO_STEPS, NO_WHOLE_NUMBER, Parameters, refused
+from tests.envs.classes import MemoryCorridorEnv
+
+PARAMETERS = Parameters(
+    valid=st.fixed_dictionaries({"num_doors": st.integers(2, 6)}, optional={"max_steps": st.integers(1, 60)}),
+    corners=({}, {"num_doors": 2}, {"num_doors": 40}, {"max_steps": 1}, {"num_doors": 2, "max_steps": 7}),
+    bad=(
+        *refused("num_doors", 1, 0, -3, *NO_WHOLE_NUMBER),
+        *refused("max_steps", None, *NO_STEPS),
+    ),
+    informed=lambda info, _: info["right_door"],
+)
+
 
 MARKED = """
         Door 1 of 1
@@ -75,7 +89,7 @@ LOCKED_IN = """
 def test_an_episode() -> None:
     """One marked door; then the same door unmarked and a marked one behind it; then a wrong one."""
     env = MemoryCorridorEnv(render_mode="ansi")
-    assert env.reset(seed=1) == (1, {"length": 1, "position": 0, "right_door": 1})
+    assert env.reset(seed=8) == (1, {"length": 1, "position": 0, "right_door": 1})
     assert env.render() == MARKED
     assert env.step(1) == (3, 1.0, False, False, {"length": 2, "position": 0, "right_door": 1})
     assert env.render() == UNMARKED
@@ -113,8 +127,9 @@ def test_perfect_play(num_doors: int, length: int) -> None:
     doors: list[int] = []
     while info["length"] <= length:
         assert observation == (info["right_door"] if info["position"] == info["length"] - 1 else num_doors)
-        assert env.state.doors[:-1].tolist() == doors[: info["length"] - 1]
-        doors = env.state.doors.tolist()
+        now = [env.mdp.right_door(env.state.seed, place) for place in range(info["length"])]
+        assert now[: len(doors)] == doors
+        doors = now
         action = player.choose(observation)
         assert action == info["right_door"]
         observation, reward, terminated, truncated, info = env.step(action)
@@ -147,7 +162,8 @@ def test_any_wrong_door_is_the_end(wrong: int) -> None:
         assert env.step((info["right_door"] + wrong) % 3) == (before, 0.0, True, False, info)
 
 
-def test_doors_have_no_pattern() -> None:
+@pytest.mark.parametrize(("place", "gap"), [(0, 1), (0, 2), (3, 1), (10, 40)])
+def test_doors_have_no_pattern(place: int, gap: int) -> None:
     """The right doors are independent and uniform, and new ones in every episode."""
     task = MemoryCorridor(3, 1000)
     rng = np.random.default_rng(0)
@@ -155,20 +171,19 @@ def test_doors_have_no_pattern() -> None:
     n = 3000
     for _ in range(n):
         state = task.initial(rng)
-        longer = task.transition(state, int(state.doors[0]), rng)
-        assert longer.doors[0] == state.doors[0]
-        pairs[longer.doors[0], longer.doors[1]] += 1
+        pairs[task.right_door(state.seed, place), task.right_door(state.seed, place + gap)] += 1
     assert np.abs(pairs - n / 9).max() < 5 * np.sqrt(n / 9 * 8 / 9)
 
 
-def test_states_are_not_written_to() -> None:
-    """A corridor that has grown shares nothing with the one before."""
-    task, rng = MemoryCorridor(3, 1000), np.random.default_rng(0)
-    state = Corridor(np.array([2, 0]), 1, False)
-    longer = task.transition(state, 0, rng)
-    longer.doors[:] = 7
-    assert state.doors.tolist() == [2, 0]
-    assert task.transition(state, 1, rng) == (state.doors, 1, True)
+def test_doors_of_a_corridor_have_no_pattern() -> None:
+    """Along one long corridor, pairs at any distance are uniform."""
+    task, n = MemoryCorridor(3, 1000), 9_000
+    for seed in (0, 1, 2**31 - 1):
+        doors = np.array([task.right_door(seed, place) for place in range(n + 7)])
+        for gap in (1, 2, 7):
+            pairs = np.zeros((3, 3))
+            np.add.at(pairs, (doors[:n], doors[gap : n + gap]), 1)
+            assert np.abs(pairs - n / 9).max() < 5 * np.sqrt(n / 9 * 8 / 9)
 
 
 @pytest.mark.parametrize("num_doors", [2, 40])

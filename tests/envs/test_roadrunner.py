@@ -1,14 +1,54 @@
 """Roadrunner: runs that a person can follow, every rule at its edges, and the optima."""
 
+from math import inf, nan
 from typing import Any
 
 import gymnasium
 import numpy as np
 import pytest
+from hypothesis import strategies as st
 
-from edugym.envs.roadrunner import RoadrunnerEnv, Runner
+from edugym.envs.roadrunner import Runner
 from edugym.exact.value_iteration import value_iteration
 from edugym.rendering.scene import Arc
+from tests.contract.described import NO_STEPS, NO_WHOLE_NUMBER, Keywords, Parameters, refused
+from tests.envs.classes import RoadrunnerEnv
+
+
+@st.composite
+def roads(draw: st.DrawFn) -> Keywords:
+    """Roads whose start is not in the stop zone."""
+    size = draw(st.integers(2, 25))
+    return {
+        "size": size,
+        "max_speed": draw(st.integers(1, 30)),
+        "negative_reward": draw(st.floats(-1e6, 0)),
+        "stop_zone": draw(st.integers(0, size - 2)),
+        "max_steps": draw(st.none() | st.integers(1, 60)),
+    }
+
+
+PARAMETERS = Parameters(
+    valid=roads(),
+    corners=(
+        {},
+        {"size": 2, "max_speed": 1, "stop_zone": 0},
+        {"size": 100, "max_speed": 200, "stop_zone": 98, "negative_reward": 0},
+        {"size": 30, "stop_zone": 3, "negative_reward": -1, "max_steps": 1},
+    ),
+    bad=(
+        *refused("size", 1, 0, -10, *NO_WHOLE_NUMBER),
+        *refused("max_speed", 0, -1, *NO_WHOLE_NUMBER),
+        *refused("negative_reward", 1, 0.5, -inf, inf, nan, "-1", None, True),
+        *refused("stop_zone", -1, 9, 10, *NO_WHOLE_NUMBER),
+        *refused("stop_zone", 1, size=2),
+        *refused("max_steps", *NO_STEPS),
+    ),
+    finite=({}, {"size": 2}, {"size": 15, "max_speed": 3, "stop_zone": 2, "negative_reward": -1}),
+    random=False,
+    informed=lambda _, env: 2 if env.state.dx < 1 else 1,
+)
+
 
 SLOWER, SAME, FASTER = 0, 1, 2
 

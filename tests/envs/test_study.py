@@ -2,17 +2,71 @@
 
 import itertools
 import pickle
+from math import inf, nan
 from typing import Any
 
 import gymnasium
 import numpy as np
 import pytest
+from hypothesis import strategies as st
 
-from edugym.envs.study import Student, Study, StudyEnv
+from edugym.envs.study import Student, Study
 from edugym.exact.value_iteration import value_iteration
 from edugym.rendering.ansi import to_text
 from edugym.rendering.palette import GREEN, RED, SHADE, WHITE, blend
 from edugym.rendering.scene import Arc, Line, Rectangle, Scene, Text
+from tests.contract.described import LAYOUT_SEEDS, NO_WHOLE_NUMBER, Keywords, Parameters, refused
+from tests.envs.classes import StudyEnv
+
+
+@st.composite
+def plans(draw: st.DrawFn) -> Keywords:
+    """Plans that a student can carry out."""
+    total_days = draw(st.integers(3, 25))
+    lectures_needed = draw(st.integers(1, total_days - 2))
+    return {
+        "total_days": total_days,
+        "n_actions": draw(st.integers(2, 8)),
+        "lecture_days": draw(st.integers(lectures_needed, total_days - 1)),
+        "lectures_needed": lectures_needed,
+        "energy_needed": draw(st.integers(0, min(3, total_days - 2 - lectures_needed))),
+        "action_reward_noise_mean": draw(st.floats(0, 10)),
+        "action_reward_noise_sigma": draw(st.floats(0, 10)),
+        "layout_seed": draw(LAYOUT_SEEDS),
+    }
+
+
+def study_well(info: dict[str, Any], env: Any) -> int:
+    """Study on the days of lectures and of the exam, and sleep on the others."""
+    return 0 if info["lecture"] or env.state.day == env.mdp.total_days - 1 else 1
+
+
+PARAMETERS = Parameters(
+    valid=plans(),
+    corners=(
+        {},
+        {"total_days": 3, "n_actions": 2, "lecture_days": 1, "lectures_needed": 1, "energy_needed": 0},
+        {"total_days": 8, "lecture_days": 7, "lectures_needed": 3, "energy_needed": 3, "layout_seed": 2**63},
+        {"total_days": 40, "n_actions": 20, "lecture_days": 15, "lectures_needed": 15},
+        {"action_reward_noise_mean": 0, "action_reward_noise_sigma": 0},
+        {"action_reward_noise_mean": 1e6, "action_reward_noise_sigma": 1e6},
+    ),
+    bad=(
+        *refused("total_days", 2, 4, 0, -10, *NO_WHOLE_NUMBER),
+        *refused("n_actions", 1, 0, *NO_WHOLE_NUMBER),
+        *refused("lecture_days", 0, 10, 11, *NO_WHOLE_NUMBER),
+        *refused("lectures_needed", 0, 4, -1, *NO_WHOLE_NUMBER),
+        *refused("lectures_needed", 3, total_days=5),
+        *refused("energy_needed", -1, 4, *NO_WHOLE_NUMBER),
+        *refused("energy_needed", 3, total_days=6),
+        *refused("action_reward_noise_mean", -0.1, inf, nan, "0", None, True),
+        *refused("action_reward_noise_sigma", -0.1, inf, nan, "0", None, True),
+        *refused("layout_seed", -1, *NO_WHOLE_NUMBER),
+    ),
+    finite=({}, {"total_days": 5, "n_actions": 2, "energy_needed": 0}),
+    informed=study_well,
+)
+
 
 STUDY, SLEEP, GO_OUT, OTHER = 0, 1, 2, 3
 
@@ -62,7 +116,7 @@ def test_passed_exam() -> None:
 def test_exam(knowledge: int, energy: int, day: int, action: int, reward: float) -> None:
     """The exam asks for knowledge, for energy, and for studying on its day, as things stand that morning."""
     mdp, rng = task([1, 1, 1, 0, 0]), np.random.default_rng(0)
-    state = Student(knowledge, energy, day)
+    state = Student(knowledge, energy, day, False)
     after = mdp.transition(state, action, rng)
     assert mdp.reward(state, action, after, rng) == reward
     assert mdp.passes(state, action) == (reward > 0)
@@ -130,9 +184,9 @@ def test_noise() -> None:
     """The reward of an action is normal with its mean and standard deviation, on the exam's day as well."""
     mdp, rng, n = task([1, 1, 0, 0, 0], sigma=0.3), np.random.default_rng(5), 40_000
     for state, action, mean in [
-        (Student(0, 0, 0), GO_OUT, -0.04),
-        (Student(2, 2, 4), STUDY, 9.99),
-        (Student(0, 2, 4), STUDY, -0.01),
+        (Student(0, 0, 0, False), GO_OUT, -0.04),
+        (Student(2, 2, 4, False), STUDY, 9.99),
+        (Student(0, 2, 4, False), STUDY, -0.01),
     ]:
         after = mdp.transition(state, action, rng)
         rewards = np.array([mdp.reward(state, action, after, rng) for _ in range(n)])

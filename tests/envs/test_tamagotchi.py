@@ -4,21 +4,53 @@ import itertools
 import math
 import pickle
 from functools import partial
+from math import inf, nan
 from typing import Any, NamedTuple, get_args
 
 import gymnasium
 import numpy as np
 import pytest
+from hypothesis import strategies as st
 from scipy import stats
 
 import edugym
 from edugym.agents.strategies import EpsilonGreedy
 from edugym.compiled.execution import executable
-from edugym.envs.tamagotchi import Tamagotchi, TamagotchiEnv, Toy, happiness, meaning, urgency
+from edugym.envs.tamagotchi import Tamagotchi, Toy, happiness, meaning, urgency
 from edugym.exact.branching import branches
 from edugym.mdp.protocol import Random
+from edugym.registration import make_environment
 from edugym.rendering.icons import Mood, smiley
 from edugym.training.loops import play_episodes
+from tests.contract.described import NO_STEPS, NO_WHOLE_NUMBER, Parameters, refused
+from tests.envs.classes import TamagotchiEnv
+
+PARAMETERS = Parameters(
+    valid=st.fixed_dictionaries(
+        {
+            "tau": st.just(0.0) | st.floats(0.001, 10) | st.just(inf),
+            "max_msg_length": st.integers(1, 6),
+            "vocab_size": st.integers(1, 13),
+            "steps_per_episode": st.integers(1, 60),
+        }
+    ),
+    corners=(
+        {},
+        {"tau": 0.05, "max_msg_length": 4, "vocab_size": 9},
+        {"tau": inf, "vocab_size": 1, "max_msg_length": 2},
+        {"tau": 1e-300, "vocab_size": 2, "max_msg_length": 56},
+        {"tau": 1e300, "vocab_size": 2**31, "steps_per_episode": 1},
+    ),
+    bad=(
+        *refused("tau", -0.1, -inf, nan, "0", None, True),
+        *refused("max_msg_length", 0, -1, 29, *NO_WHOLE_NUMBER),
+        *refused("max_msg_length", 2, vocab_size=2**31),
+        *refused("vocab_size", 0, -4, 2**31 + 1, *NO_WHOLE_NUMBER),
+        *refused("steps_per_episode", None, *NO_STEPS),
+    ),
+    informed=lambda info, _: info["wanted"],
+)
+
 
 PLAY, SLEEP, FEED, CLEAN = range(4)
 E = math.e
@@ -44,15 +76,15 @@ def test_first_steps() -> None:
     observation, info = next(
         start for seed in itertools.count() if (start := env.reset(seed=seed))[1]["wanted"] == SLEEP
     )
-    assert (observation.tolist(), info) == ([100, SLEEP], {"variables": (100, 100, 100, 100), "wanted": SLEEP})
+    assert (observation.tolist(), info["variables"].tolist(), info["wanted"]) == ([100, SLEEP], [100] * 4, SLEEP)
     observation, reward, terminated, truncated, info = env.step(SLEEP)
-    assert info["variables"] == (95, 100, 95, 95)
+    assert info["variables"].tolist() == [95, 100, 95, 95]
     assert reward == pytest.approx(50 * E**-1 + 3 * 45 * E**-0.95)  # 70.6
     assert info["wanted"] in (PLAY, FEED, CLEAN)
     assert observation.tolist() == [100, info["wanted"]]
     env.state = env.state._replace(wanted=CLEAN)
     observation, reward, terminated, truncated, info = env.step(FEED)
-    assert info == {"variables": (80, 85, 100, 80), "wanted": info["wanted"]}  # 95 + 30 - 10 is more than 100
+    assert info["variables"].tolist() == [80, 85, 100, 80]  # 95 + 30 - 10 is more than 100
     assert info["wanted"] in (PLAY, CLEAN)
     assert reward == pytest.approx(2 * 30 * E**-0.8 + 35 * E**-0.85 + 50 * E**-1)
     assert (terminated, truncated) == (False, False)
@@ -185,9 +217,9 @@ def test_message() -> None:
 def test_space() -> None:
     """The hit points from 0 to 100, then as many words as a message has."""
     assert TamagotchiEnv().observation_space == gymnasium.spaces.MultiDiscrete([101, 4])
-    assert TamagotchiEnv(max_msg_length=3, vocab_size=7).observation_space == gymnasium.spaces.MultiDiscrete(
-        [101, 7, 7, 7]
-    )
+    assert make_environment(
+        "Tamagotchi", max_msg_length=3, vocab_size=7
+    ).observation_space == gymnasium.spaces.MultiDiscrete([101, 7, 7, 7])
 
 
 def test_step_limit() -> None:
@@ -300,7 +332,12 @@ def test_meaning() -> None:
     assert [meaning(word, 3) for word in range(3)] == ["play/clean", "sleep", "feed"]
     assert [meaning(word, 2) for word in range(2)] == ["play/feed", "sleep/clean"]
     assert meaning(0, 1) == "play/sleep/feed/clean"
-    assert TamagotchiEnv().named_actions() == {"play": PLAY, "sleep": SLEEP, "feed": FEED, "clean": CLEAN}
+    assert TamagotchiEnv().named_actions() == {
+        "play": PLAY,
+        "sleep": SLEEP,
+        "feed": FEED,
+        "clean": CLEAN,
+    }
 
 
 def test_frame() -> None:

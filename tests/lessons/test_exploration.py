@@ -3,6 +3,7 @@
 "Solves" and "fails" are claims on the share of runs that end at the top, over walls and seeds, with its interval.
 """
 
+import threading
 from collections.abc import Callable
 from functools import cache, partial
 from typing import Any
@@ -108,8 +109,16 @@ def test_everything_that_the_lesson_claims(tmp_path: Any) -> None:
     assert len(report.claims) == 17
     assert [claim.statement for claim in report.claims if not claim.holds] == []
     assert [figure.name for figure in report.figures] == ["exploration", "visits", "climbs"]
+    assert [len(row) for figure in report.figures for row in figure.rows] == [3, 3, 3, 1]
     for height in exploration.HEIGHTS:
         assert Results.load(tmp_path / f"height_{height}.csv").complete
+
+
+def test_an_interrupted_lesson_prepares_no_figures() -> None:
+    """They would be thrown away."""
+    stop = threading.Event()
+    stop.set()
+    assert exploration.report(repetitions=2, stop=stop).figures == []
 
 
 def test_random_search_formula() -> None:

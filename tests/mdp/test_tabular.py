@@ -15,9 +15,9 @@ from hypothesis import strategies as st
 
 from edugym import QLearning, Tabular, TabularObservation, make_mdp, table_size, train
 from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.adapters.tabular_observation import tabular
 from edugym.compiled.compiler import compiled
 from edugym.mdp.protocol import MDP, Random
-from edugym.mdp.tabular import tabular
 
 
 class Clock(NamedTuple):
@@ -263,5 +263,8 @@ def test_a_wrapped_environment_can_be_copied_and_pickled() -> None:
 
 
 def test_the_wrapped_mdp_is_a_value() -> None:
-    """Two of them are equal if the task, the sizes and the lowest values are."""
-    assert tabular(make_mdp("Golf")) == Tabular(make_mdp("Golf"), (7, 17), (0, 0))
+    """It holds the task, the sizes and the lowest values."""
+    wrapped = tabular(make_mdp("Golf"))
+    assert isinstance(wrapped, Tabular)
+    assert wrapped.mdp == make_mdp("Golf")
+    assert (wrapped.sizes.tolist(), wrapped.lows.tolist()) == ([7, 17], [0, 0])

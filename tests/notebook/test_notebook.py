@@ -12,9 +12,9 @@ from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_notebook
 
 from edugym.agents.q_learning import QLearning
-from edugym.agents.strategies import greedy_action
+from edugym.agents.tables import greedy_action
 from edugym.notebook import frames, play, source
-from edugym.notebook.panel import WIDGET
+from edugym.notebook.widget import WIDGET
 from edugym.playing import Game
 from edugym.registration import make_mdp
 from tests.notebook.widgets import texts
@@ -140,7 +140,7 @@ from typing import NamedTuple
 import matplotlib.pyplot as plt
 from gymnasium import spaces
 
-from edugym.notebook import explore, play
+from edugym.notebook import play, sliders
 
 
 class Walk(NamedTuple):
@@ -177,8 +177,8 @@ def broken(x=1):
     return "well"
 """,
     "game = play(Walk())\ngame.actions['right'].click()\ngame",
-    "panel = explore(curve, slope=(0.0, 2.0))\npanel.controls['slope'].value = 2.0\npanel",
-    "failing = explore(broken, x=(1, 5))\nfailing.controls['x'].value = 3\nfailing.controls['x'].value = 4\nfailing",
+    "panel = sliders(curve, slope=(0.0, 2.0))\npanel.controls['slope'].value = 2.0\npanel",
+    "failing = sliders(broken, x=(1, 5))\nfailing.controls['x'].value = 3\nfailing.controls['x'].value = 4\nfailing",
     "failing.controls['x'].value = 3",
     "game.step('right')\ngame.actions['right'].click()",
 ]

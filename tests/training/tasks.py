@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
-from edugym.agents.strategies import best_value, greedy_action
+from edugym.agents.tables import best_value, greedy_action
 from edugym.mdp.protocol import Random
 
 
@@ -104,7 +104,6 @@ class StudentsSarsa(Explorer):
     """SARSA in ten lines, as a student writes it."""
 
     __slots__ = ()
-    on_policy = True
 
     def learn(
         self, state: int, action: int, reward: float, next_state: int, next_action: int, terminated: bool

@@ -10,7 +10,7 @@ import pytest
 from edugym import CountBased, EpsilonGreedy, QLearning, ScheduledEpsilonGreedy, make_mdp, train
 from edugym.agents.strategies import LinearDecay
 from edugym.mdp.protocol import Random
-from edugym.training import train as training
+from edugym.training.trainers import EVALUATION_LIMIT
 from tests.training.tasks import SlipperyWalk, Stairs
 
 
@@ -119,7 +119,7 @@ def test_a_task_without_end_or_limit_is_evaluated_all_the_same() -> None:
             return False
 
     run = train(Endless(), QLearning.create(Endless()), 10)
-    assert run.returns.tolist() == [float(training.EVALUATION_LIMIT)] * 11
+    assert run.returns.tolist() == [float(EVALUATION_LIMIT)] * 11
     assert run.episodes.sum() == 0
 
 
@@ -169,7 +169,7 @@ def test_stop_ends_a_run_on_the_way(kind: Any) -> None:
 class Clicker:
     """A progress bar that can be read."""
 
-    def __init__(self, total: int, unit: str) -> None:
+    def __init__(self, total: int, unit: str, **how: Any) -> None:
         """At 0."""
         self.total, self.unit, self.done, self.closed = total, unit, 0, False
 
@@ -177,7 +177,11 @@ class Clicker:
         """Go on."""
         self.done += n
 
-    def close(self) -> None:
+    def __enter__(self) -> "Clicker":
+        """It is open."""
+        return self
+
+    def __exit__(self, *error: object) -> None:
         """No more of it."""
         self.closed = True
 
@@ -186,11 +190,11 @@ def test_progress_counts_every_step(monkeypatch: pytest.MonkeyPatch) -> None:
     """And is closed at the end."""
     bars: list[Clicker] = []
 
-    def progress_bar(total: int, unit: str) -> Clicker:
-        bars.append(Clicker(total, unit))
+    def bar(**how: Any) -> Clicker:
+        bars.append(Clicker(**how))
         return bars[-1]
 
-    monkeypatch.setattr(training, "progress_bar", progress_bar)
+    monkeypatch.setattr("tqdm.auto.tqdm", bar)
     train(Stairs(), QLearning.create(Stairs()), 1_234, progress=True)
     assert (bars[0].total, bars[0].done, bars[0].unit, bars[0].closed) == (1_234, 1_234, "steps", True)
 

@@ -9,7 +9,7 @@ from gymnasium.wrappers import TimeLimit, TransformObservation, TransformReward
 
 from edugym import QLearning, make_mdp, train
 from edugym.adapters.gymnasium_env import MDPEnv
-from edugym.envs.boulder import BoulderEnv
+from edugym.envs.boulder import Boulder
 from edugym.mdp.protocol import Random
 from tests.training.tasks import SlipperyWalk, Stairs, StudentsQLearning, StudentsSarsa, tell_tale
 
@@ -55,7 +55,7 @@ def test_what_an_observation_wrapper_shows_is_what_is_learned_from() -> None:
     assert not agent.Q[1:].any()
 
 
-class GenerousBoulder(BoulderEnv):
+class GenerousBoulder(MDPEnv[Boulder]):
     """A student's change: every step pays 1 more."""
 
     def step(self, action: Any) -> Any:
@@ -64,7 +64,7 @@ class GenerousBoulder(BoulderEnv):
         return observation, float(reward) + 1.0, *rest
 
 
-class HighBoulder(BoulderEnv):
+class HighBoulder(MDPEnv[Boulder]):
     """A student's change: the climb starts at height 1."""
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> Any:
@@ -77,10 +77,10 @@ class HighBoulder(BoulderEnv):
 def test_a_students_own_step_and_reset_are_not_left_out() -> None:
     """A subclass of an environment is trained in as it is, not as the MDP inside it."""
     agent = tell_tale()
-    run = train(GenerousBoulder(height=4, max_steps=5), agent, 10)
+    run = train(GenerousBoulder(Boulder.create(height=4, max_steps=5)), agent, 10)
     assert run.training_returns[-1] == 5.0
     high = QLearning.create((3, 2), initial_value=1.0)
-    train(HighBoulder(height=2), high, 6_000)
+    train(HighBoulder(Boulder.create(height=2)), high, 6_000)
     assert abs(high.Q[1] - 1.0).max() > 0.01
     assert high.Q[1].max() == pytest.approx(1.0)
 

@@ -8,7 +8,7 @@ import pytest
 from edugym import EpsilonGreedy, QLearning, make_mdp, train
 from edugym.compiled import execution
 from edugym.mdp.protocol import Random, Reals
-from edugym.training import train as training
+from edugym.training import trainers
 from tests.training.tasks import SlipperyWalk, Stairs, StudentsQLearning, StudentsSarsa, tell_tale
 
 
@@ -24,7 +24,7 @@ def compiled_loops(monkeypatch: pytest.MonkeyPatch) -> list[str]:
             names.append(loop.__name__)
         return fast
 
-    monkeypatch.setattr(training, "executable", noted)
+    monkeypatch.setattr(trainers, "executable", noted)
     return names
 
 
@@ -33,8 +33,8 @@ def test_many_small_chunks_are_one_call(chunk: int, monkeypatch: pytest.MonkeyPa
     """Where the loop is cut does not show, compiled or not."""
     mdp, tables = SlipperyWalk(), []
     for size in (100_000, chunk):
-        monkeypatch.setattr(training, "CHUNK", size)
-        monkeypatch.setattr(training, "INTERPRETED_CHUNK", size)
+        monkeypatch.setattr(trainers, "CHUNK", size)
+        monkeypatch.setattr(trainers, "INTERPRETED_CHUNK", size)
         agents: list[Any] = [QLearning.create(mdp), StudentsSarsa(np.zeros((7, 2)))]
         for n_steps in (500, 6_000):
             runs = [train(mdp, agent, n_steps, evaluate_every=n_steps, seed=5) for agent in agents]

@@ -14,13 +14,12 @@ from gymnasium.error import DependencyNotInstalled
 
 from edugym import CountBased, EpsilonGreedy, GoExplore, QLearning, Results, make_mdp, repeat, train
 from edugym.extras import require
-from edugym.lessons import report as lessons
 from edugym.mdp.protocol import Reals
 from edugym.training.configuration import described
 
-AGENTS = {
+AGENTS: dict[str, Any] = {
     "ε-greedy": partial(QLearning.create, learning_rate=0.5, discount=0.9),
-    "novelty": CountBased.create,
+    "novelty": lambda wall: CountBased.create(wall, learning_rate=0.5, discount=0.9),
 }
 
 
@@ -59,7 +58,7 @@ def test_a_run_is_what_train_gives() -> None:
     row = runs(results).query("method == 'novelty' and repetition == 2").iloc[0]
     wall = make_mdp("Boulder", height=5, layout_seed=int(row["layout_seed"]))
     assert wall.grips.tolist() != make_mdp("Boulder", height=5).grips.tolist()
-    run = train(wall, CountBased.create(wall), 2_000, seed=int(row["seed"]))
+    run = train(wall, AGENTS["novelty"](wall), 2_000, seed=int(row["seed"]))
     assert results.curves("novelty")[2].tolist() == run.returns.tolist()
     assert (results.agents["novelty"][2].Q == run.agent.Q).all()
     np.testing.assert_array_equal(results.curves("novelty", "training_return")[2], run.training_returns)
@@ -284,15 +283,3 @@ def test_missing_libraries_are_named() -> None:
     """With what installs them."""
     with pytest.raises(DependencyNotInstalled, match=r'no_such is not installed, run `pip install "edugym\[plot\]"`'):
         require("plot", "numpy", "no_such")
-
-
-def test_unknown_lessons_are_named() -> None:
-    """The message has those there are."""
-    with pytest.raises(ValueError, match=r"lesson must be one of exploration.* but is 'explore'"):
-        lessons.experiment("explore")
-
-
-@pytest.mark.parametrize("lesson", list(lessons.MODULES))
-def test_every_lesson_has_its_experiments(lesson: str) -> None:
-    """A module with the one function that all share."""
-    assert callable(lessons.experiment(lesson).report)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from edugym import CountBased, GoExplore, QLearning, make_mdp, train
-from edugym.agents.strategies import greedy_action
+from edugym.agents.tables import greedy_action
 from edugym.mdp.protocol import Random, Reals
 from edugym.training.visits import record_visits
 
@@ -17,11 +17,6 @@ class Sarsa(NamedTuple):
     """On-policy, and without `greedy`: evaluated as it acts."""
 
     Q: Reals
-
-    @property
-    def on_policy(self) -> bool:
-        """It learns from its next action."""
-        return True
 
     def act(self, state: int, rng: Random) -> int:
         """ε-greedy."""

@@ -3,14 +3,12 @@
 Machine code reads and writes both in place.
 """
 
-import hashlib
-import sys
 from collections.abc import Callable
-from types import ModuleType
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
+from edugym.compiled.generated import generated_class
 from edugym.mdp.protocol import MDP, Random
 
 
@@ -117,7 +115,7 @@ def columns(sample: Any, n: int) -> Storage:
         "    def store(self, i, value):",
         *(stores or ["        pass"]),
     ]
-    storage: Storage = _class("Columns", lines, kinds)(tuple(arrays))
+    storage: Storage = generated_class("Columns", lines, kinds)(tuple(arrays))
     return storage
 
 
@@ -152,7 +150,7 @@ def observation_rows(mdp: MDP[Any, Any], sample: Any) -> Callable[[np.ndarray[An
         "        value = mdp.observation(state, rng)",
         *stores,
     ]
-    kind: Callable[[np.ndarray[Any, Any]], Rows] = _class("TupleRows", lines, {})
+    kind: Callable[[np.ndarray[Any, Any]], Rows] = generated_class("TupleRows", lines, {})
     return kind
 
 
@@ -201,27 +199,3 @@ def _joint(values: list[Any]) -> Any:
         parts = [_joint(list(parts)) for parts in zip(*values, strict=True)]
         return type(first)(*parts) if hasattr(first, "_fields") else tuple(parts)
     return np.result_type(*map(np.asarray, values)).type(first)
-
-
-def _class(name: str, lines: list[str], kinds: dict[str, type]) -> Any:
-    """The NamedTuple class with these lines: one for each text and classes, in a module of its own.
-
-    The names of both are the same in every process, so that the disk cache of machine code finds the class again, and
-    differ where the texts do, since Numba's fast path tells classes apart by their names.
-    """
-    known = [(kind.__module__, kind.__qualname__) for kind in kinds.values()]
-    full_name = f"{name}_{hashlib.sha256(repr((lines, known)).encode()).hexdigest()[:16]}"
-    module = sys.modules.get(f"edugym.adapters.{full_name}")
-    if module is None or module.__dict__["KINDS"] != kinds:
-        module = ModuleType(f"edugym.adapters.{full_name}")
-        module.__dict__.update(kinds, NamedTuple=NamedTuple, KINDS=kinds)
-        source = "\n".join([f"class {full_name}(NamedTuple):", *lines])
-        exec(source, module.__dict__)  # generated above from a sample's shape alone
-        module.__dict__[full_name].__reduce__ = lambda value: (_value, (name, lines, kinds, tuple(value)))
-        sys.modules[module.__name__] = module
-    return module.__dict__[full_name]
-
-
-def _value(name: str, lines: list[str], kinds: dict[str, type], fields: tuple[Any, ...]) -> Any:
-    """A value of such a class, as another process reads it that has not made the class yet."""
-    return _class(name, lines, kinds)(*fields)

@@ -1,7 +1,8 @@
 """Any MDP as a Gymnasium environment."""
 
+import inspect
 from collections.abc import Callable
-from functools import partial
+from functools import cache, partial
 from typing import TYPE_CHECKING, Any, Generic, SupportsFloat, TypeVar
 
 import gymnasium
@@ -10,7 +11,7 @@ from gymnasium import spaces
 from gymnasium.error import ResetNeeded
 
 from edugym.checks import one_of
-from edugym.mdp.protocol import MDP, coerced, step_limit
+from edugym.mdp.protocol import MDP, coerced, history_wanted, named_actions, step_limit
 
 if TYPE_CHECKING:
     from edugym.exact.model import FiniteModel, Outcome
@@ -24,9 +25,8 @@ RENDERING: dict[str, Any] = {"render_modes": ["human", "rgb_array", "ansi"], "re
 class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
     """A Gymnasium environment that plays an MDP: `MDPEnv(Walk(7))`.
 
-    It keeps the state, the random stream and the step limit; everything else it asks of the MDP. An environment with
-    parameters and a picture of its own is a subclass (see `edugym.envs`), which says what it shows in `scene` and
-    `info`.
+    It adds the API: it keeps the state, the random stream and the step limit, and asks the MDP for everything else, the
+    picture, the info and the names of the actions included.
 
     Args:
         mdp: the task, with `observation_space` and `action_space` (see `edugym.mdp.protocol.MDP`).
@@ -66,6 +66,8 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         self._window: Any = None
         self._known_model: FiniteModel | None = None
         self._model_rng = np.random.default_rng(0)
+        self._info = getattr(mdp, "info", None)
+        self._info_takes = history_wanted(mdp.info) if hasattr(mdp, "info") else ()
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
         """Start an episode.
@@ -137,21 +139,35 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
 
     def info(self) -> dict[str, Any]:
         """What a teacher may want to plot and an agent may not use: a new dictionary at every call."""
-        return {}
+        if self._info is None:
+            return {}
+        told: dict[str, Any] = self._info(self.state, **self._history(self._info_takes))
+        return told
 
     def named_actions(self) -> dict[str, Any]:
-        """The actions that a person who plays may choose from, by what they mean: labels for buttons and keys.
+        """The actions that a person who plays may choose from, by name: labels for buttons and keys.
 
-        Empty where each action goes by its number. An MDP whose actions are whole numbers may name them in an attribute
-        or property, `action_names = ("left", "right")`; an environment with other actions says which to choose from.
+        Empty where each action goes by its number.
         """
-        return {name: action for action, name in enumerate(getattr(self.mdp, "action_names", ()))}
+        return named_actions(self.mdp)
 
     def scene(self) -> "Scene":
-        """The picture of the present state; in a notebook it shows itself."""
+        """The picture of the present state, or of an initial one before the first `reset`.
+
+        In a notebook it shows itself. An MDP without a picture of its own is shown as text.
+        """
         from edugym.rendering.scene import Scene, Text
 
-        return Scene(12.0, 2.0, (Text(6.0, 1.2, f"state {self.state!r}", 0.6),))
+        state = self.mdp.initial(np.random.default_rng(0)) if self.state is None else self.state
+        draw = getattr(self.mdp, "scene", None)
+        if draw is None:
+            return Scene(12.0, 2.0, (Text(6.0, 1.2, f"state {state!r}", 0.6),))
+        scene: Scene = draw(state, **self._history(history_wanted(draw)))
+        return scene
+
+    def _history(self, wanted: tuple[str, ...]) -> dict[str, Any]:
+        """Those of `HISTORY` that are wanted."""
+        return {name: getattr(self, name) for name in wanted}
 
     def render(self) -> Any:
         """Draw the present state as `render_mode` says: an array of pixels (height, width, 3), a string, or a window.
@@ -191,13 +207,17 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
     def finite_model(self) -> "FiniteModel":
         """The exact model of the task as tables, made when first asked for.
 
+        An MDP may hand out a worse one: it has a method `distorted(model)` then, as Supermarket with `noise` has.
+
         Raises:
             ValueError: the task is not finite, or the agent does not see its state.
         """
         from edugym.exact.model import finite_model
 
         if self._known_model is None:
-            self._known_model = finite_model(self.mdp)
+            model = finite_model(self.mdp)
+            distorted = getattr(self.mdp, "distorted", None)
+            self._known_model = model if distorted is None else distorted(model)
         return self._known_model
 
     def descriptive_model(self, state: Any, action: Any) -> "list[Outcome]":
@@ -243,6 +263,30 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
     def __getstate__(self) -> dict[str, Any]:
         """What is pickled and copied: everything but the window."""
         return {**self.__dict__, "_window": None}
+
+
+@cache
+def gymnasium_class(kind: Any, module: str) -> Any:
+    """The Gymnasium class of an MDP class that has `create`: `BoulderEnv(height=30)` plays `Boulder.create(height=30)`.
+
+    Args:
+        kind: the class of the MDP.
+        module: where pickle can find the Gymnasium class, as `<name of kind>Env`.
+    """
+    parameters = inspect.signature(kind.create).parameters.values()
+    drawing = inspect.Parameter("render_mode", inspect.Parameter.KEYWORD_ONLY, default=None)
+    signature = inspect.Signature([*parameters, drawing])
+
+    def __init__(self: MDPEnv[Any], *given: Any, render_mode: str | None = None, **parameters: Any) -> None:
+        MDPEnv.__init__(self, kind.create(*given, **parameters), render_mode)
+
+    members = {
+        "__init__": __init__,
+        "__signature__": signature,
+        "__module__": module,
+        "__doc__": kind.__doc__,
+    }
+    return type(f"{kind.__name__}Env", (MDPEnv,), members)
 
 
 def as_element_of(space: spaces.Space[Any]) -> Callable[[Any], Any]:

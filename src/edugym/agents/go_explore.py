@@ -1,57 +1,57 @@
 """Go-Explore: first return, then explore."""
 
-from typing import Any, NamedTuple
+import math
+from typing import Annotated, Any, NamedTuple
 
-import numpy as np
-
-from edugym.agents.settings import check_learning
-from edugym.agents.strategies import best_value, greedy_action
+from edugym.agents.settings import Counter, Discount, LearningRate, Range, Table, new, shows_settings
+from edugym.agents.tables import best_value, greedy_action, one_step_target, random_action, replaces
 from edugym.checks import whole_number
 from edugym.mdp.protocol import Integers, Random, Reals
-from edugym.mdp.tabular import table_size
 
 
 class Try(NamedTuple):
-    """What the agent is doing now: one try after another, each to a goal and a little beyond.
+    """The try under way: the way to a goal and a little beyond.
 
     Attributes:
         goal: shape (1,): the state to return to.
-        explored: shape (1,): how many random steps this try has made since it got there.
+        explored: shape (1,): how many random steps this try has made since it reached its goal.
         length: shape (1,): how many steps this try has taken.
         states: shape (longest,): the state before each step of this try.
         actions: shape (longest,): the action of each step.
         next_states: shape (longest,): the state after each step.
-        best: shape (2,): the reward of the most rewarding transition so far, and the state it led to.
     """
 
-    goal: Integers
-    explored: Integers
-    length: Integers
-    states: Integers
-    actions: Integers
-    next_states: Integers
-    best: Reals
+    goal: Counter
+    explored: Counter
+    length: Counter
+    states: Annotated[Integers, Table(("longest",))]
+    actions: Annotated[Integers, Table(("longest",))]
+    next_states: Annotated[Integers, Table(("longest",))]
 
 
+@shows_settings
 class GoExplore(NamedTuple):
     """First return, then explore, on goal-conditioned Q-learning.
 
-    1. Choose the state of the archive (all that were ever visited) that was visited least as the goal; choosing it
-       counts as a visit.
+    1. Choose as the goal the state of the archive (all states ever visited) with the fewest visits. Choosing it counts
+       as a visit.
     2. Return to it, greedily by Q(goal, ·, ·), without exploring.
     3. From there take `explore_steps` random actions.
-    4. Learn backwards over the try, with every state that it met as a goal (hindsight), with reward 1 at the goal,
+    4. Learn backwards over the try, with every state that it met as a goal (hindsight). The reward is 1 at the goal g,
        where the goal-conditioned task ends:
 
-           Q(g, S, A) <- Q(g, S, A) + α [1{S' = g} + γ 1{S' ≠ g} max_a Q(g, S', a) - Q(g, S, A)]
+           Q(g, S, A) <- Q(g, S, A) + α [1 - Q(g, S, A)]                             if S' = g
+           Q(g, S, A) <- Q(g, S, A) + α [γ max_a Q(g, S', a) - Q(g, S, A)]           otherwise
 
-    Rewards do not guide the exploration. The agent remembers where the best one was, and to exploit (`greedy`) it
-    goes there.
+    Rewards do not guide the exploration. The agent remembers where the best reward was; to exploit (`greedy`), it goes
+    there.
 
     Attributes:
         Q: shape (n_states, n_states, n_actions): the value of an action in a state for reaching a goal, by goal first.
         visits: shape (n_states,): how often each state was visited or chosen; the archive is where this is not 0.
-        now: what the agent is doing.
+        now: the try under way.
+        best_reward: shape (1,): the highest reward so far.
+        best_state: shape (1,): the state where it was received.
         learning_rate: α, greater than 0 and up to 1.
         discount: γ, from 0 to 1: below 1, the nearer way is the better.
         explore_steps: how many random steps a try makes at its goal, 1 or more.
@@ -64,45 +64,39 @@ class GoExplore(NamedTuple):
     goals; Andrychowicz et al. (2017), Hindsight experience replay.
     """
 
-    Q: Reals
-    visits: Integers
+    Q: Annotated[Reals, Table(("states", "states", "actions"))]
+    visits: Annotated[Integers, Table(("states",))]
     now: Try
-    learning_rate: float = 0.5
-    discount: float = 0.9
-    explore_steps: int = 20
+    best_reward: Annotated[Reals, Table((1,), fill=-math.inf)]
+    best_state: Counter
+    learning_rate: LearningRate = 0.1
+    discount: Discount = 0.99
+    explore_steps: Annotated[int, Range(1)] = 20
 
-    @classmethod
-    def create(
-        cls,
-        environment: Any,
-        *,
-        learning_rate: float = 0.5,
-        discount: float = 0.9,
-        explore_steps: int = 20,
-        longest: int = 1_000,
-    ) -> "GoExplore":
-        """A new agent that has been nowhere.
+    def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool, truncated: bool) -> None:
+        """Remember the step; at the end of the try, learn to reach every state that it met."""
+        step = self.now.length[0]
+        self.now.states[step] = state
+        self.now.actions[step] = action
+        self.now.next_states[step] = next_state
+        self.now.length[0] = step + 1
+        self.visits[next_state] += 1
+        if reward > self.best_reward[0]:
+            self.best_reward[0] = reward
+            self.best_state[0] = next_state
+        explored = self.now.explored[0] == self.explore_steps
+        if terminated or truncated or explored or step + 1 == len(self.now.states):
+            for last in range(step + 1):
+                self.learn_to_reach(self.now.next_states[last], last)
+            self.now.length[0] = 0
 
-        Args:
-            environment: an MDP or Gymnasium environment with whole numbers for observations and actions, or the numbers
-                (n_states, n_actions) of both.
-            learning_rate: see the class, as the others.
-            discount: see the class.
-            explore_steps: see the class.
-            longest: how many steps of a try are remembered, 1 or more.
-
-        Raises:
-            ValueError: a parameter is not as the class says.
-        """
-        check_learning(learning_rate, discount)
-        whole_number("explore_steps", explore_steps, 1)
-        whole_number("longest", longest, 1)
-        n_states, n_actions = table_size(environment)
-        goal, explored, length = (np.zeros(1, np.int64) for _ in range(3))
-        states, actions, next_states = (np.zeros(longest, np.int64) for _ in range(3))
-        now = Try(goal, explored, length, states, actions, next_states, np.array([-np.inf, 0.0]))
-        Q, visits = np.zeros((n_states, n_states, n_actions)), np.zeros(n_states, np.int64)
-        return cls(Q, visits, now, learning_rate, discount, explore_steps)
+    def learn_to_reach(self, goal: int, last: int) -> None:
+        """Q-learning for one goal over the try up to the step that reached it, the last step first."""
+        for step in range(last, -1, -1):
+            s, a, next_s = self.now.states[step], self.now.actions[step], self.now.next_states[step]
+            reached = next_s == goal
+            target = one_step_target(1.0 if reached else 0.0, self.discount, best_value(self.Q[goal], next_s), reached)
+            self.Q[goal, s, a] += self.learning_rate * (target - self.Q[goal, s, a])
 
     def act(self, state: int, rng: Random) -> int:
         """Return to the goal, or explore when there."""
@@ -114,12 +108,8 @@ class GoExplore(NamedTuple):
             self.now.explored[0] = 0
         if state == self.now.goal[0] or self.now.explored[0] > 0:
             self.now.explored[0] += 1
-            return int(rng.random() * self.Q.shape[2])
+            return random_action(self.Q.shape[2], rng)
         return greedy_action(self.Q[self.now.goal[0]], state, rng)
-
-    def greedy(self, state: int, rng: Random) -> int:
-        """Go where the best reward was."""
-        return greedy_action(self.Q[int(self.now.best[1])], state, rng)
 
     def least_visited(self, rng: Random) -> int:
         """The state of the archive with the fewest visits; among equals, one at random."""
@@ -132,30 +122,24 @@ class GoExplore(NamedTuple):
                     ties = 1
                 elif self.visits[state] == self.visits[least]:
                     ties += 1
-                    if rng.random() * ties < 1.0:
+                    if replaces(ties, rng):
                         least = state
         return least
 
-    def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool, truncated: bool) -> None:
-        """Remember the step; at the end of the try, learn to reach every state that it met."""
-        step = self.now.length[0]
-        self.now.states[step] = state
-        self.now.actions[step] = action
-        self.now.next_states[step] = next_state
-        self.now.length[0] = step + 1
-        self.visits[next_state] += 1
-        if reward > self.now.best[0]:
-            self.now.best[0] = reward
-            self.now.best[1] = next_state
-        explored = self.now.explored[0] == self.explore_steps
-        if terminated or truncated or explored or step + 1 == len(self.now.states):
-            for last in range(step + 1):
-                self.learn_to_reach(self.now.next_states[last], last)
-            self.now.length[0] = 0
+    def greedy(self, state: int, rng: Random) -> int:
+        """Go where the best reward was."""
+        return greedy_action(self.Q[self.best_state[0]], state, rng)
 
-    def learn_to_reach(self, goal: int, last: int) -> None:
-        """Q-learning for one goal over the try up to the step that reached it, the last step first."""
-        for step in range(last, -1, -1):
-            s, a, next_s = self.now.states[step], self.now.actions[step], self.now.next_states[step]
-            target = 1.0 if next_s == goal else self.discount * best_value(self.Q[goal], next_s)
-            self.Q[goal, s, a] += self.learning_rate * (target - self.Q[goal, s, a])
+    @classmethod
+    def create(cls, environment: Any, *, longest: int = 1_000, **settings: Any) -> "GoExplore":
+        """A new agent for an environment (or the shape of a table), which has been nowhere yet.
+
+        Args:
+            environment: an MDP or Gymnasium environment, or the shape (n_states, n_actions).
+            longest: how many steps of a try are remembered, 1 or more.
+            **settings: see the class.
+
+        Raises:
+            ValueError: a setting is not as the class says, or the environment does not fit a table.
+        """
+        return new(cls, environment, settings, longest=whole_number("longest", longest, 1))

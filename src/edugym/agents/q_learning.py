@@ -2,14 +2,13 @@
 
 from typing import Any, NamedTuple
 
-import numpy as np
-
-from edugym.agents.settings import check_exploration, check_learning
-from edugym.agents.strategies import EpsilonGreedy, Exploration, best_value, greedy_action
-from edugym.mdp.protocol import Random, Reals
-from edugym.mdp.tabular import table_size
+from edugym.agents.settings import ActionValues, Discount, LearningRate, new, shows_settings
+from edugym.agents.strategies import EpsilonGreedy, Exploration
+from edugym.agents.tables import best_value, greedy_action, one_step_target
+from edugym.mdp.protocol import Random
 
 
+@shows_settings
 class QLearning(NamedTuple):
     """Off-policy control: learn the values of the greedy policy, whatever policy chooses the actions.
 
@@ -24,38 +23,15 @@ class QLearning(NamedTuple):
     References: Watkins and Dayan (1992); Sutton and Barto, 2nd edition, equation 6.8 and the box of section 6.5.
     """
 
-    Q: Reals
-    learning_rate: float = 0.1
-    discount: float = 0.99
+    Q: ActionValues
+    learning_rate: LearningRate = 0.1
+    discount: Discount = 0.99
     exploration: Exploration = EpsilonGreedy(0.1)
 
-    @classmethod
-    def create(
-        cls,
-        environment: Any,
-        *,
-        learning_rate: float = 0.1,
-        discount: float = 0.99,
-        exploration: Exploration = EpsilonGreedy(0.1),
-        initial_value: float = 0.0,
-    ) -> "QLearning":
-        """A new agent.
-
-        Args:
-            environment: an MDP or Gymnasium environment with whole numbers for observations and actions, or the shape
-                (n_states, n_actions) of the table.
-            learning_rate: see the class, as the others.
-            discount: see the class.
-            exploration: see the class.
-            initial_value: what every entry of Q starts from; high values are optimistic and make the agent explore
-                (section 2.6).
-
-        Raises:
-            ValueError: a parameter is not as the class says.
-        """
-        check_learning(learning_rate, discount)
-        check_exploration(exploration)
-        return cls(np.full(table_size(environment), float(initial_value)), learning_rate, discount, exploration)
+    def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool) -> None:
+        """Move Q(S, A) towards the reward and the best value that follows."""
+        target = one_step_target(reward, self.discount, best_value(self.Q, next_state), terminated)
+        self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
 
     def act(self, state: int, rng: Random) -> int:
         """Choose an action by the exploration strategy."""
@@ -65,7 +41,11 @@ class QLearning(NamedTuple):
         """The action with the highest value."""
         return greedy_action(self.Q, state, rng)
 
-    def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool) -> None:
-        """One update, from one transition."""
-        value = 0.0 if terminated else best_value(self.Q, next_state)
-        self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])
+    @classmethod
+    def create(cls, environment: Any, **settings: Any) -> "QLearning":
+        """A new agent for an environment (or the shape of a table); settings: see the class, and `initial_value`.
+
+        Raises:
+            ValueError: a setting is not as the class says, or the environment does not fit a table.
+        """
+        return new(cls, environment, settings)

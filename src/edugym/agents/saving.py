@@ -5,8 +5,6 @@ import io
 import json
 import math
 import pkgutil
-import reprlib
-import typing
 import zipfile
 from collections.abc import Iterable, Iterator
 from pathlib import Path
@@ -15,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from edugym import agents
+from edugym.agents.settings import check
 from edugym.files import write_whole
 
 MOST_BYTES = 2**30
@@ -34,6 +33,7 @@ def save(agent: Any, path: str | Path) -> None:
     """
     if not _is_named_tuple(agent):
         raise ValueError(f"agent must be a NamedTuple, such as QLearning.create(...), but is {agent!r}")
+    check(agent)
     arrays: dict[str, Any] = {}
     structure = _structure(agent, "agent", arrays)
     contents = io.BytesIO()
@@ -65,6 +65,7 @@ def load(path: str | Path, kinds: Iterable[type] | type = (), *, max_bytes: int 
         agent = _build(json.loads(str(arrays["structure"])), arrays, known)
         if not _is_named_tuple(agent):
             raise ValueError("it holds no agent")
+        check(agent)
     except Exception as error:  # there is no end to what can be wrong with a damaged file
         raise ValueError(
             f"path must name a file that save() wrote, but {str(path)!r} cannot be loaded: {error or repr(error)}"
@@ -82,7 +83,7 @@ def _structure(value: Any, name: str, arrays: dict[str, Any]) -> Any:
         arrays[name] = value
         return {"array": name}
     if _is_named_tuple(value):
-        parts = zip(value._fields, _checked(value), strict=True)
+        parts = zip(value._fields, value, strict=True)
         fields = {key: _structure(part, f"{name}.{key}", arrays) for key, part in parts}
         return {"kind": type(value).__name__, "fields": fields}
     if isinstance(value, np.generic):
@@ -136,40 +137,8 @@ def _build(structure: Any, arrays: dict[str, Any], known: dict[str, type[Any]]) 
             missing = sorted({*kind._fields} - fields.keys() - kind._field_defaults.keys())
             if unknown or missing:
                 raise ValueError(f"{name} has other fields than the file: {', '.join(unknown + missing)}")
-            return _checked(kind(**fields))
+            return kind(**fields)
     raise ValueError("its structure is damaged")
-
-
-def _checked(value: Any) -> Any:
-    """Return a NamedTuple, unless its settings are wrong by its own method `check` or by the types of its fields.
-
-    A class from a notebook may declare types that its values do not have, so only EduGym's own types are checked.
-
-    Raises:
-        ValueError: a setting is wrong.
-    """
-    if type(value).__module__.startswith("edugym."):
-        hints = typing.get_type_hints(type(value))
-        for name, field in zip(value._fields, value, strict=True):
-            if not _fits(field, hints[name]):
-                raise ValueError(f"{type(value).__name__}.{name} cannot be {reprlib.repr(field)}")
-    if hasattr(value, "check"):
-        value.check()
-    return value
-
-
-def _fits(value: Any, hint: Any) -> bool:
-    """Whether a field has its declared type, of which there are few: numbers, arrays, classes and protocols."""
-    if hint is Any:
-        return True
-    if hint in (int, float):
-        return isinstance(value, int | hint) and not isinstance(value, bool)
-    if typing.get_origin(hint) is np.ndarray:
-        (scalar,) = typing.get_args(typing.get_args(hint)[1])  # of ndarray[shape, dtype[scalar]]
-        return isinstance(value, np.ndarray) and value.dtype.kind == np.dtype(scalar).kind
-    if getattr(hint, "_is_protocol", False):
-        return all(hasattr(value, name) for name in vars(hint) if not name.startswith("_"))
-    return isinstance(value, hint)
 
 
 def _own_classes() -> Iterator[type]:

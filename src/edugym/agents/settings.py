@@ -1,27 +1,195 @@
-"""What all tabular agents ask of their parameters."""
+"""Fields of agents and strategies that know what they may hold, and `new`, which fills them.
 
-from typing import Any
+A range or a shape is said once, at the field:
 
-from edugym.checks import above, between
+    class QLearning(NamedTuple):
+        Q: ActionValues                      # a table of shape (n_states, n_actions)
+        learning_rate: LearningRate = 0.1    # above 0 and up to 1
+
+`new(QLearning, environment, {"discount": 0.9})` makes the tables, takes the other settings from their defaults, and
+refuses what a field may not hold.
+"""
+
+import inspect
+from collections.abc import Mapping
+from typing import Annotated, Any, NamedTuple, TypeVar, get_args, get_origin, get_type_hints
+
+import numpy as np
+
+from edugym.agents.tables import table_size
+from edugym.checks import a_number, above, at_least, between, whole_number
+from edugym.mdp.protocol import Integers, Reals
+
+Made = TypeVar("Made")
 
 
-def check_learning(learning_rate: float, discount: float) -> None:
-    """Refuse a learning rate that is not above 0 and up to 1, and a discount that is not from 0 to 1.
+class Range(NamedTuple):
+    """The numbers that a field may hold.
+
+    Attributes:
+        low: the lowest.
+        high: the highest; None for any finite number from `low` on, `math.inf` if infinity is allowed too.
+        open: whether `low` itself is left out.
+    """
+
+    low: float
+    high: float | None = None
+    open: bool = False
+
+    def check(self, name: str, value: Any) -> None:
+        """Refuse a value outside the range.
+
+        Raises:
+            ValueError: it is outside, or no number.
+        """
+        if self.open:
+            above(name, value, self.low, self.high)
+        elif self.high is None:
+            at_least(name, value, self.low)
+            a_number(name, value)
+        else:
+            between(name, value, self.low, self.high)
+
+
+class Table(NamedTuple):
+    """An array that a new agent starts with.
+
+    Attributes:
+        axes: the length of each axis: a number, or the name of one that `new` is told ("states", "actions", ...).
+        fill: what every entry starts from: a number, or the name of a setting.
+    """
+
+    axes: tuple[int | str, ...]
+    fill: float | str = 0.0
+
+
+LearningRate = Annotated[float, Range(0, 1, open=True)]
+Discount = Annotated[float, Range(0, 1)]
+Probability = Annotated[float, Range(0, 1)]
+ActionValues = Annotated[Reals, Table(("states", "actions"), fill="initial_value")]
+"""Q, shape (n_states, n_actions). Agents that have it take the setting `initial_value` (0): high values are optimistic
+and make an agent explore (Sutton and Barto, section 2.6)."""
+Counter = Annotated[Integers, Table((1,))]
+"""A whole number that changes, shape (1,): the fields of an agent are fixed, the entries of an array are not."""
+
+
+def new(kind: type[Made], environment: Any, settings: Mapping[str, Any], **sizes: int) -> Made:
+    """A new agent (or strategy): its tables made for an environment, its settings checked.
+
+    Args:
+        kind: its class, a NamedTuple whose fields are annotated as in this file.
+        environment: an MDP or Gymnasium environment with whole numbers for observations and actions, or the shape
+            (n_states, n_actions) of a table; None if no table needs it.
+        settings: values for the fields that are no tables; the others keep their defaults.
+        **sizes: lengths of axes that the environment does not give, by name.
 
     Raises:
-        ValueError: one of them is not.
+        ValueError: there is no such setting, or a value is not one that its field may hold.
     """
-    above("learning_rate", learning_rate, 0, 1)
-    between("discount", discount, 0, 1)
+    if environment is not None:
+        sizes["states"], sizes["actions"] = table_size(environment)
+    allowed = settings_of(kind)
+    for name in settings:
+        if name not in allowed:
+            raise ValueError(f"{kind.__name__} has no setting {name!r}; it has {', '.join(allowed)}")
+    for name, default in allowed.items():
+        if default is inspect.Parameter.empty and name not in settings:
+            raise ValueError(f"{kind.__name__} needs the setting {name!r}")
+    values = {**allowed, **settings}
+    if "initial_value" in values:
+        a_number("initial_value", values["initial_value"])
+    made = kind(**{name: _field(name, hint, values, sizes) for name, hint in _hints(kind).items()})
+    check(made)
+    return made
 
 
-def check_exploration(exploration: Any) -> None:
-    """Refuse what is no exploration strategy, and one whose settings are not as its class says (its method `check`).
+def settings_of(kind: type) -> dict[str, Any]:
+    """The settings that `new` takes for a class, with their defaults (`inspect.Parameter.empty` for none)."""
+    defaults = getattr(kind, "_field_defaults", {})
+    settings: dict[str, Any] = {}
+    for name, hint in _hints(kind).items():
+        table = _mark(hint, Table)
+        if table is not None and isinstance(table.fill, str):
+            settings[table.fill] = 0.0
+        elif table is None and not hasattr(hint, "_fields"):
+            settings[name] = defaults.get(name, inspect.Parameter.empty)
+    initial_value = {name: settings.pop(name) for name in ("initial_value",) if name in settings}
+    return settings | initial_value
+
+
+def check(value: Any) -> None:
+    """Refuse an agent or strategy that holds what its fields may not, in the strategies inside it as well.
 
     Raises:
-        ValueError: it is so.
+        ValueError: a number is outside its range, or an array has another kind of numbers or number of axes.
     """
-    if not hasattr(exploration, "choose"):
-        raise ValueError(f"exploration must be a strategy with a method choose, but is {exploration!r}")
-    if hasattr(exploration, "check"):
-        exploration.check()
+    for name, hint in _hints(type(value)).items():
+        part = getattr(value, name)
+        number, table = _mark(hint, Range), _mark(hint, Table)
+        if table is not None:
+            kind = _kind_of_numbers(hint)
+            if not (isinstance(part, np.ndarray) and part.dtype == kind and part.ndim == len(table.axes)):
+                given = f"{part.dtype} {part.shape}" if isinstance(part, np.ndarray) else repr(part)
+                raise ValueError(
+                    f"{name} must be an array of {kind.__name__} with {len(table.axes)} axes, but is {given}"
+                )
+        elif number is not None:
+            if get_args(hint)[0] is int:
+                whole_number(name, part, int(number.low), None if number.high is None else int(number.high))
+            number.check(name, part)
+        elif name == "exploration" and (isinstance(part, type) or not hasattr(part, "choose")):
+            raise ValueError(f"exploration must be a strategy such as EpsilonGreedy(0.1), but is {part!r}")
+        if hasattr(part, "_fields") and not isinstance(part, type):
+            check(part)
+
+
+def shows_settings(kind: type[Made]) -> type[Made]:
+    """Class decorator for agents: `create` shows the settings of the class, in help and for completion."""
+    create = inspect.getattr_static(kind, "create").__func__
+    signature = inspect.signature(create)
+    named = [part for part in signature.parameters.values() if part.kind is not part.VAR_KEYWORD]
+    keyword = inspect.Parameter.KEYWORD_ONLY
+    known = {part.name for part in named}
+    named += [inspect.Parameter(n, keyword, default=v) for n, v in settings_of(kind).items() if n not in known]
+    create.__signature__ = signature.replace(parameters=named)
+    return kind
+
+
+def _hints(kind: type) -> dict[str, Any]:
+    """The annotated types of the fields of a NamedTuple class, in their order; Any for a field without one."""
+    try:
+        hints = get_type_hints(kind, include_extras=True)
+    except NameError:  # a class of a user's own, annotated with names that only its function knows
+        hints = {}
+    return {name: hints.get(name, Any) for name in getattr(kind, "_fields", ())}
+
+
+def _mark(hint: Any, kind: type) -> Any:
+    """The `Range` or `Table` in an annotation, or None."""
+    marks = getattr(hint, "__metadata__", ())
+    return next((mark for mark in marks if isinstance(mark, kind)), None)
+
+
+def _kind_of_numbers(hint: Any) -> type[np.generic]:
+    """`np.float64` for a table of `Reals`, `np.int64` for one of `Integers`."""
+    array = get_args(hint)[0]  # np.ndarray[shape, np.dtype[kind]]
+    kind: type[np.generic] = get_args(get_args(array)[1])[0]
+    return kind
+
+
+def _field(name: str, hint: Any, values: Mapping[str, Any], sizes: Mapping[str, int]) -> Any:
+    """The value of a field of a new agent."""
+    table = _mark(hint, Table)
+    if table is not None:
+        shape = tuple(sizes[axis] if isinstance(axis, str) else axis for axis in table.axes)
+        fill = values[table.fill] if isinstance(table.fill, str) else table.fill
+        return np.full(shape, fill, _kind_of_numbers(hint))
+    if isinstance(hint, type) and hasattr(hint, "_fields"):
+        return new(hint, None, {}, **sizes)
+    value = values[name]
+    kind = get_args(hint)[0] if get_origin(hint) is Annotated else hint
+    if kind is float and isinstance(value, int | np.number) and not isinstance(value, bool):
+        return float(value)
+    if kind is int and isinstance(value, np.integer):
+        return int(value)
+    return value

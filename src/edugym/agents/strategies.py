@@ -4,20 +4,17 @@ A strategy is a value. An agent holds one, `QLearning(..., exploration=EpsilonGr
 
     action = exploration.choose(Q, state, rng)
 
-`Q` is the whole table, of shape (n_states, n_actions), and `state` its row. The loops below run over single entries of
-that row instead of slicing it: compiled, that is five times as fast.
+`Q` is the whole table, of shape (n_states, n_actions), and `state` its row.
 
-References: Sutton and Barto, Reinforcement Learning, 2nd edition, sections 2.2 (ε-greedy), 2.7 (UCB) and 2.8 (softmax).
+References: Sutton and Barto, Reinforcement Learning, 2nd edition, sections 2.2 (ε-greedy) and 2.7 (UCB).
 """
 
 import math
-from typing import Any, NamedTuple, Protocol
+from typing import Annotated, Any, NamedTuple, Protocol
 
-import numpy as np
-
-from edugym.checks import above, at_least, between, whole_number
+from edugym.agents.settings import Counter, Probability, Range, Table, check, new
+from edugym.agents.tables import best_value, epsilon_greedy_action, greedy_action
 from edugym.mdp.protocol import Integers, Random, Reals
-from edugym.mdp.tabular import table_size
 
 
 class Exploration(Protocol):
@@ -25,29 +22,6 @@ class Exploration(Protocol):
 
     def choose(self, Q: Reals, state: int, rng: Random) -> int:
         """Choose an action in `state`, given the action values `Q` of shape (n_states, n_actions)."""
-
-
-def greedy_action(Q: Reals, state: int, rng: Random) -> int:
-    """The action with the highest value in `state`; among equals, one at random (argmax_a Q(s, a))."""
-    best = 0
-    ties = 1
-    for action in range(1, Q.shape[1]):
-        if Q[state, action] > Q[state, best]:
-            best = action
-            ties = 1
-        elif Q[state, action] == Q[state, best]:
-            ties += 1
-            if rng.random() * ties < 1.0:  # the k-th of the equals replaces the one kept so far with probability 1/k
-                best = action
-    return best
-
-
-def best_value(Q: Reals, state: int) -> float:
-    """The highest action value in `state`: max_a Q(s, a)."""
-    value = Q[state, 0]
-    for action in range(1, Q.shape[1]):
-        value = max(value, Q[state, action])
-    return float(value)
 
 
 class Greedy(NamedTuple):
@@ -65,45 +39,25 @@ class EpsilonGreedy(NamedTuple):
         epsilon: ε, the probability of a uniformly random action, from 0 to 1.
     """
 
-    epsilon: float = 0.1
-
-    def check(self) -> None:
-        """Refuse an ε that is no probability.
-
-        Raises:
-            ValueError: it is none.
-        """
-        between("epsilon", self.epsilon, 0, 1)
+    epsilon: Probability = 0.1
 
     def choose(self, Q: Reals, state: int, rng: Random) -> int:
         """A random action with probability ε, else the best one."""
-        if rng.random() < self.epsilon:
-            return int(rng.random() * Q.shape[1])
-        return greedy_action(Q, state, rng)
+        return epsilon_greedy_action(Q, state, self.epsilon, rng)
 
 
 class LinearDecay(NamedTuple):
     """A number that falls (or rises) evenly, and then stays: a schedule for ε.
 
     Attributes:
-        start: its value at step 0.
-        end: its value from step `steps` on.
+        start: its value at step 0, from 0 to 1.
+        end: its value from step `steps` on, from 0 to 1.
         steps: over how many steps it changes, 1 or more.
     """
 
-    start: float
-    end: float
-    steps: int
-
-    def check(self) -> None:
-        """Refuse ends that are no probabilities, and a number of steps that is not 1 or more.
-
-        Raises:
-            ValueError: one of them is so.
-        """
-        between("start", self.start, 0, 1)
-        between("end", self.end, 0, 1)
-        whole_number("steps", self.steps, 1)
+    start: Probability
+    end: Probability
+    steps: Annotated[int, Range(1)]
 
     def value(self, step: int) -> float:
         """The value after `step` steps."""
@@ -111,27 +65,17 @@ class LinearDecay(NamedTuple):
 
 
 class ExponentialDecay(NamedTuple):
-    """A number that falls by the same share at every step, but not below an end: a schedule for ε.
+    """A number that is multiplied by the same factor at every step, down to a lowest value: a schedule for ε.
 
     Attributes:
-        start: its value at step 0.
-        end: what it does not fall below.
-        rate: by what it is multiplied at every step, above 0 and up to 1.
+        start: its value at step 0, from 0 to 1.
+        end: its lowest value, from 0 to 1.
+        rate: the factor, above 0 and up to 1.
     """
 
-    start: float
-    end: float
-    rate: float
-
-    def check(self) -> None:
-        """Refuse ends that are no probabilities, and a rate that is not above 0 and up to 1.
-
-        Raises:
-            ValueError: one of them is so.
-        """
-        between("start", self.start, 0, 1)
-        between("end", self.end, 0, 1)
-        above("rate", self.rate, 0, 1)
+    start: Probability
+    end: Probability
+    rate: Annotated[float, Range(0, 1, open=True)]
 
     def value(self, step: int) -> float:
         """The value after `step` steps."""
@@ -147,7 +91,13 @@ class ScheduledEpsilonGreedy(NamedTuple):
     """
 
     schedule: Any
-    step: Integers
+    step: Counter
+
+    def choose(self, Q: Reals, state: int, rng: Random) -> int:
+        """A random action with the present probability ε, else the best one."""
+        epsilon = self.schedule.value(self.step[0])
+        self.step[0] += 1
+        return epsilon_greedy_action(Q, state, epsilon, rng)
 
     @classmethod
     def create(cls, schedule: Any) -> "ScheduledEpsilonGreedy":
@@ -156,37 +106,22 @@ class ScheduledEpsilonGreedy(NamedTuple):
         Raises:
             ValueError: the schedule has no `value(step)`, or its settings are not as its class says.
         """
-        if not hasattr(schedule, "value"):
-            raise ValueError(f"schedule must have a method value, but is {schedule!r}")
-        if hasattr(schedule, "check"):
-            schedule.check()
-        return cls(schedule, np.zeros(1, np.int64))
-
-    def choose(self, Q: Reals, state: int, rng: Random) -> int:
-        """A random action with the present probability ε, else the best one."""
-        epsilon = self.schedule.value(self.step[0])
-        self.step[0] += 1
-        if rng.random() < epsilon:
-            return int(rng.random() * Q.shape[1])
-        return greedy_action(Q, state, rng)
+        if isinstance(schedule, type) or not hasattr(schedule, "value"):
+            raise ValueError(f"schedule must be a value with a method value, but is {schedule!r}")
+        check(schedule)
+        return new(cls, None, {"schedule": schedule})
 
 
 class Softmax(NamedTuple):
-    """Choose better actions more often (Boltzmann exploration): π(a|s) ∝ exp(Q(s, a)/τ), as in equation 2.11.
+    """Choose better actions more often (Boltzmann exploration): π(a|s) ∝ exp(Q(s, a)/τ).
+
+    Compare the softmax over preferences of equations 2.11 and 13.1, which has no temperature.
 
     Attributes:
         temperature: τ, greater than 0: near 0 it is greedy, and the higher, the more random.
     """
 
-    temperature: float = 1.0
-
-    def check(self) -> None:
-        """Refuse a temperature that is not above 0.
-
-        Raises:
-            ValueError: it is not.
-        """
-        above("temperature", self.temperature, 0)
+    temperature: Annotated[float, Range(0, open=True)] = 1.0
 
     def choose(self, Q: Reals, state: int, rng: Random) -> int:
         """An action drawn by its share of the sum of exp(Q/τ), from which the highest value is subtracted first."""
@@ -210,11 +145,25 @@ class UCB(NamedTuple):
 
     Attributes:
         counts: shape (n_states, n_actions): N(s, a), how often each action was chosen in each state.
+        bounds: shape (1, n_actions): the upper bounds in the present state.
         c: how much uncertainty is worth, 0 or more.
     """
 
-    counts: Integers
-    c: float = 1.0
+    counts: Annotated[Integers, Table(("states", "actions"))]
+    bounds: Annotated[Reals, Table((1, "actions"))]
+    c: Annotated[float, Range(0)] = 1.0
+
+    def choose(self, Q: Reals, state: int, rng: Random) -> int:
+        """The action with the highest upper bound, ties broken at random, and count it."""
+        t = 1
+        for action in range(Q.shape[1]):
+            t += self.counts[state, action]
+        for action in range(Q.shape[1]):
+            n = self.counts[state, action]
+            self.bounds[0, action] = Q[state, action] + self.c * math.sqrt(math.log(t) / n) if n > 0 else math.inf
+        chosen = greedy_action(self.bounds, 0, rng)
+        self.counts[state, chosen] += 1
+        return chosen
 
     @classmethod
     def create(cls, environment: Any, c: float = 1.0) -> "UCB":
@@ -223,28 +172,4 @@ class UCB(NamedTuple):
         Raises:
             ValueError: c is negative, or the environment does not fit a table.
         """
-        at_least("c", c, 0)
-        return cls(np.zeros(table_size(environment), np.int64), c)
-
-    def choose(self, Q: Reals, state: int, rng: Random) -> int:
-        """The action with the highest upper bound, ties broken at random, and count it."""
-        t = 1
-        for action in range(Q.shape[1]):
-            t += self.counts[state, action]
-        best = 0
-        ties = 0
-        highest = 0.0
-        for action in range(Q.shape[1]):
-            bound = math.inf
-            if self.counts[state, action] > 0:
-                bound = Q[state, action] + self.c * math.sqrt(math.log(t) / self.counts[state, action])
-            if ties == 0 or bound > highest:
-                best = action
-                highest = bound
-                ties = 1
-            elif bound == highest:
-                ties += 1
-                if rng.random() * ties < 1.0:
-                    best = action
-        self.counts[state, best] += 1
-        return best
+        return new(cls, environment, {"c": c})

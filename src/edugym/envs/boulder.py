@@ -1,11 +1,10 @@
-"""Boulder: exploration under sparse reward."""
+"""Boulder: exploration (lesson 1)."""
 
 from typing import Any, NamedTuple
 
 import numpy as np
 from gymnasium import spaces
 
-from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.checks import number_of_steps, whole_number
 from edugym.mdp.protocol import Integers, Random
 from edugym.rendering.icons import flag, smiley
@@ -17,52 +16,6 @@ MOST_LEVELS = 12
 
 
 class Boulder(NamedTuple):
-    """Climb a wall on which only one grip holds at every height (a chain with sparse reward).
-
-    Attributes:
-        height: H, how many right grips lead to the top.
-        n_grips: N, how many grips there are to choose from at every height.
-        grips: shape (height,): the grip that holds at each height.
-        max_steps: after how many steps an episode is truncated.
-    """
-
-    height: int
-    n_grips: int
-    grips: Integers
-    max_steps: int
-
-    def initial(self, rng: Random) -> int:
-        """The ground: position 0."""
-        return 0
-
-    def transition(self, state: int, action: int, rng: Random) -> int:
-        """The right grip leads one up; any other lets the climber fall to the ground, which is no end."""
-        return state + 1 if action == self.grips[state] else 0
-
-    def reward(self, state: int, action: int, next_state: int, rng: Random) -> float:
-        """1 for reaching the top, else 0."""
-        return 1.0 if next_state == self.height else 0.0
-
-    def terminal(self, state: int) -> bool:
-        """The top is the end."""
-        return state == self.height
-
-    def observation(self, state: int, rng: Random) -> int:
-        """The position on the wall: everything there is to know."""
-        return state
-
-    @property
-    def observation_space(self) -> spaces.Discrete:
-        """The position, from 0 (ground) to `height` (top)."""
-        return spaces.Discrete(self.height + 1)
-
-    @property
-    def action_space(self) -> spaces.Discrete:
-        """The grip to jump to."""
-        return spaces.Discrete(self.n_grips)
-
-
-class BoulderEnv(MDPEnv[Boulder]):
     """Climb a wall on which only one grip holds at every height.
 
     ## Description
@@ -115,15 +68,50 @@ class BoulderEnv(MDPEnv[Boulder]):
     Moerland et al. (2023), EduGym, section 4 a and appendix A.1; the chain of Strens (2000).
     """
 
-    def __init__(
-        self,
+    height: int
+    n_grips: int
+    grips: Integers  # shape (height,): the grip that holds at each height
+    max_steps: int
+
+    def initial(self, rng: Random) -> int:
+        """The ground: position 0."""
+        return 0
+
+    def transition(self, state: int, action: int, rng: Random) -> int:
+        """The right grip leads one up; any other lets the climber fall to the ground, which is no end."""
+        return state + 1 if action == self.grips[state] else 0
+
+    def reward(self, state: int, action: int, next_state: int, rng: Random) -> float:
+        """1 for reaching the top, else 0."""
+        return 1.0 if next_state == self.height else 0.0
+
+    def terminal(self, state: int) -> bool:
+        """The top is the end."""
+        return state == self.height
+
+    def observation(self, state: int, rng: Random) -> int:
+        """The position on the wall: everything there is to know."""
+        return state
+
+    @property
+    def observation_space(self) -> spaces.Discrete:
+        """The position, from 0 (ground) to `height` (top)."""
+        return spaces.Discrete(self.height + 1)
+
+    @property
+    def action_space(self) -> spaces.Discrete:
+        """The grip to jump to."""
+        return spaces.Discrete(self.n_grips)
+
+    @classmethod
+    def create(
+        cls,
         height: int = 10,
         n_grips: int = 2,
         max_steps: int | None = None,
         layout_seed: int = 0,
-        render_mode: str | None = None,
-    ) -> None:
-        """See the class for the parameters.
+    ) -> "Boulder":
+        """Check the parameters (see the class) and make the task.
 
         Raises:
             ValueError: a parameter is not as the class says.
@@ -133,23 +121,23 @@ class BoulderEnv(MDPEnv[Boulder]):
         number_of_steps("max_steps", max_steps)
         whole_number("layout_seed", layout_seed, 0)
         grips = np.random.default_rng(layout_seed).integers(0, n_grips, height)
-        super().__init__(Boulder(height, n_grips, grips, max_steps), render_mode)
+        return Boulder(height, n_grips, grips, max_steps)
 
-    def info(self) -> dict[str, Any]:
-        """The grip that holds where the climber is, or -1 at the top."""
-        return {"right_grip": int(self.mdp.grips[self.state]) if self.state < self.mdp.height else -1}
-
-    def named_actions(self) -> dict[str, Any]:
+    @property
+    def action_names(self) -> tuple[str, ...]:
         """The grips, from the left."""
-        return {f"grip {grip}": grip for grip in range(self.mdp.n_grips)}
+        return tuple(f"grip {grip}" for grip in range(self.n_grips))
 
-    def scene(self) -> Scene:
+    def info(self, state: int) -> dict[str, Any]:
+        """The grip that holds where the climber is, or -1 at the top."""
+        return {"right_grip": int(self.grips[state]) if state < self.height else -1}
+
+    def scene(self, state: int) -> Scene:
         """A wall from the front: the grip that holds grey, the others black and cracked, the climber on its grip.
 
         Of a high wall it shows the part where the climber is.
         """
-        height, n_grips, grips = self.mdp.height, self.mdp.n_grips, self.mdp.grips
-        state = 0 if self.state is None else int(self.state)
+        height, n_grips, grips = self.height, self.n_grips, self.grips
         shown = min(height, MOST_LEVELS)
         first = min(max(0, state - shown // 2), height - shown)  # the lowest level that is in the picture
         width, top = n_grips + 3.0, 2.0

@@ -1,4 +1,4 @@
-"""Catch: the dimensionality of the observation."""
+"""Catch: the dimensionality of observations (lesson 4)."""
 
 import math
 from typing import Any, NamedTuple
@@ -6,7 +6,6 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
-from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.checks import one_of, whole_number
 from edugym.mdp.protocol import Random
 from edugym.rendering.icons import Mood, smiley
@@ -29,102 +28,6 @@ class Fall(NamedTuple):
 
 
 class Catch(NamedTuple):
-    """Catch a falling ball with a paddle; the agent sees three numbers, which are the whole state.
-
-    Attributes:
-        rows: of the board; the paddle moves along the last one.
-        columns: of the board.
-    """
-
-    rows: int
-    columns: int
-
-    def initial(self, rng: Random) -> Fall:
-        """The ball in any column of the top row, the paddle in the middle of the bottom."""
-        return Fall(int(rng.random() * self.columns), 0, self.columns // 2)
-
-    def transition(self, state: Fall, action: int, rng: Random) -> Fall:
-        """The paddle moves one column at most and stays on the board; the ball falls one row."""
-        paddle_x = min(max(state.paddle_x + action - 1, 0), self.columns - 1)
-        return Fall(state.ball_x, state.ball_y + 1, paddle_x)
-
-    def reward(self, state: Fall, action: int, next_state: Fall, rng: Random) -> float:
-        """1 for a ball that is caught, -1 for one that is missed; 0 while it falls."""
-        if next_state.ball_y < self.rows - 1:
-            return 0.0
-        return 1.0 if next_state.ball_x == next_state.paddle_x else -1.0
-
-    def terminal(self, state: Fall) -> bool:
-        """The ball has reached the paddle's row."""
-        return state.ball_y == self.rows - 1
-
-    def observation(self, state: Fall, rng: Random) -> Any:
-        """The column and the row of the ball and the column of the paddle."""
-        return state.ball_x, state.ball_y, state.paddle_x
-
-    @property
-    def observation_space(self) -> spaces.Space[Any]:
-        """Columns, rows, and columns again."""
-        return spaces.MultiDiscrete([self.columns, self.rows, self.columns])
-
-    @property
-    def action_space(self) -> spaces.Discrete:
-        """Left, stay or right."""
-        return spaces.Discrete(3)
-
-
-class CatchGrid(Catch):
-    """Catch for an agent that sees the board as a grid of numbers, one for each cell."""
-
-    __slots__ = ()
-
-    def observation(self, state: Fall, rng: Random) -> Any:
-        """The board: 1 where the ball or the paddle is, else 0."""
-        board = np.empty((self.rows, self.columns), np.float32)
-        self.observe_into(state, rng, board)
-        return board
-
-    def observe_into(self, state: Fall, rng: Random, board: Any) -> None:
-        """The same, written into `board`, shape (rows, columns)."""
-        board[:] = 0.0
-        board[self.rows - 1, state.paddle_x] = 1.0
-        board[state.ball_y, state.ball_x] = 1.0
-
-    @property
-    def observation_space(self) -> spaces.Space[Any]:
-        """A number for each cell."""
-        return spaces.Box(0.0, 1.0, (self.rows, self.columns), np.float32)
-
-
-class CatchImage(Catch):
-    """Catch for an agent that sees the board as an image of one pixel for each cell."""
-
-    __slots__ = ()
-
-    def observation(self, state: Fall, rng: Random) -> Any:
-        """The image: the ball yellow, the paddle red (yellow under the ball), all else black."""
-        image = np.empty((self.rows, self.columns, 3), np.uint8)
-        self.observe_into(state, rng, image)
-        return image
-
-    def observe_into(self, state: Fall, rng: Random, image: Any) -> None:
-        """The same, written into `image`, shape (rows, columns, 3)."""
-        image[:] = 0
-        for channel in range(3):
-            image[self.rows - 1, state.paddle_x, channel] = PADDLE[channel]
-            image[state.ball_y, state.ball_x, channel] = BALL[channel]
-
-    @property
-    def observation_space(self) -> spaces.Space[Any]:
-        """Red, green and blue of each cell, from 0 to 255."""
-        return spaces.Box(0, 255, (self.rows, self.columns, 3), np.uint8)
-
-
-KINDS: dict[str, type[Catch]] = {"grid": CatchGrid, "default": CatchGrid, "vectorised": Catch, "rgb": CatchImage}
-"""What the agent sees, by the name of the observation type."""
-
-
-class CatchEnv(MDPEnv[Catch]):
     """Catch a falling ball with a paddle; the same board is seen as three numbers, as a grid or as an image.
 
     ## Description
@@ -187,10 +90,50 @@ class CatchEnv(MDPEnv[Catch]):
     Moerland et al. (2023), EduGym, section 4 d and appendix A.4; the catch of Osband et al. (2020), bsuite.
     """
 
-    def __init__(
-        self, rows: int = 10, columns: int = 5, observation_type: str = "grid", render_mode: str | None = None
-    ) -> None:
-        """See the class for the parameters.
+    rows: int
+    columns: int
+
+    def initial(self, rng: Random) -> Fall:
+        """The ball in any column of the top row, the paddle in the middle of the bottom."""
+        return Fall(int(rng.random() * self.columns), 0, self.columns // 2)
+
+    def transition(self, state: Fall, action: int, rng: Random) -> Fall:
+        """The paddle moves one column at most and stays on the board; the ball falls one row."""
+        paddle_x = min(max(state.paddle_x + action - 1, 0), self.columns - 1)
+        return Fall(state.ball_x, state.ball_y + 1, paddle_x)
+
+    def reward(self, state: Fall, action: int, next_state: Fall, rng: Random) -> float:
+        """1 for a ball that is caught, -1 for one that is missed; 0 while it falls."""
+        if next_state.ball_y < self.rows - 1:
+            return 0.0
+        return 1.0 if next_state.ball_x == next_state.paddle_x else -1.0
+
+    def terminal(self, state: Fall) -> bool:
+        """The ball has reached the paddle's row."""
+        return state.ball_y == self.rows - 1
+
+    def observation(self, state: Fall, rng: Random) -> Any:
+        """The column and the row of the ball and the column of the paddle."""
+        return state.ball_x, state.ball_y, state.paddle_x
+
+    @property
+    def observation_space(self) -> spaces.Space[Any]:
+        """Columns, rows, and columns again."""
+        return spaces.MultiDiscrete([self.columns, self.rows, self.columns])
+
+    @property
+    def action_space(self) -> spaces.Discrete:
+        """Left, stay or right."""
+        return spaces.Discrete(3)
+
+    @classmethod
+    def create(
+        cls,
+        rows: int = 10,
+        columns: int = 5,
+        observation_type: str = "grid",
+    ) -> "Catch":
+        """Check the parameters (see the class) and make the task.
 
         Raises:
             ValueError: a parameter is not as the class says.
@@ -202,20 +145,21 @@ class CatchEnv(MDPEnv[Catch]):
                 f"but is {columns!r}"
             )
         one_of("observation_type", observation_type, list(KINDS))
-        super().__init__(KINDS[observation_type](rows, columns), render_mode)
+        return KINDS[observation_type](rows, columns)
 
-    def info(self) -> dict[str, Any]:
-        """Where the ball and the paddle are."""
-        return {"ball": (int(self.state.ball_x), int(self.state.ball_y)), "paddle": int(self.state.paddle_x)}
-
-    def named_actions(self) -> dict[str, Any]:
+    @property
+    def action_names(self) -> tuple[str, ...]:
         """Where the paddle moves."""
-        return {"left": 0, "stay": 1, "right": 2}
+        return "left", "stay", "right"
 
-    def scene(self) -> Scene:
+    def info(self, state: Fall) -> dict[str, Any]:
+        """Where the ball and the paddle are."""
+        return {"ball": np.array([state.ball_x, state.ball_y]), "paddle": int(state.paddle_x)}
+
+    def scene(self, state: Fall) -> Scene:
         """The board, a yellow ball, and the agent below with its red paddle; above, how much of it the agent sees."""
-        rows, columns = self.mdp.rows, self.mdp.columns
-        ball_x, ball_y, paddle_x = self.state or Fall(columns // 2, 0, columns // 2)
+        rows, columns = self.rows, self.columns
+        ball_x, ball_y, paddle_x = state
         width, top = max(columns + 2.0, 7.0), 2.0
         left, bottom = (width - columns) / 2, top + rows
         mood: Mood = "flat"
@@ -238,3 +182,54 @@ class CatchEnv(MDPEnv[Catch]):
             *smiley(left + paddle_x + 0.5, bottom + 0.65, 0.5, mood),
         ]
         return Scene(width, bottom + 1.5, shapes, SKY, f"Catch: ball in row {ball_y} of {rows}", columns=int(2 * width))
+
+
+class CatchGrid(Catch):
+    """Catch for an agent that sees the board as a grid of numbers, one for each cell."""
+
+    __slots__ = ()
+
+    def observation(self, state: Fall, rng: Random) -> Any:
+        """The board: 1 where the ball or the paddle is, else 0."""
+        board = np.empty((self.rows, self.columns), np.float32)
+        self.observe_into(state, rng, board)
+        return board
+
+    def observe_into(self, state: Fall, rng: Random, board: Any) -> None:
+        """The same, written into `board`, shape (rows, columns)."""
+        board[:] = 0.0
+        board[self.rows - 1, state.paddle_x] = 1.0
+        board[state.ball_y, state.ball_x] = 1.0
+
+    @property
+    def observation_space(self) -> spaces.Space[Any]:
+        """A number for each cell."""
+        return spaces.Box(0.0, 1.0, (self.rows, self.columns), np.float32)
+
+
+class CatchImage(Catch):
+    """Catch for an agent that sees the board as an image of one pixel for each cell."""
+
+    __slots__ = ()
+
+    def observation(self, state: Fall, rng: Random) -> Any:
+        """The image: the ball yellow, the paddle red (yellow under the ball), all else black."""
+        image = np.empty((self.rows, self.columns, 3), np.uint8)
+        self.observe_into(state, rng, image)
+        return image
+
+    def observe_into(self, state: Fall, rng: Random, image: Any) -> None:
+        """The same, written into `image`, shape (rows, columns, 3)."""
+        image[:] = 0
+        for channel in range(3):
+            image[self.rows - 1, state.paddle_x, channel] = PADDLE[channel]
+            image[state.ball_y, state.ball_x, channel] = BALL[channel]
+
+    @property
+    def observation_space(self) -> spaces.Space[Any]:
+        """Red, green and blue of each cell, from 0 to 255."""
+        return spaces.Box(0, 255, (self.rows, self.columns, 3), np.uint8)
+
+
+KINDS: dict[str, type[Catch]] = {"grid": CatchGrid, "default": CatchGrid, "vectorised": Catch, "rgb": CatchImage}
+"""What the agent sees, by the name of the observation type."""

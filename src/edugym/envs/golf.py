@@ -1,11 +1,11 @@
-"""Golf: stochastic dynamics."""
+"""Golf: stochastic dynamics (lesson 8)."""
 
 import math
 from typing import Any, NamedTuple
 
+import numpy as np
 from gymnasium import spaces
 
-from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.checks import above, at_least, whole_number
 from edugym.mdp.protocol import Random
 from edugym.rendering.icons import Mood, flag, smiley
@@ -28,12 +28,64 @@ class Ball(NamedTuple):
 class Golf(NamedTuple):
     """Get the ball on the green in few hits; the harder the hit, the less it goes where it should.
 
-    Attributes:
-        width: of the course, in cells.
-        length: of the course, in cells.
-        green_radius: the green is all that is closer to the flag than this.
-        max_hits: the game is lost when the ball is not on the green after so many.
-        stochasticity_level: the skill of the player: the standard deviation of a hit over d cells is this times d².
+    ## Description
+    Challenge: stochastic dynamics. From the tee in the middle of the near end the ball must get onto the green around
+    the flag. Every hit aims at the flag; the player chooses how hard. The ball misses its aim by Gaussian noise that
+    grows with the square of the distance hit, so a drive is fast and risky, and putts are slow and safe. Water
+    surrounds the course.
+
+    ## Observation space
+    `MultiDiscrete([width, length])`: the cell of the ball, or the one nearest to a ball off the course; with
+    `observe_hits`, `MultiDiscrete([width, length, max_hits + 1])`: the hits so far as well.
+
+    ## Action space
+    `Discrete(3)`: 0 putt, 1 chip, 2 drive: 1, 4 and 10 cells.
+
+    ## State
+    The coordinates of the ball and the number of hits. The observation is not Markov: it rounds the coordinates down to
+    a cell, and hides the hits, on which the reward and the end of the game depend, unless `observe_hits` is set.
+
+    ## Dynamics
+    ball += d u + N(0, s² I), with d the swing's distance, u the unit vector from the ball to the flag, and s =
+    `stochasticity_level` d². The tee is at (width/2, 0), the flag at (width/2, length - width/2).
+
+    ## Reward
+    On the green (closer to the flag than `green_radius`): 1 - (hits - 1)/max_hits. Off the course, or not on the green
+    after `max_hits` hits: -1. Else 0. At the defaults the best return is about 0.87: a drive, then a chip or a putt
+    (discount 1).
+
+    ## Initial state
+    The ball on the tee.
+
+    ## Episode end
+    Terminated on the green, off the course, or after `max_hits` hits, which is part of the task; never truncated.
+
+    ## Parameters
+    - `width` (7): an odd number of cells, 3 or more.
+    - `length` (17): in cells, `width` or more.
+    - `green_radius` (2.1): greater than 0, and less than the distance from the tee to the flag.
+    - `max_hits` (10): 1 or more.
+    - `stochasticity_level` (0.015): the skill of the player, 0 for a perfect one; 0 or more.
+    - `observe_hits` (False): whether the agent sees the number of hits.
+
+    ## Info
+    - `ball`: the coordinates (x, y) of the ball, in cells.
+    - `hits`: how often it was hit.
+
+    ## Choices
+    - The noise is the same in all directions, as in the paper's main text; its appendix speaks of the transverse
+      direction only. It squares the action, which is the swing's distance here.
+    - The paper gives no sizes: those of the course and of the green, where the flag stands, how far each swing goes and
+      how many hits are allowed are choices. So is the formula of the reward, for which it only says that it is
+      proportional to the hits. Its main text speaks of the hole; as in its appendix, the green ends the game.
+    - A ball that is off the course is lost, also where the green would reach beyond the edge.
+    - Without noise, parameters with which no straight hits end on the green are refused.
+
+    ## Algorithms
+    The paper compares Q-learning with risk-sensitive Q-learning, both with a table.
+
+    ## References
+    Moerland et al. (2023), EduGym, section 4 h and appendix A.8.
     """
 
     width: int
@@ -98,98 +150,17 @@ class Golf(NamedTuple):
         """Putt, chip or drive."""
         return spaces.Discrete(3)
 
-
-class GolfWithHits(Golf):
-    """Golf in which the agent also sees how often it has hit the ball."""
-
-    __slots__ = ()
-
-    def observation(self, state: Ball, rng: Random) -> tuple[int, ...]:
-        """The cell of the ball and the number of hits so far."""
-        x = math.floor(min(max(state.x, 0.0), self.width - 1.0))
-        y = math.floor(min(max(state.y, 0.0), self.length - 1.0))
-        return x, y, state.hits
-
-    @property
-    def observation_space(self) -> spaces.MultiDiscrete:
-        """The cells of the course, and 0 to `max_hits` hits."""
-        return spaces.MultiDiscrete([self.width, self.length, self.max_hits + 1])
-
-
-class GolfEnv(MDPEnv[Golf]):
-    """Get the ball on the green in few hits; the harder the hit, the less it goes where it should.
-
-    ## Description
-    Challenge: stochastic dynamics. From the tee in the middle of the near end the ball must get onto the green around
-    the flag. Every hit aims at the flag; the player chooses how hard. The ball misses its aim by Gaussian noise that
-    grows with the square of the distance hit, so a drive is fast and risky, and putts are slow and safe. Water
-    surrounds the course.
-
-    ## Observation space
-    `MultiDiscrete([width, length])`: the cell of the ball, or the one nearest to a ball off the course; with
-    `observe_hits`, `MultiDiscrete([width, length, max_hits + 1])`: the hits so far as well.
-
-    ## Action space
-    `Discrete(3)`: 0 putt, 1 chip, 2 drive: 1, 4 and 10 cells.
-
-    ## State
-    The coordinates of the ball and the number of hits. The observation is not Markov: it rounds the coordinates down to
-    a cell, and hides the hits, on which the reward and the end of the game depend, unless `observe_hits` is set.
-
-    ## Dynamics
-    ball += d u + N(0, s² I), with d the swing's distance, u the unit vector from the ball to the flag, and s =
-    `stochasticity_level` d². The tee is at (width/2, 0), the flag at (width/2, length - width/2).
-
-    ## Reward
-    On the green (closer to the flag than `green_radius`): 1 - (hits - 1)/max_hits. Off the course, or not on the green
-    after `max_hits` hits: -1. Else 0. At the defaults the best return is about 0.87: a drive, then a chip or a putt
-    (discount 1).
-
-    ## Initial state
-    The ball on the tee.
-
-    ## Episode end
-    Terminated on the green, off the course, or after `max_hits` hits, which is part of the task; never truncated.
-
-    ## Parameters
-    - `width` (7): an odd number of cells, 3 or more.
-    - `length` (17): in cells, `width` or more.
-    - `green_radius` (2.1): greater than 0, and less than the distance from the tee to the flag.
-    - `max_hits` (10): 1 or more.
-    - `stochasticity_level` (0.015): the skill of the player, 0 for a perfect one; 0 or more.
-    - `observe_hits` (False): whether the agent sees the number of hits.
-
-    ## Info
-    - `ball`: the coordinates (x, y) of the ball, in cells.
-    - `hits`: how often it was hit.
-
-    ## Choices
-    - The noise is the same in all directions, as in the paper's main text; its appendix speaks of the transverse
-      direction only. It squares the action, which is the swing's distance here.
-    - The paper gives no sizes: those of the course and of the green, where the flag stands, how far each swing goes and
-      how many hits are allowed are choices. So is the formula of the reward, for which it only says that it is
-      proportional to the hits. Its main text speaks of the hole; as in its appendix, the green ends the game.
-    - A ball that is off the course is lost, also where the green would reach beyond the edge.
-    - Without noise, parameters with which no straight hits end on the green are refused.
-
-    ## Algorithms
-    The paper compares Q-learning with risk-sensitive Q-learning, both with a table.
-
-    ## References
-    Moerland et al. (2023), EduGym, section 4 h and appendix A.8.
-    """
-
-    def __init__(
-        self,
+    @classmethod
+    def create(
+        cls,
         width: int = 7,
         length: int = 17,
         green_radius: float = 2.1,
         max_hits: int = 10,
         stochasticity_level: float = 0.015,
         observe_hits: bool = False,
-        render_mode: str | None = None,
-    ) -> None:
-        """See the class for the parameters.
+    ) -> "Golf":
+        """Check the parameters (see the class) and make the task.
 
         Raises:
             ValueError: a parameter is not as the class says.
@@ -217,19 +188,20 @@ class GolfEnv(MDPEnv[Golf]):
                 f"green_radius must be larger or max_hits higher: without noise no {max_hits!r} hits end on a green "
                 f"of radius {green_radius!r}"
             )
-        super().__init__(golf, render_mode)
+        return golf
 
-    def info(self) -> dict[str, Any]:
-        """Where the ball lies exactly, and how often it was hit."""
-        return {"ball": (float(self.state.x), float(self.state.y)), "hits": int(self.state.hits)}
-
-    def named_actions(self) -> dict[str, Any]:
+    @property
+    def action_names(self) -> tuple[str, ...]:
         """The swings."""
-        return {name: swing for swing, name in enumerate(SWINGS)}
+        return SWINGS
 
-    def scene(self) -> Scene:
+    def info(self, state: Ball) -> dict[str, Any]:
+        """Where the ball lies exactly, and how often it was hit."""
+        return {"ball": np.array([state.x, state.y]), "hits": int(state.hits)}
+
+    def scene(self, state: Ball, last_state: Ball | None = None, last_action: int | None = None) -> Scene:
         """The course in water, from above, with the last aim and a circle of two standard deviations around it."""
-        golf, margin = self.mdp, 1.5
+        golf, margin = self, 1.5
         flag_x, flag_y = golf.width / 2, golf.length - golf.width / 2
         height = golf.length + 2 * margin
 
@@ -243,13 +215,13 @@ class GolfEnv(MDPEnv[Golf]):
             Rectangle(left + flag_x - 0.6, at(0.0, 0.35)[1], 1.2, 0.3, 0.1, fill=SAND),
             *flag(*at(flag_x, flag_y), 1.6),
         ]
-        ball = golf.initial(self.np_random) if self.state is None else self.state
+        ball = state
         text = "on the tee"
-        if self.last_state is not None:
-            name, d = SWINGS[self.last_action], DISTANCES[self.last_action]
-            aim = at(*golf.aim(self.last_state, d))
+        if last_state is not None and last_action is not None:
+            name, d = SWINGS[last_action], DISTANCES[last_action]
+            aim = at(*golf.aim(last_state, d))
             spread = 2 * golf.stochasticity_level * d * d
-            shapes.append(Line((at(self.last_state.x, self.last_state.y), aim), colour=WHITE))
+            shapes.append(Line((at(last_state.x, last_state.y), aim), colour=WHITE))
             shapes.append(Circle(*aim, spread, fill=None, outline=WHITE))
             text = f"hit {ball.hits}: {name}"
         mood: Mood = "happy" if golf.on_green(ball) else "sad" if golf.off_course(ball) else "flat"
@@ -258,6 +230,23 @@ class GolfEnv(MDPEnv[Golf]):
         shapes += smiley(min(max(x - 0.9, 0.6), golf.width + 2 * margin - 0.6), min(y, height - 0.6), 0.5, mood)
         shapes.append(Text((golf.width + 2 * margin) / 2, 0.7, text, size=0.7))
         return Scene(golf.width + 2 * margin, height, shapes, WATER, f"Golf: {text}", columns=2 * (golf.width + 3))
+
+
+class GolfWithHits(Golf):
+    """Golf in which the agent also sees how often it has hit the ball."""
+
+    __slots__ = ()
+
+    def observation(self, state: Ball, rng: Random) -> tuple[int, ...]:
+        """The cell of the ball and the number of hits so far."""
+        x = math.floor(min(max(state.x, 0.0), self.width - 1.0))
+        y = math.floor(min(max(state.y, 0.0), self.length - 1.0))
+        return x, y, state.hits
+
+    @property
+    def observation_space(self) -> spaces.MultiDiscrete:
+        """The cells of the course, and 0 to `max_hits` hits."""
+        return spaces.MultiDiscrete([self.width, self.length, self.max_hits + 1])
 
 
 def _reachable(golf: Golf) -> bool:

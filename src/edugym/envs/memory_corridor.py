@@ -1,87 +1,37 @@
-"""MemoryCorridor: partial observability."""
+"""MemoryCorridor: partial observability (lesson 5)."""
 
 from typing import Any, NamedTuple
 
-import numpy as np
 from gymnasium import spaces
 
-from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.checks import number_of_steps, whole_number
-from edugym.mdp.protocol import Integers, Random
+from edugym.mdp.protocol import Random
 from edugym.rendering.icons import door, lamp, smiley
 from edugym.rendering.palette import BRICK, ROAD, SHADE, WALL, blend
 from edugym.rendering.scene import Rectangle, Scene, Shape, Text
+
+SEEDS = 2**31
+"""How many corridors there are."""
+MOST_DOORS = 1_000
 
 
 class Corridor(NamedTuple):
     """Where the agent is, and what it must remember.
 
     Attributes:
-        doors: shape (length,): the right door at each place of the corridor; one longer whenever it has been solved.
+        seed: from which the right doors of this episode follow (see `MemoryCorridor.right_door`).
+        length: of the corridor; one more whenever it has been solved.
         position: at which place the agent stands, from 0.
-        locked_in: whether it has opened a wrong door.
+        opened: the wrong door that it has opened, or -1.
     """
 
-    doors: Integers
+    seed: int
+    length: int
     position: int
-    locked_in: bool
+    opened: int
 
 
 class MemoryCorridor(NamedTuple):
-    """Walk through a corridor of doors that grows by one each time; only the last right door is marked.
-
-    Attributes:
-        num_doors: how many doors there are to choose from at every place.
-        max_steps: after how many steps an episode is truncated.
-    """
-
-    num_doors: int
-    max_steps: int
-
-    def initial(self, rng: Random) -> Corridor:
-        """A corridor of length 1."""
-        doors = np.empty(1, np.int64)
-        doors[0] = int(rng.random() * self.num_doors)
-        return Corridor(doors, 0, False)
-
-    def transition(self, state: Corridor, action: int, rng: Random) -> Corridor:
-        """The right door leads on; behind the last one the corridor starts again, one door longer."""
-        if action != state.doors[state.position]:
-            return Corridor(state.doors, state.position, True)
-        length = len(state.doors)
-        if state.position < length - 1:
-            return Corridor(state.doors, state.position + 1, False)
-        longer = np.empty(length + 1, np.int64)
-        longer[:length] = state.doors
-        longer[length] = int(rng.random() * self.num_doors)
-        return Corridor(longer, 0, False)
-
-    def reward(self, state: Corridor, action: int, next_state: Corridor, rng: Random) -> float:
-        """1 for a right door, else 0."""
-        return 0.0 if next_state.locked_in else 1.0
-
-    def terminal(self, state: Corridor) -> bool:
-        """A wrong door is the end."""
-        return state.locked_in
-
-    def observation(self, state: Corridor, rng: Random) -> int:
-        """The door that is marked as right, or `num_doors` where none is: only the last place has a mark."""
-        if state.position == len(state.doors) - 1:
-            return int(state.doors[state.position])
-        return self.num_doors
-
-    @property
-    def observation_space(self) -> spaces.Discrete:
-        """The marked door, or `num_doors` for none."""
-        return spaces.Discrete(self.num_doors + 1)
-
-    @property
-    def action_space(self) -> spaces.Discrete:
-        """The door to open."""
-        return spaces.Discrete(self.num_doors)
-
-
-class MemoryCorridorEnv(MDPEnv[MemoryCorridor]):
     """Walk through a corridor of doors that grows by one each time; only the last right door is marked.
 
     ## Description
@@ -97,8 +47,9 @@ class MemoryCorridorEnv(MDPEnv[MemoryCorridor]):
     `Discrete(num_doors)`: the door to open.
 
     ## State
-    The right doors of the whole corridor, the position in it, whether a wrong door was opened, and the number of steps
-    of this episode. The agent sees none of these but the mark, so the observation is not Markov: that is the challenge.
+    The right doors (as the seed from which they follow), the length of the corridor, the position in it, the wrong door
+    that was opened, if any, and the number of steps of this episode. The agent sees none of these but the mark, so the
+    observation is not Markov: that is the challenge.
 
     ## Dynamics
     The right door leads to the next place, the last one to the start of a corridor that is one door longer. Doors are
@@ -116,7 +67,7 @@ class MemoryCorridorEnv(MDPEnv[MemoryCorridor]):
     Terminated by a wrong door; truncated after `max_steps` steps.
 
     ## Parameters
-    - `num_doors` (3): at every place, 2 or more; more doors make more states, but no more places to remember.
+    - `num_doors` (3): at every place, from 2 to 1000; more doors make more states, but no more places to remember.
     - `max_steps` (1000): 1 or more.
 
     ## Info
@@ -136,53 +87,108 @@ class MemoryCorridorEnv(MDPEnv[MemoryCorridor]):
     Moerland et al. (2023), EduGym, section 4 e and appendix A.5.
     """
 
-    def __init__(self, num_doors: int = 3, max_steps: int = 1000, render_mode: str | None = None) -> None:
-        """See the class for the parameters.
+    num_doors: int
+    max_steps: int
+
+    def initial(self, rng: Random) -> Corridor:
+        """A corridor of length 1."""
+        return Corridor(int(rng.random() * SEEDS), 1, 0, -1)
+
+    def transition(self, state: Corridor, action: int, rng: Random) -> Corridor:
+        """The right door leads on; behind the last one the corridor starts again, one door longer."""
+        if action != self.right_door(state.seed, state.position):
+            return Corridor(state.seed, state.length, state.position, action)
+        if state.position < state.length - 1:
+            return Corridor(state.seed, state.length, state.position + 1, -1)
+        return Corridor(state.seed, state.length + 1, 0, -1)
+
+    def right_door(self, seed: int, place: int) -> int:
+        """The unlocked door at a place: as good as drawn uniformly and independently, but nothing has to be stored.
+
+        The seed and the place are scrambled by the finalizer of a hash function (multiply, shift, exclusive or), in 31
+        bits, so that no product exceeds 62.
+        """
+        bits = (seed + place * 0x1E3779B9) % SEEDS
+        bits = (bits ^ (bits >> 15)) * 0x2C1B3C6D % SEEDS
+        bits = (bits ^ (bits >> 12)) * 0x297A2D39 % SEEDS
+        return (bits ^ (bits >> 15)) * self.num_doors // SEEDS
+
+    def reward(self, state: Corridor, action: int, next_state: Corridor, rng: Random) -> float:
+        """1 for a right door, else 0."""
+        return 1.0 if next_state.opened == -1 else 0.0
+
+    def terminal(self, state: Corridor) -> bool:
+        """A wrong door is the end."""
+        return state.opened != -1
+
+    def observation(self, state: Corridor, rng: Random) -> int:
+        """The door that is marked as right, or `num_doors` where none is: only the last place has a mark."""
+        if state.position == state.length - 1:
+            return self.right_door(state.seed, state.position)
+        return self.num_doors
+
+    @property
+    def observation_space(self) -> spaces.Discrete:
+        """The marked door, or `num_doors` for none."""
+        return spaces.Discrete(self.num_doors + 1)
+
+    @property
+    def action_space(self) -> spaces.Discrete:
+        """The door to open."""
+        return spaces.Discrete(self.num_doors)
+
+    @classmethod
+    def create(
+        cls,
+        num_doors: int = 3,
+        max_steps: int = 1000,
+    ) -> "MemoryCorridor":
+        """Check the parameters (see the class) and make the task.
 
         Raises:
             ValueError: a parameter is not as the class says.
         """
-        whole_number("num_doors", num_doors, 2)
+        num_doors = whole_number("num_doors", num_doors, 2, MOST_DOORS)
         number_of_steps("max_steps", max_steps)
-        super().__init__(MemoryCorridor(num_doors, max_steps), render_mode)
+        return MemoryCorridor(num_doors, max_steps)
 
-    def info(self) -> dict[str, Any]:
-        """The length of the corridor, the agent's place in it and the right door there."""
-        doors, position, _ = self.state
-        return {"length": len(doors), "position": int(position), "right_door": int(doors[position])}
-
-    def named_actions(self) -> dict[str, Any]:
+    @property
+    def action_names(self) -> tuple[str, ...]:
         """The doors, from the left."""
-        return {f"door {k}": k for k in range(self.mdp.num_doors)}
+        return tuple(f"door {k}" for k in range(self.num_doors))
 
-    def scene(self) -> Scene:
+    def info(self, state: Corridor) -> dict[str, Any]:
+        """The length of the corridor, the agent's place in it and the right door there."""
+        right_door = self.right_door(state.seed, state.position)
+        return {"length": int(state.length), "position": int(state.position), "right_door": int(right_door)}
+
+    def scene(self, state: Corridor) -> Scene:
         """Numbered doors with windows, a lamp over each, lit over the marked door, and the place in the corridor."""
-        doors, position, locked_in = (np.zeros(1, np.int64), 0, False) if self.state is None else self.state
-        n, marked = self.mdp.num_doors, position == len(doors) - 1
+        seed, length, position, opened = state
+        n, marked, locked_in = self.num_doors, position == length - 1, opened != -1
+        right_door = self.right_door(seed, position)
         width = max(2.0 * n + 1.0, 7.0)
         left = (width - 2.0 * n) / 2 + 0.25
         shapes: list[Shape] = [
             Rectangle(0.0, 4.6, width, 1.7, fill=ROAD, outline=None),
-            Text(width / 2, 0.5, f"Door {position + 1} of {len(doors)}", size=0.5),
+            Text(width / 2, 0.5, f"Door {position + 1} of {length}", size=0.5),
         ]
         for k in range(n):
-            x, right = left + 2.0 * k, k == doors[position]
-            opened = locked_in and k == self.last_action
+            x, right = left + 2.0 * k, k == right_door
             shapes += lamp(x + 0.75, 1.15, 0.2, lit=bool(marked and right))
-            shapes += door(
-                x, 1.6, 1.5, 3.0, BRICK if opened else WALL, str(k), "!" if marked and right else "" if marked else "?"
-            )
-        shown = len(doors) if len(doors) <= 24 else 24
+            pane = "?" if not marked else "!" if right else ""
+            shapes += door(x, 1.6, 1.5, 3.0, BRICK if k == opened else WALL, str(k), pane)
+        shown = length if length <= 24 else 24
         step = min(0.6, (width - 1.0) / shown)
-        first = min(max(0, position - shown // 2), len(doors) - shown)
+        first = min(max(0, position - shown // 2), length - shown)
         for k in range(first, first + shown):
             x = width / 2 + (k - first - (shown - 1) / 2) * step
             colour = blend(WALL, SHADE, 0.0 if k < position else 0.8)
             shapes.append(Rectangle(x - 0.4 * step, 6.6, 0.8 * step, 0.5, 0.08, fill=colour))
         x = width / 2 + (position - first - (shown - 1) / 2) * step
         shapes.append(Rectangle(x - 0.4 * step, 6.6, 0.8 * step, 0.5, 0.08, fill="#ffd23f"))
-        at = width / 2 if not locked_in or self.last_action is None else left + 2.0 * self.last_action + 0.75
+        at = left + 2.0 * opened + 0.75 if locked_in else width / 2
         shapes += smiley(at, 5.45, 0.6, "sad" if locked_in else "happy")
         return Scene(
-            width, 7.5, shapes, title=f"MemoryCorridor: door {position + 1} of {len(doors)}", columns=int(4 * width)
+            width, 7.5, shapes, title=f"MemoryCorridor: door {position + 1} of {length}", columns=int(4 * width)
         )

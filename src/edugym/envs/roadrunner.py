@@ -1,10 +1,9 @@
-"""Roadrunner: on- and off-policy credit assignment."""
+"""Roadrunner: credit assignment, on- and off-policy (lesson 2)."""
 
 from typing import Any, NamedTuple
 
 from gymnasium import spaces
 
-from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.checks import between, number_of_steps, whole_number
 from edugym.mdp.protocol import Random
 from edugym.rendering.icons import Mood, sign, smiley
@@ -25,64 +24,6 @@ class Runner(NamedTuple):
 
 
 class Roadrunner(NamedTuple):
-    """Run to the edge of a cliff, as fast as possible but not over it.
-
-    Attributes:
-        size: W, how many cells there are; the last one, T = W - 1, is the target, and beyond it is the drop.
-        max_speed: the highest speed, in cells a step.
-        negative_reward: R, for falling off the cliff or slowing down below a speed of 0.
-        stop_zone: coming this close to the target is an end too, with less reward than at the target.
-        max_steps: after how many steps an episode is truncated.
-    """
-
-    size: int
-    max_speed: int
-    negative_reward: float
-    stop_zone: int
-    max_steps: int
-
-    def initial(self, rng: Random) -> Runner:
-        """At cell 0, standing."""
-        return Runner(0, 0)
-
-    def transition(self, state: Runner, action: int, rng: Random) -> Runner:
-        """First the speed changes by -1, 0 or +1, then the position by the speed: to W, when that is beyond T."""
-        dx = min(state.dx + action - 1, self.max_speed)
-        if dx < 0:
-            return Runner(state.x, dx)
-        return Runner(min(state.x + dx, self.size), dx)
-
-    def reward(self, state: Runner, action: int, next_state: Runner, rng: Random) -> float:
-        """+1 at T, one less for each cell before it in the stop zone; R for a fall or a stall; else -1."""
-        if self.has_failed(next_state):
-            return self.negative_reward
-        distance = self.size - 1 - next_state.x
-        return 1.0 - distance if distance <= self.stop_zone else -1.0
-
-    def terminal(self, state: Runner) -> bool:
-        """At T, in the stop zone before it, beyond it, or at a speed below 0."""
-        return state.dx < 0 or state.x >= self.size - 1 - self.stop_zone
-
-    def has_failed(self, state: Runner) -> bool:
-        """Whether the runner fell off the cliff or stalled."""
-        return state.dx < 0 or state.x == self.size
-
-    def observation(self, state: Runner, rng: Random) -> tuple[int, ...]:
-        """The position and the speed; a stalled runner is seen standing."""
-        return state.x, max(state.dx, 0)
-
-    @property
-    def observation_space(self) -> spaces.MultiDiscrete:
-        """The position, 0 to W, and the speed, 0 to `max_speed`."""
-        return spaces.MultiDiscrete([self.size + 1, self.max_speed + 1])
-
-    @property
-    def action_space(self) -> spaces.Discrete:
-        """Slower, same speed, faster."""
-        return spaces.Discrete(3)
-
-
-class RoadrunnerEnv(MDPEnv[Roadrunner]):
     """Run to the edge of a cliff, as fast as possible but not over it.
 
     ## Description
@@ -148,16 +89,62 @@ class RoadrunnerEnv(MDPEnv[Roadrunner]):
     Moerland et al. (2023), EduGym, section 4 b and appendix A.2.
     """
 
-    def __init__(
-        self,
+    size: int
+    max_speed: int
+    negative_reward: float
+    stop_zone: int
+    max_steps: int
+
+    def initial(self, rng: Random) -> Runner:
+        """At cell 0, standing."""
+        return Runner(0, 0)
+
+    def transition(self, state: Runner, action: int, rng: Random) -> Runner:
+        """First the speed changes by -1, 0 or +1, then the position by the speed: to W, when that is beyond T."""
+        dx = min(state.dx + action - 1, self.max_speed)
+        if dx < 0:
+            return Runner(state.x, dx)
+        return Runner(min(state.x + dx, self.size), dx)
+
+    def reward(self, state: Runner, action: int, next_state: Runner, rng: Random) -> float:
+        """+1 at T, one less for each cell before it in the stop zone; R for a fall or a stall; else -1."""
+        if self.has_failed(next_state):
+            return self.negative_reward
+        distance = self.size - 1 - next_state.x
+        return 1.0 - distance if distance <= self.stop_zone else -1.0
+
+    def terminal(self, state: Runner) -> bool:
+        """At T, in the stop zone before it, beyond it, or at a speed below 0."""
+        return state.dx < 0 or state.x >= self.size - 1 - self.stop_zone
+
+    def has_failed(self, state: Runner) -> bool:
+        """Whether the runner fell off the cliff or stalled."""
+        return state.dx < 0 or state.x == self.size
+
+    def observation(self, state: Runner, rng: Random) -> tuple[int, ...]:
+        """The position and the speed; a stalled runner is seen standing."""
+        return state.x, max(state.dx, 0)
+
+    @property
+    def observation_space(self) -> spaces.MultiDiscrete:
+        """The position, 0 to W, and the speed, 0 to `max_speed`."""
+        return spaces.MultiDiscrete([self.size + 1, self.max_speed + 1])
+
+    @property
+    def action_space(self) -> spaces.Discrete:
+        """Slower, same speed, faster."""
+        return spaces.Discrete(3)
+
+    @classmethod
+    def create(
+        cls,
         size: int = 10,
         max_speed: int = 10,
         negative_reward: float = -100.0,
         stop_zone: int = 0,
         max_steps: int | None = None,
-        render_mode: str | None = None,
-    ) -> None:
-        """See the class for the parameters.
+    ) -> "Roadrunner":
+        """Check the parameters (see the class) and make the task.
 
         Raises:
             ValueError: a parameter is not as the class says.
@@ -168,20 +155,21 @@ class RoadrunnerEnv(MDPEnv[Roadrunner]):
         whole_number("stop_zone", stop_zone, 0, size - 2)
         max_steps = 5 * size if max_steps is None else max_steps
         number_of_steps("max_steps", max_steps)
-        super().__init__(Roadrunner(size, max_speed, negative_reward, stop_zone, max_steps), render_mode)
+        return Roadrunner(size, max_speed, negative_reward, stop_zone, max_steps)
 
-    def info(self) -> dict[str, Any]:
-        """The distance to the target, and whether the runner stalled."""
-        return {"distance": int(self.mdp.size - 1 - self.state.x), "stalled": bool(self.state.dx < 0)}
-
-    def named_actions(self) -> dict[str, Any]:
+    @property
+    def action_names(self) -> tuple[str, ...]:
         """The changes of speed."""
-        return {"slower": 0, "same speed": 1, "faster": 2}
+        return "slower", "same speed", "faster"
 
-    def scene(self) -> Scene:
+    def info(self, state: Runner) -> dict[str, Any]:
+        """The distance to the target, and whether the runner stalled."""
+        return {"distance": int(self.size - 1 - state.x), "stalled": bool(state.dx < 0)}
+
+    def scene(self, state: Runner) -> Scene:
         """The road to the cliff from the side, with the danger sign at its end and the runner's speed on the runner."""
-        task = self.mdp
-        x, dx = Runner(0, 0) if self.state is None else self.state
+        task = self
+        x, dx = state
         scale = max(1.0, task.size / 20)  # of all but the cells: on a long road the runner stays visible
         edge, ground, bottom = task.size + 0.5, 3.6 * scale, 5.6 * scale
         width = max(edge + 2.5 * scale, 10.0)

@@ -1,11 +1,11 @@
-"""Study: the depth of credit assignment."""
+"""Study: the depth of credit assignment (lesson 3)."""
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 from gymnasium import spaces
 
-from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.checks import between, whole_number
 from edugym.mdp.protocol import Integers, Random, Reals
 from edugym.rendering.icons import Mood, gauge, smiley
@@ -20,80 +20,15 @@ MOST_ROWS = 6
 
 
 class Student(NamedTuple):
-    """What the student has, and which day it is."""
+    """What the student has, which day it is, and whether the exam has been passed."""
 
     knowledge: int
     energy: int
     day: int
+    passed: bool
 
 
 class Study(NamedTuple):
-    """Pass an exam on the last day: a few right days among many that only add noise to the return.
-
-    Attributes:
-        total_days: H: the days are 0 to H - 1, and the exam is on the last.
-        lectures: shape (total_days,): 1 on the days that have a lecture, else 0.
-        lectures_needed: K, the knowledge that the exam asks for.
-        energy_needed: E; the exam asks for more energy than this.
-        action_rewards: shape (n_actions,): r_a, the mean reward of every action.
-        sigma: the standard deviation of those rewards.
-    """
-
-    total_days: int
-    lectures: Integers
-    lectures_needed: int
-    energy_needed: int
-    action_rewards: Reals
-    sigma: float
-
-    def initial(self, rng: Random) -> Student:
-        """No knowledge, no energy, day 0."""
-        return Student(0, 0, 0)
-
-    def transition(self, state: Student, action: int, rng: Random) -> Student:
-        """Studying helps on a lecture day; sleep gives energy, up to 4; going out takes it; all else does nothing."""
-        knowledge, energy = state.knowledge, state.energy
-        if action == STUDY and self.lectures[state.day] == 1:
-            knowledge += 1
-        elif action == SLEEP:
-            energy = min(energy + 1, MOST_ENERGY)
-        elif action == GO_OUT:
-            energy = max(energy - 1, 0)
-        return Student(knowledge, energy, state.day + 1)
-
-    def reward(self, state: Student, action: int, next_state: Student, rng: Random) -> float:
-        """The noisy reward of the action, N(r_a, sigma), and 10 more for passing the exam."""
-        reward: float = rng.normal(self.action_rewards[action], self.sigma)
-        return reward + EXAM_REWARD if self.passes(state, action) else reward
-
-    def passes(self, state: Student, action: int) -> bool:
-        """Whether this is the exam, passed: studying on the last day, with enough knowledge and energy that morning."""
-        return action == STUDY and state.day == self.total_days - 1 and self.missing(state) == 0
-
-    def missing(self, state: Student) -> int:
-        """How much knowledge and energy is still missing for the exam."""
-        return max(self.lectures_needed - state.knowledge, 0) + max(self.energy_needed + 1 - state.energy, 0)
-
-    def terminal(self, state: Student) -> bool:
-        """The end of the last day."""
-        return state.day == self.total_days
-
-    def observation(self, state: Student, rng: Random) -> tuple[int, ...]:
-        """All there is to know."""
-        return state.knowledge, state.energy, state.day
-
-    @property
-    def observation_space(self) -> spaces.MultiDiscrete:
-        """Knowledge, energy and day."""
-        return spaces.MultiDiscrete([int(self.lectures.sum()) + 1, MOST_ENERGY + 1, self.total_days + 1])
-
-    @property
-    def action_space(self) -> spaces.Discrete:
-        """Study, sleep, go out, and others."""
-        return spaces.Discrete(len(self.action_rewards))
-
-
-class StudyEnv(MDPEnv[Study]):
     """Pass an exam on the last day: a few right days among many that only add noise to the return.
 
     ## Description
@@ -110,7 +45,7 @@ class StudyEnv(MDPEnv[Study]):
     `Discrete(n_actions)`: 0 study, 1 sleep, 2 go out, 3 and more other things.
 
     ## State
-    Knowledge, energy and day, all of them observed.
+    Knowledge, energy and day, all of them observed, and after the last day whether the exam has been passed.
 
     ## Dynamics
     Studying on a lecture day adds 1 to knowledge. Sleep adds 1 to energy, up to 4; going out takes 1 from it, down to
@@ -161,8 +96,62 @@ class StudyEnv(MDPEnv[Study]):
     Moerland et al. (2023), EduGym, section 4 c and appendix A.3.
     """
 
-    def __init__(
-        self,
+    total_days: int
+    lectures: Integers  # shape (total_days,): 1 on the days that have a lecture, else 0
+    lectures_needed: int
+    energy_needed: int
+    action_rewards: Reals  # shape (n_actions,): r_a, the mean reward of every action
+    sigma: float  # the standard deviation of these rewards
+
+    def initial(self, rng: Random) -> Student:
+        """No knowledge, no energy, day 0."""
+        return Student(0, 0, 0, False)
+
+    def transition(self, state: Student, action: int, rng: Random) -> Student:
+        """Studying helps on a lecture day; sleep gives energy, up to 4; going out takes it; all else does nothing."""
+        knowledge, energy = state.knowledge, state.energy
+        if action == STUDY and self.lectures[state.day] == 1:
+            knowledge += 1
+        elif action == SLEEP:
+            energy = min(energy + 1, MOST_ENERGY)
+        elif action == GO_OUT:
+            energy = max(energy - 1, 0)
+        return Student(knowledge, energy, state.day + 1, self.passes(state, action))
+
+    def reward(self, state: Student, action: int, next_state: Student, rng: Random) -> float:
+        """The noisy reward of the action, N(r_a, sigma), and 10 more for passing the exam."""
+        reward: float = rng.normal(self.action_rewards[action], self.sigma)
+        return reward + EXAM_REWARD if next_state.passed else reward
+
+    def passes(self, state: Student, action: int) -> bool:
+        """Whether this is the exam, passed: studying on the last day, with enough knowledge and energy that morning."""
+        return action == STUDY and state.day == self.total_days - 1 and self.missing(state) == 0
+
+    def missing(self, state: Student) -> int:
+        """How much knowledge and energy is still missing for the exam."""
+        return max(self.lectures_needed - state.knowledge, 0) + max(self.energy_needed + 1 - state.energy, 0)
+
+    def terminal(self, state: Student) -> bool:
+        """The end of the last day."""
+        return state.day == self.total_days
+
+    def observation(self, state: Student, rng: Random) -> tuple[int, ...]:
+        """All there is to know."""
+        return state.knowledge, state.energy, state.day
+
+    @property
+    def observation_space(self) -> spaces.MultiDiscrete:
+        """Knowledge, energy and day."""
+        return spaces.MultiDiscrete([int(self.lectures.sum()) + 1, MOST_ENERGY + 1, self.total_days + 1])
+
+    @property
+    def action_space(self) -> spaces.Discrete:
+        """Study, sleep, go out, and others."""
+        return spaces.Discrete(len(self.action_rewards))
+
+    @classmethod
+    def create(
+        cls,
         total_days: int = 10,
         n_actions: int = 5,
         lecture_days: int = 3,
@@ -171,9 +160,8 @@ class StudyEnv(MDPEnv[Study]):
         action_reward_noise_mean: float = 0.5,
         action_reward_noise_sigma: float = 0.05,
         layout_seed: int = 0,
-        render_mode: str | None = None,
-    ) -> None:
-        """See the class for the parameters.
+    ) -> "Study":
+        """Check the parameters (see the class) and make the task.
 
         Raises:
             ValueError: a parameter is not as the class says.
@@ -196,30 +184,26 @@ class StudyEnv(MDPEnv[Study]):
         lectures[rng.permutation(total_days - 1)[:lecture_days]] = 1
         rewards = rng.uniform(-action_reward_noise_mean, 0.0, n_actions)
         sigma = action_reward_noise_sigma
-        super().__init__(Study(total_days, lectures, lectures_needed, energy_needed, rewards, sigma), render_mode)
+        return Study(total_days, lectures, lectures_needed, energy_needed, rewards, sigma)
 
-    def info(self) -> dict[str, Any]:
-        """Whether there is a lecture today, and whether the exam has been passed."""
-        lecture = self.state.day < self.mdp.total_days and self.mdp.lectures[self.state.day] == 1
-        return {"lecture": bool(lecture), "passed": self._passed()}
-
-    def named_actions(self) -> dict[str, Any]:
+    @property
+    def action_names(self) -> tuple[str, ...]:
         """Study, sleep, go out, and others."""
-        n = len(self.mdp.action_rewards)
-        names = [*("study", "sleep", "go out")[:n], *(f"other {k}" for k in range(1, n - 2))]
-        return {name: action for action, name in enumerate(names)}
+        n = len(self.action_rewards)
+        return (*("study", "sleep", "go out")[:n], *(f"other {k}" for k in range(1, n - 2)))
 
-    def _passed(self) -> bool:
-        return self.last_state is not None and bool(self.mdp.passes(self.last_state, self.last_action))
+    def info(self, state: Student) -> dict[str, Any]:
+        """Whether there is a lecture today, and whether the exam has been passed."""
+        lecture = state.day < self.total_days and self.lectures[state.day] == 1
+        return {"lecture": bool(lecture), "passed": bool(state.passed)}
 
-    def scene(self) -> Scene:
+    def scene(self, state: Student, actions: Sequence[int] = ()) -> Scene:
         """A calendar, five days a row, with what the student did, and how far knowledge and energy have come.
 
         What was done is green where it brought the student closer to passing the exam (or passed it), red where it led
         away (or failed it), and grey where it did neither. Of a long time it shows the weeks around today.
         """
-        study = self.mdp
-        state = study.initial(self.np_random) if self.state is None else self.state
+        study = self
         today, over = min(state.day, study.total_days - 1), bool(study.terminal(state))
         rows = (study.total_days + 4) // 5
         shown = min(rows, MOST_ROWS)
@@ -236,16 +220,17 @@ class StudyEnv(MDPEnv[Study]):
         for day in days:
             kind = "Exam" if day == study.total_days - 1 else "Lecture" if study.lectures[day] == 1 else "Free"
             shapes += _page(*corner(day), day, kind)
-        before, names = study.initial(self.np_random), list(self.named_actions())
-        for day, action in enumerate(self.actions):
-            after = study.transition(before, action, self.np_random)
+        rng = np.random.default_rng(0)
+        before, names = study.initial(rng), self.action_names
+        for day, action in enumerate(actions):
+            after = study.transition(before, action, rng)
             gain = study.missing(before) - study.missing(after)
             if day == study.total_days - 1:
                 gain = 1 if study.passes(before, action) else -1
             if day in days:
                 shapes += _done(*corner(day), names[action], GREEN if gain > 0 else RED if gain < 0 else SHADE)
             before = after
-        mood: Mood = "flat" if not over or self.last_state is None else "happy" if self._passed() else "sad"
+        mood: Mood = "flat" if not over else "happy" if state.passed else "sad"
         x, y = corner(today)
         shapes += smiley(x + 0.9, y + 0.9, 0.35, mood)
         title = f"Study: day {state.day} of {study.total_days}, knowledge {state.knowledge}, energy {state.energy}"

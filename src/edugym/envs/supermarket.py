@@ -1,4 +1,4 @@
-"""Supermarket: model-based reinforcement learning."""
+"""Supermarket: model-based reinforcement learning (lesson 9)."""
 
 import time
 from collections.abc import Callable
@@ -9,7 +9,7 @@ from gymnasium import spaces
 
 from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.checks import between, number_of_steps, whole_number
-from edugym.exact.model import FiniteModel, finite_model
+from edugym.exact.model import FiniteModel
 from edugym.mdp.protocol import Integers, Random
 from edugym.rendering.icons import door, sign, smiley
 from edugym.rendering.palette import BLUE, BRICK, GREEN, PAPER, RED, SHADE, WHITE, blend
@@ -32,117 +32,6 @@ FLOOR, WALL = 0, -1
 
 
 class Supermarket(NamedTuple):
-    """Collect the three items of a shopping list and leave by the exit.
-
-    A state is a whole number below 800: the place on the map and what has been collected, (y, x, item 1, item 2,
-    item 3) in a table of (10, 10, 2, 2, 2) with the last one fastest. So state // 80 is y, state // 8 % 10 is x, and
-    state % 8 the items, as the sum of 4, 2 and 1 for items 1, 2 and 3.
-
-    Attributes:
-        cells: shape (10, 10): what is in each cell: the 4, 2 or 1 of its item, 0 for none, -1 for a wall.
-        start: the cell of the entrance, 10 y + x.
-        exit: the cell of the exit.
-        max_steps: after how many steps an episode is truncated.
-    """
-
-    cells: Integers
-    start: int
-    exit: int
-    max_steps: int
-
-    def initial(self, rng: Random) -> int:
-        """At the entrance, with nothing."""
-        return self.start * 8
-
-    def transition(self, state: int, action: int, rng: Random) -> int:
-        """One cell up, down, left or right, unless there is a wall; stepping on an item collects it."""
-        y, x, items = state // 80, state // 8 % 10, state % 8
-        if action == UP:
-            y -= 1
-        elif action == DOWN:
-            y += 1
-        elif action == LEFT:
-            x -= 1
-        else:
-            x += 1
-        if y < 0 or self.cells[y, x] == WALL:  # the one way out of the map, above the entrance, is shut
-            return state
-        return 80 * y + 8 * x + (items | int(self.cells[y, x]))
-
-    def reward(self, state: int, action: int, next_state: int, rng: Random) -> float:
-        """-1 for the step, 25 for an item that is collected, and 50 at the exit."""
-        reward = -1.0
-        if next_state % 8 != state % 8:
-            reward += 25.0
-        if self.terminal(next_state):
-            reward += 50.0
-        return reward
-
-    def terminal(self, state: int) -> bool:
-        """The exit is the end."""
-        return state // 8 == self.exit
-
-    def observation(self, state: int, rng: Random) -> int:
-        """The state."""
-        return state
-
-    @property
-    def observation_space(self) -> spaces.Discrete:
-        """The place, and what has been collected, as one number."""
-        return spaces.Discrete(800)
-
-    @property
-    def action_space(self) -> spaces.Discrete:
-        """Up, down, left, right."""
-        return spaces.Discrete(4)
-
-
-def supermarket(max_steps: int) -> Supermarket:
-    """The supermarket on the map."""
-    meaning = {"#": WALL, "1": 4, "2": 2, "3": 1}
-    cells = np.array([[meaning.get(cell, FLOOR) for cell in row] for row in MAP.split()], np.int64)
-    places = MAP.replace("\n", "")
-    return Supermarket(cells, places.index("s"), places.index("e"), max_steps)
-
-
-class Countdown:
-    """Waits until some seconds after it was started, to well under a millisecond: asleep, but for the last 0.3 ms.
-
-    Args:
-        seconds: how long, 0 or more.
-        clock: what tells the time, in seconds.
-        sleep: what sleeps for some seconds, or somewhat longer, as operating systems do.
-    """
-
-    def __init__(
-        self,
-        seconds: float,
-        clock: Callable[[], float] = time.perf_counter,
-        sleep: Callable[[float], None] = time.sleep,
-    ) -> None:
-        """See the class; it is not running yet."""
-        self.seconds, self._clock, self._sleep = seconds, clock, sleep
-        self._end: float | None = None
-
-    def start(self) -> None:
-        """Begin anew."""
-        self._end = self._clock() + self.seconds
-
-    def left(self) -> float:
-        """How many seconds are left; 0 when it is over or was never started."""
-        if self._end is None:
-            return 0.0
-        # Never more than all of it, also when it was pickled where the clock started at another time.
-        return min(max(self._end - self._clock(), 0.0), self.seconds)
-
-    def wait(self) -> None:
-        """Return when it is over."""
-        while (left := self.left()) > 0.0:
-            if left > 0.0003:
-                self._sleep(0.8 * left)  # it may oversleep by some of the rest, and sleep again for what remains
-
-
-class SupermarketEnv(MDPEnv[Supermarket]):
     """Collect the three items of a shopping list and leave by the exit.
 
     ## Description
@@ -206,6 +95,169 @@ class SupermarketEnv(MDPEnv[Supermarket]):
     Moerland et al. (2023), EduGym, section 4 i and appendix A.9.
     """
 
+    # A state is the index of (y, x, item 1, item 2, item 3) in a table of (10, 10, 2, 2, 2), the last one fastest: y is
+    # state // 80, x is state // 8 % 10, and state % 8 has the items, as the sum of 4, 2 and 1 for items 1, 2 and 3.
+    cells: Integers  # shape (10, 10): what is in each cell: the 4, 2 or 1 of its item, 0 for none, -1 for a wall
+    start: int  # the cell of the entrance, 10 y + x
+    exit: int  # the cell of the exit
+    max_steps: int
+    noise: float
+    layout_seed: int
+
+    def initial(self, rng: Random) -> int:
+        """At the entrance, with nothing."""
+        return self.start * 8
+
+    def transition(self, state: int, action: int, rng: Random) -> int:
+        """One cell up, down, left or right, unless there is a wall; stepping on an item collects it."""
+        y, x, items = state // 80, state // 8 % 10, state % 8
+        if action == UP:
+            y -= 1
+        elif action == DOWN:
+            y += 1
+        elif action == LEFT:
+            x -= 1
+        else:
+            x += 1
+        if y < 0 or self.cells[y, x] == WALL:  # the one way out of the map, above the entrance, is shut
+            return state
+        return 80 * y + 8 * x + (items | int(self.cells[y, x]))
+
+    def reward(self, state: int, action: int, next_state: int, rng: Random) -> float:
+        """-1 for the step, 25 for an item that is collected, and 50 at the exit."""
+        reward = -1.0
+        if next_state % 8 != state % 8:
+            reward += 25.0
+        if self.terminal(next_state):
+            reward += 50.0
+        return reward
+
+    def terminal(self, state: int) -> bool:
+        """The exit is the end."""
+        return state // 8 == self.exit
+
+    def observation(self, state: int, rng: Random) -> int:
+        """The state."""
+        return state
+
+    @property
+    def observation_space(self) -> spaces.Discrete:
+        """The place, and what has been collected, as one number."""
+        return spaces.Discrete(800)
+
+    @property
+    def action_space(self) -> spaces.Discrete:
+        """Up, down, left, right."""
+        return spaces.Discrete(4)
+
+    @classmethod
+    def create(
+        cls,
+        noise: float = 0.0,
+        max_steps: int = 500,
+        layout_seed: int = 0,
+    ) -> "Supermarket":
+        """Check the parameters (see the class) and make the task.
+
+        Raises:
+            ValueError: a parameter is not as the class says.
+        """
+        between("noise", noise, 0, 1_000_000)
+        number_of_steps("max_steps", max_steps)
+        whole_number("layout_seed", layout_seed, 0)
+        meaning = {"#": WALL, "1": 4, "2": 2, "3": 1}
+        cells = np.array([[meaning.get(cell, FLOOR) for cell in row] for row in MAP.split()], np.int64)
+        places = MAP.replace("\n", "")
+        return cls(cells, places.index("s"), places.index("e"), max_steps, float(noise), layout_seed)
+
+    def distorted(self, model: FiniteModel) -> FiniteModel:
+        """The exact model with the `noise` of this task in its rewards."""
+        errors = np.random.default_rng(self.layout_seed).normal(0.0, self.noise, (800, 4))[list(model.states)]
+        errors[model.terminal] = 0.0  # nothing can be done there
+        return model._replace(rewards=model.rewards + errors[:, :, np.newaxis])
+
+    @property
+    def action_names(self) -> tuple[str, ...]:
+        """The directions."""
+        return "up", "down", "left", "right"
+
+    def info(self, state: int) -> dict[str, Any]:
+        """Where the shopper is, and what has been collected."""
+        y, x, *items = np.unravel_index(state, (10, 10, 2, 2, 2))
+        return {"position": np.array([y, x]), "items": np.array(items, np.bool_)}
+
+    def scene(self, state: int, last_state: int | None = None) -> Scene:
+        """The supermarket from above: brick walls, three different items, the exit with its sign, the shopping list."""
+        state = int(state)
+        y, x, items = state // 80, state // 8 % 10, state % 8
+        walls = [(float(column), float(row)) for row, column in np.argwhere(self.cells == WALL)]
+        shapes: list[Shape] = [
+            Rectangle(0.0, 0.0, 10.0, 10.0, fill=PAPER, outline=None),
+            *(Line(((0.0, k), (10.0, k)), colour=SHADE) for k in range(1, 10)),
+            *(Line(((k, 0.0), (k, 10.0)), colour=SHADE) for k in range(1, 10)),
+            *(Rectangle(*wall, 1.0, 1.0, outline_width=0.15) for wall in walls),  # the bricks cover all but outlines
+            Text(10.7, 0.75, "to get", size=0.55, anchor="start"),
+        ]
+        for wall in walls:
+            shapes += _bricks(*wall)
+        for k, item in enumerate((4, 2, 1)):
+            shapes += _item(11.3, 2.0 + 1.5 * k, item)
+            if items & item:
+                shapes += _tick(12.3, 2.0 + 1.5 * k)
+            else:
+                place = np.argwhere(self.cells == item)[0]
+                shapes += _item(place[1] + 0.5, place[0] + 0.5, item)
+        row, column = divmod(self.exit, 10)
+        shapes += [*door(column + 0.1, row, 0.8, 1.0), *sign(column - 0.9, row + 1.4, 1.3, "exit", danger=False)]
+        disappointed = last_state == state or (self.terminal(state) and items < 7)
+        shapes += smiley(x + 0.5, y + 0.5, 0.38, "flat" if disappointed else "happy")
+        title = f"Supermarket: at row {y}, column {x}, with {items.bit_count()} of 3 items"
+        return Scene(13.5, 10.0, shapes, SHADE, title, columns=27)
+
+
+class Countdown:
+    """Waits until some seconds after it was started, to well under a millisecond: asleep, but for the last 0.3 ms.
+
+    Args:
+        seconds: how long, 0 or more.
+        clock: what tells the time, in seconds.
+        sleep: what sleeps for some seconds, or somewhat longer, as operating systems do.
+    """
+
+    def __init__(
+        self,
+        seconds: float,
+        clock: Callable[[], float] = time.perf_counter,
+        sleep: Callable[[float], None] = time.sleep,
+    ) -> None:
+        """See the class; it is not running yet."""
+        self.seconds, self._clock, self._sleep = seconds, clock, sleep
+        self._end: float | None = None
+
+    def start(self) -> None:
+        """Begin anew."""
+        self._end = self._clock() + self.seconds
+
+    def left(self) -> float:
+        """How many seconds are left; 0 when it is over or was never started."""
+        if self._end is None:
+            return 0.0
+        # Never more than all of it, also when it was pickled where the clock started at another time.
+        return min(max(self._end - self._clock(), 0.0), self.seconds)
+
+    def wait(self) -> None:
+        """Return when it is over."""
+        while (left := self.left()) > 0.0:
+            if left > 0.0003:
+                self._sleep(0.8 * left)  # it may oversleep by some of the rest, and sleep again for what remains
+
+
+class SupermarketEnv(MDPEnv[Supermarket]):
+    """Supermarket in real time: `step` blocks until `step_timeout` seconds after the previous call returned.
+
+    The other parameters are those of `Supermarket.create`.
+    """
+
     def __init__(
         self,
         step_timeout: float = 0.0,
@@ -214,17 +266,13 @@ class SupermarketEnv(MDPEnv[Supermarket]):
         layout_seed: int = 0,
         render_mode: str | None = None,
     ) -> None:
-        """See the class for the parameters.
+        """See `Supermarket` for the parameters.
 
         Raises:
-            ValueError: a parameter is not as the class says.
+            ValueError: a parameter is not as it says there.
         """
         between("step_timeout", step_timeout, 0, 3600)
-        between("noise", noise, 0, 1_000_000)
-        number_of_steps("max_steps", max_steps)
-        whole_number("layout_seed", layout_seed, 0)
-        super().__init__(supermarket(max_steps), render_mode)
-        self.noise, self.layout_seed = float(noise), layout_seed
+        super().__init__(Supermarket.create(noise, max_steps, layout_seed), render_mode)
         self.countdown = Countdown(float(step_timeout))
 
     @property
@@ -250,53 +298,6 @@ class SupermarketEnv(MDPEnv[Supermarket]):
     def time_until_step(self) -> float:
         """How many seconds `step` would block now: time to plan."""
         return self.countdown.left()
-
-    @property
-    def finite_model(self) -> FiniteModel:
-        """The model of the task as tables, made when first asked for: exact but for the `noise` in its rewards."""
-        if self._known_model is None:
-            exact = finite_model(self.mdp)
-            errors = np.random.default_rng(self.layout_seed).normal(0.0, self.noise, (800, 4))[list(exact.states)]
-            errors[exact.terminal] = 0.0  # nothing can be done there
-            self._known_model = exact._replace(rewards=exact.rewards + errors[:, :, np.newaxis])
-        return self._known_model
-
-    def info(self) -> dict[str, Any]:
-        """Where the shopper is, and what has been collected."""
-        y, x, *items = np.unravel_index(self.state, (10, 10, 2, 2, 2))
-        return {"position": (int(y), int(x)), "items": tuple(map(bool, items))}
-
-    def named_actions(self) -> dict[str, Any]:
-        """The directions."""
-        return {"up": UP, "down": DOWN, "left": LEFT, "right": RIGHT}
-
-    def scene(self) -> Scene:
-        """The supermarket from above: brick walls, three different items, the exit with its sign, the shopping list."""
-        state = self.mdp.initial(self.np_random) if self.state is None else int(self.state)
-        y, x, items = state // 80, state // 8 % 10, state % 8
-        walls = [(float(column), float(row)) for row, column in np.argwhere(self.mdp.cells == WALL)]
-        shapes: list[Shape] = [
-            Rectangle(0.0, 0.0, 10.0, 10.0, fill=PAPER, outline=None),
-            *(Line(((0.0, k), (10.0, k)), colour=SHADE) for k in range(1, 10)),
-            *(Line(((k, 0.0), (k, 10.0)), colour=SHADE) for k in range(1, 10)),
-            *(Rectangle(*wall, 1.0, 1.0, outline_width=0.15) for wall in walls),  # the bricks cover all but outlines
-            Text(10.7, 0.75, "to get", size=0.55, anchor="start"),
-        ]
-        for wall in walls:
-            shapes += _bricks(*wall)
-        for k, item in enumerate((4, 2, 1)):
-            shapes += _item(11.3, 2.0 + 1.5 * k, item)
-            if items & item:
-                shapes += _tick(12.3, 2.0 + 1.5 * k)
-            else:
-                place = np.argwhere(self.mdp.cells == item)[0]
-                shapes += _item(place[1] + 0.5, place[0] + 0.5, item)
-        row, column = divmod(self.mdp.exit, 10)
-        shapes += [*door(column + 0.1, row, 0.8, 1.0), *sign(column - 0.9, row + 1.4, 1.3, "exit", danger=False)]
-        disappointed = self.last_state == state or (self.mdp.terminal(state) and items < 7)
-        shapes += smiley(x + 0.5, y + 0.5, 0.38, "flat" if disappointed else "happy")
-        title = f"Supermarket: at row {y}, column {x}, with {items.bit_count()} of 3 items"
-        return Scene(13.5, 10.0, shapes, SHADE, title, columns=27)
 
 
 def _bricks(x: float, y: float) -> list[Shape]:

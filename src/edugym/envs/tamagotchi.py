@@ -1,4 +1,4 @@
-"""Tamagotchi: how much the observation tells of the state."""
+"""Tamagotchi: the amount of signal (lesson 6)."""
 
 import math
 import textwrap
@@ -7,7 +7,6 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
-from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.checks import at_least, number_of_steps, whole_number
 from edugym.mdp.protocol import Random
 from edugym.rendering.icons import Mood, gauge, smiley, speech_bubble
@@ -40,11 +39,73 @@ class Toy(NamedTuple):
 class Tamagotchi(NamedTuple):
     """Keep a toy happy whose needs show only in what it says, which may be noisy.
 
-    Attributes:
-        tau: τ, the temperature of the message: 0 names what is wanted, infinity is pure noise.
-        max_msg_length: how many words a message has.
-        vocab_size: H, how many words there are.
-        steps_per_episode: after how many steps an episode is truncated.
+    ## Description
+    Challenge: the amount of state signal (and language). A toy needs to play, to sleep, to be fed and to be cleaned;
+    for each it has a hidden variable that falls until it is cared for. At every step it wants one of the four, and an
+    action that it does not want harms it. The agent sees only its hit points and what it says. `tau` is the noise of
+    what it says: doing what it says returns 6 707 at 0, 5 993 at 0.02, 3 317 at 0.05, 120 at 0.1 and -676 at infinity,
+    where it tells nothing and acting at random does as well. (An agent that remembers its last action needs no message:
+    taking the four in turn returns 6 652.)
+
+    ## Observation space
+    `MultiDiscrete([101, H, ..., H])`: the hit points, then the `max_msg_length` words of the message, each one of 0,
+    ..., H - 1, with H = `vocab_size`.
+
+    ## Action space
+    `Discrete(4)`: 0 play, 1 sleep, 2 feed, 3 clean.
+
+    ## State
+    The four variables v, whole numbers from 0 to 100; the hit points, a whole number from 0 to 100; the action that the
+    toy wants; the message; and the number of steps of this episode. The agent sees the hit points and the message only,
+    so the observation is not Markov. At `tau` = 0 with four words or more it still tells the best action.
+
+    ## Dynamics
+    1. The action's own variable grows by 30, the others fall by 5. If the action is not the wanted one, all four fall
+       by another 10. Then they are clipped to 0, ..., 100.
+    2. The urgency of need i is u_i = exp(-v_i/100); the happiness is Σ (v_i - 50) u_i.
+    3. The hit points change by a tenth of the happiness, are rounded down and clipped to 0, ..., 100.
+    4. The toy wants what is most urgent; among equals it chooses at random.
+    5. It says `max_msg_length` words, each drawn independently: about need i with probability softmax(u/tau)_i, where
+       10^-6 is added to the urgency of the wanted action; at `tau` = 0 always about the wanted action. With H >= 4,
+       need i is said with any of the words i, i + 4, i + 8, ..., uniformly (synonyms); with H < 4, with the word i mod
+       H, so that a word can mean several needs.
+
+    ## Reward
+    The happiness after the action, from -200 to 74. At the defaults doing what the toy says returns 6 707 (discount 1);
+    exact planning with the whole state finds nothing better.
+
+    ## Initial state
+    All variables and the hit points at 100; what the toy wants first is drawn uniformly.
+
+    ## Episode end
+    Terminated when no hit points are left; truncated after `steps_per_episode` steps.
+
+    ## Parameters
+    - `tau` (0.0): the temperature, which is the noise of the message; 0 or more, may be infinite.
+    - `max_msg_length` (1): how many words a message has; 1 or more, at most 56, and no more than make 2^56 different
+      messages (28 with four words).
+    - `vocab_size` (4): H, how many words there are; from 1 to 2^31.
+    - `steps_per_episode` (100): 1 or more.
+
+    ## Info
+    - `variables`: how well the toy is off for each of the four needs.
+    - `wanted`: the action that it wants.
+
+    ## Choices
+    - The paper gives 100 values to the hit points, and lets them start at 100; here they are 0, ..., 100.
+    - The paper does not say how the hit points follow from the variables, how urgency and happiness are computed, nor
+      what the words mean. Everything under Dynamics that it does not say is a choice, and so is that a tie in the
+      message falls to the wanted action.
+    - A message always has `max_msg_length` words. At `tau` = 0 it names the wanted action, and does not tell the four
+      variables, of which the paper calls it a perfect description.
+    - That all variables start at 100 is a choice. The paper gives the reward's upper end, 73.6, as 75.
+    - The end at 0 hit points carries no penalty: an unhappy life returns the more, the shorter it is.
+
+    ## Algorithms
+    The paper runs Q-learning with a table, with more and less noise.
+
+    ## References
+    Moerland et al. (2023), EduGym, section 4 f and appendix A.6.
     """
 
     tau: float
@@ -155,101 +216,15 @@ class Tamagotchi(NamedTuple):
         """Play, sleep, feed or clean."""
         return spaces.Discrete(4)
 
-
-def urgency(variable: int) -> float:
-    """The lower a variable, the more urgent its need: u = exp(-v/100)."""
-    return math.exp(-variable / 100)
-
-
-def happiness(variables: Variables) -> float:
-    """From -200 to 74: Σ (v - 50) u."""
-    total = 0.0
-    for variable in variables:
-        total += (variable - 50) * urgency(variable)
-    return total
-
-
-class TamagotchiEnv(MDPEnv[Tamagotchi]):
-    """Keep a toy happy whose needs show only in what it says, which may be noisy.
-
-    ## Description
-    Challenge: the amount of state signal (and language). A toy needs to play, to sleep, to be fed and to be cleaned;
-    for each it has a hidden variable that falls until it is cared for. At every step it wants one of the four, and an
-    action that it does not want harms it. The agent sees only its hit points and what it says. `tau` is the noise of
-    what it says: doing what it says returns 6 707 at 0, 5 993 at 0.02, 3 317 at 0.05, 120 at 0.1 and -676 at infinity,
-    where it tells nothing and acting at random does as well. (An agent that remembers its last action needs no message:
-    taking the four in turn returns 6 652.)
-
-    ## Observation space
-    `MultiDiscrete([101, H, ..., H])`: the hit points, then the `max_msg_length` words of the message, each one of 0,
-    ..., H - 1, with H = `vocab_size`.
-
-    ## Action space
-    `Discrete(4)`: 0 play, 1 sleep, 2 feed, 3 clean.
-
-    ## State
-    The four variables v, whole numbers from 0 to 100; the hit points, a whole number from 0 to 100; the action that the
-    toy wants; the message; and the number of steps of this episode. The agent sees the hit points and the message only,
-    so the observation is not Markov. At `tau` = 0 with four words or more it still tells the best action.
-
-    ## Dynamics
-    1. The action's own variable grows by 30, the others fall by 5. If the action is not the wanted one, all four fall
-       by another 10. Then they are clipped to 0, ..., 100.
-    2. The urgency of need i is u_i = exp(-v_i/100); the happiness is Σ (v_i - 50) u_i.
-    3. The hit points change by a tenth of the happiness, are rounded down and clipped to 0, ..., 100.
-    4. The toy wants what is most urgent; among equals it chooses at random.
-    5. It says `max_msg_length` words, each drawn independently: about need i with probability softmax(u/tau)_i, where
-       10^-6 is added to the urgency of the wanted action; at `tau` = 0 always about the wanted action. With H >= 4,
-       need i is said with any of the words i, i + 4, i + 8, ..., uniformly (synonyms); with H < 4, with the word i mod
-       H, so that a word can mean several needs.
-
-    ## Reward
-    The happiness after the action, from -200 to 74. At the defaults doing what the toy says returns 6 707 (discount 1);
-    exact planning with the whole state finds nothing better.
-
-    ## Initial state
-    All variables and the hit points at 100; what the toy wants first is drawn uniformly.
-
-    ## Episode end
-    Terminated when no hit points are left; truncated after `steps_per_episode` steps.
-
-    ## Parameters
-    - `tau` (0.0): the temperature, which is the noise of the message; 0 or more, may be infinite.
-    - `max_msg_length` (1): how many words a message has; 1 or more, at most 56, and no more than make 2^56 different
-      messages (28 with four words).
-    - `vocab_size` (4): H, how many words there are; from 1 to 2^31.
-    - `steps_per_episode` (100): 1 or more.
-
-    ## Info
-    - `variables`: how well the toy is off for each of the four needs.
-    - `wanted`: the action that it wants.
-
-    ## Choices
-    - The paper gives 100 values to the hit points, and lets them start at 100; here they are 0, ..., 100.
-    - The paper does not say how the hit points follow from the variables, how urgency and happiness are computed, nor
-      what the words mean. Everything under Dynamics that it does not say is a choice, and so is that a tie in the
-      message falls to the wanted action.
-    - A message always has `max_msg_length` words. At `tau` = 0 it names the wanted action, and does not tell the four
-      variables, of which the paper calls it a perfect description.
-    - That all variables start at 100 is a choice. The paper gives the reward's upper end, 73.6, as 75.
-    - The end at 0 hit points carries no penalty: an unhappy life returns the more, the shorter it is.
-
-    ## Algorithms
-    The paper runs Q-learning with a table, with more and less noise.
-
-    ## References
-    Moerland et al. (2023), EduGym, section 4 f and appendix A.6.
-    """
-
-    def __init__(
-        self,
+    @classmethod
+    def create(
+        cls,
         tau: float = 0.0,
         max_msg_length: int = 1,
         vocab_size: int = 4,
         steps_per_episode: int = 100,
-        render_mode: str | None = None,
-    ) -> None:
-        """See the class for the parameters.
+    ) -> "Tamagotchi":
+        """Check the parameters (see the class) and make the task.
 
         Raises:
             ValueError: a parameter is not as the class says.
@@ -259,21 +234,21 @@ class TamagotchiEnv(MDPEnv[Tamagotchi]):
         longest = max(length for length in range(1, 57) if int(vocab_size) ** length <= 2**56)
         whole_number("max_msg_length", max_msg_length, 1, longest)
         number_of_steps("steps_per_episode", steps_per_episode)
-        super().__init__(Tamagotchi(tau, max_msg_length, vocab_size, steps_per_episode), render_mode)
+        return Tamagotchi(tau, max_msg_length, vocab_size, steps_per_episode)
 
-    def info(self) -> dict[str, Any]:
-        """What the toy feels and wants."""
-        return {"variables": tuple(map(int, self.state.variables)), "wanted": int(self.state.wanted)}
-
-    def named_actions(self) -> dict[str, Any]:
+    @property
+    def action_names(self) -> tuple[str, ...]:
         """The buttons of the toy."""
-        return {need: action for action, need in enumerate(NEEDS)}
+        return NEEDS
 
-    def scene(self) -> Scene:
+    def info(self, state: Toy) -> dict[str, Any]:
+        """What the toy feels and wants."""
+        return {"variables": np.array(state.variables), "wanted": int(state.wanted)}
+
+    def scene(self, state: Toy, last_action: int | None = None) -> Scene:
         """An egg-shaped toy with four buttons, its face and hit points on the screen, and its words in a bubble."""
-        toy = self.state or Toy((100, 100, 100, 100), 100, 0, 0)
-        seen = [int(part) for part in self.mdp.observation(toy, self.np_random)]
-        hp, words = seen[0], " ".join(meaning(word, self.mdp.vocab_size) for word in seen[1:])
+        seen = [int(part) for part in self.observation(state, np.random.default_rng(0))]
+        hp, words = seen[0], " ".join(meaning(word, self.vocab_size) for word in seen[1:])
         mood: Mood = "happy" if hp > 66 else "flat" if hp > 33 else "sad"
         lines = textwrap.wrap(words, 26, max_lines=3, placeholder=" ...")
         shell = blend(PURPLE, WHITE, 0.35)
@@ -291,10 +266,23 @@ class TamagotchiEnv(MDPEnv[Tamagotchi]):
             shapes.append(Text(6.0, 4.5 - height + 0.8 * k, line, size=0.65, glyph=f'"{line}"'))
         for action, (need, colour) in enumerate(zip(NEEDS, (ORANGE, BLUE, RED, GREEN), strict=True)):
             x, y = 3.75 + 1.5 * action, 11.75 if action in (0, 3) else 12.05
-            pressed = action == self.last_action
+            pressed = action == last_action
             shapes.append(Circle(x, y, 0.42, fill=INK if pressed else colour, glyph="●" if pressed else "○"))
             shapes.append(Text(x, y + 0.75, need, size=0.45))
         return Scene(12.0, 14.6, shapes, SKY, f"Tamagotchi: HP {hp}, says {words}", columns=44)
+
+
+def urgency(variable: int) -> float:
+    """The lower a variable, the more urgent its need: u = exp(-v/100)."""
+    return math.exp(-variable / 100)
+
+
+def happiness(variables: Variables) -> float:
+    """From -200 to 74: Σ (v - 50) u."""
+    total = 0.0
+    for variable in variables:
+        total += (variable - 50) * urgency(variable)
+    return total
 
 
 def meaning(word: int, vocab_size: int) -> str:

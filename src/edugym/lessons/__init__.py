@@ -1,1 +1,1 @@
-"""The experiments, claims and figures of each lesson, one module a lesson."""
+"""The lessons' own code, one module a lesson: experiments, claims and figures. `edugym.experiments` finds them here."""

@@ -1,12 +1,12 @@
-"""The exploration lesson: the paper's figure on Boulder, and why it looks as it does.
+"""Exploration (lesson 1): the paper's figure on Boulder, and why it looks as it does.
 
-Three ways to explore, all on Q-learning, climb walls of height 10, 30 and 100 for 20 000 steps. Settings: discount 0.9,
-learning rate 0.5; ε = 0.1 for ε-greedy and for the novelty reward, which is 1/√N(s') on the state entered; Go-Explore
-explores 20 random steps from each goal; two grips at every height; episodes of 10 times the height; 30 repetitions,
-each with a layout of its own, the same for every method; evaluation greedy, one episode a point.
+Q-learning with three ways to explore climbs walls of height 10, 30 and 100 for 20 000 steps. Settings: discount 0.9;
+learning rate 0.5; ε = 0.1 for ε-greedy and for the novelty reward, which is 1/√n(s') for entering s' for the n-th time;
+20 random steps from each goal for Go-Explore; two grips at every height; episodes of at most 10 times the height; 30
+repetitions, each with its own layout, which is the same for every method; one greedy evaluation episode for each point.
 
 A run *solves* the wall when its last greedy episode reaches the top. A method solves the wall when the share of runs
-that do is above one half with 95 % confidence, and does not when it is below.
+that solve it is above one half with 95 % confidence; it does not solve the wall when the share is below one half.
 """
 
 import threading
@@ -24,8 +24,9 @@ from edugym.agents.q_learning import QLearning
 from edugym.agents.strategies import EpsilonGreedy
 from edugym.exact.model import finite_model
 from edugym.exact.value_iteration import value_iteration
-from edugym.lessons.report import Curves, Figure, Lines, Report, VisitMap
+from edugym.experiments import Report
 from edugym.mdp.protocol import Integers, Reals
+from edugym.plotting import Curves, Lines, Sheet, VisitMap
 from edugym.registration import make_mdp
 from edugym.results.claims import Above, Below, Claim, Within
 from edugym.results.statistics import Interval, mean_interval, proportion_interval, share_interval
@@ -40,10 +41,10 @@ DISCOUNT = 0.9
 LEARNING_RATE = 0.5
 EPSILON = 0.1
 SLIP = EPSILON / 2
-"""The probability that an ε-greedy climber takes the wrong one of two grips though it knows the right one."""
+"""The probability that an ε-greedy climber takes the wrong one of two grips although it knows the right one."""
 
 RANDOM_SEARCH = ((2, 4), (2, 8), (3, 5))
-"""Numbers of grips and heights for which a random climber is watched; higher walls would take it for ever."""
+"""Numbers of grips and heights of the walls on which a random climber is watched; higher walls take too long."""
 
 EPSILON_GREEDY, NOVELTY, GO_EXPLORE = "ε-greedy", "novelty reward", "Go-Explore"
 METHODS: Mapping[str, Callable[..., Any]] = MappingProxyType(
@@ -62,13 +63,13 @@ METHODS: Mapping[str, Callable[..., Any]] = MappingProxyType(
     }
 )
 SOLVED_BY = MappingProxyType({EPSILON_GREEDY: (10,), NOVELTY: (10, 30), GO_EXPLORE: (10, 30, 100)})
-"""The heights that each method solves, as the paper has it."""
+"""The heights that each method solves, according to the paper."""
 
 WHY = MappingProxyType(
     {
-        (EPSILON_GREEDY, 30): "without a reward all values are equal and it searches at random: 2.1e9 steps on average",
+        (EPSILON_GREEDY, 30): "without a reward all values are equal, so it searches at random: 2.1e9 steps on average",
         (EPSILON_GREEDY, 100): "random search would take 2.5e30 steps",
-        (NOVELTY, 100): "the paper says it found the top but could not learn the way; it does not get near the top",
+        (NOVELTY, 100): "the paper says that it found the top and could not learn the way; here it never gets near",
     }
 )
 
@@ -83,16 +84,16 @@ def compare(
     seed: int = 0,
     **how: Any,
 ) -> Results:
-    """Train every method on walls of one height, visits recorded: one panel of the figure.
+    """Train every method on walls of one height, and record the visits: one panel of the figure.
 
     Args:
-        height: of the wall, 1 or more.
-        methods: by label, the functions that make an agent for an environment.
-        n_grips: how many grips there are at every height, 2 or more.
+        height: the height of the walls, 1 or more.
+        methods: by label, functions that make an agent for an environment.
+        n_grips: the number of grips at every height, 2 or more.
         n_steps: the training steps of each run.
-        repetitions: how many runs each method gets, each on a wall of its own.
-        seed: from which all seeds are spawned.
-        **how: `jobs`, `progress`, `stop` and others of `edugym.training.repeat`.
+        repetitions: the number of runs of each method, each on a wall of its own.
+        seed: the number from which all seeds are spawned.
+        **how: more arguments of `edugym.training.repeat`, such as `jobs`, `progress` and `stop`.
 
     Returns:
         The results; `results.agents[method][repetition].visits` has the visits, shape (100, height + 1).
@@ -114,19 +115,19 @@ def compare(
 
 
 def random_search_steps(n_grips: int, height: int) -> int:
-    """How many steps a random climber needs on average to the top: (N^(H+1) - N) / (N - 1)."""
+    """Return the expected steps of a random climber to the top, without a step limit: (N^(H+1) - N) / (N - 1)."""
     steps: int = (n_grips ** (height + 1) - n_grips) // (n_grips - 1)
     return steps
 
 
 def watch_random_search(n_grips: int, height: int, *, climbs: int = 1_000, **how: Any) -> Interval:
-    """How many steps a random climber is seen to need to the top.
+    """Measure the steps of a random climber to the top, without a step limit.
 
     Args:
-        n_grips: how many grips there are at every height, 2 or more.
-        height: of the wall, 1 or more.
-        climbs: about how many climbs each repetition watches.
-        **how: `repetitions`, `seed` and others of `edugym.training.repeat`.
+        n_grips: the number of grips at every height, 2 or more.
+        height: the height of the wall, 1 or more.
+        climbs: the approximate number of successful climbs in each repetition.
+        **how: more arguments of `edugym.training.repeat`, such as `repetitions` and `seed`.
 
     Returns:
         The mean over repetitions, with its interval.
@@ -140,12 +141,12 @@ def watch_random_search(n_grips: int, height: int, *, climbs: int = 1_000, **how
 
 
 def watch_climbs(height: int, *, n_steps: int = 500_000, **how: Any) -> Interval:
-    """How often a climber who knows the whole wall gets to its top without falling, while it goes on exploring.
+    """Measure how often a climber who knows the whole wall and keeps exploring gets to the top without a fall.
 
     Args:
-        height: of the wall, 1 or more.
-        n_steps: how many steps each repetition watches.
-        **how: `repetitions`, `seed` and others of `edugym.training.repeat`.
+        height: the height of the wall, 1 or more.
+        n_steps: the steps of each repetition.
+        **how: more arguments of `edugym.training.repeat`, such as `repetitions` and `seed`.
 
     Returns:
         The share of climbs, with its interval.
@@ -164,30 +165,31 @@ def watch_climbs(height: int, *, n_steps: int = 500_000, **how: Any) -> Interval
 
 
 def without_epsilon(height: int, **how: Any) -> Results:
-    """The novelty reward with no exploring steps, to see what these are for; arguments as in `compare`."""
-    still = partial(METHODS[NOVELTY], exploration=EpsilonGreedy(0.0))
-    return compare(height, methods={NOVELTY: still}, **how)
+    """Train with the novelty reward and ε = 0, to see what the random steps contribute; arguments as in `compare`."""
+    greedy = partial(METHODS[NOVELTY], exploration=EpsilonGreedy(0.0))
+    return compare(height, methods={NOVELTY: greedy}, **how)
 
 
 def visits_of(results: Results, method: str) -> list[Integers]:
-    """The visits of each complete run of a method, shape (n_intervals, height + 1)."""
+    """Return the visits of each complete run of a method, each of shape (n_intervals, height + 1)."""
     return [agent.visits for agent in results.complete_agents(method).values()]
 
 
 def frontier(visits: Integers) -> int:
-    """The highest state that was ever visited, from visits of shape (n_intervals, height + 1)."""
+    """Return the highest state that was ever visited; visits have shape (n_intervals, height + 1)."""
     return int(np.flatnonzero(visits.sum(axis=0))[-1])
 
 
 def no_slip(height: int) -> float:
-    """The probability that an exploring climber who knows the way gets this high without taking a wrong grip."""
+    """Return the probability that an ε-greedy climber who knows the way gets this high without a wrong grip."""
     return (1 - SLIP) ** height
 
 
 def share_of_climbs(visits: Integers) -> Reals:
-    """The share of climbs that came to each height without a fall, shape (height + 1,).
+    """Return the share of climbs that reached each height without a fall, shape (height + 1,).
 
-    A climb begins with a visit of the ground and visits each height once at most, so that the visits say it.
+    Every climb visits the ground once and each height at most once, so the number of visits of a height is the number
+    of climbs that reached it.
     """
     total = visits.sum(axis=0)
     share: Reals = total / total[0]
@@ -195,18 +197,21 @@ def share_of_climbs(visits: Integers) -> Reals:
 
 
 def later(visits: Integers) -> Integers:
-    """The visits in the second half of the training."""
+    """Return the visits in the second half of training."""
     return visits[len(visits) // 2 :]
 
 
 def return_to_frontier(visits: Integers) -> float:
-    """The share of the later climbs that got to the earlier frontier, as a multiple of what never slipping gives."""
+    """Return the share of climbs that get back to the frontier, divided by the share that never slips.
+
+    The frontier is that of the first half of training, and the climbs are those of the second half.
+    """
     height = frontier(visits[: len(visits) // 2])
     return float(share_of_climbs(later(visits))[height]) / no_slip(height)
 
 
 def greedy_leads_to_frontier(results: Results, method: str, height: int) -> list[bool]:
-    """Of each complete run of a method, whether its agent gets back to its frontier when it does not explore."""
+    """Return for each complete run of a method whether its greedy policy leads to its frontier."""
     layouts = results.table.groupby("repetition")["layout_seed"].first()
     leads = []
     for repetition, agent in results.complete_agents(method).items():
@@ -217,12 +222,12 @@ def greedy_leads_to_frontier(results: Results, method: str, height: int) -> list
 
 
 def best_return(height: int, epsilon: float = 0.0, n_grips: int = 2) -> float:
-    """The best expected return of an episode, by planning on the exact model; it is the same for every layout.
+    """Return the best expected return of an episode, by planning on the exact model; every layout has the same.
 
     Args:
-        height: of the wall, 1 or more.
+        height: the height of the wall, 1 or more.
         epsilon: the probability of a random action in every state; 0 gives the optimum.
-        n_grips: how many grips there are at every height, 2 or more.
+        n_grips: the number of grips at every height, 2 or more.
     """
     wall = make_mdp("Boulder", height=height, n_grips=n_grips)
     return value_iteration(finite_model(wall), epsilon=epsilon, horizon=wall.max_steps).start
@@ -237,27 +242,24 @@ def report(
     stop: threading.Event | None = None,
     folder: Path | None = None,
 ) -> Report:
-    """The figure, why it looks so, and what is claimed of both.
-
-    Args:
-        repetitions: runs of each method.
-        seed: from which all seeds are spawned.
-        jobs: as in `edugym.training.repeat`, as the next two.
-        progress: see there.
-        stop: see there.
-        folder: where the results are written.
-    """
-    how: dict[str, Any] = {"repetitions": repetitions, "seed": seed, "jobs": jobs, "progress": progress}
-    how["stop"] = stop or threading.Event()  # one for all experiments
+    """Run the experiments of the lesson (see `edugym.experiments.Experiments.report`)."""
+    stop = stop or threading.Event()  # one event ends all experiments
+    how: dict[str, Any] = {
+        "repetitions": repetitions,
+        "seed": seed,
+        "jobs": jobs,
+        "progress": progress,
+        "stop": stop,
+    }
     by_height = {
         height: compare(height, save_to=folder and folder / f"height_{height}.csv", **how) for height in HEIGHTS
     }
     claims = [*solving_claims(by_height), *explaining_claims(by_height[HEIGHTS[-1]], how)]
-    return Report(claims, figures(by_height))
+    return Report(claims, [] if stop.is_set() else figures(by_height))
 
 
 def solving_claims(by_height: Mapping[int, Results]) -> list[Claim]:
-    """Which method solves which wall."""
+    """Return the claims on which method solves which wall."""
     return [
         Claim(
             f"{method} {'solves' if height in solved else 'does not solve'} height {height}",
@@ -272,7 +274,7 @@ def solving_claims(by_height: Mapping[int, Results]) -> list[Claim]:
 
 
 def explaining_claims(highest: Results, how: Mapping[str, Any]) -> list[Claim]:
-    """Why: what random search takes, and what holds the novelty reward up on the highest wall (`highest`)."""
+    """Return the claims on random search, and on why the novelty reward fails on the highest walls (`highest`)."""
     height = HEIGHTS[-1]
     return [
         *(random_search_claim(*wall, how) for wall in RANDOM_SEARCH),
@@ -281,44 +283,44 @@ def explaining_claims(highest: Results, how: Mapping[str, Any]) -> list[Claim]:
             "highest state ever visited",
             mean_interval([frontier(visits) for visits in visits_of(highest, NOVELTY)]),
             Within(30, 50),
-            "it moves on, ever more slowly: fewer and fewer climbs get there",
+            "it moves on ever more slowly, since fewer and fewer climbs get there",
         ),
         Claim(
-            f"Whoever knows the wall but explores gets up {height} in 0.95^{height} = {no_slip(height):.1%} of climbs",
+            f"Knowing the wall, ε-greedy gets up {height} in 0.95^{height} = {no_slip(height):.1%} of climbs",
             "share of climbs",
             watch_climbs(height, **how),
             near(no_slip(height)),
-            "derailment: a single exploring step with the wrong grip ends the climb",
+            "derailment: a single random step to the wrong grip ends the climb",
         ),
         Claim(
-            "That is what ends novelty's climbs back to its frontier, and hardly anything else does",
+            "Slips end novelty's climbs back to its frontier: 0.95^frontier of them get there, hardly fewer",
             "share of climbs that get back / 0.95^frontier",
             mean_interval([return_to_frontier(visits) for visits in visits_of(highest, NOVELTY)]),
             Within(0.8, 1.1),
             "the frontier of the first half of training, and the climbs of the second",
         ),
         Claim(
-            "It is not detachment: to the end, novelty's greedy policy leads to its frontier",
+            "After training, novelty's greedy policy still leads to its frontier",
             "share of runs",
             share_interval(greedy_leads_to_frontier(highest, NOVELTY, height)),
             Above(0.5),
-            "the paper names detachment; here the bonus has spread down to the ground before it fades at the frontier",
+            "the paper names detachment, giving up one of several frontiers; a wall has only one and cannot show it",
         ),
         Claim(
-            "At the frontier novelty relies on ε: without exploring steps it stays near the ground",
+            "At the frontier novelty relies on ε: without random steps it stays near the ground",
             "highest state ever visited, ε = 0",
             mean_interval([frontier(visits) for visits in visits_of(without_epsilon(height, **how), NOVELTY)]),
             Below(10),
-            "a grip never tried is worth 0, and a wrong one already more, since bonuses follow a fall as well",
+            "an untried grip is worth 0, and a wrong one already more, since a fall earns bonuses too",
         ),
     ]
 
 
 def random_search_claim(n_grips: int, height: int, how: Mapping[str, Any]) -> Claim:
-    """That random search takes as long as theory says."""
+    """Return the claim that random search takes as long as theory predicts."""
     steps = random_search_steps(n_grips, height)
     return Claim(
-        f"Random search needs (N^(H+1) - N)/(N - 1) = {steps} steps for N = {n_grips}, H = {height}",
+        f"Random search needs (N^(H+1) - N)/(N - 1) = {steps} steps for N = {n_grips}, H = {height} (no step limit)",
         "steps a climb",
         watch_random_search(n_grips, height, **how),
         near(steps),
@@ -326,43 +328,52 @@ def random_search_claim(n_grips: int, height: int, how: Mapping[str, Any]) -> Cl
 
 
 def near(theory: float) -> Within:
-    """Within a tenth of what theory says."""
+    """Expect a value within a tenth of what theory predicts."""
     return Within(0.9 * theory, 1.1 * theory)
 
 
-def figures(by_height: Mapping[int, Results]) -> list[Figure]:
-    """What is to be drawn: the paper's figure, the visits, and how often climbs get back up."""
-    height = HEIGHTS[-1]
-    visits = {(h, method): visits_of(results, method) for h, results in by_height.items() for method in METHODS}
-    curves = [
-        Curves(
-            f"height {h}",
-            results,
-            optimum=best_return(h),
-            soft_optimum=best_return(h, EPSILON),
-            share=True,
-            y_label="share of runs that reach the top",
-        )
-        for h, results in by_height.items()
+def figures(by_height: Mapping[int, Results]) -> list[Sheet]:
+    """Return the figures: the learning curves, the visits, and the share of climbs that get back up."""
+    return [
+        Sheet("exploration", [[curves(results, height) for height, results in by_height.items()]]),
+        Sheet("visits", [visit_maps(by_height[height], height) for height in HEIGHTS[1:]]),
+        Sheet("climbs", [[climb_shares(by_height[HEIGHTS[-1]], HEIGHTS[-1])]]),
     ]
-    maps = [
-        [
-            VisitMap(f"{method}, height {h}", np.mean(visits[h, method], axis=0), N_STEPS, "height")
-            for method in METHODS
-            if visits[h, method]
-        ]
-        for h in HEIGHTS[1:]
+
+
+def curves(results: Results, height: int, n_grips: int = 2) -> Curves:
+    """Return the learning curves of all methods on walls of one kind, with what is possible."""
+    return Curves(
+        results,
+        f"height {height}" if n_grips == 2 else f"height {height}, {n_grips} grips",
+        share=True,
+        optimum=best_return(height, n_grips=n_grips),
+        soft_optimum=best_return(height, EPSILON, n_grips),
+        y_label="share of runs that reach the top",
+    )
+
+
+def visit_maps(results: Results, height: int) -> list[VisitMap]:
+    """Return a map of visits for each method, a mean over its runs."""
+    return [
+        VisitMap(np.mean(visits, axis=0), N_STEPS, f"{method}, height {height}", "height")
+        for method in METHODS
+        if (visits := visits_of(results, method))
     ]
-    climbs = Lines(
-        f"climbs on a wall of {height}, second half of training",
+
+
+def climb_shares(results: Results, height: int) -> Lines:
+    """Return the share of climbs that reach each height in the second half of training, beside 0.95^height."""
+    return Lines(
         np.arange(height + 1.0),
         {
-            method: np.mean([share_of_climbs(later(one)) for one in visits[height, method]], axis=0)
+            method: np.mean([share_of_climbs(later(run)) for run in visits], axis=0)
             for method in METHODS
-            if visits[height, method]
+            if (visits := visits_of(results, method))
         },
+        f"climbs on a wall of {height}, second half of training",
         "height",
         "share of climbs that get there",
         {"never slipping: 0.95^height": np.array([no_slip(h) for h in range(height + 1)])},
+        log=True,
     )
-    return [Figure("exploration", [curves]), Figure("visits", maps), Figure("climbs", [[climbs]])]

@@ -5,6 +5,7 @@ also when a student writes it in a notebook cell; the protocols say so to the ty
 """
 
 import inspect
+from collections.abc import Callable, Mapping
 from typing import Any, Protocol, TypeAlias, TypeVar
 
 import numpy as np
@@ -21,12 +22,21 @@ Observation_contra = TypeVar("Observation_contra", contravariant=True)
 
 
 class MDP(Protocol[State, Observation_co]):
-    """A Markov decision process (S, A, p, r) with integer actions 0, 1, ..., and what the agent sees of its state.
+    """A Markov decision process (S, A, p, r) with actions 0, 1, ..., and what the agent sees of its state.
 
     Every method is a pure function: all randomness comes from `rng`, and a `state` passed in is never written to.
-    A task with a step limit also has an attribute or property `max_steps`; without one its episodes end by themselves.
-    One that observes arrays may also have a method `observe_into(state, rng, out)`, which fills `out` with the same as
-    `observation` gives: the vector environment then makes no array for each copy.
+    An MDP may also have
+
+    * `max_steps`: the step limit; without one, episodes end by themselves;
+    * `action_names`: what the actions 0, 1, ... are called, or a dictionary from names to actions;
+    * `scene(state, ...)`: its picture (see `edugym.rendering`);
+    * `info(state, ...)`: a dictionary of what a teacher may want to plot and an agent may not use;
+    * `observe_into(state, rng, out)`: for observations that are arrays, write into `out` what `observation` returns;
+      the vector environment then makes no array for each copy;
+    * `create(**parameters)`, a class method: check the parameters and make the MDP, layout included.
+
+    After the state, `scene` and `info` may take any of `last_state`, `last_action`, `actions` (all of this episode, in
+    order) and `steps`. These are passed by name; at the start of an episode the first two are None.
     """
 
     @property
@@ -63,24 +73,21 @@ class Actor(Protocol[Observation_contra]):
 class Agent(Actor[Observation_contra], Protocol[Observation_contra]):
     """An agent that learns from single transitions, after each of them.
 
-    What else an agent may have:
+    Its method `learn` takes any of these, by name (see `edugym.training.contract`):
 
-    * the class attribute `on_policy = True`: the next action is chosen before learning, and `learn` takes it after
-      `next_state` (SARSA); without it the next action is chosen after learning (Q-learning);
-    * a last argument `truncated` of `learn`: whether the step limit ended the episode after this transition, for agents
-      that learn from more than one transition at a time;
-    * `greedy(state, rng)`: the action that it believes best, by which it is evaluated; without it, `act` is.
+    * `state`, `action`, `reward`, `next_state`: the transition, as the agent observes it;
+    * `terminated`: whether the task has ended, so that no reward follows;
+    * `truncated`: whether a step limit has ended the episode; the agent still bootstraps from `next_state`;
+    * `next_action`: the action that it will take next. Taking it makes an agent on-policy (SARSA): the next action is
+      chosen before learning, and otherwise (Q-learning) after it.
+
+    It may have a method `greedy(state, rng)`: the action that it believes best, by which it is evaluated. Without one
+    it is evaluated by `act`.
     """
 
-    def learn(
-        self,
-        state: Observation_contra,
-        action: int,
-        reward: float,
-        next_state: Observation_contra,
-        terminated: bool,
-    ) -> None:
-        """Learn from one transition, bootstrapping from `next_state` unless `terminated`: a step limit is no end."""
+    @property
+    def learn(self) -> Callable[..., None]:
+        """Learn from one transition."""
 
 
 def step_limit(mdp: MDP[Any, Any]) -> int | None:
@@ -103,6 +110,7 @@ def coerced(value: Any) -> Any:
     fields = {}
     for name, field in zip(value._fields, value, strict=True):
         kind = getattr(kinds.get(name), "__forward_arg__", kinds.get(name))  # as text, if it was written so
+        kind = getattr(kind, "__origin__", kind)  # of what is annotated with a range
         if kind in (float, "float") and isinstance(field, int | np.number):
             fields[name] = float(field)
         elif kind in (int, "int") and isinstance(field, np.integer):
@@ -110,3 +118,19 @@ def coerced(value: Any) -> Any:
         else:
             fields[name] = coerced(field)
     return type(value)(**fields)
+
+
+HISTORY = ("last_state", "last_action", "actions", "steps")
+"""What `scene` and `info` of an MDP may take besides the state."""
+
+
+def history_wanted(method: Callable[..., Any]) -> tuple[str, ...]:
+    """Which of `HISTORY` a method `scene` or `info` takes."""
+    parameters = inspect.signature(method).parameters
+    return tuple(name for name in HISTORY if name in parameters)
+
+
+def named_actions(mdp: MDP[Any, Any]) -> dict[str, Any]:
+    """The actions of an MDP by what they are called; empty where they have no names."""
+    names = getattr(mdp, "action_names", ())
+    return dict(names) if isinstance(names, Mapping) else {name: action for action, name in enumerate(names)}

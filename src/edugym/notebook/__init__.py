@@ -1,18 +1,18 @@
-"""For lessons: play with buttons, redo an experiment with sliders, look at an episode, read the real code.
+"""Widgets for lessons: buttons to play, sliders for experiments, films of episodes, and listings of the real code.
 
-Everything here works in Jupyter, Colab and VS Code with the core widgets of ipywidgets 7.7 or later, and leaves a still
-picture where no kernel runs, as on GitHub.
+They work in Jupyter, Colab and VS Code with the core widgets of ipywidgets 7.7 or later. Where no kernel runs, as on
+GitHub, they leave a still picture.
 """
 
 try:
     from edugym.notebook.buttons import play
+    from edugym.notebook.controls import sliders
     from edugym.notebook.film import frames
     from edugym.notebook.listing import source
-    from edugym.notebook.sliders import explore
 except ModuleNotFoundError:
     from edugym.extras import require
 
     require("notebook", "ipywidgets")
     raise
 
-__all__ = ["explore", "frames", "play", "source"]
+__all__ = ["frames", "play", "sliders", "source"]

@@ -5,12 +5,12 @@ from typing import Any
 
 import ipywidgets
 
-from edugym.notebook.panel import Panel, picture_html, text_html
+from edugym.notebook.widget import NotebookWidget, picture_html, text_html
 from edugym.playing.game import Game
 from edugym.rendering.scene import Scene
 
 
-class Buttons(Panel):
+class Buttons(NotebookWidget):
     """A game with a button for each action.
 
     Attributes:
@@ -45,7 +45,7 @@ class Buttons(Panel):
         super().__init__(ipywidgets.HBox([self._picture, controls], layout=in_rows))
 
     def step(self, action: Any) -> None:
-        """Take a step, by the action or its name, and show what comes of it."""
+        """Take a step, given the action or its name, and show the result."""
         self.game.step(action)
         self.show()
 
@@ -55,7 +55,7 @@ class Buttons(Panel):
         self.show()
 
     def show(self) -> None:
-        """Show the game as it is now."""
+        """Show the present state of the game."""
         self._picture.value = picture_html(self.game.picture())
         self._line.value = text_html(self.game.line())
         self._history.value = text_html(self.game.history())
@@ -64,7 +64,7 @@ class Buttons(Panel):
         self.new_episode.button_style = "primary" if self.game.over else ""
 
     def still(self) -> dict[str, str]:
-        """The present picture and score."""
+        """Return the present picture and score."""
         frame = self.game.frame()
         if isinstance(frame.picture, Scene):
             return {"image/svg+xml": frame.with_caption()._repr_svg_()}
@@ -75,12 +75,12 @@ def play(environment: Any, *, seed: int | None = 0, **parameters: Any) -> Button
     """Play an environment with buttons: `play("Boulder", height=5)`.
 
     Args:
-        environment: its name, the id of any Gymnasium environment, an environment, an MDP, or a `Game`.
-        seed: of the first episode; those after it go on from there. None for other games each time.
-        parameters: of the environment, where its name or id is given.
+        environment: the name of an environment, the id of any in Gymnasium, an environment, an MDP, or a `Game`.
+        seed: the seed of the first episode, from which later ones continue; None gives other games each time.
+        parameters: the parameters of the environment, if its name or id is given.
 
     Returns:
-        The game with its buttons, which shows itself as the last value of a cell.
+        The game with its buttons. As the last value of a cell it shows itself.
 
     Raises:
         ValueError: as `edugym.playing.Game`.

@@ -7,25 +7,25 @@ from typing import Any
 import ipywidgets
 
 from edugym.checks import above
-from edugym.notebook.panel import Panel, picture_html, text_html
+from edugym.notebook.widget import NotebookWidget, picture_html, text_html
 from edugym.playing.films import play_episode
 from edugym.playing.game import Frame
 from edugym.rendering.scene import Scene
 from edugym.rendering.svg import to_svg
 
 STRIP = 4
-"""How many frames of an episode stand side by side where no kernel runs."""
+"""The number of frames that stand side by side where no kernel runs."""
 
 
-class Film(Panel):
+class Film(NotebookWidget):
     """An episode with a slider to step through it and a button that plays it.
 
-    Only the frame that is looked at is in the page, so that the notebook stays small.
+    Only the present frame is in the page, so the notebook stays small.
 
     Attributes:
         frames: the episode.
-        slider: which frame is shown, from 0.
-        player: the button that plays it.
+        slider: chooses the frame, from 0.
+        player: the button that plays the episode.
     """
 
     def __init__(self, frames: Sequence[Frame], frames_per_second: float) -> None:
@@ -41,13 +41,13 @@ class Film(Panel):
         super().__init__(ipywidgets.HBox([self.player, self.slider]), self._picture, self._line)
 
     def show(self) -> None:
-        """Show the frame at which the slider stands."""
+        """Show the frame that the slider has chosen."""
         frame = self.frames[self.slider.value]
         self._picture.value = picture_html(frame.picture)
         self._line.value = text_html(frame.line)
 
     def still(self) -> dict[str, str]:
-        """A few frames side by side, from the first to the last."""
+        """Return a few frames side by side, from the first to the last."""
         last = len(self.frames) - 1
         chosen = [self.frames[k] for k in sorted({round(last * k / (STRIP - 1)) for k in range(STRIP)})]
         if isinstance(chosen[0].picture, Scene):
@@ -56,7 +56,7 @@ class Film(Panel):
 
 
 def side_by_side(scenes: Sequence[Scene]) -> str:
-    """One SVG picture of several scenes, from left to right, as wide as the page allows."""
+    """Return one SVG picture of several scenes, from left to right, as wide as the page allows."""
     lefts = [0, *accumulate(scene.size_in_pixels()[0] for scene in scenes)]
     height = max(scene.size_in_pixels()[1] for scene in scenes)
     pictures = [to_svg(scene).replace("<svg ", f'<svg x="{x}" ', 1) for x, scene in zip(lefts, scenes, strict=False)]
@@ -73,19 +73,19 @@ def frames(
     frames_per_second: float = 4.0,
     **parameters: Any,
 ) -> Film:
-    """Let an agent play an episode, or play given actions, and look at it step by step.
+    """Let an agent play an episode, or play given actions, and show it step by step.
 
     Args:
-        environment: its name, the id of any Gymnasium environment, an environment, or an MDP.
-        actor: an agent, which does what it believes best; a function of the observation; or a sequence of actions or of
+        environment: the name of an environment, the id of any in Gymnasium, an environment, or an MDP.
+        actor: an agent, which plays without exploring; a function of the observation; or a sequence of actions or of
             their names.
-        seed: of the environment and of the agent.
-        max_steps: after how many steps to stop at the latest.
-        frames_per_second: how fast it plays.
-        parameters: of the environment, where its name or id is given.
+        seed: the seed of the environment and of the agent.
+        max_steps: the most steps to play.
+        frames_per_second: the speed of the film.
+        parameters: the parameters of the environment, if its name or id is given.
 
     Returns:
-        The episode, which shows itself as the last value of a cell.
+        The episode. As the last value of a cell it shows itself.
 
     Raises:
         ValueError: as `edugym.playing.play_episode`, or `frames_per_second` is not above 0.

@@ -1,4 +1,4 @@
-"""Show the code that really runs, so that a lesson's equation and its code cannot drift apart."""
+"""Show the code that really runs, so that the equations of a lesson and its code cannot drift apart."""
 
 import inspect
 import textwrap
@@ -6,18 +6,18 @@ from typing import Any, NamedTuple
 
 
 class Listing(NamedTuple):
-    """Code as it stands in its file. In a notebook it shows itself, highlighted.
+    """Code from its file. In a notebook it shows itself, highlighted.
 
     Attributes:
-        module: where it is.
-        code: the lines.
+        module: the module that contains it.
+        code: its lines.
     """
 
     module: str
     code: str
 
     def __repr__(self) -> str:
-        """The lines, for where there is no highlighting."""
+        """Return the lines, for front ends without highlighting."""
         return self.code
 
     def _repr_markdown_(self) -> str:
@@ -28,14 +28,14 @@ def source(subject: Any, *names: str) -> Listing:
     """Show the source of a class, or of some of its methods: `source(QLearning)`, `source(QLearning, "act", "learn")`.
 
     Args:
-        subject: a class, a function, a method (`QLearning.learn`), or a value whose class is meant.
-        names: of the methods and properties to show instead of the whole class.
+        subject: a class, a function, a method (`QLearning.learn`), or a value, which stands for its class.
+        names: the methods and properties to show instead of the whole class.
 
     Returns:
-        The code, which shows itself as the last value of a cell.
+        The code. As the last value of a cell it shows itself.
 
     Raises:
-        ValueError: there is no such method, or no source, as of what is written in C.
+        ValueError: there is no such method, or it has no Python source because it is written in C.
     """
     whole = subject if inspect.isclass(subject) or inspect.isroutine(subject) else type(subject)
     parts = [inspect.getattr_static(whole, name, None) for name in names] or [whole]
@@ -46,7 +46,7 @@ def source(subject: Any, *names: str) -> Listing:
 
 
 def _code(part: Any) -> str:
-    """The lines of a class or function, decorators included, from the left margin."""
+    """Return the lines of a class or function with its decorators, from the left margin."""
     for inside in ("fget", "__func__", "func", "py_func"):  # of properties, class methods, cached ones, compiled code
         part = getattr(part, inside, None) or part
     try:

@@ -7,10 +7,10 @@ from typing import Any
 import gymnasium
 import numpy as np
 
+from edugym.adapters.tabular_observation import tabular
 from edugym.checks import whole_number
 from edugym.files import check_writable
 from edugym.mdp.protocol import Random
-from edugym.mdp.tabular import tabular
 from edugym.playing.game import Frame, Game, made
 
 

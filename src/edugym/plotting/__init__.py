@@ -1,11 +1,12 @@
-"""Figures: functions that take results and return Matplotlib axes. They show nothing, and change nothing global."""
+"""Figures: each kind of panel is a value that draws itself on Matplotlib axes, and a sheet is a figure of several.
 
-from edugym.extras import require
-from edugym.plotting.curves import learning_curves, lines
-from edugym.plotting.drawing import draw
-from edugym.plotting.maps import visitation_map
+No window opens, and no setting of Matplotlib changes. A new kind of panel is a file of its own here.
+"""
+
+from edugym.plotting.curves import Curves
+from edugym.plotting.lines import Lines
+from edugym.plotting.sheet import Sheet
 from edugym.plotting.style import save_figure
+from edugym.plotting.visits import VisitMap
 
-require("plot", "matplotlib")
-
-__all__ = ["draw", "learning_curves", "lines", "save_figure", "visitation_map"]
+__all__ = ["Curves", "Lines", "Sheet", "VisitMap", "save_figure"]

@@ -1,16 +1,25 @@
-"""Learning curves, and other lines of several methods."""
+"""Learning curves."""
 
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
 
 from edugym.checks import whole_number
-from edugym.mdp.protocol import Reals
-from edugym.plotting.style import count_steps, dress, own_axes, stroke
-from edugym.rendering.palette import INK
+from edugym.plotting.panel import ALONE, Place
+from edugym.plotting.style import (
+    REFERENCE,
+    SOFT_REFERENCE,
+    add_legend,
+    dress,
+    format_steps,
+    own_axes,
+    plot_line,
+    stroke,
+)
 from edugym.results.statistics import by_point
 from edugym.results.tables import Results
 
 if TYPE_CHECKING:
+    import pandas
     from matplotlib.axes import Axes
 
 LABELS = {
@@ -18,105 +27,72 @@ LABELS = {
     "training_return": "return (while exploring)",
     "episodes": "episodes ended",
 }
+SHARE_LABEL = "share of runs with return 1 (greedy)"
 
 
-def learning_curves(
-    results: Results,
-    ax: "Axes | None" = None,
-    *,
-    column: str = "return",
-    methods: Sequence[str] | None = None,
-    share: bool = False,
-    optimum: float | None = None,
-    optimum_label: str = "optimum",
-    soft_optimum: float | None = None,
-    soft_optimum_label: str = "best ε-soft policy",
-    smooth: int | None = None,
-    title: str | None = None,
-    y_label: str | None = None,
-    legend: bool = True,
-) -> "Axes":
-    """Draw the learning curve of each method: the mean over repetitions, and its 95 % confidence interval as a band.
+class Curves(NamedTuple):
+    """The learning curve of each method: the mean over repetitions, with its 95 % confidence interval as a band.
 
-    Args:
-        results: what to draw.
-        ax: where; by default in a new figure.
-        column: "return" (of evaluation episodes, played without exploring), "training_return" or "episodes".
-        methods: which, by their labels; by default all. Their order gives the colours, so that figures with the same
-            methods have the same colours.
-        share: whether the values are 1 or 0, so that the mean is a share: the band is then Wilson's interval.
-        optimum: the best value there is, drawn as a dashed line.
-        optimum_label: what the legend calls it.
-        soft_optimum: the best value there is for a policy that goes on exploring, a dashed line too.
-        soft_optimum_label: what the legend calls it.
-        smooth: over how many points each repetition is averaged, the point and those before it; by default none.
-        title: what is written above.
-        y_label: what is written beside; by default what the column is.
-        legend: whether to draw a legend.
-
-    Returns:
-        The axes.
-
-    Raises:
-        ValueError: a parameter is not as above.
+    Attributes:
+        results: the results to draw.
+        title: the text above the axes.
+        column: "return" (of evaluation episodes, played without exploring), "training_return" (of the training
+            episodes, explored as the method does) or "episodes" (that ended since the point before).
+        methods: the labels of the methods to draw; None draws all. Their order gives the colours, so that figures with
+            the same methods have the same colours.
+        share: whether every value is 1 or 0, so that the mean is a share; the band is then Wilson's interval.
+        optimum: the best possible value, drawn as a dashed line; None draws none.
+        soft_optimum: the best value of a policy that goes on exploring, drawn as a dotted line; None draws none.
+        smooth: the number of points to average, the point itself and those before it; None averages none. Training
+            returns are weighted by their numbers of episodes.
+        y_label: the label of the y axis; None describes the column.
     """
-    if smooth is not None:
-        whole_number("smooth", smooth, 1)
-    ax = own_axes(ax)
-    for i, method in enumerate(methods if methods is not None else results.methods):
-        curves = results.curves(method, column)
-        if smooth is not None:
-            curves = curves.rolling(smooth, min_periods=1).mean()
-        steps, values = curves.index.to_numpy(), curves.to_numpy(float)
-        mean, low, high = by_point(values, share=share and smooth is None).T
-        color, linestyle = stroke(i)
-        ax.plot(steps, mean, color=color, linestyle=linestyle, linewidth=1.6, label=method)
-        ax.fill_between(steps, low, high, color=color, alpha=0.16, linewidth=0)
-    for value, label, dashes in ((optimum, optimum_label, (5, 3)), (soft_optimum, soft_optimum_label, (1.5, 2))):
-        if value is not None:
-            ax.axhline(value, color=INK, linewidth=0.9, linestyle=(0, dashes), label=label, zorder=1)
-    dress(ax, "training steps", LABELS[column] if y_label is None else y_label, title)
-    if not results.table.empty:
-        ax.set_xlim(0, results.table["step"].max())
-    count_steps(ax)
-    if legend:
-        ax.legend(frameon=False, fontsize=8)
-    return ax
 
+    results: Results
+    title: str = ""
+    column: str = "return"
+    methods: Sequence[str] | None = None
+    share: bool = False
+    optimum: float | None = None
+    soft_optimum: float | None = None
+    smooth: int | None = None
+    y_label: str | None = None
 
-def lines(
-    x: Reals,
-    values: Mapping[str, Reals],
-    ax: "Axes | None" = None,
-    *,
-    theory: Mapping[str, Reals] | None = None,
-    title: str | None = None,
-    x_label: str = "",
-    y_label: str = "",
-    legend: bool = True,
-) -> "Axes":
-    """Draw a line for each method over something else than training steps.
+    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
+        """Draw the curves on `ax`, by default in a new figure, and return the axes.
 
-    Args:
-        x: shape (n,): where the values are.
-        values: by label of the method, shape (n,).
-        ax: where; by default in a new figure.
-        theory: by label, what the values should be, shape (n,): dashed lines.
-        title: what is written above.
-        x_label: what is written below.
-        y_label: what is written beside.
-        legend: whether to draw a legend.
+        Raises:
+            ValueError: an attribute is not as described in the class.
+        """
+        if self.smooth is not None:
+            whole_number("smooth", self.smooth, 1)
+        ax = own_axes(ax)
+        for i, method in enumerate(self.results.methods if self.methods is None else self.methods):
+            curves = self.points(method)
+            steps = curves.index.to_numpy()
+            mean, low, high = by_point(curves.to_numpy(float), share=self.share and self.smooth is None).T
+            plot_line(ax, i, steps, mean, method)
+            ax.fill_between(steps, low, high, color=stroke(i).color, alpha=0.16, linewidth=0)
+        if self.optimum is not None:
+            ax.axhline(self.optimum, label="optimum", **REFERENCE)
+        if self.soft_optimum is not None:
+            ax.axhline(self.soft_optimum, label="best ε-soft policy", **SOFT_REFERENCE)
+        default = SHARE_LABEL if self.share and self.column == "return" else LABELS[self.column]
+        dress(ax, "training steps", default if self.y_label is None else self.y_label, self.title)
+        if not self.results.table.empty:
+            ax.set_xlim(0, self.results.table["step"].max())
+        format_steps(ax)
+        if place.alone:
+            add_legend(ax)
+        return ax
 
-    Returns:
-        The axes.
-    """
-    ax = own_axes(ax)
-    for i, (method, line) in enumerate(values.items()):
-        color, linestyle = stroke(i)
-        ax.plot(x, line, color=color, linestyle=linestyle, linewidth=1.6, label=method)
-    for label, line in (theory or {}).items():
-        ax.plot(x, line, color=INK, linewidth=0.9, linestyle=(0, (5, 3)), label=label, zorder=1)
-    dress(ax, x_label, y_label, title)
-    if legend:
-        ax.legend(frameon=False, fontsize=8)
-    return ax
+    def points(self, method: str) -> "pandas.DataFrame":
+        """Return the curves of a method, smoothed: one row a step, one column a repetition."""
+        curves = self.results.curves(method, self.column)
+        if self.smooth is None:
+            return curves
+        weights = curves.notna().astype(float)
+        if self.column == "training_return":
+            weights *= self.results.curves(method, "episodes")
+        total, weight = (part.rolling(self.smooth, min_periods=1).sum() for part in (curves * weights, weights))
+        return total / weight

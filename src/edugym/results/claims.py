@@ -1,10 +1,10 @@
-"""Claims: statements about what an experiment shows, each with what was measured and whether it holds.
+"""Claims: statements about an experiment, each with its measurement and whether it holds.
 
-A claim says beforehand what the whole confidence interval must do, not the estimate alone. "The method solves the task"
-means that the share of its runs that solve it is above one half with confidence: `Above(0.5)`. "It does not" means that
-the share is below one half with confidence. In between the data does not tell, and neither claim holds. That a figure
-*equals* a theory's is claimed by a margin: the whole interval lies `Within(low, high)` around it (an equivalence test;
-an interval that merely contains the figure is one that too little data makes wide).
+A claim states beforehand where the whole confidence interval must lie, not only the estimate. "The method solves the
+task" means that the share of its runs that solve it is above one half with confidence: `Above(0.5)`. "It does not solve
+the task" means that the share is below one half with confidence. In between the data cannot tell, and neither claim
+holds. A claim that a number *equals* a theory's has a margin: the whole interval lies `Within(low, high)` around it.
+(This is an equivalence test. To ask only that the interval contains the number would reward too little data.)
 """
 
 from typing import NamedTuple, TypeAlias
@@ -18,11 +18,11 @@ class Above(NamedTuple):
     threshold: float
 
     def holds(self, interval: Interval) -> bool:
-        """Whether it does."""
+        """Whether an interval does."""
         return interval.low > self.threshold
 
     def __str__(self) -> str:
-        """What is asked, in short."""
+        """The condition, in short."""
         return f"> {in_short(self.threshold)}"
 
 
@@ -32,11 +32,11 @@ class Below(NamedTuple):
     threshold: float
 
     def holds(self, interval: Interval) -> bool:
-        """Whether it does."""
+        """Whether an interval does."""
         return interval.high < self.threshold
 
     def __str__(self) -> str:
-        """What is asked, in short."""
+        """The condition, in short."""
         return f"< {in_short(self.threshold)}"
 
 
@@ -47,11 +47,11 @@ class Within(NamedTuple):
     high: float
 
     def holds(self, interval: Interval) -> bool:
-        """Whether it does."""
+        """Whether an interval does."""
         return self.low <= interval.low and interval.high <= self.high
 
     def __str__(self) -> str:
-        """What is asked, in short."""
+        """The condition, in short."""
         return f"{in_short(self.low)} to {in_short(self.high)}"
 
 
@@ -59,14 +59,14 @@ Expectation: TypeAlias = Above | Below | Within
 
 
 class Claim(NamedTuple):
-    """A statement about an experiment, with what was measured.
+    """A statement about an experiment, with its measurement.
 
     Attributes:
-        statement: what is claimed, in one sentence.
-        quantity: what was measured, and of how many.
+        statement: the claim, in one sentence.
+        quantity: the name of the measured quantity.
         measured: the estimate with its 95 % interval.
         expected: where the interval must lie for the claim to hold.
-        reason: why it is so or, where the paper says something else, why not; may be empty.
+        reason: why the claim holds or, where the paper says something else, why it differs; may be empty.
     """
 
     statement: str
@@ -77,5 +77,5 @@ class Claim(NamedTuple):
 
     @property
     def holds(self) -> bool:
-        """Whether the data shows it; what was not measured does not hold."""
+        """Whether the data shows it; a claim without data does not hold."""
         return self.measured.n > 0 and self.expected.holds(self.measured)

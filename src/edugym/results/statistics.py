@@ -1,17 +1,17 @@
 """Means and shares with their intervals.
 
-A result of one run says little: the next seed gives another. What is reported is therefore an estimate over repetitions
-with a 95 % confidence interval: were the whole experiment done again and again with new seeds, 95 of 100 such intervals
-would contain the true value.
+The result of one run says little: the next seed gives another. Reports therefore give an estimate over repetitions
+with a 95 % confidence interval. If the whole experiment were repeated many times with new seeds, 95 of 100 such
+intervals would contain the true value.
 
-* A mean over repetitions has Student's t interval: mean ± t(n - 1) s / √n. Exact where the values are normal, and good
-  where they are not too skew.
-* A share (how many runs solved the task) has Wilson's interval, which does not shrink to nothing when all or none did:
-  10 of 10 gives 0.72 to 1.
-* Two methods are compared by their differences within each repetition, where they had the same seed and layout: what
-  a hard layout does to both drops out. The interval is Student's t of these differences.
+* A mean over repetitions has Student's t interval: mean ± t(n - 1) s / √n. It is exact for normal values, and good for
+  values that are not too skewed.
+* A share (how many runs solved the task) has Wilson's interval, which does not shrink to nothing when all runs or none
+  solved it: 10 of 10 gives 0.72 to 1.
+* Two methods are compared by their differences within each repetition, where both had the same seed and layout, so that
+  the effect of a hard layout on both drops out. The interval is Student's t interval of these differences.
 
-There is no bootstrap: with the 10 to 30 repetitions that are usual here its percentile intervals are too narrow.
+There is no bootstrap: with the usual 10 to 30 repetitions its percentile intervals are too narrow.
 
 References: Wilson (1927), Probable inference, the law of succession, and statistical inference; Brown, Cai and DasGupta
 (2001), Interval estimation for a binomial proportion; Student (1908), The probable error of a mean.
@@ -23,8 +23,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from edugym.extras import require
 from edugym.checks import whole_number
+from edugym.extras import require
 from edugym.mdp.protocol import Reals
 
 CONFIDENCE = 0.95
@@ -35,9 +35,9 @@ class Interval(NamedTuple):
 
     Attributes:
         estimate: the mean, share or difference; NaN when nothing was measured.
-        low: the lower end; -inf when the data says nothing about it.
-        high: the upper end; inf when the data says nothing about it.
-        n: from how many values it comes.
+        low: the lower end; -inf when there is too little data.
+        high: the upper end; inf when there is too little data.
+        n: the number of values.
     """
 
     estimate: float
@@ -53,15 +53,15 @@ class Interval(NamedTuple):
 
 
 def in_short(number: float) -> str:
-    """A number with three significant digits, or as a whole one where it is large."""
+    """Format a number with three significant digits, or a large one as a whole number."""
     return f"{number:.3g}" if abs(number) < 1_000 or math.isinf(number) else f"{number:.0f}"
 
 
 def mean_interval(values: ArrayLike, confidence: float = CONFIDENCE) -> Interval:
-    """The mean of independent values, with Student's t interval.
+    """Return the mean of independent values, with Student's t interval.
 
     Args:
-        values: shape (n,): one value of each repetition; NaN means that there is none.
+        values: shape (n,): one value of each repetition; NaN means no value.
         confidence: the share of such intervals that contain the true mean, between 0 and 1.
 
     Returns:
@@ -80,18 +80,18 @@ def mean_interval(values: ArrayLike, confidence: float = CONFIDENCE) -> Interval
 
 
 def proportion_interval(successes: int, n: int, confidence: float = CONFIDENCE) -> Interval:
-    """The share of successes in independent trials, with Wilson's interval.
+    """Return the share of successes in independent trials, with Wilson's interval.
 
     Args:
-        successes: how many trials succeeded, from 0 to `n`.
-        n: how many trials there were, 0 or more.
+        successes: the number of trials that succeeded, from 0 to `n`.
+        n: the number of trials, 0 or more.
         confidence: the share of such intervals that contain the true probability, between 0 and 1.
 
     Returns:
-        The interval; from 0 to 1 when there was no trial.
+        The interval; from 0 to 1 without any trial.
 
     Raises:
-        ValueError: a number is not as above.
+        ValueError: a number is out of its range.
     """
     whole_number("n", n, 0)
     whole_number("successes", successes, 0, n)
@@ -105,10 +105,10 @@ def proportion_interval(successes: int, n: int, confidence: float = CONFIDENCE) 
 
 
 def share_interval(values: ArrayLike, confidence: float = CONFIDENCE) -> Interval:
-    """The share of ones among values that are 0 or 1, with Wilson's interval.
+    """Return the share of ones among values that are 0 or 1, with Wilson's interval.
 
     Args:
-        values: shape (n,): 1 for a success and 0 for none; NaN means that there is no value.
+        values: shape (n,): 1 for a success and 0 for a failure; NaN means no value.
         confidence: as in `proportion_interval`.
 
     Raises:
@@ -122,11 +122,11 @@ def share_interval(values: ArrayLike, confidence: float = CONFIDENCE) -> Interva
 
 
 def paired_difference(first: ArrayLike, second: ArrayLike, confidence: float = CONFIDENCE) -> Interval:
-    """How much more `first` is than `second` on average, by their differences within each repetition.
+    """Return the mean of `first` minus `second` within each repetition, with Student's t interval.
 
     Args:
-        first: shape (n,): one value of each repetition of a method; NaN means that there is none.
-        second: shape (n,): those of another method, in the same order, with the same seeds and layouts.
+        first: shape (n,): one value of each repetition of a method; NaN means no value.
+        second: shape (n,): the values of another method, in the same order, with the same seeds and layouts.
         confidence: as in `mean_interval`.
 
     Raises:
@@ -139,14 +139,14 @@ def paired_difference(first: ArrayLike, second: ArrayLike, confidence: float = C
 
 
 def by_point(values: Reals, *, share: bool = False) -> Reals:
-    """The interval at each point of a learning curve.
+    """Return the interval at each point of a learning curve.
 
     Args:
         values: shape (n_points, n_repetitions); NaN where a repetition has no value.
         share: whether the values are successes (1) and failures (0), so that their mean is a share.
 
     Returns:
-        Shape (n_points, 3): estimate, lower and upper end; NaN where the data says nothing.
+        Shape (n_points, 3): estimate, lower and upper end; NaN where there is too little data.
     """
     interval = share_interval if share else mean_interval
     ends = np.array([interval(row)[:3] for row in values]).reshape(-1, 3)

@@ -3,15 +3,15 @@
 import os
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 import numpy as np
 
-from edugym.results.statistics import Interval, mean_interval, paired_difference, share_interval
+from edugym.checks import one_of
 from edugym.extras import require
 from edugym.files import write_whole
-from edugym.checks import one_of
 from edugym.mdp.protocol import Reals
+from edugym.results.statistics import Interval, mean_interval, paired_difference, share_interval
 
 if TYPE_CHECKING:
     import pandas
@@ -19,26 +19,30 @@ if TYPE_CHECKING:
 MEASURED = (
     "method", "repetition", "seed", "layout_seed", "step", "return", "training_return", "episodes", "complete"
 )  # fmt: skip
-"""The columns that every table has; the rest say what was done."""
+"""The columns that every table has; the other columns hold the configuration."""
+
+Period: TypeAlias = Literal["end", "training"]
+"""What one value of a run is taken from: the last point of its learning curve, or the average over all of training."""
 
 
 @dataclass(frozen=True)
 class Results:
-    """Learning curves of several methods over several repetitions, with what is needed to do it all again.
+    """Learning curves of several methods over several repetitions, with what is needed to repeat the experiment.
 
     Attributes:
         table: one row for each point of each learning curve (pandas.DataFrame). Its columns:
 
-            * `method`: the label of the method; `repetition`: 0, 1, ...; `seed` and `layout_seed`: what this repetition
-              was made from (the same for every method; no `layout_seed` where the task has none);
-            * `step`: after how many training steps; `return`: the mean undiscounted return of the evaluation episodes
-              played then, without exploring; `training_return`: the mean return of the training episodes that ended
-              since the point before, NaN where none did; `episodes`: how many those are;
-            * `complete`: whether this run went on to its last step;
+            * `method`: the label of the method; `repetition`: 0, 1, ...; `seed` and `layout_seed`: the seeds of this
+              repetition, the same for every method (`layout_seed` is empty where the task has no layout);
+            * `step`: the training steps so far; `return`: the mean undiscounted return of the evaluation episodes that
+              were played at this step, without exploring; `training_return`: the mean undiscounted return of the
+              training episodes that ended since the point before, NaN where none did; `episodes`: their number;
+            * `complete`: whether this run reached its last step;
             * `environment`, `environment.height`, ..., `agent`, `agent.learning_rate`, ...: the configuration, one
               column a setting; `n_steps`, `repetitions`, ...: the arguments of the experiment; `versions`: of Python
               and packages.
-        agents: the trained agents: `agents["novelty"][3]` is that of repetition 3. Not saved: empty in loaded results.
+        agents: the trained agents: `agents["novelty"][3]` is that of repetition 3. They are not saved, so loaded
+            results have none.
     """
 
     table: "pandas.DataFrame"
@@ -51,21 +55,21 @@ class Results:
 
     @property
     def complete(self) -> bool:
-        """Whether every planned run was done to its last step."""
+        """Whether every planned run reached its last step."""
         done = self.table[self.table["complete"]][["method", "repetition"]].drop_duplicates()
         return len(done) > 0 and len(done) == int(self.table["runs"].iloc[0])
 
     def complete_agents(self, method: str) -> dict[int, Any]:
-        """The agents of the runs that were done to the last step, by repetition."""
+        """Return the agents of the complete runs of a method, by repetition."""
         final = self.final(method)
         return {i: agent for i, agent in self.agents[method].items() if not np.isnan(final[i])}
 
     def curves(self, method: str, column: str = "return") -> "pandas.DataFrame":
-        """The learning curves of a method: one row a step, one column a repetition, NaN where a run had stopped.
+        """Return the learning curves of a method: one row a step, one column a repetition, NaN after an interruption.
 
         Args:
             method: one of `methods`.
-            column: `return` or `training_return`.
+            column: "return", "training_return" or "episodes".
 
         Raises:
             ValueError: an argument is none of these.
@@ -76,11 +80,14 @@ class Results:
         return rows.pivot(index="step", columns="repetition", values=column)
 
     def final(self, method: str, column: str = "return") -> Reals:
-        """The last value of every complete run of a method, shape (n_repetitions,), NaN where there is no complete run.
+        """Return the last value of every complete run of a method.
 
         Args:
             method: one of `methods`.
             column: as in `curves`.
+
+        Returns:
+            Shape (n_repetitions,); NaN where a run is not complete.
 
         Raises:
             ValueError: an argument is none of these.
@@ -88,25 +95,66 @@ class Results:
         if self.table.empty:
             return np.empty(0)
         curves = self.curves(method, column).reindex(columns=range(int(self.table["repetitions"].iloc[0])))
-        n_steps = int(self.table["n_steps"].iloc[0])
-        last: Reals = curves.reindex([n_steps]).to_numpy(float)[0]
+        last: Reals = curves.reindex([int(self.table["n_steps"].iloc[0])]).to_numpy(float)[0]
         return last
 
-    def mean(self, method: str, column: str = "return") -> Interval:
-        """The mean final value of a method, with its interval."""
-        return mean_interval(self.final(method, column))
+    def average(self, method: str, column: str = "return") -> Reals:
+        """Return the average over training of every complete run of a method: how well it did while it learned.
 
-    def share(self, method: str, at_least: float) -> Interval:
-        """The share of complete runs whose final return is `at_least` as high, with its interval."""
+        Args:
+            method: one of `methods`.
+            column: "return" (the area under the learning curve, by trapezoids, divided by the training steps) or
+                "training_return" (the mean return of all training episodes that ended, each with the same weight).
+
+        Returns:
+            Shape (n_repetitions,); NaN where a run is not complete, or where no episode ended.
+
+        Raises:
+            ValueError: an argument is none of these.
+        """
+        one_of("column", column, ["return", "training_return"])
+        if self.table.empty:
+            return np.empty(0)
         final = self.final(method)
-        return share_interval(final[~np.isnan(final)] >= at_least)
+        curves = self.curves(method, column).reindex(columns=range(len(final)))
+        values = curves.to_numpy(float)  # shape (n_points, n_repetitions)
+        if column == "return":
+            averages = np.trapezoid(values, curves.index.to_numpy(float), axis=0) / int(self.table["n_steps"].iloc[0])
+        else:
+            episodes = self.curves(method, "episodes").reindex(columns=range(len(final))).to_numpy(float)
+            with np.errstate(invalid="ignore"):  # 0 / 0 is NaN: no episode ended
+                averages = np.nansum(values * episodes, axis=0) / np.nansum(episodes, axis=0)
+        return np.where(np.isnan(final), np.nan, averages)
 
-    def difference(self, method: str, other: str, column: str = "return") -> Interval:
-        """How much more the final value of `method` is than that of `other`, by repetition, with its interval."""
-        return paired_difference(self.final(method, column), self.final(other, column))
+    def mean(self, method: str, column: str = "return", over: Period = "end") -> Interval:
+        """Return the mean of a method over its complete runs, with its interval.
+
+        Args:
+            method: one of `methods`.
+            column: as in `final` or, over training, as in `average`.
+            over: "end" takes the last value of each run (`final`), "training" its average over training (`average`).
+
+        Raises:
+            ValueError: an argument is none of these.
+        """
+        return mean_interval(self._values(method, column, over))
+
+    def share(self, method: str, at_least: float, column: str = "return", over: Period = "end") -> Interval:
+        """Return the share of complete runs with a value of `at_least` this much; other arguments as in `mean`."""
+        values = self._values(method, column, over)
+        return share_interval(values[~np.isnan(values)] >= at_least)
+
+    def difference(self, method: str, other: str, column: str = "return", over: Period = "end") -> Interval:
+        """Return the mean of `method` minus `other`, paired by repetition; other arguments as in `mean`."""
+        return paired_difference(self._values(method, column, over), self._values(other, column, over))
+
+    def _values(self, method: str, column: str, over: Period) -> Reals:
+        """Return one value of each complete run."""
+        one_of("over", over, ["end", "training"])
+        return self.final(method, column) if over == "end" else self.average(method, column)
 
     def save(self, path: str | os.PathLike[str]) -> Path:
-        """Write the table as CSV: all of it or, when something goes wrong, nothing.
+        """Write the table as a CSV file: the whole table, or nothing if something goes wrong.
 
         Raises:
             OSError: the file cannot be written.
@@ -115,11 +163,11 @@ class Results:
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> "Results":
-        """Read what `save` wrote.
+        """Read a table that `save` wrote.
 
         Raises:
             OSError: the file cannot be read.
-            ValueError: it is not a table of results.
+            ValueError: the file is not a table of results.
             gymnasium.error.DependencyNotInstalled: pandas is missing.
         """
         require("experiments", "pandas")
@@ -134,9 +182,10 @@ class Results:
 
 
 def with_types(table: "pandas.DataFrame") -> "pandas.DataFrame":
-    """The table with the types of its columns settled, so that a saved and loaded one equals the first.
+    """Return the table with settled column types, so that saving and loading gives the same table.
 
-    Measured columns have NumPy's types; those of the configuration, which a method may lack, pandas' types with gaps.
+    Measured columns get NumPy's types. Columns of the configuration get pandas' types that allow gaps, since a method
+    may lack a setting.
     """
     whole = ["repetition", "seed", "step", "episodes"]
     table = table.astype({**dict.fromkeys(whole, "int64"), "return": float, "training_return": float, "complete": bool})

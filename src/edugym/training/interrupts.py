@@ -9,30 +9,30 @@ from typing import Any
 
 @contextmanager
 def interrupts(deferred: bool) -> Iterator[Callable[[], None]]:
-    """Let Ctrl-C wait for a moment at which it is safe.
+    """Put Ctrl-C off to a moment at which it is safe.
 
-    When machine code hands back a state, Python makes the tuple, and raises `KeyboardInterrupt` at that very moment if
-    Ctrl-C came on the way. Numba does not expect an error there, and the process would crash.
+    When machine code returns a state, Python makes the tuple, and raises `KeyboardInterrupt` at that very moment if
+    Ctrl-C was pressed meanwhile. Numba does not expect an error there, and the process would crash.
 
     Args:
-        deferred: without it nothing waits: Ctrl-C comes as ever.
+        deferred: False to put nothing off.
 
     Yields:
-        A function that lets come what has waited: `KeyboardInterrupt`, or whatever Ctrl-C does otherwise.
+        A function that delivers a pending Ctrl-C: it raises `KeyboardInterrupt`, or does what Ctrl-C does otherwise.
     """
     handler = signal.getsignal(signal.SIGINT)
-    waiting: list[tuple[Any, ...]] = []
+    pending: list[tuple[Any, ...]] = []
 
-    def let_come() -> None:
-        while callable(handler) and waiting:
-            handler(*waiting.pop())
+    def deliver() -> None:
+        while callable(handler) and pending:
+            handler(*pending.pop())
 
     if not (deferred and callable(handler) and threading.current_thread() is threading.main_thread()):
-        yield let_come
+        yield deliver
         return
-    signal.signal(signal.SIGINT, lambda *arguments: waiting.append(arguments))
+    signal.signal(signal.SIGINT, lambda *arguments: pending.append(arguments))
     try:
-        yield let_come
+        yield deliver
     finally:
         signal.signal(signal.SIGINT, handler)
-    let_come()
+    deliver()

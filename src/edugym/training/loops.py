@@ -1,19 +1,22 @@
 """The loops in which an agent meets an MDP, as in the textbook, and nothing else.
 
-They are plain Python that `execution` also runs as machine code, in chunks: each takes the `moment` at which it
-starts and returns the one at which it stops, so that a thousand chunks are one run, bit for bit.
+They are plain Python that also runs as machine code, in chunks: each call takes the `moment` at which it starts and
+returns the one at which it stops, so that a thousand chunks are one run, bit for bit.
 
-Environment and agent draw from streams of their own (`environment_rng`, `agent_rng`), so that what one of them draws
-never shifts what the other gets.
+Environment and agent draw from streams of their own (`environment_rng`, `agent_rng`), so what one of them draws never
+shifts what the other gets.
 
-References: Sutton and Barto, 2nd edition: the boxes of section 6.4 (SARSA) and 6.5 (Q-learning).
+References: Sutton and Barto, 2nd edition: the boxes of sections 6.4 (SARSA) and 6.5 (Q-learning).
 """
 
 from typing import Any, NamedTuple, TypeAlias
 
 from edugym.mdp.protocol import MDP, Actor, Integers, Observation, Random, Reals, State
 
-Moment: TypeAlias = tuple[Any, Any, int, int, float]
+Moment: TypeAlias = tuple[Any, Any, int, float]
+"""Between two steps: the state, its observation, the steps of this episode so far, and its return so far."""
+OnPolicyMoment: TypeAlias = tuple[Any, Any, Any, int, float]
+"""The same with the next action, which an on-policy agent has chosen already, in the third place."""
 
 
 class Log(NamedTuple):
@@ -28,12 +31,18 @@ class Log(NamedTuple):
     episodes: Integers
 
 
-def start(mdp: MDP[State, Observation], agent: Any, environment_rng: Random, agent_rng: Random) -> Moment:
-    """The moment before the first step: (state, observation, action, steps of this episode, its return so far)."""
+def start_off_policy(mdp: MDP[State, Observation], environment_rng: Random) -> Moment:
+    """The moment before the first step."""
     state = mdp.initial(environment_rng)
-    observation = mdp.observation(state, environment_rng)
-    action = agent.act(observation, agent_rng) if getattr(agent, "on_policy", False) else 0
-    return state, observation, action, 0, 0.0
+    return state, mdp.observation(state, environment_rng), 0, 0.0
+
+
+def start_on_policy(
+    mdp: MDP[State, Observation], agent: Actor[Any], environment_rng: Random, agent_rng: Random
+) -> OnPolicyMoment:
+    """The moment before the first step, its action chosen."""
+    state, observation, steps, total = start_off_policy(mdp, environment_rng)
+    return state, observation, agent.act(observation, agent_rng), steps, total
 
 
 def off_policy(
@@ -46,8 +55,22 @@ def off_policy(
     log: Log,
     moment: Moment,
 ) -> Moment:
-    """Take `n_steps` steps, learning before the next action is chosen (Q-learning, section 6.5)."""
-    state, observation, action, steps, total = moment
+    """Take `n_steps` steps, learning before the next action is chosen (Q-learning, section 6.5).
+
+    Args:
+        n_steps: how many steps to take; episodes follow each other.
+        mdp: the task.
+        agent: acts and learns (see `edugym.training.contract.learner`).
+        max_steps: after how many steps an episode is truncated.
+        environment_rng: what the task draws from.
+        agent_rng: what the agent draws from.
+        log: where the returns of the episodes that end are added up.
+        moment: where to start: what `start_off_policy` or the previous call returned.
+
+    Returns:
+        The moment after the last step.
+    """
+    state, observation, steps, total = moment
     for _ in range(n_steps):
         action = agent.act(observation, agent_rng)
         next_state = mdp.transition(state, action, environment_rng)
@@ -65,7 +88,7 @@ def off_policy(
             state = mdp.initial(environment_rng)
             observation = mdp.observation(state, environment_rng)
             steps, total = 0, 0.0
-    return state, observation, action, steps, total
+    return state, observation, steps, total
 
 
 def on_policy(
@@ -76,9 +99,12 @@ def on_policy(
     environment_rng: Random,
     agent_rng: Random,
     log: Log,
-    moment: Moment,
-) -> Moment:
-    """Take `n_steps` steps, choosing the next action before learning, which uses it (SARSA, section 6.4)."""
+    moment: OnPolicyMoment,
+) -> OnPolicyMoment:
+    """Take `n_steps` steps, choosing the next action before learning, which uses it (SARSA, section 6.4).
+
+    Args and result are those of `off_policy`; the moment holds the next action as well.
+    """
     state, observation, action, steps, total = moment
     for _ in range(n_steps):
         next_state = mdp.transition(state, action, environment_rng)
@@ -122,58 +148,3 @@ def play_episodes(
             if mdp.terminal(state):
                 break
         returns[episode] = total
-
-
-class GreedyActor(NamedTuple):
-    """An agent as it acts when it is evaluated: by the action that it believes best."""
-
-    agent: Any
-
-    def act(self, state: Any, rng: Random) -> int:
-        """The agent's greedy action."""
-        action: int = self.agent.greedy(state, rng)
-        return action
-
-
-class OneStepAgent(NamedTuple):
-    """An off-policy agent whose `learn` need not know of truncation, in a loop that tells it."""
-
-    agent: Any
-
-    def act(self, state: Any, rng: Random) -> int:
-        """The agent's action."""
-        action: int = self.agent.act(state, rng)
-        return action
-
-    def learn(self, state: Any, action: int, reward: float, next_state: Any, terminated: bool, truncated: bool) -> None:
-        """Let the agent learn."""
-        self.agent.learn(state, action, reward, next_state, terminated)
-
-
-class OneStepOnPolicyAgent(NamedTuple):
-    """An on-policy agent whose `learn` need not know of truncation, in a loop that tells it."""
-
-    agent: Any
-
-    @property
-    def on_policy(self) -> bool:
-        """So that the loop chooses the next action before it learns."""
-        return True
-
-    def act(self, state: Any, rng: Random) -> int:
-        """The agent's action."""
-        action: int = self.agent.act(state, rng)
-        return action
-
-    def learn(
-        self,
-        state: Any,
-        action: int,
-        reward: float,
-        next_state: Any,
-        next_action: int,
-        terminated: bool,
-        truncated: bool,
-    ) -> None:
-        """Let the agent learn."""
-        self.agent.learn(state, action, reward, next_state, next_action, terminated)

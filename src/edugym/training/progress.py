@@ -1,14 +1,28 @@
 """A progress bar, where the library for it is installed."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 
-def progress_bar(total: int, unit: str) -> Any:
-    """A tqdm bar with `update(n)` and `close()`, drawn to the terminal or the notebook.
+class NoBar:
+    """What takes the place of a progress bar that is not shown."""
+
+    def update(self, n: int) -> None:
+        """Do nothing."""
+
+
+@contextmanager
+def progress_bar(total: int, unit: str, *, shown: bool) -> Iterator[Any]:
+    """A tqdm bar with `update(n)`, in the terminal or the notebook; closed at the end.
 
     Raises:
         ModuleNotFoundError: tqdm is not installed.
     """
+    if not shown:
+        yield NoBar()
+        return
     from tqdm.auto import tqdm
 
-    return tqdm(total=total, unit=unit, unit_scale=True, smoothing=0.1)
+    with tqdm(total=total, unit=unit, unit_scale=True, smoothing=0.1) as bar:
+        yield bar

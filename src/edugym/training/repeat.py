@@ -7,7 +7,7 @@ import tempfile
 import threading
 import warnings
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import closing, contextmanager, nullcontext
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -160,7 +160,7 @@ class _Watch:
 
     def advance(self, n_steps: int) -> None:
         """Show progress."""
-        if self._bar is not None:
+        if self._bar is not None:  # which is so in this process only
             with self._lock:
                 self._bar.update(n_steps)
 
@@ -181,8 +181,10 @@ def _do_all(
     """Every run of the plan; None for those that had not begun when the order to stop came."""
     import joblib
 
-    bar = progress_bar(len(plan) * arguments["n_steps"], "steps") if progress else None
-    with tempfile.TemporaryDirectory(prefix="edugym-") as folder, closing(bar) if bar is not None else nullcontext():
+    with (
+        tempfile.TemporaryDirectory(prefix="edugym-") as folder,
+        progress_bar(len(plan) * arguments["n_steps"], "steps", shown=progress) as bar,
+    ):
         watch = _Watch(stop, bar, folder)
         try:
             if not watch.is_set():

@@ -4,11 +4,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from edugym.agents.tables import table_size
 from edugym.checks import whole_number
 from edugym.mdp.protocol import Integers, Random
-from edugym.mdp.tabular import table_size
-from edugym.training.loops import GreedyActor
-from edugym.training.train import told_of_truncation
+from edugym.training.contract import actor, is_on_policy, learner
 
 
 class VisitRecorder(NamedTuple):
@@ -18,7 +17,7 @@ class VisitRecorder(NamedTuple):
 
     Attributes:
         agent: the agent.
-        learner: the same agent, told whether an episode was truncated.
+        learner: the same agent, in the form that the loops ask for.
         actor: the same agent as it acts when it is evaluated.
         visits: shape (n_intervals, n_states): how often each state was met in each interval of the training: every
             state in which it acted, and every terminal state that it entered.
@@ -74,11 +73,6 @@ class OnPolicyVisitRecorder(NamedTuple):
     visits: Integers
 
     @property
-    def on_policy(self) -> bool:
-        """Whether it learns from the next action: always."""
-        return True
-
-    @property
     def recorded(self) -> Any:
         """The agent."""
         return self.recorder.agent
@@ -128,6 +122,6 @@ def record_visits(
     whole_number("n_steps", n_steps, 1)
     whole_number("n_intervals", n_intervals, 1)
     visits = np.zeros((n_intervals, table_size(environment)[0]), np.int64)
-    actor = GreedyActor(agent) if hasattr(agent, "greedy") else agent
-    recorder = VisitRecorder(agent, told_of_truncation(agent), actor, visits, np.zeros(1, np.int64), n_steps)
-    return OnPolicyVisitRecorder(recorder, visits) if getattr(agent, "on_policy", False) else recorder
+    evaluated = actor(agent) if hasattr(agent, "greedy") else agent
+    recorder = VisitRecorder(agent, learner(agent), evaluated, visits, np.zeros(1, np.int64), n_steps)
+    return OnPolicyVisitRecorder(recorder, visits) if is_on_policy(agent) else recorder

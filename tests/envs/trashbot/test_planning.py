@@ -13,8 +13,10 @@ from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.deep import stable_baselines3_env
 from edugym.envs.trashbot.geometry import SHOULDER_Y, arm
 from edugym.envs.trashbot.planning import ScriptedController, best_plan, joint_angles
-from edugym.envs.trashbot.task import DELIVERED, MOVING, START, Robot, TrashbotEnv
+from edugym.envs.trashbot.task import DELIVERED, MOVING, START, Robot
 from edugym.playing.films import play_episode
+from edugym.registration import make_environment
+from tests.envs.classes import TrashbotEnv
 from tests.envs.trashbot.moves import DEFAULT, RNG, SCALE
 
 
@@ -108,7 +110,9 @@ def test_scripted_controller_plays_films() -> None:
 @given(st.floats(0.01, 0.3), st.floats(0.2501, 1.0))
 def test_scripted_controller_in_time(action_scale: float, width: float) -> None:
     """In every task that the constructor accepts there is time to deliver the box, also into a tight container."""
-    env = TrashbotEnv(container_width=width, action_scale=action_scale, max_steps=math.ceil(2.5 / action_scale))
+    env = make_environment(
+        "Trashbot", container_width=width, action_scale=action_scale, max_steps=math.ceil(2.5 / action_scale)
+    )
     controller, total = ScriptedController(action_scale), 0.0
     observation, _ = env.reset()
     while env.state.outcome == MOVING:

@@ -1,6 +1,8 @@
 """Trashbot: episodes that a person can follow in degrees, the rewards, the clock, and the pictures."""
 
 import math
+from math import ceil, inf, nan
+from typing import Any
 
 import gymnasium
 import numpy as np
@@ -9,10 +11,55 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from edugym.envs.trashbot.geometry import BOX, BOX_SIZE, CONTAINER_X, MAGNET, REACH, RIM_Y, arm
-from edugym.envs.trashbot.planning import best_plan
-from edugym.envs.trashbot.task import COLLIDED, DELIVERED, LATE, MOVING, START, Robot, TrashbotEnv, TrashbotInBins
+from edugym.envs.trashbot.planning import ScriptedController, best_plan
+from edugym.envs.trashbot.task import COLLIDED, DELIVERED, LATE, MOVING, START, Robot, TrashbotInBins
 from edugym.playing.game import Game
+from tests.contract.described import NO_STEPS, Keywords, Parameters, refused
+from tests.envs.classes import TrashbotEnv
 from tests.envs.trashbot.moves import DEFAULT, RNG, SCALE, robot, step, towards
+
+
+@st.composite
+def arms(draw: st.DrawFn) -> Keywords:
+    """Arms that have time to deliver the box."""
+    action_scale = draw(st.floats(0.05, 0.3))
+    enough = ceil(2.5 / action_scale)
+    return {
+        "n_bins": draw(st.none() | st.integers(2, 12)),
+        "container_width": draw(st.floats(0.25, 1.0, exclude_min=True)),
+        "action_scale": action_scale,
+        "max_steps": draw(st.integers(enough, enough + 60)),
+    }
+
+
+def carry_the_box(_: dict[str, Any], env: Any) -> Any:
+    """What the scripted controller does, as nearly as the bins allow."""
+    task = env.mdp
+    action = ScriptedController(task.action_scale).act(task.observation(env.state, env.np_random), env.np_random)
+    return np.rint((action.astype(np.float64) + 1) / 2 * (task.n_bins - 1)).astype(int) if task.n_bins else action
+
+
+PARAMETERS = Parameters(
+    valid=arms(),
+    corners=(
+        {},
+        {"n_bins": 2, "container_width": 0.2500001},
+        {"n_bins": 5},
+        {"n_bins": 11, "container_width": 1, "action_scale": 0.3, "max_steps": 9},
+        {"n_bins": 2**31, "action_scale": 0.001, "max_steps": 2500},
+        {"container_width": 0.3, "action_scale": 0.3, "max_steps": 9},
+    ),
+    bad=(
+        *refused("n_bins", 1, 0, -3, 2**31 + 1, 2.5, "3", True, nan),
+        *refused("container_width", 0.25, 0, -1, 1.001, inf, nan, "0.5", None, True),
+        *refused("action_scale", 0, -0.1, 5e-324, 0.0009, 0.301, inf, nan, "0.2", None, True),
+        *refused("max_steps", 11, None, *NO_STEPS),
+        *refused("max_steps", 150, action_scale=0.01),
+    ),
+    random=False,
+    informed=carry_the_box,
+)
+
 
 THREE_BINS = """\
 (1, 0) -> (136, 54)  0.000 moving

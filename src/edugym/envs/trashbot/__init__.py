@@ -1,5 +1,5 @@
-"""Trashbot: discrete and continuous states and actions."""
+"""Trashbot: discrete and continuous actions (lesson 7)."""
 
-from edugym.envs.trashbot.task import Trashbot, TrashbotEnv
+from edugym.envs.trashbot.task import Trashbot
 
-__all__ = ["Trashbot", "TrashbotEnv"]
+__all__ = ["Trashbot"]

@@ -1,4 +1,4 @@
-"""Trashbot: discrete and continuous states and actions."""
+"""Trashbot: discrete and continuous actions (lesson 7)."""
 
 import math
 from typing import Any, NamedTuple
@@ -6,7 +6,6 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
-from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.checks import above, between, number_of_steps, whole_number
 from edugym.envs.trashbot.geometry import (
     BASE,
@@ -61,11 +60,100 @@ class Robot(NamedTuple):
 class Trashbot(NamedTuple):
     """A robot arm with two joints brings a red box to a green container, the closer to its middle, the better.
 
-    Attributes:
-        container_width: between its walls, in units of the upper arm.
-        action_scale: how far an action of 1 turns a joint, in radians.
-        time_limit: the task is lost when the box has not been delivered after so many steps.
-        n_bins: how many values an action chooses from for each joint, in the class for discrete actions; here 0.
+    ## Description
+    Challenge: discrete and continuous states and actions. On its base stands an arm of two links; from its end a magnet
+    hangs straight down. It is to pick up the red box at the left and to drop it into the middle of the green container
+    at the right. The agent sees where the joints are, and turns them by any angle, or by one of a few (`n_bins`). Few
+    bins leave less to learn (with 3, PPO finds the best they can do, a return of 4.31, in 0.3 million steps in 4 of 4
+    runs), but take the arm to fewer places. An exact search (`edugym.envs.trashbot.planning`) finds at the defaults,
+    and a scripted controller with continuous actions:
+
+    | bins | 2 | 3 | 4 | 5 | 6 | 7 | 9 | 11 | continuous |
+    |---|---|---|---|---|---|---|---|---|---|
+    | best reward for centring, of 2 | 0.85 | 1.31 | 1.91 | 1.89 | 1.96 | 1.94 | 1.97 | 1.99 | 2 |
+    | in how many steps | 11 | 10 | 10 | 11 | 12 | 11 | 10 | 13 | 11 |
+
+    (Few bins more are not always better: even and odd numbers of them lead to different places.) A narrower container
+    asks for more: with 3 bins the best is 1.08 in one 0.4 wide and 0.62 in one 0.35 wide; into one 0.3 wide they cannot
+    bring the box at all, while 5 bins get 1.58 there.
+
+    ## Observation space
+    `Box(-1, 1, (7,), float32)`: elbow x, y, wrist x, y, lower end of the magnet x, y, and 1 if it holds the box, else
+    0. Coordinates are as seen from the shoulder, x to the right and y upwards, divided by the arm's reach, which is 2.
+
+    ## Action space
+    Continuous: `Box(-1, 1, (2,), float32)`: how far to turn the shoulder and the elbow, counterclockwise, as shares of
+    `action_scale`. With `n_bins`: `MultiDiscrete([n_bins, n_bins])`: bin k of n means 2k/(n-1) - 1, from -1 to 1, ends
+    included. An even number of bins has no bin for 0: neither joint can rest.
+
+    ## State
+    The angles of both joints, whether the box is held, the number of steps, and the outcome: moving, delivered,
+    collided or late. The clock is not observed (as in the paper), so the observation is not Markov: it does not tell
+    when time will be up. All else follows from it.
+
+    ## Dynamics
+    Lengths are in units of the upper arm; the ground is at y = 0, the shoulder at (0, 0.5).
+    1. Both angles change by action times `action_scale`. The upper arm is 1 long, the forearm 0.8, the magnet 0.2.
+    2. If the magnet comes onto the box from above (it was higher than the box until then, and when the step began), it
+       picks it up: the box then hangs from its lower end. That takes the step; the arm stays where it was. The box is a
+       square of 0.25 on a stand, x from -1.625 to -1.375, y from 0.3 to 0.55.
+    3. If the box is held and at the end of the step is between the container's walls, its lower side below the rim, it
+       drops and is delivered. The middle of the container is at x = 1.6, its rim at y = 0.7.
+    4. If on the way the arm touches the ground, its base, the stand, a wall of the container, or the box in any other
+       way, or if a box that it holds touches any of these, it has collided, where it then is.
+
+    The way is looked at in parts so short that nothing moves by more than 0.04 in them, so nothing can pass through a
+    wall, which is 0.05 thick; a touch less than 0.02 deep between two looks goes unnoticed. At each look, what touches
+    what is computed exactly.
+
+    ## Reward
+    +1 for picking up the box; +2 for delivering it, and another 2 (1 - d/r), where d is the distance of its middle from
+    that of the container, and r the greatest at which it fits, (`container_width` - 0.25)/2; -2 for a collision; -1 for
+    the last step allowed, if it neither delivers nor collides (on top of +1 if it picks up). The best return is 5
+    (discount 1): a scripted controller gets 5.00 in 11 steps.
+
+    ## Initial state
+    The magnet above the box: the shoulder at 136 degrees, the elbow at 66.
+
+    ## Episode end
+    Terminated when the box is delivered, by a collision, or after `max_steps` steps, which is part of the task; never
+    truncated.
+
+    ## Parameters
+    - `n_bins` (None): the discretisation level: how many values for each joint, from 2 to 2^31; None for continuous
+      actions.
+    - `container_width` (0.45): between its walls; more than 0.25, at most 1.
+    - `action_scale` (pi / 15): radians for an action of 1, 12 degrees; from 0.001 to 0.3.
+    - `max_steps` (150): 2.5/`action_scale` or more, in which the scripted controller can deliver the box.
+
+    ## Info
+    - `steps`: how many steps this episode has taken.
+    - `angles`: of the shoulder (from the direction of x) and the elbow (from the direction of the upper arm), in
+      radians, counterclockwise.
+    - `outcome`: "moving", "delivered", "collided" or "late".
+    - `centring`: the reward for centring, from 0 to 2; 0 until the box is delivered.
+
+    ## Choices
+    - The paper shows the scene but gives no sizes. These are chosen such that 3 bins are enough to deliver the box, but
+      not to centre it, and such that learning can begin: random actions deliver the box in 1.1 percent of episodes
+      (continuous), 1.5 (5 bins) or 2.0 (3 bins). PPO of Stable-Baselines3 (on `edugym.deep.stable_baselines3_env` with
+      64 copies, n_steps=256, batch_size=1024, learning_rate=1e-3, gamma=0.999) then returns after 1 million steps (in
+      some 40 seconds) 4.89 in 4 of 4 runs with 5 bins, which is the best they can do, and 4.77, 4.80, 4.83 and 4.95
+      with continuous actions.
+    - An action is a share of `action_scale`, and every joint has its own bins, any number of them; the paper writes
+      radians from -1 to 1 and `Discrete(num_bins)` with 3, 5, 7, 9 or 11. It gives no range for the coordinates.
+    - There is one box, and to deliver it ends the episode. (The paper speaks of boxes, and of no end but failure.)
+    - The stand keeps what the arm does with the box clear of the ground.
+    - The arm does not bend to the magnet's touch (2), so with bins the angles stay on a lattice; at the default
+      `action_scale` a full turn of a joint comes back to the same angles of it, so winding up a joint gains nothing.
+    - Links, magnet and the box that is held pass through each other: the arm is no obstacle to itself.
+    - Whether bins are fine enough for a container is not checked: that is the challenge.
+
+    ## Algorithms
+    The paper compares PPO with continuous actions and with discrete ones.
+
+    ## References
+    Moerland et al. (2023), EduGym, section 4 g and appendix A.7.
     """
 
     container_width: float
@@ -170,131 +258,15 @@ class Trashbot(NamedTuple):
         """How far to turn the shoulder and the elbow, as shares of `action_scale`."""
         return spaces.Box(-1.0, 1.0, (2,), np.float32)
 
-
-class TrashbotInBins(Trashbot):
-    """Trashbot in which an action chooses from `n_bins` values for each joint, evenly spread from -1 to 1."""
-
-    __slots__ = ()
-
-    def turns(self, action: Any) -> tuple[float, float]:
-        """How far an action, two whole numbers, turns the shoulder and the elbow."""
-        last = self.n_bins - 1
-        return self.action_scale * (2 * int(action[0]) / last - 1), self.action_scale * (2 * int(action[1]) / last - 1)
-
-    @property
-    def action_space(self) -> spaces.Space[Any]:
-        """The bin for the shoulder and the bin for the elbow: 0 is -1, `n_bins` - 1 is 1."""
-        return spaces.MultiDiscrete([self.n_bins, self.n_bins])
-
-
-class TrashbotEnv(MDPEnv[Trashbot]):
-    """A robot arm with two joints brings a red box to a green container, the closer to its middle, the better.
-
-    ## Description
-    Challenge: discrete and continuous states and actions. On its base stands an arm of two links; from its end a magnet
-    hangs straight down. It is to pick up the red box at the left and to drop it into the middle of the green container
-    at the right. The agent sees where the joints are, and turns them by any angle, or by one of a few (`n_bins`). Few
-    bins leave less to learn (with 3, PPO finds the best they can do, a return of 4.31, in 0.3 million steps in 4 of 4
-    runs), but take the arm to fewer places. An exact search (`edugym.envs.trashbot.planning`) finds at the defaults,
-    and a scripted controller with continuous actions:
-
-    | bins | 2 | 3 | 4 | 5 | 6 | 7 | 9 | 11 | continuous |
-    |---|---|---|---|---|---|---|---|---|---|
-    | best reward for centring, of 2 | 0.85 | 1.31 | 1.91 | 1.89 | 1.96 | 1.94 | 1.97 | 1.99 | 2 |
-    | in how many steps | 11 | 10 | 10 | 11 | 12 | 11 | 10 | 13 | 11 |
-
-    (Few bins more are not always better: even and odd numbers of them lead to different places.) A narrower container
-    asks for more: with 3 bins the best is 1.08 in one 0.4 wide and 0.62 in one 0.35 wide; into one 0.3 wide they cannot
-    bring the box at all, while 5 bins get 1.58 there.
-
-    ## Observation space
-    `Box(-1, 1, (7,), float32)`: elbow x, y, wrist x, y, lower end of the magnet x, y, and 1 if it holds the box, else
-    0. Coordinates are as seen from the shoulder, x to the right and y upwards, divided by the arm's reach, which is 2.
-
-    ## Action space
-    Continuous: `Box(-1, 1, (2,), float32)`: how far to turn the shoulder and the elbow, counterclockwise, as shares of
-    `action_scale`. With `n_bins`: `MultiDiscrete([n_bins, n_bins])`: bin k of n means 2k/(n-1) - 1, from -1 to 1, ends
-    included. An even number of bins has no bin for 0: neither joint can rest.
-
-    ## State
-    The angles of both joints, whether the box is held, the number of steps, and the outcome: moving, delivered,
-    collided or late. The clock is not observed (as in the paper), so the observation is not Markov: it does not tell
-    when time will be up. All else follows from it.
-
-    ## Dynamics
-    Lengths are in units of the upper arm; the ground is at y = 0, the shoulder at (0, 0.5).
-    1. Both angles change by action times `action_scale`. The upper arm is 1 long, the forearm 0.8, the magnet 0.2.
-    2. If the magnet comes onto the box from above (it was higher than the box until then, and when the step began), it
-       picks it up: the box then hangs from its lower end. That takes the step; the arm stays where it was. The box is a
-       square of 0.25 on a stand, x from -1.625 to -1.375, y from 0.3 to 0.55.
-    3. If the box is held and at the end of the step is between the container's walls, its lower side below the rim, it
-       drops and is delivered. The middle of the container is at x = 1.6, its rim at y = 0.7.
-    4. If on the way the arm touches the ground, its base, the stand, a wall of the container, or the box in any other
-       way, or if a box that it holds touches any of these, it has collided, where it then is.
-
-    The way is looked at in parts so short that nothing moves by more than 0.04 in them, so nothing can pass through a
-    wall, which is 0.05 thick; a touch less than 0.02 deep between two looks goes unnoticed. At each look, what touches
-    what is computed exactly.
-
-    ## Reward
-    +1 for picking up the box; +2 for delivering it, and another 2 (1 - d/r), where d is the distance of its middle from
-    that of the container, and r the greatest at which it fits, (`container_width` - 0.25)/2; -2 for a collision; -1 for
-    the last step allowed, if it neither delivers nor collides (on top of +1 if it picks up). The best return is 5
-    (discount 1): a scripted controller gets 5.00 in 11 steps.
-
-    ## Initial state
-    The magnet above the box: the shoulder at 136 degrees, the elbow at 66.
-
-    ## Episode end
-    Terminated when the box is delivered, by a collision, or after `max_steps` steps, which is part of the task; never
-    truncated.
-
-    ## Parameters
-    - `n_bins` (None): the discretisation level: how many values for each joint, from 2 to 2^31; None for continuous
-      actions.
-    - `container_width` (0.45): between its walls; more than 0.25, at most 1.
-    - `action_scale` (pi / 15): radians for an action of 1, 12 degrees; from 0.001 to 0.3.
-    - `max_steps` (150): 2.5/`action_scale` or more, in which the scripted controller can deliver the box.
-
-    ## Info
-    - `steps`: how many steps this episode has taken.
-    - `angles`: of the shoulder (from the direction of x) and the elbow (from the direction of the upper arm), in
-      radians, counterclockwise.
-    - `outcome`: "moving", "delivered", "collided" or "late".
-    - `centring`: the reward for centring, from 0 to 2; 0 until the box is delivered.
-
-    ## Choices
-    - The paper shows the scene but gives no sizes. These are chosen such that 3 bins are enough to deliver the box, but
-      not to centre it, and such that learning can begin: random actions deliver the box in 1.1 percent of episodes
-      (continuous), 1.5 (5 bins) or 2.0 (3 bins). PPO of Stable-Baselines3 (on `edugym.deep.stable_baselines3_env` with
-      64 copies, n_steps=256, batch_size=1024, learning_rate=1e-3, gamma=0.999) then returns after 1 million steps (in
-      some 40 seconds) 4.89 in 4 of 4 runs with 5 bins, which is the best they can do, and 4.77, 4.80, 4.83 and 4.95
-      with continuous actions.
-    - An action is a share of `action_scale`, and every joint has its own bins, any number of them; the paper writes
-      radians from -1 to 1 and `Discrete(num_bins)` with 3, 5, 7, 9 or 11. It gives no range for the coordinates.
-    - There is one box, and to deliver it ends the episode. (The paper speaks of boxes, and of no end but failure.)
-    - The stand keeps what the arm does with the box clear of the ground.
-    - The arm does not bend to the magnet's touch (2), so with bins the angles stay on a lattice; at the default
-      `action_scale` a full turn of a joint comes back to the same angles of it, so winding up a joint gains nothing.
-    - Links, magnet and the box that is held pass through each other: the arm is no obstacle to itself.
-    - Whether bins are fine enough for a container is not checked: that is the challenge.
-
-    ## Algorithms
-    The paper compares PPO with continuous actions and with discrete ones.
-
-    ## References
-    Moerland et al. (2023), EduGym, section 4 g and appendix A.7.
-    """
-
-    def __init__(
-        self,
+    @classmethod
+    def create(
+        cls,
         n_bins: int | None = None,
         container_width: float = 0.45,
         action_scale: float = math.pi / 15,
         max_steps: int = 150,
-        render_mode: str | None = None,
-    ) -> None:
-        """See the class for the parameters.
+    ) -> "Trashbot":
+        """Check the parameters (see the class) and make the task.
 
         Raises:
             ValueError: a parameter is not as the class says.
@@ -311,21 +283,12 @@ class TrashbotEnv(MDPEnv[Trashbot]):
                 f"action_scale of {action_scale!r}, but is {max_steps!r}"
             )
         kind = Trashbot if n_bins is None else TrashbotInBins
-        super().__init__(kind(container_width, action_scale, max_steps, n_bins or 0), render_mode)
+        return kind(container_width, action_scale, max_steps, n_bins or 0)
 
-    def info(self) -> dict[str, Any]:
-        """The clock, the joints, how the episode stands, and how well the box was placed."""
-        robot = self.state
-        return {
-            "steps": int(robot.steps),
-            "angles": (float(robot.shoulder), float(robot.elbow)),
-            "outcome": OUTCOMES[robot.outcome],
-            "centring": float(self.mdp.centring(robot)) if robot.outcome == DELIVERED else 0.0,
-        }
-
-    def named_actions(self) -> dict[str, Any]:
+    @property
+    def action_names(self) -> dict[str, Any]:
         """Each joint far and a little to either side, while the other rests; where none can rest, both a little."""
-        n, last = self.mdp.n_bins, self.mdp.n_bins - 1
+        n, last = self.n_bins, self.n_bins - 1
         low, rest, high = (0, last // 2, last) if n else (-1.0, 0.0, 1.0)
         left, right = (rest + 1, last - rest - 1) if n else (0.25, -0.25)
         far = _moves("upper arm", "forearm", (high, rest), (low, rest), (rest, high), (rest, low))
@@ -337,10 +300,34 @@ class TrashbotEnv(MDPEnv[Trashbot]):
         moves = near if n in (2, 3) else far | little
         return {name: np.array(move, self.action_space.dtype) for name, move in moves.items()}
 
-    def scene(self) -> Scene:
+    def info(self, state: Robot) -> dict[str, Any]:
+        """The clock, the joints, how the episode stands, and how well the box was placed."""
+        return {
+            "steps": int(state.steps),
+            "angles": np.array([state.shoulder, state.elbow]),
+            "outcome": OUTCOMES[state.outcome],
+            "centring": float(self.centring(state)) if state.outcome == DELIVERED else 0.0,
+        }
+
+    def scene(self, state: Robot) -> Scene:
         """The arm on its base between box and container, and where the magnet can be after the next step."""
-        robot = self.state or self.mdp.initial(self.np_random)
-        return picture(self.mdp, robot, OUTCOMES[robot.outcome])
+        return picture(self, state, OUTCOMES[state.outcome])
+
+
+class TrashbotInBins(Trashbot):
+    """Trashbot in which an action chooses from `n_bins` values for each joint, evenly spread from -1 to 1."""
+
+    __slots__ = ()
+
+    def turns(self, action: Any) -> tuple[float, float]:
+        """How far an action, two whole numbers, turns the shoulder and the elbow."""
+        last = self.n_bins - 1
+        return self.action_scale * (2 * int(action[0]) / last - 1), self.action_scale * (2 * int(action[1]) / last - 1)
+
+    @property
+    def action_space(self) -> spaces.Space[Any]:
+        """The bin for the shoulder and the bin for the elbow: 0 is -1, `n_bins` - 1 is 1."""
+        return spaces.MultiDiscrete([self.n_bins, self.n_bins])
 
 
 def _moves(one: str, other: str, *moves: tuple[float, float]) -> dict[str, tuple[float, float]]:

@@ -1,4 +1,4 @@
-"""Redo an experiment with other parameters, as soon as a slider is let go."""
+"""Repeat an experiment with other parameters as soon as a slider is released."""
 
 import base64
 import html
@@ -13,19 +13,19 @@ import ipywidgets
 import numpy as np
 
 from edugym.checks import one_of
-from edugym.notebook.panel import Panel, png_html
+from edugym.notebook.widget import NotebookWidget, png_html
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
 class Shown(NamedTuple):
-    """What a function returned, ready to be shown.
+    """The result of a function, ready to be shown.
 
     Attributes:
         mime_type: "image/png" (with the data in base 64), "image/svg+xml" or "text/html".
         data: the picture or the text.
-        description: for those who do not see it.
+        description: a few words for readers who cannot see it.
     """
 
     mime_type: str
@@ -33,14 +33,14 @@ class Shown(NamedTuple):
     description: str
 
     def html(self) -> str:
-        """It as an element of a page."""
+        """Return it as an HTML element."""
         if self.mime_type == "image/png":
             return png_html(base64.b64decode(self.data), self.description)
         return self.data
 
 
-class Sliders(Panel):
-    """A function with a control for some of its parameters, and what it returns.
+class Sliders(NotebookWidget):
+    """A function with controls for some of its parameters, and its latest result.
 
     Attributes:
         function: the function.
@@ -58,40 +58,40 @@ class Sliders(Panel):
         super().__init__(*controls.values(), self._status, self._picture)
 
     def update(self) -> None:
-        """Call the function with what the controls say, and show what it returns."""
+        """Call the function with the values of the controls, and show its result."""
         self._status.value = "Computing ..."
         try:
             self._shown = call(self.function, {name: control.value for name, control in self.controls.items()})
         except BaseException:
-            self._status.value = "This failed, as said below; the picture is the one before."
+            self._status.value = "The function failed with the error below; this picture is the last one that worked."
             raise
         self._picture.value = self._shown.html()
         self._status.value = "Done."
 
     def still(self) -> dict[str, str]:
-        """What the function returned last."""
+        """Return the latest result of the function."""
         return {self._shown.mime_type: self._shown.data}
 
 
-def explore(function: Callable[..., Any], /, **controls: Any) -> Sliders:
-    """Redo an experiment as soon as a slider is let go: `explore(learning_curve, epsilon=(0.0, 1.0, 0.05))`.
+def sliders(function: Callable[..., Any], /, **controls: Any) -> Sliders:
+    """Repeat an experiment as soon as a slider is released: `sliders(learning_curve, epsilon=(0.0, 1.0, 0.05))`.
 
-    The function is called here once, like any function, and then again whenever a control changes.
+    The function is called once at first, and again whenever a control changes.
 
     Args:
-        function: a plain function that returns a Matplotlib figure or its axes, a scene, a table, or a text.
-        controls: for some of the function's parameters, what they may be:
+        function: a plain function that returns a `Sheet`, a Matplotlib figure or axes, a scene, a table, or a text.
+        controls: for some of the function's parameters, the values that they may take:
 
-            * `(low, high)` or `(low, high, step)`: a slider; over whole numbers if all of these are;
-            * a list or a range: a slider over its numbers, or else a menu;
+            * `(low, high)` or `(low, high, step)`: a slider, for whole numbers if all of these are whole;
+            * a list or a range: a slider if it contains only numbers, else a menu;
             * True or False: a box to tick;
             * a widget of ipywidgets.
 
-            Each starts from the default that the function gives its parameter. Without one, a slider starts at its low
-            end, a list at its first value, and a box as given.
+            Each starts from the default of its parameter. Without a default, a slider starts at its low end, a list at
+            its first value, and a box as given.
 
     Returns:
-        The controls with what the function returns, which show themselves as the last value of a cell.
+        The controls with the result. As the last value of a cell they show themselves.
 
     Raises:
         ValueError: the function has no such parameter, or a control is none of these or does not allow the default.
@@ -107,7 +107,7 @@ def explore(function: Callable[..., Any], /, **controls: Any) -> Sliders:
 
 
 def control(name: str, allowed: Any, default: Any, label_width: int) -> Any:
-    """The widget for a parameter (see `explore`), which starts from `default` unless that is None."""
+    """Return the widget for a parameter (see `sliders`); it starts from `default` unless that is None."""
     label = {
         "description": name.replace("_", " "),
         "style": {"description_width": f"{label_width}ch"},
@@ -147,7 +147,7 @@ def control(name: str, allowed: Any, default: Any, label_width: int) -> Any:
 
 
 def call(function: Callable[..., Any], arguments: dict[str, Any]) -> Shown:
-    """Call a function and take what it returns; the figures that it has made in Matplotlib are closed again."""
+    """Call a function and prepare its result; figures that it made in Matplotlib are closed again."""
     import matplotlib.pyplot as plt
 
     before = set(plt.get_fignums())
@@ -164,16 +164,18 @@ def call(function: Callable[..., Any], arguments: dict[str, Any]) -> Shown:
 
 
 def figure_of(result: Any) -> "Figure | None":
-    """The figure that a function returned, itself or by its axes; None if it is something else."""
+    """Return the figure in a result, or the figure of its axes; None if the result is something else."""
     from matplotlib.figure import Figure
 
-    several = isinstance(result, np.ndarray | list | tuple) and np.size(result) > 0
-    figure = getattr(np.ravel(result)[0] if several else result, "figure", None)
+    first = np.ravel(result)[0] if isinstance(result, np.ndarray) and result.size > 0 else result
+    while isinstance(first, list | tuple) and first:
+        first = first[0]
+    figure = getattr(first, "figure", None)
     return figure if isinstance(figure, Figure) else None
 
 
 def shown(result: Any, name: str) -> Shown:
-    """The result of the function of that name, as a picture or as text."""
+    """Prepare the result of the function with this name, as a picture or as text."""
     from matplotlib.figure import Figure
 
     if isinstance(result, Figure):
@@ -181,6 +183,8 @@ def shown(result: Any, name: str) -> Shown:
         buffer = io.BytesIO()
         result.savefig(buffer, format="png", bbox_inches="tight")
         return Shown("image/png", base64.b64encode(buffer.getvalue()).decode(), next(filter(None, titles)))
+    if hasattr(result, "_repr_png_"):
+        return Shown("image/png", base64.b64encode(result._repr_png_()).decode(), name)
     for mime_type, method in (("image/svg+xml", "_repr_svg_"), ("text/html", "_repr_html_")):
         if hasattr(result, method):
             return Shown(mime_type, getattr(result, method)(), name)

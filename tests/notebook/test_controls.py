@@ -13,8 +13,9 @@ import pytest
 from matplotlib.figure import Figure
 from PIL import Image
 
-from edugym.notebook import explore
-from edugym.notebook.sliders import call
+from edugym.notebook import sliders
+from edugym.notebook.controls import call
+from edugym.plotting import Sheet
 from edugym.rendering.scene import Circle, Scene
 from tests.notebook.widgets import texts
 
@@ -43,7 +44,7 @@ def test_exploring_with_sliders() -> None:
         calls.append({"slope": slope, "points": points, "colour": colour, "dashed": dashed})
         return curve(slope, points, colour, dashed)
 
-    panel = explore(recorded, slope=(0.0, 2.0, 0.5), points=(2, 6, 2), colour=["blue", "red"], dashed=True)
+    panel = sliders(recorded, slope=(0.0, 2.0, 0.5), points=(2, 6, 2), colour=["blue", "red"], dashed=True)
     first = {"slope": 1.0, "points": 3, "colour": "red", "dashed": False}
     assert calls == [first]
     before = texts(panel.widget)[1]
@@ -70,7 +71,7 @@ def test_the_status_says_that_the_function_is_running() -> None:
         return f"x is {x}"
 
     panels: list[Any] = []
-    panels.append(explore(watched, x=(1, 3)))
+    panels.append(sliders(watched, x=(1, 3)))
     panels[0].controls["x"].value = 2
     assert status == ["first", "Computing ..."]
     assert texts(panels[0].widget) == ["Done.", "<pre>x is 2</pre>"]
@@ -90,7 +91,7 @@ def test_the_status_says_that_the_function_is_running() -> None:
 )
 def test_kinds_of_controls(allowed: Any, kind: type[Any], value: Any) -> None:
     """Each starts from the function's default, and counts only when it is let go."""
-    control = explore(lambda x=2: None, x=allowed).controls["x"]
+    control = sliders(lambda x=2: None, x=allowed).controls["x"]
     assert type(control) is kind
     assert control.value == value
     assert control.description == "x"
@@ -105,7 +106,7 @@ def test_controls_without_a_default() -> None:
         seen.append((a, b, c, learning_rate))
 
     logarithmic = ipywidgets.FloatLogSlider(value=0.1, min=-3, max=0)
-    panel = explore(recorded, a=(3, 9), b=["x", "y"], c=True, learning_rate=logarithmic)
+    panel = sliders(recorded, a=(3, 9), b=["x", "y"], c=True, learning_rate=logarithmic)
     assert seen == [(3, "x", True, 0.1)]
     assert panel.controls["learning_rate"] is logarithmic
     assert not logarithmic.continuous_update
@@ -114,7 +115,7 @@ def test_controls_without_a_default() -> None:
 @pytest.mark.parametrize(("step", "digits"), [(0.5, ".1f"), (0.25, ".2f"), (0.001, ".3f"), (1e-9, ".6f"), (2.0, ".0f")])
 def test_sliders_show_as_many_digits_as_they_have(step: float, digits: str) -> None:
     """Not two for all."""
-    control = explore(lambda x=0.0: None, x=(0.0, 4.0, step)).controls["x"]
+    control = sliders(lambda x=0.0: None, x=(0.0, 4.0, step)).controls["x"]
     assert control.readout_format == digits
 
 
@@ -137,7 +138,7 @@ def test_wrong_controls_are_named(controls: dict[str, Any], message: str) -> Non
         pytest.fail("called")
 
     with pytest.raises(ValueError, match=message):
-        explore(never, **controls)
+        sliders(never, **controls)
 
 
 def grid_of_axes() -> Any:
@@ -164,6 +165,8 @@ def nothing_returned() -> None:
         (grid_of_axes, "image/png", "iVBOR", "grid_of_axes"),
         (figure_without_pyplot, "image/png", "iVBOR", "drawn apart"),
         (nothing_returned, "image/png", "iVBOR", "made"),
+        (lambda: Sheet("made", []), "image/png", "iVBOR", "<lambda>"),
+        (lambda: ("two", [1, 2]), "text/html", "<pre>(&#x27;two&#x27;, [1, 2])</pre>", "<lambda>"),
         (lambda: Scene(1, 1, (Circle(0.5, 0.5, 0.2),)), "image/svg+xml", "<svg", "<lambda>"),
         (lambda: pd.DataFrame({"method": [1]}), "text/html", "<div>", "<lambda>"),
         (lambda: "a < b", "text/html", "<pre>a &lt; b</pre>", "<lambda>"),
@@ -200,4 +203,4 @@ def test_a_first_call_that_fails_fails_in_the_cell() -> None:
         raise RuntimeError("no")
 
     with pytest.raises(RuntimeError, match="no"):
-        explore(failing, x=(1, 2))
+        sliders(failing, x=(1, 2))

@@ -1,0 +1,85 @@
+"""Tables of action values: how large they are, how to read them, and the target of a one-step update.
+
+The loops run over single entries instead of slicing a row: compiled, that is five times as fast.
+"""
+
+import math
+from typing import Any
+
+from gymnasium import spaces
+
+from edugym.mdp.protocol import Random, Reals
+from edugym.mdp.tabular import table_sizes
+
+
+def greedy_action(Q: Reals, state: int, rng: Random) -> int:
+    """The action with the highest value in `state`; among equals, one at random (argmax_a Q(s, a))."""
+    best = 0
+    ties = 1
+    for action in range(1, Q.shape[1]):
+        if Q[state, action] > Q[state, best]:
+            best = action
+            ties = 1
+        elif Q[state, action] == Q[state, best]:
+            ties += 1
+            if replaces(ties, rng):
+                best = action
+    return best
+
+
+def replaces(ties: int, rng: Random) -> bool:
+    """Whether the last of `ties` equals replaces the one kept so far: with probability 1/ties, so all are as likely."""
+    return rng.random() * ties < 1.0
+
+
+def best_value(Q: Reals, state: int) -> float:
+    """The highest action value in `state`: max_a Q(s, a)."""
+    value = Q[state, 0]
+    for action in range(1, Q.shape[1]):
+        value = max(value, Q[state, action])
+    return float(value)
+
+
+def random_action(n_actions: int, rng: Random) -> int:
+    """An action drawn uniformly."""
+    return int(rng.random() * n_actions)
+
+
+def epsilon_greedy_action(Q: Reals, state: int, epsilon: float, rng: Random) -> int:
+    """A uniformly random action with probability ε, else the best one."""
+    if rng.random() < epsilon:
+        return random_action(Q.shape[1], rng)
+    return greedy_action(Q, state, rng)
+
+
+def one_step_target(reward: float, discount: float, next_value: float, terminated: bool) -> float:
+    """What a one-step update moves towards: R + γ V(S'), or R alone when S' is terminal, since its value is 0.
+
+    A truncated episode has not terminated: its last step bootstraps like any other.
+    """
+    return reward if terminated else reward + discount * next_value
+
+
+def table_size(environment: Any) -> tuple[int, int]:
+    """The shape (n_states, n_actions) of a table of action values for an environment.
+
+    Args:
+        environment: an MDP, a Gymnasium environment, or the shape itself.
+
+    Raises:
+        ValueError: it is no environment, its observations are not whole numbers, or its actions are not 0, 1, ...
+    """
+    if isinstance(environment, tuple) and not hasattr(environment, "_fields"):
+        if len(environment) != 2 or not all(isinstance(size, int) and size >= 1 for size in environment):
+            raise ValueError(
+                "environment must be an environment or the shape (n_states, n_actions) of a table, two whole numbers of"
+                f" 1 or more, but is {environment!r}"
+            )
+        return environment
+    if not hasattr(environment, "action_space"):
+        raise ValueError(f"environment must be an MDP, a Gymnasium environment or a shape, but is {environment!r}")
+    actions = environment.action_space
+    if not isinstance(actions, spaces.Discrete) or actions.start != 0:
+        raise ValueError(f"a table needs the actions 0, 1, ..., but the action space is {actions}")
+    n_states: int = math.prod(table_sizes(environment.observation_space))
+    return n_states, int(actions.n)

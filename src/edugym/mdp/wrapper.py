@@ -1,0 +1,91 @@
+"""Wrappers of MDPs: a class says what it changes, and `@wrapper` passes on the rest."""
+
+from collections.abc import Callable
+from functools import wraps
+from typing import Any, TypeVar
+
+from edugym.mdp.protocol import Random
+
+Kind = TypeVar("Kind", bound=type)
+
+
+def _initial(self: Any, rng: Random) -> Any:
+    return self.mdp.initial(rng)
+
+
+def _transition(self: Any, state: Any, action: Any, rng: Random) -> Any:
+    return self.mdp.transition(state, action, rng)
+
+
+def _reward(self: Any, state: Any, action: Any, next_state: Any, rng: Random) -> Any:
+    return self.mdp.reward(state, action, next_state, rng)
+
+
+def _terminal(self: Any, state: Any) -> Any:
+    return self.mdp.terminal(state)
+
+
+def _observation(self: Any, state: Any, rng: Random) -> Any:
+    return self.mdp.observation(state, rng)
+
+
+PASSED_ON = {
+    "initial": _initial,
+    "transition": _transition,
+    "reward": _reward,
+    "terminal": _terminal,
+    "observation": _observation,
+}
+"""The methods that every MDP has. (Machine code finds methods in the class, so `__getattr__` alone would not do.)"""
+
+
+def wrapper(kind: Kind) -> Kind:
+    """Class decorator: a NamedTuple with a field `mdp` becomes an MDP that differs from it in what the class defines.
+
+        @wrapper
+        class Noisy(NamedTuple):
+            \"\"\"An MDP whose rewards are noisy.\"\"\"
+
+            mdp: Any
+            sigma: float
+
+            def reward(self, state, action, next_state, rng):
+                return self.mdp.reward(state, action, next_state, rng) + rng.normal(0.0, self.sigma)
+
+    Spaces, step limit, names of actions, picture and info are those of the inner MDP, unless the class defines them. A
+    wrapper with states of its own defines `inside(state)`: the state of the inner MDP that belongs to one of its own.
+
+    Raises:
+        TypeError: the class has no field `mdp`.
+    """
+    if "mdp" not in getattr(kind, "_fields", ()):
+        raise TypeError(f"{kind.__name__} must be a NamedTuple with a field mdp, the MDP that it wraps")
+    own = vars(kind)
+    for name, method in PASSED_ON.items():
+        if name not in own:
+            setattr(kind, name, method)
+    if "__getattr__" not in own:
+        setattr(kind, "__getattr__", _from_inside)  # noqa: B010
+    return kind
+
+
+def _from_inside(self: Any, name: str) -> Any:
+    """What the wrapper does not define: the inner MDP's."""
+    if name.startswith("_") or name == "observe_into":  # a wrapper that observes something else must not inherit this
+        raise AttributeError(f"{type(self).__name__} has no attribute {name!r}")
+    value = getattr(self.mdp, name)
+    if name in ("scene", "info") and hasattr(type(self), "inside"):
+        return _of_inner_states(self, value)
+    return value
+
+
+def _of_inner_states(self: Any, method: Callable[..., Any]) -> Callable[..., Any]:
+    """`scene` or `info` of the inner MDP, for the states of the wrapper."""
+
+    @wraps(method)
+    def of_wrapped(state: Any, *arguments: Any, **named: Any) -> Any:
+        if named.get("last_state") is not None:
+            named["last_state"] = self.inside(named["last_state"])
+        return method(self.inside(state), *arguments, **named)
+
+    return of_wrapped

@@ -1,0 +1,47 @@
+"""What a panel is: one set of axes with everything drawn on them."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple, Protocol
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+
+class Place(NamedTuple):
+    """The place of a panel on a sheet.
+
+    Attributes:
+        panels: all panels of the sheet, for what they share, such as a scale of colours; empty for a panel that is
+            drawn by itself.
+        last: whether the panel is the last of its row.
+    """
+
+    panels: "Sequence[Panel]" = ()
+    last: bool = True
+
+    @property
+    def alone(self) -> bool:
+        """Whether the panel is drawn by itself and needs its own legend; a sheet has one legend for all its panels."""
+        return not self.panels
+
+
+ALONE = Place()
+
+
+class Panel(Protocol):
+    """A value, usually a `NamedTuple`, that draws itself."""
+
+    @property
+    def title(self) -> str:
+        """The text above the axes."""
+
+    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
+        """Draw the panel.
+
+        Args:
+            ax: the axes to draw on; by default those of a new figure.
+            place: the place on a sheet.
+
+        Returns:
+            The axes.
+        """

@@ -1,0 +1,185 @@
+"""Who trains an agent, and evaluates it: one for MDPs, one for any other Gymnasium environment.
+
+`trainer` resolves what a user gave (a name, an environment, a wrapped one, an MDP) once; from there on there is one
+form of everything.
+"""
+
+import copy
+from collections.abc import Callable
+from typing import Any, Protocol
+
+import gymnasium
+import numpy as np
+from gymnasium.wrappers import OrderEnforcing, PassiveEnvChecker
+
+from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.adapters.tabular_observation import tabular
+from edugym.agents.tables import table_size
+from edugym.compiled.execution import executable
+from edugym.mdp.protocol import coerced, step_limit
+from edugym.registration import full_id
+from edugym.training import gymnasium_loops, loops
+from edugym.training.contract import actor, is_on_policy, learner
+from edugym.training.loops import Log
+
+CHUNK = 100_000  # steps between two looks at the keyboard: a millisecond of machine code
+INTERPRETED_CHUNK = 1_000
+NO_LIMIT = 2**62
+EVALUATION_LIMIT = 1_000
+"""How long an evaluation episode may take where the task has no step limit: a greedy policy may never get anywhere."""
+
+
+class Trainer(Protocol):
+    """An agent in a task.
+
+    Attributes:
+        agent: the agent, whose tables change as it learns.
+        log: sums over the training episodes that ended.
+        is_compiled: whether the loop runs as machine code.
+        chunk: how many steps to take in one call of `learn` at most, so that Ctrl-C is soon answered.
+    """
+
+    agent: Any
+    log: Log
+    is_compiled: bool
+    chunk: int
+
+    def learn(self, n_steps: int) -> None:
+        """Take `n_steps` training steps."""
+
+    def play_episode(self) -> float:
+        """Play an episode without learning, as the agent believes best; its undiscounted return."""
+
+
+def trainer(environment: Any, agent: Any, seed: int, max_steps: int | None, expected: int) -> Trainer:
+    """The trainer for an environment and an agent.
+
+    Args:
+        environment: an MDP, a Gymnasium environment, or the name or id of one.
+        agent: an agent for it.
+        seed: from which the random streams of environment, agent and evaluation are spawned.
+        max_steps: after how many steps an episode is truncated; None for the environment's own limit.
+        expected: how many steps there will be in all: fewer than some thousands are not worth compiling.
+
+    Raises:
+        ValueError: the environment or the agent is none, or they do not fit each other.
+    """
+    agent = coerced(agent)
+    task = coerced(_task(environment, agent))
+    kind = GymnasiumTrainer if isinstance(task, gymnasium.Env) else MDPTrainer
+    return kind(task, agent, seed, max_steps or _step_limit(task), expected)
+
+
+class MDPTrainer:
+    """Trains and evaluates an agent in an MDP, as machine code where that pays."""
+
+    def __init__(self, mdp: Any, agent: Any, seed: int, limit: int | None, expected: int) -> None:
+        """See `trainer`; the limit is None where the task has none."""
+        self.agent, self.log = agent, new_log()
+        environment_rng, agent_rng, self._evaluation_rng, self._actor_rng = streams(seed)
+        self._mdp, self._evaluation_limit = mdp, limit or EVALUATION_LIMIT
+        learning = learner(agent)
+        loop: Callable[..., Any]
+        self._moment: Any
+        if is_on_policy(agent):
+            loop, self._moment = loops.on_policy, loops.start_on_policy(mdp, agent, environment_rng, agent_rng)
+        else:
+            loop, self._moment = loops.off_policy, loops.start_off_policy(mdp, environment_rng)
+        self._rest = (mdp, learning, limit or NO_LIMIT, environment_rng, agent_rng, self.log)
+        self._advance = executable(loop, (*self._rest, self._moment), expected=expected)
+        self._play = executable(loops.play_episodes, self._evaluation(), expected=expected, rehearsed=1)
+        self.is_compiled = self._advance is not loop
+        self.chunk = CHUNK if self.is_compiled else INTERPRETED_CHUNK
+
+    def learn(self, n_steps: int) -> None:
+        """Take `n_steps` training steps."""
+        self._moment = self._advance(n_steps, *self._rest, self._moment)
+
+    def play_episode(self) -> float:
+        """Play an episode without learning, as the agent believes best; its undiscounted return."""
+        evaluation = self._evaluation()
+        self._play(1, *evaluation)
+        return float(evaluation[-1][0])
+
+    def _evaluation(self) -> tuple[Any, ...]:
+        """What `play_episodes` takes, less the number of episodes; the last is where it writes the return."""
+        limit, evaluation_rng, actor_rng = self._evaluation_limit, self._evaluation_rng, self._actor_rng
+        return self._mdp, actor(self.agent), limit, evaluation_rng, actor_rng, np.zeros(1)
+
+
+class GymnasiumTrainer:
+    """Trains and evaluates an agent in any Gymnasium environment, in plain Python."""
+
+    is_compiled = False
+    chunk = INTERPRETED_CHUNK
+
+    def __init__(self, env: gymnasium.Env[Any, Any], agent: Any, seed: int, limit: int | None, expected: int) -> None:
+        """See `trainer`; the limit is None where it is not known."""
+        self.agent, self.log = agent, new_log()
+        environment_rng, self._agent_rng, self._evaluation_rng, self._actor_rng = streams(seed)
+        self._evaluated = copy.deepcopy(env)  # before it draws anything that cannot be copied
+        self._env, self._learner, self._limit = env, learner(agent), limit
+        observation, _ = env.reset(seed=gymnasium_loops.draw_seed(environment_rng))
+        self._moment: Any = (None, observation, 0, 0.0)
+        self._loop: Callable[..., Any] = gymnasium_loops.off_policy
+        if is_on_policy(agent):
+            self._loop = gymnasium_loops.on_policy
+            self._moment = (None, observation, agent.act(observation, self._agent_rng), 0, 0.0)
+
+    def learn(self, n_steps: int) -> None:
+        """Take `n_steps` training steps."""
+        limit = self._limit or NO_LIMIT
+        self._moment = self._loop(n_steps, self._env, self._learner, limit, self._agent_rng, self.log, self._moment)
+
+    def play_episode(self) -> float:
+        """Play an episode without learning, as the agent believes best; its undiscounted return."""
+        limit, rng = self._limit or EVALUATION_LIMIT, self._evaluation_rng
+        return gymnasium_loops.play_episode(self._evaluated, actor(self.agent), limit, rng, self._actor_rng)
+
+
+def streams(seed: int) -> list[np.random.Generator]:
+    """The random streams of environment, agent, evaluation and the agent while it is evaluated."""
+    return [np.random.default_rng(child) for child in np.random.SeedSequence(seed).spawn(4)]
+
+
+def new_log() -> Log:
+    """A log of no episodes."""
+    return Log(np.zeros(1), np.zeros(1, np.int64))
+
+
+def _task(environment: Any, agent: Any) -> Any:
+    """The MDP behind an environment, if there is one and nothing changes it; else the Gymnasium environment."""
+    if isinstance(environment, str):
+        environment = gymnasium.make(full_id(environment))
+    if isinstance(environment, type) or not hasattr(environment, "observation_space"):
+        raise ValueError(f"environment must be an MDP, a Gymnasium environment or a name, but is {environment!r}")
+    learner(agent)  # refuses what is no agent
+    inside = environment
+    while isinstance(inside, PassiveEnvChecker | OrderEnforcing):
+        inside = inside.env
+    if isinstance(inside, MDPEnv) and inside.only_plays_its_mdp:
+        environment = inside.mdp
+    if getattr(agent, "tabular", True) is False:
+        return environment
+    _check_table(agent, environment)
+    return tabular(environment)
+
+
+def _check_table(agent: Any, environment: Any) -> None:
+    """Refuse one of the package's agents that was made for another environment."""
+    Q = getattr(agent, "Q", None)
+    if type(agent).__module__.startswith("edugym.agents.") and isinstance(Q, np.ndarray):
+        shape = table_size(environment)
+        if Q.shape[-2:] != shape:
+            raise ValueError(
+                f"agent must have a table Q of shape {shape} for this environment, but its is {Q.shape[-2:]}"
+            )
+
+
+def _step_limit(task: Any) -> int | None:
+    """The step limit of an MDP or Gymnasium environment, as far as it is known."""
+    if not isinstance(task, gymnasium.Env):
+        return step_limit(task)
+    if isinstance(task.unwrapped, MDPEnv):
+        return step_limit(task.unwrapped.mdp)
+    return task.spec.max_episode_steps if task.spec else None

@@ -1,0 +1,61 @@
+"""What the test file of an environment says of its parameters, for the contract tests."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from math import nan
+from typing import Any
+
+from hypothesis import strategies as st
+from hypothesis.strategies import SearchStrategy
+
+Keywords = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Bad:
+    """A parameter value that must be refused.
+
+    Attributes:
+        name: of the parameter.
+        value: what it may not be.
+        given: the other parameters, where it is wrong only together with them.
+    """
+
+    name: str
+    value: Any
+    given: Keywords = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Parameters:
+    """What an environment's constructor takes.
+
+    Attributes:
+        valid: draws small tasks of all kinds.
+        corners: the defaults and the extremes; every parameter is in one of them at least.
+        bad: what must be refused, with a ValueError that names the parameter and the value; likewise.
+        finite: tasks with a finite model, small enough to look at every state and action; empty if there is none.
+        layout: parameters with which the layout seed makes a difference, to the task or to its model.
+        random: whether what happens depends on the seed of `reset`.
+        informed: a good action, from `info` and the environment: random play alone would see little of some tasks.
+    """
+
+    valid: SearchStrategy[Keywords]
+    corners: tuple[Keywords, ...]
+    bad: tuple[Bad, ...]
+    finite: tuple[Keywords, ...] = ()
+    layout: Keywords = field(default_factory=dict)
+    random: bool = True
+    informed: Callable[[dict[str, Any], Any], Any] | None = None
+
+
+def refused(name: str, *values: Any, **given: Any) -> tuple[Bad, ...]:
+    """Several bad values of one parameter."""
+    return tuple(Bad(name, value, given) for value in values)
+
+
+NO_WHOLE_NUMBER = (0.5, "1", None, True, nan)
+NO_STEPS = (0, -1, 2**62 + 1, 10**400, 0.5, "1", True, nan)
+"""What no whole number may be."""
+
+LAYOUT_SEEDS = st.integers(0, 2**32)

@@ -1,0 +1,44 @@
+"""Data and helpers that the tests of figures share."""
+
+from functools import partial
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from edugym import QLearning, Results, repeat
+
+mpl.use("agg")
+
+
+def made_results(repetitions: int = 4) -> Results:
+    """Return two methods with returns made by hand: 0 or 1 of "A", and numbers of "B"."""
+    agents = {label: partial(QLearning.create) for label in "AB"}
+    table = repeat("Boulder", agents, 300, repetitions=repetitions, evaluate_every=100, jobs=1).table
+    ones = (table["repetition"] * 100 < table["step"]).astype(float)
+    table["return"] = ones.where(table["method"] == "A", 10.0 + table["repetition"] + table["step"] / 100)
+    return Results(table)
+
+
+def new_axes() -> Axes:
+    """Return axes in memory."""
+    return Figure().subplots()
+
+
+def figure_of(ax: Axes) -> Figure:
+    """Return the figure that contains the axes."""
+    figure = ax.figure
+    assert isinstance(figure, Figure)
+    return figure
+
+
+def points(line: Line2D) -> list[tuple[float, float]]:
+    """Return the points of a line."""
+    return [(float(x), float(y)) for x, y in np.asarray(line.get_xydata(), float)]
+
+
+def heights(line: Line2D) -> list[float]:
+    """Return the heights of a line's points."""
+    return [y for _, y in points(line)]

@@ -1,0 +1,122 @@
+"""An agent's `learn` is bound by the names of its parameters."""
+
+import itertools
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+
+from edugym import QLearning, train
+from edugym.mdp.protocol import Random
+from edugym.training.contract import TOLD, is_on_policy, learner, learns_from
+from tests.training.tasks import SlipperyWalk, Stairs
+
+STEP = {
+    "state": 3,
+    "action": 1,
+    "reward": -0.5,
+    "next_state": 4,
+    "next_action": 2,
+    "terminated": True,
+    "truncated": False,
+}
+
+
+def agent_that_takes(names: tuple[str, ...], more: str = "") -> Any:
+    """A plain class whose `learn` takes these names, in this order, and notes what it was given."""
+    scope: dict[str, Any] = {}
+    given = ", ".join(f"{name}={name}" for name in names)
+    source = f"""
+class Noting:
+    def __init__(self): self.noted = None
+    def act(self, state, rng): return 0
+    def learn(self, {", ".join(names)}{more}): self.noted = dict({given})
+"""
+    exec(source, scope)
+    return scope["Noting"]()
+
+
+@pytest.mark.parametrize("size", range(1, len(TOLD) + 1))
+def test_any_names_in_any_order(size: int) -> None:
+    """Whatever an agent asks for, it gets that, however it orders it."""
+    orders = itertools.islice(itertools.permutations(TOLD, size), 0, None, 1 if size < 4 else 97)
+    for names in orders:
+        agent = agent_that_takes(names)
+        told = [STEP[name] for name in TOLD if name != "next_action" or "next_action" in names]
+        learner(agent).learn(*told)
+        assert agent.noted == {name: STEP[name] for name in names}
+        assert learns_from(agent) == names
+        assert is_on_policy(agent) == ("next_action" in names)
+
+
+def test_a_default_of_ones_own_is_left_alone() -> None:
+    """A sixth parameter with a default used to receive `truncated`."""
+
+    class Agent:
+        seen: Any = None
+
+        def act(self, state: int, rng: Random) -> int:
+            return 0
+
+        def learn(
+            self, state: int, action: int, reward: float, next_state: int, terminated: bool, alpha: float = 0.5
+        ) -> None:
+            self.seen = (terminated, alpha)
+
+    agent = Agent()
+    learner(agent).learn(*(STEP[name] for name in TOLD if name != "next_action"))
+    assert agent.seen == (True, 0.5)
+
+
+class Patient(NamedTuple):
+    """SARSA with its parameters in an order of its own, one of them with a default, and one by keyword."""
+
+    Q: Any
+
+    def act(self, state: int, rng: Random) -> int:
+        """At random."""
+        return int(rng.random() * 2)
+
+    def learn(
+        self,
+        reward: float,
+        next_action: int,
+        next_state: int,
+        state: int,
+        action: int,
+        terminated: bool,
+        rate: float = 0.25,
+    ) -> None:
+        """The update of section 6.4."""
+        target = reward if terminated else reward + 0.9 * self.Q[next_state, next_action]
+        self.Q[state, action] += rate * (target - self.Q[state, action])
+
+
+def test_compiled_as_interpreted() -> None:
+    """Bound by name in machine code as well."""
+    tables = []
+    for every in (50, 20_000):  # a run of single chunks of 50 steps or one of 20 000
+        agent = Patient(np.zeros((7, 2)))
+        train(SlipperyWalk(), agent, 20_000, seed=3, evaluate_every=every)
+        tables.append(agent.Q)
+    short = Patient(np.zeros((7, 2)))
+    for part in range(10):
+        train(SlipperyWalk(), short, 500, seed=part)
+    assert (tables[0] == tables[1]).all()
+    assert tables[0].any()
+    assert short.Q.any()
+
+
+@pytest.mark.parametrize(("more", "asked"), [(", rewrad", "'rewrad'"), (", *, done", "'done'"), (", *rest", "'rest'")])
+def test_unknown_names_are_refused(more: str, asked: str) -> None:
+    """The message lists the names."""
+    agent = agent_that_takes(("state", "action"), more)
+    with pytest.raises(ValueError, match=f"learn of Noting must take some of state, action, .* but asks for {asked}"):
+        train(Stairs(), agent, 10)
+
+
+def test_what_is_no_agent_is_refused() -> None:
+    """A class, and a value without the methods."""
+    for wrong in (QLearning, 3, None):
+        with pytest.raises(ValueError, match="agent must be a value with the methods act and learn, but is"):
+            train(Stairs(), wrong, 10)
