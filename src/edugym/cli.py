@@ -82,6 +82,8 @@ def play(
         raise typer.BadParameter(str(error)) from error
     try:
         playing.play(game, render=render, gif=gif)
+    except BrokenPipeError:
+        raise  # the reader of the output has gone, as in `| head`: Typer ends the command without a word
     except (OSError, ValueError) as error:
         raise typer.BadParameter(str(error)) from error
 

@@ -14,6 +14,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from edugym import UCB, QLearning, Softmax, load, save
+from edugym.agents.saving import MOST_BYTES
 from edugym.mdp.protocol import Integers, Random
 from tests.agents.cases import same
 
@@ -88,7 +89,7 @@ def test_what_cannot_be_saved_is_refused_and_named(tmp_path: Path) -> None:
 def test_an_unknown_class_is_named(tmp_path: Path) -> None:
     """And how to load it nevertheless."""
     save(own_agent(), tmp_path / "own.npz")
-    for kinds, missing in (((), "OwnAgent"), ((OwnAgent,), "Memory")):
+    for kinds, missing in (((), "OwnAgent"), ((OwnAgent,), "Memory"), (OwnAgent, "Memory")):
         with pytest.raises(ValueError, match=f"kinds must hold the class {missing}"):
             load(tmp_path / "own.npz", kinds)
 
@@ -156,6 +157,10 @@ def npy(array: np.ndarray[Any, Any], allow_pickle: bool = False) -> bytes:
         npz(structure=np.array("[" * 100_000)),
         zipped("structure.npy", b"\x93NUMPY"),
         zipped("structure.npy", npy(np.array([{}]), allow_pickle=True)),
+        zipped("structure.npy", b"raw bytes"),
+        npz(structure=np.array('{"value": 3}')),
+        npz(structure=np.array('{"value": [1]}')),
+        npz(structure=np.array("{}"), a=np.zeros(3)),
     ],
     ids=itertools.count(),  # the bytes themselves have the time of day in them
 )
@@ -214,18 +219,121 @@ def test_an_unwritable_path_is_an_ordinary_error(tmp_path: Path) -> None:
     assert sorted(os.listdir(tmp_path)) == ["file", "folder", "new folder"]
 
 
-def test_an_old_file_survives_a_failure(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The new one takes its place only when it is complete."""
+def stored(structure: Any, arrays: dict[str, bytes], compression: int = zipfile.ZIP_DEFLATED) -> bytes:
+    """A file with this structure, and these files for arrays."""
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", compression) as archive:
+        archive.writestr("structure.npy", npy(np.array(json.dumps(structure))))
+        for name, content in arrays.items():
+            archive.writestr(f"agent.{name}.npy", content)
+    return buffer.getvalue()
+
+
+def q_learning(**fields: Any) -> dict[str, Any]:
+    """The structure of an agent, of which some fields are not as they should be."""
+    right = {
+        "Q": {"array": "agent.Q"},
+        "learning_rate": {"value": 0.5},
+        "exploration": {"kind": "Greedy", "fields": {}},
+    }
+    return {"kind": "QLearning", "fields": right | fields}
+
+
+@pytest.mark.parametrize(
+    ("fields", "reason"),
+    [
+        ({"learning_rate": {"value": "boom"}}, "learning_rate must be a number, .* but is 'boom'"),
+        ({"learning_rate": {"value": None}}, "learning_rate must be a number"),
+        ({"learning_rate": {"value": True}}, "learning_rate must be a number"),
+        ({"learning_rate": {"array": "agent.Q"}}, "learning_rate must be a number"),
+        ({"Q": {"value": None}}, "Q must be an array of float64 with 2 axes"),
+        ({"Q": {"array": "agent.whole"}}, "Q must be an array of float64 with 2 axes"),
+        ({"Q": {"array": "agent.raw"}}, "damaged"),
+        ({"exploration": {"value": 3}}, "exploration must be a strategy"),
+        (
+            {"exploration": {"kind": "EpsilonGreedy", "fields": {"epsilon": {"value": 7}}}},
+            "epsilon must be from 0 to 1",
+        ),
+        ({"colour": {"value": "red"}}, "QLearning has other fields than the file: colour"),
+    ],
+)
+def test_values_of_a_file_are_checked(fields: dict[str, Any], reason: str, tmp_path: Path) -> None:
+    """As those of a new agent are; a field that is missing has its default."""
+    arrays = {"Q": npy(np.zeros((3, 2))), "whole": npy(np.zeros((3, 2), np.int64))}
     path = tmp_path / "agent.npz"
-    save(QLearning.create((2, 2), initial_value=1), path)
+    path.write_bytes(stored(q_learning(), arrays))
+    assert load(path).discount == QLearning.create((3, 2)).discount
+    path.write_bytes(stored(q_learning(**fields), arrays))
+    with pytest.raises(ValueError, match=f"cannot be loaded: .*{reason}") as caught:
+        load(path)
+    assert caught.value.__suppress_context__
 
-    def disk_full(self: Path, contents: bytes) -> None:
-        with self.open("wb") as file:
-            file.write(contents[: len(contents) // 2])
-        raise OSError("no space left")
 
-    monkeypatch.setattr(Path, "write_bytes", disk_full)
-    with pytest.raises(OSError, match="no space left"):
-        save(QLearning.create((2, 2), initial_value=2), path)
-    assert (load(path).Q == 1).all()
-    assert os.listdir(tmp_path) == ["agent.npz"]
+def test_what_could_not_be_loaded_is_not_saved(tmp_path: Path) -> None:
+    """The same check stands before the writing."""
+    good: Any = QLearning.create((3, 2))
+    for agent in (good._replace(Q=np.zeros((3, 2), np.int64)), good._replace(exploration="greedy")):
+        with pytest.raises(ValueError, match=r"(Q|exploration) must be"):
+            save(agent, tmp_path / "agent.npz")
+    for nothing in (3, "agent.npz", QLearning, (1, 2)):
+        with pytest.raises(ValueError, match="agent must be a NamedTuple"):
+            save(nothing, tmp_path / "agent.npz")
+    assert not os.listdir(tmp_path)
+
+
+def header(shape: str, dtype: str = "<f8") -> bytes:
+    """The beginning of a file of an array."""
+    words = f"{{'descr': '{dtype}', 'fortran_order': False, 'shape': {shape}, }}".encode().ljust(117) + b"\n"
+    return b"\x93NUMPY\x01\x00" + len(words).to_bytes(2, "little") + words
+
+
+def test_small_files_that_unpack_to_large_ones_are_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """By the sizes that they declare, before anything is unpacked; whoever wants to may allow more."""
+    path = tmp_path / "agent.npz"
+    save(QLearning.create((1000, 100)), path)
+    assert path.stat().st_size < 10_000
+    assert load(path, max_bytes=900_000).Q.shape == (1000, 100)
+    monkeypatch.setattr(zipfile.ZipFile, "open", None)
+    for max_bytes in (100, 100_000, 800_000):
+        with pytest.raises(ValueError, match=f"it holds more than {max_bytes} bytes; to allow that, pass a larger"):
+            load(path, max_bytes=max_bytes)
+    assert MOST_BYTES < 2_000_000_000
+
+
+@pytest.mark.parametrize("shape", ["(1000000000000,)", "(-3, -2)", "(3, 2, 1000000000000, 0)", "(5,)", "(10**9,)"])
+def test_arrays_are_as_large_as_they_say(shape: str, tmp_path: Path) -> None:
+    """A header that promises another size than the file has is not believed: no memory is asked for."""
+    path = tmp_path / "agent.npz"
+    path.write_bytes(stored(q_learning(), {"Q": header(shape) + bytes(48)}))
+    with pytest.raises(ValueError, match="cannot be loaded"):
+        load(path)
+    path.write_bytes(stored(q_learning(), {"Q": header("(3, 2)") + bytes(48)}))
+    assert load(path).Q.shape == (3, 2)
+
+
+def test_only_the_compression_of_save_is_read(tmp_path: Path) -> None:
+    """Others unpack without a limit."""
+    path = tmp_path / "agent.npz"
+    for compression, is_read in ((zipfile.ZIP_STORED, True), (zipfile.ZIP_BZIP2, False), (zipfile.ZIP_LZMA, False)):
+        path.write_bytes(stored(q_learning(), {"Q": npy(np.zeros((3, 2)))}, compression))
+        if is_read:
+            load(path)
+        else:
+            with pytest.raises(ValueError, match="compressed in a way that save"):
+                load(path)
+
+
+def test_tables_of_any_shape_and_order_come_back(tmp_path: Path) -> None:
+    """Empty ones, too, and those in Fortran's order."""
+    for table in (
+        np.zeros((0, 2)),
+        np.zeros(()),
+        np.asfortranarray(np.arange(6.0).reshape(3, 2)),
+        np.arange(6.0)[::-2],
+    ):
+        agent = OwnAgent(table, Memory(np.zeros(0, np.int64), ""))
+        save(agent, tmp_path / "own.npz")
+        loaded = load(tmp_path / "own.npz", [OwnAgent, Memory])
+        np.testing.assert_array_equal(loaded.Q, table)
+        assert loaded.Q.shape == table.shape
+        assert loaded.Q.flags.writeable

@@ -4,6 +4,7 @@ import io
 import os
 import pty
 import select
+import signal
 import subprocess
 import sys
 import termios
@@ -91,7 +92,7 @@ class Terminal:
         """Start it."""
         self.master, self.slave = pty.openpty()
         self.before = termios.tcgetattr(self.slave)
-        controlled = f"import fcntl, termios; fcntl.ioctl(0, termios.TIOCSCTTY, 0)\n{code}"
+        controlled = f"{CONTROL}\n{code}"
         environment = {key: value for key, value in os.environ.items() if key != "NO_COLOR"}
         self.process = subprocess.Popen(
             [sys.executable, "-c", controlled],
@@ -122,6 +123,14 @@ class Terminal:
         return status
 
 
+CONTROL = """
+import fcntl, signal, termios
+fcntl.ioctl(0, termios.TIOCSCTTY, 0)
+signal.signal(signal.SIGINT, signal.default_int_handler)  # it may be ignored, as in `make test &`
+for ending in (signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT):
+    signal.signal(ending, signal.SIG_DFL)
+"""
+"""What makes the terminal that of the program, and its signals those of a program that a person has started."""
 GAME = "from edugym.playing import play; play('Supermarket')"
 ARROW_RIGHT, ARROW_DOWN, DELETE = "\x1b[C", "\x1bOB", "\x1b[3~"
 
@@ -150,6 +159,99 @@ def test_ctrl_c_and_ctrl_d_leave_the_terminal_as_it_was(key: str) -> None:
     assert "step 1: down" in last
     assert "Traceback" not in last
     assert terminal.end() == 0
+
+
+@pytest.mark.parametrize("ending", [signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT])
+def test_signals_leave_the_terminal_as_it_was(ending: signal.Signals) -> None:
+    """And end the program as they end any other."""
+    terminal = Terminal(f"import resource; resource.setrlimit(resource.RLIMIT_CORE, (0, 0)); {GAME}")
+    terminal.type("", until="[q] quit")
+    assert termios.tcgetattr(terminal.slave) != terminal.before
+    terminal.process.send_signal(ending)
+    assert terminal.end() == -ending
+
+
+def test_signals_that_the_program_handles_are_left_to_it() -> None:
+    """Such as the hang-up that `nohup` lets it ignore; and after the game all are as before."""
+    code = """
+signal.signal(signal.SIGHUP, signal.SIG_IGN)
+signal.signal(signal.SIGTERM, lambda *_: print("in its own way"))
+from edugym.playing import play; play('Supermarket')
+assert signal.getsignal(signal.SIGQUIT) is signal.SIG_DFL
+"""
+    terminal = Terminal(code)
+    terminal.type("", until="[q] quit")
+    terminal.process.send_signal(signal.SIGHUP)
+    terminal.process.send_signal(signal.SIGTERM)
+    terminal.type("", until="in its own way")
+    terminal.type("q", until="No episode finished yet.")
+    assert terminal.end() == 0
+
+
+def test_an_error_leaves_the_terminal_as_it_was() -> None:
+    """An error of the environment is shown as it is."""
+    task = "from tests.playing.tasks import Walk; from edugym.playing import play; Walk.reward = None; play(Walk())"
+    terminal = Terminal(task)
+    terminal.type("", until="[q] quit")
+    terminal.type("1", until="TypeError")
+    assert terminal.end() == 1
+
+
+def test_a_game_can_be_played_outside_the_main_thread() -> None:
+    """Where Python does not let it handle signals."""
+    terminal = Terminal(f"import threading\nthread = threading.Thread(target=lambda: exec({GAME!r}))\nthread.start()")
+    terminal.type("", until="[q] quit")
+    terminal.type("q", until="No episode finished yet.")
+    assert terminal.end() == 0
+
+
+def test_a_terminal_that_goes_away_ends_the_program() -> None:
+    """Closing its window hangs up."""
+    terminal = Terminal(GAME)
+    terminal.type("", until="[q] quit")
+    os.close(terminal.slave)
+    os.close(terminal.master)
+    assert terminal.process.wait(60) == -signal.SIGHUP
+
+
+def command(arguments: str) -> subprocess.CompletedProcess[str]:
+    """Run `edugym` in a shell, where EDUGYM stands for it."""
+    code = f"{sys.executable} -c 'from edugym.cli import main; main()'"
+    line = arguments.replace("EDUGYM", code)
+    return subprocess.run(["bash", "-c", line], capture_output=True, text=True, timeout=60, check=False)
+
+
+@pytest.mark.parametrize(
+    ("line", "status", "output", "error"),
+    [
+        ("EDUGYM play Boulder <&-", 0, "No episode finished yet.\n", ""),
+        ("yes 0 | (EDUGYM play Boulder; echo $? >&2) | head -1", 0, "\n", "1\n"),
+        ("EDUGYM play Boulder </dev/null >&-", 2, "", "standard output is closed"),
+        ("EDUGYM play Boulder </dev/null >/dev/full", 2, "", "No space left on device"),
+    ],
+)
+def test_inputs_and_outputs_that_end(line: str, status: int, output: str, error: str) -> None:
+    """No traceback, and an exit status that says how it went."""
+    result = command(line)
+    assert result.returncode == status
+    assert result.stdout.endswith(output)
+    assert error in result.stderr if error else result.stderr == ""
+    assert "Traceback" not in result.stderr
+
+
+def test_the_film_is_kept_where_the_output_ends(tmp_path: Path) -> None:
+    """The reader of a pipe may go before the episode is over."""
+
+    class Gone(io.StringIO):
+        def write(self, text: str) -> int:
+            if "step 2" in text:
+                raise BrokenPipeError
+            return super().write(text)
+
+    with pytest.raises(BrokenPipeError):
+        play(Walk(), keyboard=io.StringIO("1\n1\n"), screen=Gone(), gif=tmp_path / "walk.gif")
+    with Image.open(tmp_path / "walk.gif") as image:
+        assert getattr(image, "n_frames", 1) == 3
 
 
 def test_keys_of_a_windows_console() -> None:

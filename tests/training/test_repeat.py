@@ -14,7 +14,6 @@ from gymnasium.error import DependencyNotInstalled
 
 from edugym import CountBased, EpsilonGreedy, GoExplore, QLearning, Results, make_mdp, repeat, train
 from edugym.extras import require
-from edugym.files import check_writable, write_whole
 from edugym.mdp.protocol import Reals
 from edugym.training.configuration import described
 
@@ -212,35 +211,12 @@ def test_saved_and_loaded_is_the_same(tmp_path: Path) -> None:
     assert [file.name for file in path.parent.iterdir()] == ["results.csv"]
 
 
-def test_a_failed_save_leaves_the_old_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Nobody ever finds half a file, or the rests of one."""
-
-    def full_disk(self: Path, contents: bytes) -> None:
-        with self.open("wb") as file:
-            file.write(contents[:1])
-        raise OSError("no space left")
-
-    path = tmp_path / "results.csv"
-    write_whole(path, b"old")
-    monkeypatch.setattr(Path, "write_bytes", full_disk)
-    with pytest.raises(OSError, match="no space left"):
-        write_whole(path, b"new")
-    assert path.read_bytes() == b"old"
-    assert list(tmp_path.iterdir()) == [path]
-
-
 def test_other_tables_are_not_results(tmp_path: Path) -> None:
     """The message says what is missing."""
     path = tmp_path / "other.csv"
     path.write_text("method,step\nQ,1\n")
     with pytest.raises(ValueError, match="no column 'repetition'"):
         Results.load(path)
-
-
-def test_paths_can_be_checked(tmp_path: Path) -> None:
-    """Folders are made on the way, and nothing is left in them."""
-    assert check_writable(tmp_path / "a" / "b.csv") == tmp_path / "a" / "b.csv"
-    assert list((tmp_path / "a").iterdir()) == []
 
 
 def test_results_answer_questions() -> None:

@@ -1,9 +1,12 @@
 """Play with keys, in a terminal or in a window."""
 
+import io
 import os
 import re
+import signal
 import string
 import sys
+import threading
 from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager, suppress
 from pathlib import Path
@@ -73,7 +76,9 @@ def play(
         gymnasium.error.DependencyNotInstalled: pygame is needed for a window or a GIF, or Pillow for a GIF.
     """
     one_of("render", render, ["ansi", "human"])
-    keyboard, screen = keyboard or sys.stdin, screen or sys.stdout
+    keyboard, screen = keyboard or sys.stdin or io.StringIO(), screen or sys.stdout
+    if screen is None:  # Python's word for a standard output that is closed; such an input has no keys
+        raise OSError("screen must be open, but the standard output is closed")
     game = environment if isinstance(environment, Game) else Game(environment, seed=seed, picture="ansi", **parameters)
     keys = keys_of(list(game.actions))
     if (render == "human" or gif is not None) and not isinstance(game.frames[0].picture, Scene):
@@ -81,16 +86,19 @@ def play(
     if gif is not None:
         require("plot", "PIL")
         gif = checked_path(gif)
-    with suppress(KeyboardInterrupt):
-        if render == "human":
-            with closing(Window(game.name)) as window:
-                _play(game, keys, InWindow(window))
-        else:
-            with key_presses(keyboard) as presses:
-                _play(game, keys, InTerminal(presses, screen))
-    _write(screen, f"{'' if game.over else game.line()}\n{game.history()}\n")
+    try:
+        with suppress(KeyboardInterrupt):
+            if render == "human":
+                with closing(Window(game.name)) as window:
+                    _play(game, keys, InWindow(window))
+            else:
+                with key_presses(keyboard) as presses:
+                    _play(game, keys, InTerminal(presses, screen))
+        _write(screen, f"{'' if game.over else game.line()}\n{game.history()}\n")
+    finally:
+        if gif is not None:
+            record(game.replay(), gif)
     if gif is not None:
-        record(game.replay(), gif)
         _write(screen, f"The last episode is in {gif}\n")
     return game
 
@@ -190,7 +198,7 @@ def _write(screen: TextIO, text: str) -> None:
 
 @contextmanager
 def key_presses(keyboard: TextIO) -> Iterator[Iterator[str]]:
-    """The keys as they are pressed, or the lines of an input that is no terminal; a terminal is left as it was."""
+    """Give the keys as they are pressed, or the lines of an input that is not a terminal."""
     if not keyboard.isatty():
         yield (line.strip() for line in iter(keyboard.readline, ""))
     elif sys.platform == "win32":
@@ -198,15 +206,46 @@ def key_presses(keyboard: TextIO) -> Iterator[Iterator[str]]:
 
         yield windows_keys(msvcrt.getwch)
     else:
-        import termios
-        import tty
-
-        before = termios.tcgetattr(keyboard)
-        tty.setcbreak(keyboard)  # no Enter needed, nothing echoed, and Ctrl-C still interrupts
-        try:
+        with _single_keys(keyboard.fileno()):
             yield unix_keys(keyboard.fileno())
-        finally:
-            termios.tcsetattr(keyboard, termios.TCSADRAIN, before)
+
+
+@contextmanager
+def _single_keys(terminal: int) -> Iterator[None]:
+    """Make a terminal deliver each key at once, without echo, and leave it as it was.
+
+    A signal that ends the process restores the terminal first. Signals that the process handles in its own way, or
+    ignores, are left alone, and outside the main thread Python cannot handle any.
+    """
+    import termios
+    import tty
+
+    before = termios.tcgetattr(terminal)
+
+    def restore() -> None:
+        with suppress(termios.error):  # the terminal may be gone
+            termios.tcsetattr(terminal, termios.TCSANOW, before)
+
+    def end(number: int, frame: Any) -> None:
+        restore()
+        signal.signal(number, signal.SIG_DFL)
+        signal.raise_signal(number)
+
+    ending = (signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT) if _in_main_thread() else ()
+    handled = [number for number in ending if signal.getsignal(number) is signal.SIG_DFL]
+    for number in handled:
+        signal.signal(number, end)
+    try:
+        tty.setcbreak(terminal)  # Ctrl-C still interrupts
+        yield
+    finally:
+        restore()
+        for number in handled:
+            signal.signal(number, signal.SIG_DFL)
+
+
+def _in_main_thread() -> bool:
+    return threading.current_thread() is threading.main_thread()
 
 
 def unix_keys(file_descriptor: int) -> Iterator[str]:

@@ -4,42 +4,35 @@ import math
 from collections.abc import Iterator
 from itertools import groupby, pairwise
 
+from edugym.rendering.clipping import visible
 from edugym.rendering.palette import INK, rgb
-from edugym.rendering.scene import (
-    ANCHORS,
-    Arc,
-    Circle,
-    Ellipse,
-    Filled,
-    Line,
-    Point,
-    Polygon,
-    Rectangle,
-    Scene,
-    Shape,
-    Stroke,
-    Text,
-)
+from edugym.rendering.scene import Scene
+from edugym.rendering.shapes import ANCHORS, Arc, Circle, Filled, Line, Point, Polygon, Rectangle, Shape, Stroke, Text
+
+MOST_CELLS = 500
+"""The largest number of characters in a line, and of lines."""
 
 Cell = tuple[str, str, str]
-"""A character, its colour, and the colour behind it ("" for the one that is there already)."""
+"""A character, its colour, and the colour behind it ("" keeps the colour behind it as it is)."""
 Place = tuple[int, int, Cell]
-"""A column, a row, and what is written there."""
+"""A column, a row, and the cell to write there."""
 
 
 def to_text(scene: Scene, columns: int | None = None, colour: bool = False) -> str:
-    """Draw a scene with characters, which are taken to be twice as high as wide.
+    """Draw a scene with characters, as if each were twice as high as it is wide.
 
-    Only texts and shapes that have a ``glyph`` are drawn. A single character fills the area of a rectangle and follows
-    the path of a line or an arc; everything else is written at the middle of the shape. What falls outside is cut off.
+    Only texts and shapes with a `glyph` are drawn. A single character fills the area of a rectangle and follows the
+    path of a line or an arc; any other glyph is written at the middle of the shape. The edge of the picture cuts off
+    the rest.
 
     Args:
-        scene: What to draw.
-        columns: Characters in a line; None for the scene's own ``columns``.
-        colour: Whether to colour them with ANSI escape sequences, for terminals that know 24-bit colours.
+        scene: The scene.
+        columns: Characters in a line; None for the scene's own `columns`. At most `MOST_CELLS` are drawn, and as many
+            lines; the picture is squeezed to fit.
+        colour: Whether to colour them with ANSI escape sequences, for terminals with 24-bit colours.
 
     Returns:
-        The lines, without trailing blanks unless they are coloured, and without a newline at the end.
+        The lines. Trailing blanks are left out unless they are coloured, and so is the newline at the end.
 
     Raises:
         ValueError: If ``columns`` is not positive.
@@ -48,9 +41,10 @@ def to_text(scene: Scene, columns: int | None = None, colour: bool = False) -> s
     columns = scene.columns if columns is None else columns
     if columns < 1:
         raise ValueError(f"columns must be 1 or more, got {columns!r}")
-    rows = max(1, round(columns * scene.height / scene.width / 2))
+    columns = int(min(columns, MOST_CELLS))
+    rows = max(1, round(min(columns * scene.height / scene.width / 2, MOST_CELLS)))
     grid: list[list[Cell]] = [[(" ", INK, scene.background)] * columns for _ in range(rows)]
-    for shape in scene.shapes:
+    for shape in visible(scene):
         for column, row, (character, front, behind) in _places(shape, columns / scene.width, rows / scene.height):
             if 0 <= row < rows and 0 <= column < columns:
                 grid[row][column] = character, front, behind or grid[row][column][2]
@@ -71,7 +65,7 @@ def _coloured(line: list[Cell]) -> str:
 
 
 def _places(shape: Shape, across: float, down: float) -> Iterator[Place]:
-    """Yield all that a shape writes, where a unit of the scene is ``across`` columns wide and ``down`` rows high."""
+    """Yield the characters of a shape, where a unit of the scene is `across` columns wide and `down` rows high."""
     if not isinstance(shape, Text) and not shape.glyph:
         return
     match shape:
@@ -87,25 +81,25 @@ def _places(shape: Shape, across: float, down: float) -> Iterator[Place]:
                 steps = math.ceil(max(abs(next_x - x) * across, abs(next_y - y) * down, 1))
                 for part in (k / steps for k in range(steps + 1)):
                     column, row = (x + part * (next_x - x)) * across, (y + part * (next_y - y)) * down
-                    yield math.floor(column), math.floor(row), (glyph, *_colours(shape))
+                    yield math.floor(round(column, 6)), math.floor(round(row, 6)), (glyph, *_colours(shape))
         case _:
             x, y = _middle(shape)
             yield from _string(shape.glyph, x * across, y * down, ANCHORS["middle"], _colours(shape))
 
 
 def _string(characters: str, x: float, y: float, shift: float, colours: tuple[str, str]) -> Iterator[Place]:
-    """Yield the characters of a string, of which the share ``shift`` lies before x; x and y count columns and rows."""
+    """Yield the characters of a string, with the share `shift` of them before x; x and y count columns and rows."""
     first, row = _first(x - shift * len(characters)), math.floor(round(y, 6))
     yield from ((first + k, row, (character, *colours)) for k, character in enumerate(characters))
 
 
 def _first(edge: float) -> int:
-    """Return the first cell whose middle lies on or after an edge; rounded, lest 0.3 / 0.1 fall short of 3."""
+    """Return the first cell whose middle lies on or after an edge, after rounding (0.3 / 0.1 is less than 3)."""
     return math.ceil(round(edge - 0.5, 6))
 
 
 def _span(start: float, length: float) -> range:
-    """Return the cells whose middle lies in [start, start + length), or the one around it if it is too small."""
+    """Return the cells with their middle in [start, start + length); if there is none, the cell around its middle."""
     middle = math.floor(start + length / 2)
     return range(_first(start), _first(start + length)) or range(middle, middle + 1)
 
@@ -114,7 +108,7 @@ def _middle(shape: Shape) -> Point:
     match shape:
         case Rectangle():
             return shape.x + shape.width / 2, shape.y + shape.height / 2
-        case Circle() | Ellipse():
+        case Circle():
             return shape.x, shape.y
         case Polygon() | Line() | Arc():
             xs, ys = zip(*shape.points, strict=True)
@@ -123,7 +117,7 @@ def _middle(shape: Shape) -> Point:
 
 
 def _colours(shape: Shape) -> tuple[str, str]:
-    """Return the colours of a shape's character and behind it: those of its edge and of its inside."""
+    """Return the colour of a shape's character (its outline) and the colour behind it (its fill)."""
     if isinstance(shape, Filled):
         return shape.outline or shape.fill or INK, shape.fill or ""
     return shape.colour if isinstance(shape, Stroke) else INK, ""

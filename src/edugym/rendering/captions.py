@@ -1,42 +1,32 @@
-"""Scenes with text below them, for films and windows, where no page around the picture can hold it."""
+"""Scenes with lines of text below them, for films and windows."""
 
 from collections.abc import Sequence
 from dataclasses import replace
 
 from edugym.rendering.palette import PAPER
-from edugym.rendering.scene import (
-    LONGEST_SIDE,
-    Arc,
-    Circle,
-    Ellipse,
-    Line,
-    Point,
-    Polygon,
-    Rectangle,
-    Scene,
-    Shape,
-    Text,
-)
+from edugym.rendering.scene import Scene
+from edugym.rendering.shapes import LONGEST_SIDE, Arc, Circle, Line, Point, Polygon, Rectangle, Shape, Text
 
 WIDTH = 400
-"""A captioned picture is at least so wide, in pixels, so that a narrow one has room for its text."""
+"""The smallest width of a picture with a caption, in pixels: a narrow picture needs room for its text."""
 FONT_SIZE = 14
-"""Pixels, for lines that fit."""
+"""In pixels, for lines that fit."""
 LINE_HEIGHT = 20
-"""Pixels."""
+"""In pixels."""
 LETTER_WIDTH = 0.58
-"""What a letter takes on average, as a share of the font size: slightly more than in Helvetica Bold."""
+"""The mean width of a letter as a share of the font size: slightly more than in Helvetica Bold."""
 
 
 def captioned(scene: Scene, lines: Sequence[str]) -> Scene:
     """Put lines of text below a scene, on paper; a long line is written smaller.
 
     Args:
-        scene: The picture. Scenes of one size give captioned scenes of one size, if there are as many lines below each.
+        scene: The picture.
         lines: The text; an empty line stays empty.
 
     Returns:
-        The picture, in the middle of a wider one where it is too narrow for text, with the text below.
+        The picture with the text below it, with margins on both sides if it is too narrow for text. Scenes of one size
+        with the same number of lines give pictures of one size.
 
     Raises:
         ValueError: If a line has characters that cannot be printed on one line.
@@ -48,7 +38,7 @@ def captioned(scene: Scene, lines: Sequence[str]) -> Scene:
     shapes: list[Shape] = [
         Rectangle(margin, 0, scene.width, scene.height, fill=scene.background, outline=None),
         *(_moved(shape, margin) for shape in scene.shapes),
-        # What the picture's edge cut off must not show in the margins.
+        # Hide the parts of shapes that reach beyond the edges of the picture.
         Rectangle(0, 0, margin, scene.height, fill=PAPER, outline=None),
         Rectangle(width - margin, 0, margin, scene.height, fill=PAPER, outline=None),
         Rectangle(0, scene.height, width, height, fill=PAPER, outline=None),
@@ -60,11 +50,11 @@ def captioned(scene: Scene, lines: Sequence[str]) -> Scene:
 
 
 def _moved(shape: Shape, dx: float) -> Shape:
-    """Return the shape, further to the right by ``dx``."""
+    """Return a shape moved to the right by `dx`."""
     match shape:
         case Polygon() | Line():
             points: list[Point] = [(x + dx, y) for x, y in shape.points]
             return replace(shape, points=points)
-        case Rectangle() | Circle() | Ellipse() | Arc() | Text():
+        case Rectangle() | Circle() | Arc() | Text():
             return replace(shape, x=shape.x + dx)
     raise TypeError(f"a shape of class {type(shape).__name__} cannot be moved")

@@ -1,4 +1,4 @@
-"""Pictures as a film: an animated GIF, which a page, a slide or a message shows without more."""
+"""Pictures as a film: an animated GIF, which pages, slides and messages play by themselves."""
 
 import io
 import math
@@ -18,19 +18,19 @@ if TYPE_CHECKING:
     from PIL import Image
 
 LAST_SECONDS = 2.0
-"""The last picture stays so long before the film starts again."""
+"""How long the last picture stays before the film starts again."""
 
 
 def to_gif(pictures: Iterable[Scene | NDArray[np.uint8]], path: str | Path, frames_per_second: float = 4.0) -> None:
-    """Write pictures to a GIF that plays for ever.
+    """Write pictures to a GIF that repeats without end.
 
-    Pictures of different sizes stand at the top left of the largest. A picture that is the same as the one before is
-    not stored again: the one before is shown for longer.
+    Where the pictures have different sizes, the smaller ones stand at the top left. A picture that equals the one
+    before it is not stored: the one before it is shown for longer.
 
     Args:
         pictures: One or more scenes, or arrays of colours of shape (height, width, 3).
         path: The file to write.
-        frames_per_second: How fast it plays, up to 50 (browsers slow down what is faster).
+        frames_per_second: How fast it plays, up to 50 (browsers slow down faster films).
 
     Raises:
         ValueError: If there is no picture, or the speed is not in (0, 50].
@@ -53,7 +53,7 @@ def to_gif(pictures: Iterable[Scene | NDArray[np.uint8]], path: str | Path, fram
 
 
 def _image(array: NDArray[np.uint8], height: int, width: int) -> "Image.Image":
-    """Return a picture of at most 256 colours, its own, on a canvas of the film's size."""
+    """Return a picture on a canvas of the film's size, reduced to at most 256 colours."""
     from PIL import Image
 
     canvas = Image.new("RGB", (width, height))

@@ -1,14 +1,14 @@
-"""Figures that several environments share, each a tuple of shapes to unpack into a scene.
+"""Icons that several environments share, each a tuple of shapes to unpack into a scene.
 
     Scene(10, 10, (*smiley(2, 3, 0.4), *flag(5, 9, 1)))
 
-A figure scales as a whole: it looks the same at every size and in every environment's units.
+An icon scales as a whole: it looks the same at every size and in every environment's units.
 """
 
 from typing import Literal
 
 from edugym.rendering.palette import GREEN, INK, PAPER, RED, SHADE, WALL, WHITE, YELLOW, blend
-from edugym.rendering.scene import Arc, Circle, Line, Point, Polygon, Rectangle, Shape, Text
+from edugym.rendering.shapes import Arc, Circle, Line, Point, Polygon, Rectangle, Shape, Text
 
 Mood = Literal["happy", "flat", "sad"]
 
@@ -19,12 +19,12 @@ def smiley(x: float, y: float, radius: float, mood: Mood = "happy", glyph: str =
     Args:
         x: The middle of the face.
         y: The middle of the face.
-        radius: Its radius.
-        mood: The mouth: "happy", "flat" or "sad".
-        glyph: What the character back end shows.
+        radius: The radius of the face.
+        mood: The shape of the mouth: "happy", "flat" or "sad".
+        glyph: What the character back end draws.
 
     Raises:
-        ValueError: If the mood is none of the three.
+        ValueError: If the mood is unknown.
     """
     mouth: Shape
     pen = 0.11 * radius
@@ -46,7 +46,7 @@ def smiley(x: float, y: float, radius: float, mood: Mood = "happy", glyph: str =
 
 
 def flag(x: float, y: float, height: float, colour: str = RED, glyph: str = "⚑") -> tuple[Shape, ...]:
-    """Draw a goal's flag, whose pole stands on (x, y) and is ``height`` high."""
+    """Draw the flag of a goal, with a pole of the given height that stands on (x, y)."""
     top = y - height
     cloth = ((x, top), (x + 0.62 * height, top + 0.22 * height), (x, top + 0.44 * height))
     return (
@@ -57,14 +57,14 @@ def flag(x: float, y: float, height: float, colour: str = RED, glyph: str = "⚑
 
 
 def sign(x: float, y: float, height: float, content: str = "!", danger: bool = True) -> tuple[Shape, ...]:
-    """Draw a road sign, whose post stands on (x, y) and is ``height`` high.
+    """Draw a road sign on a post that stands on (x, y).
 
     Args:
         x: The foot of the post.
         y: The foot of the post.
-        height: From the foot to the top of the sign.
-        content: What it says: a character or two on a danger sign, a short word on a plain one.
-        danger: Whether it is a red-rimmed triangle (true) or a green board (false).
+        height: From the foot of the post to the top of the sign.
+        content: The text: one or two characters on a danger sign, a short word on a plain one.
+        danger: True for a triangle with a red rim, False for a green board.
     """
     post = Line(((x, y), (x, y - 0.5 * height)), line_width=0.07 * height)
     if danger:
@@ -91,8 +91,8 @@ def gauge(
         y: Top of the bar.
         width: Width of the bar.
         height: Height of the bar.
-        label: The words above its left end.
-        fraction: How full it is, clipped to [0, 1].
+        label: The text above its left end.
+        fraction: The full share of the bar, clipped to [0, 1].
         colour: Colour of the full part.
     """
     full, radius = width * min(1.0, max(0.0, fraction)), 0.35 * height
@@ -105,7 +105,7 @@ def gauge(
 
 
 def lamp(x: float, y: float, radius: float, lit: bool) -> tuple[Shape, ...]:
-    """Draw a lamp around (x, y): yellow with a glow if it is lit, grey if not."""
+    """Draw a lamp around (x, y), yellow with a glow if it is lit, else grey."""
     if not lit:
         return (Circle(x, y, radius, fill=SHADE, glyph="○"),)
     glow = blend(PAPER, YELLOW, 0.45)
@@ -118,7 +118,7 @@ def lamp(x: float, y: float, radius: float, lit: bool) -> tuple[Shape, ...]:
 def door(
     x: float, y: float, width: float, height: float, colour: str = WALL, label: str = "", pane: str = ""
 ) -> tuple[Shape, ...]:
-    """Draw a door with a window and a knob, whose top-left corner is (x, y).
+    """Draw a door with a window and a knob.
 
     Args:
         x: Left edge.
@@ -126,8 +126,8 @@ def door(
         width: Width of the door.
         height: Height of the door.
         colour: Colour of the door.
-        label: What is written on the door, below its window: its number, say.
-        pane: What is seen through its window.
+        label: The text below its window, such as the number of the door.
+        pane: The text in its window.
     """
     middle, low = x + width / 2, y + 0.64 * height
     plate = (Circle(middle, low, 0.2 * width), Text(middle, low, label, size=0.3 * width)) if label else ()
@@ -141,7 +141,7 @@ def door(
 
 
 def speech_bubble(x: float, y: float, width: float, height: float, content: str, tip: Point) -> tuple[Shape, ...]:
-    """Draw a speech bubble, whose top-left corner is (x, y) and whose tail ends at ``tip``, above or below it."""
+    """Draw a speech bubble with its top-left corner at (x, y), and a tail to `tip`, which is above or below it."""
     base_x = min(max(tip[0], x + 0.6 * height), x + width - 0.6 * height)
     base_y = y if tip[1] < y else y + height
 
@@ -152,6 +152,6 @@ def speech_bubble(x: float, y: float, width: float, height: float, content: str,
     return (
         Polygon(tail(1.0), fill=WHITE),
         Rectangle(x, y, width, height, 0.35 * height, fill=WHITE),
-        Polygon(tail(0.7), fill=WHITE, outline=WHITE),  # opens the edge of the bubble towards its tail
+        Polygon(tail(0.7), fill=WHITE, outline=WHITE),  # opens the outline of the bubble towards its tail
         Text(x + width / 2, y + height / 2, content, size=0.5 * height),
     )

@@ -1,7 +1,7 @@
-"""The colours that all nine environments share, so that their pictures look like one family.
+"""The colours of all pictures, so that the environments look like one family.
 
-Every colour is opaque and written ``"#rrggbb"``. An environment picks from these constants, or mixes two of them with
-``blend``, and names no colour of its own.
+Every colour is opaque and written `"#rrggbb"`. An environment uses these constants, or a mixture of two (`blend`), and
+no colours of its own.
 """
 
 import re
@@ -24,12 +24,12 @@ WALL = "#b07d56"
 BRICK = "#cf7a5c"
 STONE = "#c9ced6"
 CRACK = "#26232e"
-"""Nearly black: what does not hold."""
+"""Nearly black, for grips that do not hold."""
 
 RED = "#e8505b"
 ORANGE = "#f6975a"
 YELLOW = "#ffd23f"
-"""The smiley, and nothing else that stands near it."""
+"""The smiley's colour; nothing near a smiley should have it."""
 GREEN = "#3fae6a"
 BLUE = "#4a7bd6"
 PURPLE = "#9a6fcb"
@@ -41,7 +41,7 @@ def rgb(colour: str) -> tuple[int, int, int]:
     """Return the red, green and blue of a colour, each from 0 to 255.
 
     Args:
-        colour: A colour written ``"#rrggbb"``, as in HTML.
+        colour: A colour written `"#rrggbb"`, as in HTML.
 
     Raises:
         ValueError: If the colour is not written that way.
@@ -52,18 +52,18 @@ def rgb(colour: str) -> tuple[int, int, int]:
 
 
 def blend(colour: str, other: str, share: float) -> str:
-    """Mix two colours: for heat maps, faded things and the glow of a lamp.
+    """Mix two colours.
 
     Args:
-        colour: What a share of 0 gives, ``"#rrggbb"``.
-        other: What a share of 1 gives, ``"#rrggbb"``.
-        share: How much of ``other`` is in the mixture, from 0 to 1.
+        colour: The first colour, `"#rrggbb"`.
+        other: The second colour, `"#rrggbb"`.
+        share: The share of the second colour in the mixture, from 0 to 1.
 
     Returns:
-        The mixture, ``"#rrggbb"``.
+        The mixture, `"#rrggbb"`.
 
     Raises:
-        ValueError: If a colour is not written ``"#rrggbb"`` or ``share`` lies outside 0 to 1.
+        ValueError: If a colour is not written `"#rrggbb"` or `share` is not from 0 to 1.
     """
     if not 0.0 <= share <= 1.0:
         raise ValueError(f"share must lie in [0, 1], got {share!r}")

@@ -1,4 +1,4 @@
-"""Scenes as arrays of pixels, drawn in memory: no window, no display, and nothing of the user's own pygame touched."""
+"""Scenes as arrays of pixels, drawn in memory: no window, no display, no effect on the user's own pygame."""
 
 import importlib
 import math
@@ -11,8 +11,10 @@ import numpy as np
 from gymnasium.error import DependencyNotInstalled
 from numpy.typing import NDArray
 
+from edugym.rendering.clipping import visible
 from edugym.rendering.palette import rgb
-from edugym.rendering.scene import ANCHORS, Arc, Circle, Ellipse, Line, Point, Polygon, Rectangle, Scene, Shape, Text
+from edugym.rendering.scene import Scene
+from edugym.rendering.shapes import ANCHORS, Arc, Circle, Line, Point, Polygon, Rectangle, Shape, Text
 
 if TYPE_CHECKING:
     import pygame
@@ -23,16 +25,16 @@ def to_pixels(scene: Scene, width_pixels: int | None = None, supersampling: int 
     """Draw a scene into an array.
 
     Args:
-        scene: What to draw.
-        width_pixels: Width of the picture, as in ``Scene.size_in_pixels``: scenes of one size give arrays of one shape.
-        supersampling: How many times finer it is drawn than shown, each way: 1 is the fastest, 2, 4 and 8 have ever
-            smoother edges. (Between these, pygame would not keep even areas exactly in their colour.)
+        scene: The scene.
+        width_pixels: Width of the picture, as in `Scene.size_in_pixels`: scenes of one size give arrays of one shape.
+        supersampling: Each pixel is the mean of so many by so many: 1 is the fastest, 2, 4 and 8 give smoother and
+            smoother edges. (With other numbers pygame would not keep the exact colour of even areas.)
 
     Returns:
-        The colours, shape (height, width, 3), from the top-left corner; red, green and blue, each from 0 to 255.
+        The colours, shape (height, width, 3): rows from the top, red, green and blue from 0 to 255.
 
     Raises:
-        ValueError: If the width is not positive or the supersampling none of 1, 2, 4 and 8.
+        ValueError: If the width is not positive or too large, or the supersampling is not 1, 2, 4 or 8.
         TypeError: If the scene has a shape of an unknown class.
         gymnasium.error.DependencyNotInstalled: If pygame is not installed.
     """
@@ -45,24 +47,24 @@ def to_pixels(scene: Scene, width_pixels: int | None = None, supersampling: int 
 
 
 def to_surface(scene: Scene, width_pixels: int | None = None, supersampling: int = 4) -> "pygame.Surface":
-    """Draw a scene onto a new pygame surface of 32 bits a pixel; arguments and errors as ``to_pixels``."""
+    """Draw a scene onto a new pygame surface of 32 bits a pixel, with the arguments and errors of `to_pixels`."""
     if supersampling not in (1, 2, 4, 8):
         raise ValueError(f"supersampling must be 1, 2, 4 or 8, got {supersampling!r}")
     require_pygame()
     import pygame
 
     width, height = scene.size_in_pixels(width_pixels)
-    # The size is rounded to whole pixels, which matters least on the longer side.
+    # Rounding to whole pixels changes the longer side the least.
     scale = supersampling * max(width, height) / max(scene.width, scene.height)
     surface = pygame.Surface((supersampling * width, supersampling * height), depth=32)
     surface.fill(rgb(scene.background))
-    for shape in scene.shapes:
+    for shape in visible(scene):
         _draw(shape, scene, surface, scale)
     return pygame.transform.smoothscale(surface, (width, height))
 
 
 def require_pygame() -> None:
-    """Import pygame; Gymnasium has silenced the line that it prints.
+    """Import pygame. Gymnasium has already turned off the line that pygame prints.
 
     Raises:
         gymnasium.error.DependencyNotInstalled: If pygame is not installed.
@@ -85,7 +87,7 @@ def _draw(shape: Shape, scene: Scene, surface: "pygame.Surface", scale: float) -
             if fill is not None:
                 pygame.draw.rect(surface, rgb(fill), _box(shape, scale), border_radius=round(scale * shape.radius))
             if outline is not None:
-                # pygame draws the edge inside the box, a scene's edge is centred on it.
+                # pygame draws an outline inside the box; a scene's outline is centred on the edge.
                 width = pixels(shape.outline_width)
                 box, radius = _box(shape, scale).inflate(width, width), round(scale * shape.radius + width / 2)
                 pygame.draw.rect(surface, rgb(outline), box, width, border_radius=radius)
@@ -96,7 +98,7 @@ def _draw(shape: Shape, scene: Scene, surface: "pygame.Surface", scale: float) -
             if outline is not None:
                 width = pixels(shape.outline_width)
                 pygame.draw.circle(surface, rgb(outline), middle, scale * shape.radius + width / 2, width)
-        case Ellipse(fill=fill, outline=outline) | Polygon(fill=fill, outline=outline):
+        case Polygon(fill=fill, outline=outline):
             path = _scaled(shape.points, scale)
             if fill is not None:
                 pygame.draw.polygon(surface, rgb(fill), [(x - 0.5, y - 0.5) for x, y in path])
@@ -111,7 +113,7 @@ def _draw(shape: Shape, scene: Scene, surface: "pygame.Surface", scale: float) -
 
 
 def _box(shape: Rectangle, scale: float) -> "pygame.Rect":
-    """Round the edges of a rectangle to pixels: neighbours that share an edge then leave no gap."""
+    """Round the edges of a rectangle to pixels, so that neighbours with a common edge leave no gap."""
     import pygame
 
     left, top = round(scale * shape.x), round(scale * shape.y)
@@ -132,14 +134,16 @@ def _stroke(surface: "pygame.Surface", colour: tuple[int, int, int], path: Seque
     for (x, y), (next_x, next_y) in pairwise(path):
         length = math.hypot(next_x - x, next_y - y)
         if length > 0:
-            # Half the width, at right angles to the piece; pixel (i, j) has its middle at (i + 0.5, j + 0.5).
+            # Half the width, at right angles to the piece. The middle of pixel (i, j) is at (i + 0.5, j + 0.5).
             dx, dy = (y - next_y) / length * (width - 1) / 2, (next_x - x) / length * (width - 1) / 2
             corners = ((x + dx, y + dy), (next_x + dx, next_y + dy), (next_x - dx, next_y - dy), (x - dx, y - dy))
             pygame.draw.polygon(surface, colour, [(a - 0.5, b - 0.5) for a, b in corners])
 
 
 def _write(surface: "pygame.Surface", text: Text, size: float, scale: float) -> None:
-    """Draw a line of text."""
+    """Draw a line of text, unless it is too small to read."""
+    if scale * size < 1:
+        return
     font = _font()
     box = font.get_rect(text.content, size=scale * size)
     left, baseline = scale * text.x - box.x - ANCHORS[text.anchor] * box.width, scale * text.baseline(size)
@@ -147,7 +151,7 @@ def _write(surface: "pygame.Surface", text: Text, size: float, scale: float) -> 
 
 
 def _font() -> "pygame.freetype.Font":
-    """Return pygame's own font, the same on every machine; loaded again after somebody has called ``pygame.quit``."""
+    """Return pygame's own font, which is the same on every machine; load it again after a `pygame.quit`."""
     import pygame
 
     try:
@@ -163,5 +167,5 @@ def _load_font() -> "pygame.freetype.Font":
 
     pygame.freetype.init()
     font = pygame.freetype.Font(None)
-    font.origin = True  # places are those of the baseline's start
+    font.origin = True  # places are the start of the baseline
     return font

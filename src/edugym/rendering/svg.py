@@ -3,37 +3,25 @@
 from collections.abc import Sequence
 from xml.sax.saxutils import escape
 
-from edugym.rendering.scene import (
-    Arc,
-    Circle,
-    Ellipse,
-    Filled,
-    Line,
-    Point,
-    Polygon,
-    Rectangle,
-    Scene,
-    Shape,
-    Stroke,
-    Text,
-)
+from edugym.rendering.clipping import visible
+from edugym.rendering.shapes import Arc, Circle, Drawing, Filled, Line, Point, Polygon, Rectangle, Shape, Stroke, Text
 
 
-def to_svg(scene: Scene, width_pixels: int | None = None) -> str:
-    """Draw a scene as a standalone SVG picture, one line for each shape.
+def to_svg(scene: Drawing, width_pixels: int | None = None) -> str:
+    """Write a scene as a standalone SVG document, with one line for each shape that can be seen.
 
-    The same scene always gives the same text. It holds no ids and no style sheet, so that any number of pictures can
-    stand on one page.
+    The same scene always gives the same text. It has no ids and no style sheet: several pictures on one page do not
+    disturb each other.
 
     Args:
-        scene: What to draw.
-        width_pixels: Width on the page in CSS pixels, as in ``Scene.size_in_pixels``.
+        scene: The scene.
+        width_pixels: Width on the page in CSS pixels, as in `Scene.size_in_pixels`.
 
     Returns:
         The SVG document.
 
     Raises:
-        ValueError: If the width is not positive.
+        ValueError: If the width is not positive or too large.
         TypeError: If the scene has a shape of an unknown class.
     """
     width, height = scene.size_in_pixels(width_pixels)
@@ -44,10 +32,10 @@ def to_svg(scene: Scene, width_pixels: int | None = None) -> str:
     )
     title = f"<title>{escape(scene.title)}</title>"
     background = f'<rect width="100%" height="100%" fill="{scene.background}"/>'
-    return "\n".join((head, title, background, *(_element(shape, scene) for shape in scene.shapes), "</svg>"))
+    return "\n".join((head, title, background, *(_element(shape, scene) for shape in visible(scene)), "</svg>"))
 
 
-def _element(shape: Shape, scene: Scene) -> str:
+def _element(shape: Shape, scene: Drawing) -> str:
     match shape:
         case Rectangle():
             corners = f' rx="{_number(shape.radius)}"' if shape.radius else ""
@@ -57,10 +45,6 @@ def _element(shape: Shape, scene: Scene) -> str:
         case Circle():
             place = f'cx="{_number(shape.x)}" cy="{_number(shape.y)}"'
             return f'<circle {place} r="{_number(shape.radius)}" {_paint(shape, scene)}/>'
-        case Ellipse():
-            place = f'cx="{_number(shape.x)}" cy="{_number(shape.y)}"'
-            size = f'rx="{_number(shape.radius_x)}" ry="{_number(shape.radius_y)}"'
-            return f"<ellipse {place} {size} {_paint(shape, scene)}/>"
         case Polygon():
             return f'<polygon points="{_points(shape.points)}" {_paint(shape, scene)}/>'
         case Line():
@@ -78,7 +62,7 @@ def _element(shape: Shape, scene: Scene) -> str:
     raise TypeError(f"no SVG for a shape of class {type(shape).__name__}")
 
 
-def _paint(shape: Filled | Stroke, scene: Scene) -> str:
+def _paint(shape: Filled | Stroke, scene: Drawing) -> str:
     if isinstance(shape, Filled):
         fill, edge, width = shape.fill, shape.outline, shape.outline_width
     else:
@@ -94,5 +78,5 @@ def _points(points: Sequence[Point]) -> str:
 
 
 def _number(value: float) -> str:
-    """Write a number shortly: five digits place a point to a small part of a pixel."""
+    """Write a number with five digits, which place a point to a small part of a pixel."""
     return f"{float(value):.5g}" if value else "0"

@@ -1,4 +1,4 @@
-"""Scenes in a window on the screen, for ``render_mode="human"``."""
+"""Scenes in a window on the screen, for `render_mode="human"`."""
 
 import time
 from collections import deque
@@ -14,19 +14,19 @@ if TYPE_CHECKING:
 
 
 class Window:
-    """A window of its own, beside any number of others and beside the user's own pygame display.
+    """A window on the screen; there can be several of them, and a pygame display of the user's own.
 
-    It opens with the first scene. A user who closes it stops the pictures, not the training: from then on ``show``
-    returns at once. If somebody calls ``pygame.quit`` meanwhile, as some environments do when they close, the next
-    scene opens it again. Where there is no screen, pygame draws unseen.
+    It opens with the first scene. When the user closes it, training goes on without pictures: `show` then returns at
+    once. After a `pygame.quit`, which some environments call when they close, the next scene opens the window again.
+    Without a screen, pygame draws in memory only.
 
     Attributes:
-        title: The caption.
-        is_closed: Whether the user or ``close`` has closed the window, which is for good.
+        title: The title of the window.
+        is_closed: Whether the user or `close` has closed the window. A closed window stays closed.
     """
 
     def __init__(self, title: str) -> None:
-        """Prepare a window; it is not open yet."""
+        """Prepare a window, which opens with the first scene."""
         self.title = title
         self.is_closed = False
         self._window: pygame.Window | None = None
@@ -34,11 +34,11 @@ class Window:
         self._keys: deque[str] = deque()
 
     def show(self, scene: Scene, frames_per_second: float = 30.0) -> None:
-        """Show a scene, after waiting as long as the frame rate asks.
+        """Show a scene; wait first if the frame rate asks for it.
 
         Args:
-            scene: What to draw. The window takes its size.
-            frames_per_second: At most so many scenes in a second; infinity for no limit.
+            scene: The scene. The window takes its size.
+            frames_per_second: The highest number of scenes in a second; infinity for no limit.
 
         Raises:
             ValueError: If the frame rate is not positive.
@@ -58,11 +58,11 @@ class Window:
         self._last_shown = time.monotonic()
 
     def next_key(self) -> str | None:
-        """Wait until a key has been pressed in the window since the last one.
+        """Wait for the next key that is pressed in the window.
 
         Returns:
-            What the key writes ("a", "1"), or else its name ("left", "escape"); None when the window is closed or was
-            never opened.
+            The character of the key ("a", "1"), or its name if it has none ("left", "escape"); None if the window is
+            closed or was never opened.
         """
         while not self._keys and not self.is_closed and self._window is not None:
             self._handle_events()
@@ -77,7 +77,7 @@ class Window:
             self._window = None
 
     def _open(self, size: tuple[int, int]) -> "pygame.Window":
-        """Return the window at a size, opened if it is not open."""
+        """Return the window at a size; open it if it is not open."""
         import pygame
 
         if not hasattr(pygame, "Window"):
@@ -87,9 +87,9 @@ class Window:
             )
         if not pygame.display.get_init():
             pygame.display.init()
-            self._window = None  # pygame.quit has taken it away
+            self._window = None  # pygame.quit has closed it
         try:
-            # The same, where pygame has been started again since; of all attributes, only the id then raises an error.
+            # Somebody may have called pygame.quit and then started pygame again: the id, and only the id, then raises.
             is_open = self._window is not None and self._window.id > 0
         except pygame.error:
             is_open = False
@@ -100,7 +100,7 @@ class Window:
         return self._window
 
     def _handle_events(self) -> None:
-        """Take this window's events off the queue, so that it stays responsive, and put all others back."""
+        """Handle the events of this window, which keeps it responsive, and put all others back on the queue."""
         require_pygame()
         import pygame
 
@@ -108,7 +108,7 @@ class Window:
             return
         for event in pygame.event.get():
             if event.type == pygame.QUIT and self.is_closed:
-                continue  # pygame also says so when its last window is closed
+                continue  # pygame adds this event when its last window is closed
             if getattr(event, "window", None) is not self._window:
                 pygame.event.post(event)
             elif event.type == pygame.WINDOWCLOSE:

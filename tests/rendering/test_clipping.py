@@ -1,0 +1,144 @@
+"""Shapes of any size at any distance: the part that is in the picture is drawn, and the rest costs nothing."""
+
+import math
+from dataclasses import replace
+from typing import Any
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from edugym.rendering.ansi import MOST_CELLS, to_text
+from edugym.rendering.captions import captioned
+from edugym.rendering.clipping import visible
+from edugym.rendering.icons import smiley
+from edugym.rendering.palette import BLUE, GREEN, PAPER, RED, rgb
+from edugym.rendering.pixels import to_pixels
+from edugym.rendering.scene import Arc, Circle, Line, Polygon, Rectangle, Scene, Shape, Text
+from edugym.rendering.svg import to_svg
+
+NUMBERS = st.one_of(
+    st.floats(-30, 30),
+    st.floats(allow_nan=False),
+    st.sampled_from([math.inf, -math.inf, 1e308, -1e308, 5e-324, 0.0, 1e6]),
+)
+SIZES = NUMBERS.map(abs)
+POINTS = st.lists(st.tuples(NUMBERS, NUMBERS), min_size=3, max_size=6)
+PEN = st.one_of(st.none(), SIZES)
+
+
+def arc(x: float, y: float, radius: float, start: float, line_width: float | None) -> Arc:
+    """Return an arc of 100 degrees."""
+    return Arc(x, y, radius, start, start + 100, line_width=line_width, glyph="-")
+
+
+def shapes() -> st.SearchStrategy[Shape]:
+    """Shapes of every class with numbers of any size."""
+    return st.one_of(
+        st.builds(Rectangle, NUMBERS, NUMBERS, SIZES, SIZES, SIZES, outline_width=PEN, glyph=st.sampled_from("# ")),
+        st.builds(Circle, NUMBERS, NUMBERS, SIZES, outline_width=PEN, glyph=st.just("o")),
+        st.builds(Polygon, POINTS, outline_width=PEN, glyph=st.just("two")),
+        st.builds(Line, POINTS, line_width=PEN, glyph=st.just("-")),
+        st.builds(arc, NUMBERS, NUMBERS, SIZES, st.floats(-1000, 1000), PEN),
+        st.builds(Text, NUMBERS, NUMBERS, st.just("hello"), PEN, anchor=st.sampled_from(["start", "middle", "end"])),
+    )
+
+
+def coordinates(shape: Shape) -> list[float]:
+    """Return all numbers of a shape but the angles of an arc."""
+    points = [number for point in getattr(shape, "points", ()) for number in point]
+    own = [value for name, value in vars(shape).items() if isinstance(value, float) and name not in ("start", "stop")]
+    return [*points, *own]
+
+
+@settings(max_examples=300)
+@given(shapes())
+def test_every_back_end_draws_shapes_of_any_size(shape: Shape) -> None:
+    """No number makes a back end raise or draw anything much larger than the picture."""
+    picture = Scene(10, 5, (shape,), columns=20)
+    kept = list(visible(picture))
+    assert len(kept) <= 72
+    assert all(abs(number) <= 500 for part in kept for number in coordinates(part))
+    ElementTree.fromstring(to_svg(picture))
+    assert to_pixels(picture, 40, supersampling=1).shape == (20, 40, 3)
+    assert len(to_text(picture).split("\n")) == 5
+    to_svg(captioned(picture, ["caption"]))
+
+
+@pytest.mark.parametrize("radius", [15.0, 70.0, 90.0, 1e4, 1e8])
+@pytest.mark.parametrize("angle", [0.0, 0.7, 2.5, 4.0])
+@pytest.mark.parametrize("depth", [-3.0, 0.0, 3.0])
+def test_large_circles_pass_where_they_should(radius: float, angle: float, depth: float) -> None:
+    """Every pixel has the colour of the circle's inside, its outline or the paper, by its distance to the centre."""
+    x, y = 5 - (radius - depth) * math.cos(angle), 5 - (radius - depth) * math.sin(angle)
+    pixels = to_pixels(Scene(10, 10, (Circle(x, y, radius, fill=RED, outline=BLUE, outline_width=1.0),)), 100)
+    rows, columns = np.mgrid[0:100, 0:100] / 10 + 0.05
+    beyond = np.hypot(columns - x, rows - y) - radius
+    for colour, where in ((RED, beyond < -0.7), (BLUE, abs(beyond) < 0.3), (PAPER, beyond > 0.7)):
+        assert (pixels[where] == rgb(colour)).all()
+    assert len(set(map(tuple, pixels.reshape(-1, 3)))) > 1
+
+
+def test_large_shapes_are_cut_where_nobody_sees_it() -> None:
+    """A shape a million times as large as the picture has the same edges in the picture as one that just passes it."""
+    for near, far in (
+        (Rectangle(2, 3, 20, 20, fill=RED), Rectangle(2, 3, 1e7, math.inf, fill=RED)),
+        (Rectangle(-20, -20, 25, 40, fill=RED), Rectangle(-1e7, -1e300, 1e7 + 5, math.inf, fill=RED)),
+        (Polygon(((5, 5), (25, -15), (25, 25)), fill=RED), Polygon(((5, 5), (1e7, 5 - 1e7), (1e7, 1e7)), fill=RED)),
+        (Line(((-20, -19.7), (30, 30.3))), Line(((-1e9, 0.3 - 1e9), (1e9, 1e9 + 0.3)))),
+        (Line(((5, -15), (5, 5), (25, 5))), Line(((5, -1e9), (5, 5), (1e9, 5)))),
+        (Line(((5, -15), (5, 25)), line_width=1), Line(((5, -1e9), (5, 1e9)), line_width=1)),
+    ):
+        first, second = (to_pixels(Scene(10, 10, (shape,)), 200).astype(int) for shape in (near, far))
+        assert (first != rgb(PAPER)).any()
+        assert (abs(first - second).max(axis=2) > 64).mean() < 0.001
+        glyphs = [to_text(Scene(10, 10, (replace(shape, glyph="#"),), columns=20)) for shape in (near, far)]
+        if not isinstance(near, Polygon):  # its glyph stands at the middle of the part that is kept
+            assert glyphs[0] == glyphs[1]
+            assert "#" in glyphs[0]
+
+
+def test_shapes_in_the_picture_stay_as_they_are() -> None:
+    """And in their order; those that cannot be seen are left out."""
+    inside: list[Shape] = [
+        Circle(-1, 5, 2),
+        *smiley(5, 5, 3),
+        Text(12, 5, "long enough", anchor="end"),
+        Line(((0, 0), (15, 15))),
+    ]
+    outside: list[Shape] = [
+        Circle(-1, 5, 0.9, outline=None),
+        Circle(5, 5, 1e9, fill=None),
+        Rectangle(10.2, 0, 1e9, 10),
+        Rectangle(1e300, 0, math.inf, 1),
+        Line(((11, 0), (11, 1e9))),
+        Polygon(((100, 100), (1e9, 100), (100, 1e9))),
+        Text(-1e6, 5, "far away"),
+    ]
+    mixed = [shape for k, one in enumerate(inside) for shape in (*outside[k : k + 1], one)] + outside
+    assert list(visible(Scene(10, 10, mixed))) == inside
+    assert list(visible(Scene(10, 10, (Circle(5, 5, 1e9, fill=GREEN),)))) == [
+        Rectangle(-20, -20, 50, 50, fill=GREEN, outline=None)
+    ]
+
+
+def test_numbers_too_large_for_a_float_are_infinite() -> None:
+    """Whole numbers of any length are numbers."""
+    assert Circle(10**400, -(10**400), 10**400) == Circle(math.inf, -math.inf, math.inf)
+    assert Line(((0, 0), (10**400, 1))).points == ((0.0, 0.0), (math.inf, 1.0))
+
+
+@pytest.mark.parametrize(
+    ("width", "height"), [(1e-100, 1e100), (1e100, 1e-100), (7, 1e9), (1e-9, 1e-9), (1e100, 1e100)]
+)
+def test_pictures_of_any_proportions(width: float, height: float) -> None:
+    """Neither the pixels nor the characters grow without bound."""
+    shapes: list[Any] = [Rectangle(0, 0, width, height, glyph="#"), *smiley(width / 2, height / 2, height / 4)]
+    picture = Scene(width, height, shapes, columns=10**9)
+    lines = to_text(picture).split("\n")
+    assert 1 <= len(lines) <= MOST_CELLS
+    assert max(map(len, lines)) <= MOST_CELLS
+    assert max(to_pixels(picture).shape) == 480
+    ElementTree.fromstring(to_svg(picture))
