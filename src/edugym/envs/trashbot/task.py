@@ -21,6 +21,7 @@ from edugym.envs.trashbot.geometry import (
     WALL,
     Arm,
     Block,
+    Robot,
     arm,
 )
 from edugym.envs.trashbot.picture import picture
@@ -37,24 +38,6 @@ TURNING = 2.5
 """Radians by which each joint must have time to turn: a little more than the delivery takes."""
 MOVING, DELIVERED, COLLIDED, LATE = range(4)
 OUTCOMES = ("moving", "delivered", "collided", "late")
-
-
-class Robot(NamedTuple):
-    """How the arm stands, and how the episode stands.
-
-    Attributes:
-        shoulder: the angle of that joint, in radians, as `trashbot_geometry.arm` takes it.
-        elbow: the angle of the other, likewise.
-        holding: whether the box hangs from the magnet.
-        steps: how many steps this episode has taken.
-        outcome: `MOVING`, `DELIVERED`, `COLLIDED` or `LATE`.
-    """
-
-    shoulder: float
-    elbow: float
-    holding: bool
-    steps: int
-    outcome: int
 
 
 class Trashbot(NamedTuple):
