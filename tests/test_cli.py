@@ -18,8 +18,8 @@ from typer.testing import CliRunner, Result
 
 from edugym import Results
 from edugym.cli import app
-from edugym.experiments import Report
 from edugym.plotting import Lines, Sheet
+from edugym.plotting.report import Report
 from edugym.registration import ENVIRONMENTS
 from edugym.results.claims import Above, Claim
 from edugym.results.statistics import Interval

@@ -16,9 +16,16 @@ from edugym.agents.strategies import LinearDecay as LinearDecay
 from edugym.agents.strategies import ScheduledEpsilonGreedy as ScheduledEpsilonGreedy
 from edugym.agents.strategies import Softmax as Softmax
 from edugym.agents.tables import table_size as table_size
-from edugym.exact.model import FiniteModel as FiniteModel
+from edugym.exact.finite_horizon import finite_horizon as finite_horizon
 from edugym.exact.model import finite_model as finite_model
+from edugym.exact.policies import policy_of as policy_of
+from edugym.exact.policy_evaluation import policy_evaluation as policy_evaluation
+from edugym.exact.policy_iteration import policy_iteration as policy_iteration
+from edugym.exact.tables import FiniteModel as FiniteModel
+from edugym.exact.tables import Outcome as Outcome
+from edugym.exact.tables import Sample as Sample
 from edugym.exact.value_iteration import value_iteration as value_iteration
+from edugym.exact.values import Values as Values
 from edugym.mdp.tabular import Tabular as Tabular
 from edugym.mdp.wrapper import wrapper as wrapper
 from edugym.registration import ENVIRONMENTS as ENVIRONMENTS

@@ -10,9 +10,10 @@ from typing import Annotated, Any, Literal
 
 from gymnasium.error import DependencyNotInstalled
 
-from edugym.experiments import Report, lesson_names, load_experiments
+from edugym.experiments import lesson_names, load_experiments
 from edugym.extras import require
 from edugym.files import check_writable, write_whole
+from edugym.plotting.report import Report
 from edugym.registration import in_course_order, parameters_of
 from edugym.results.claims import Claim
 

@@ -13,26 +13,12 @@ import math
 import pkgutil
 import re
 import threading
-from collections.abc import Sequence
 from pathlib import Path
-from typing import NamedTuple, Protocol, cast
+from typing import Protocol, cast
 
 import edugym.lessons
 from edugym.checks import one_of
-from edugym.plotting.sheet import Sheet
-from edugym.results.claims import Claim
-
-
-class Report(NamedTuple):
-    """The outcome of the experiments of a lesson.
-
-    Attributes:
-        claims: the claims, each with its measurement.
-        figures: the figures to draw; none after an interruption.
-    """
-
-    claims: Sequence[Claim]
-    figures: Sequence[Sheet]
+from edugym.plotting.report import Report
 
 
 class Experiments(Protocol):

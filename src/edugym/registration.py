@@ -10,12 +10,11 @@ import pkgutil
 import re
 from collections.abc import Callable, Mapping
 from functools import cache, partial
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import gymnasium
 from gymnasium.envs.registration import EnvSpec, load_env_creator
-
-from edugym import envs
 
 FIRST_LINE = re.compile(r"(?P<name>\w+): (?P<challenge>.+?)( \(lesson (?P<lesson>\d+)\))?\.$")
 
@@ -71,8 +70,8 @@ def in_snake_case(name: str) -> str:
 
 
 def _found() -> tuple[Entry, ...]:
-    files = (module.name for module in pkgutil.iter_modules(envs.__path__))
-    return tuple(Entry("".join(map(str.capitalize, file.split("_"))), f"{envs.__name__}.{file}") for file in files)
+    files = (module.name for module in pkgutil.iter_modules([str(Path(__file__).with_name("envs"))]))
+    return tuple(Entry("".join(map(str.capitalize, file.split("_"))), f"edugym.envs.{file}") for file in files)
 
 
 ENVIRONMENTS = _found()

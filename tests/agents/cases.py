@@ -1,36 +1,19 @@
 """Every agent and every exploration strategy of the package, for the tests that hold for all of them.
 
-Agents are found by their files. `tests/agents/test_<name>.py` may say more of one, in a dictionary `CASES`.
+Both are found by their files. `tests/agents/test_<name>.py` may describe an agent in a dictionary `CASES`, and says in
+`STRATEGIES` how strategies are made for an environment.
 """
 
 import importlib
 import pkgutil
 from collections.abc import Callable, Iterator
+from types import ModuleType
 from typing import Any
 
 import numpy as np
 
-from edugym import (
-    UCB,
-    EpsilonGreedy,
-    ExponentialDecay,
-    Greedy,
-    LinearDecay,
-    QLearning,
-    ScheduledEpsilonGreedy,
-    Softmax,
-    agents,
-)
+from edugym import QLearning, agents
 from tests.agents.case import Case
-
-STRATEGIES: dict[str, Callable[[Any], Any]] = {
-    "greedy": lambda environment: Greedy(),
-    "epsilon-greedy": lambda environment: EpsilonGreedy(0.2),
-    "linear decay": lambda environment: ScheduledEpsilonGreedy.create(LinearDecay(1.0, 0.1, 500)),
-    "exponential decay": lambda environment: ScheduledEpsilonGreedy.create(ExponentialDecay(1.0, 0.05, 0.99)),
-    "softmax": lambda environment: Softmax(0.3),
-    "ucb": lambda environment: UCB.create(environment, 0.5),
-}
 
 
 def package_classes(method: str) -> Iterator[type]:
@@ -42,10 +25,14 @@ def package_classes(method: str) -> Iterator[type]:
                 yield thing
 
 
+def _test_file(kind: type) -> ModuleType:
+    """The test file of the file that a class is in."""
+    return importlib.import_module(f"tests.agents.test_{kind.__module__.rpartition('.')[2]}")
+
+
 def _described(kind: type) -> dict[str, Case]:
     """The cases of an agent: as its test file has them, or as it is at its defaults."""
-    name = f"tests.agents.test_{kind.__module__.rpartition('.')[2]}"
-    described: dict[str, Case] = getattr(importlib.import_module(name), "CASES", {})
+    described: dict[str, Case] = getattr(_test_file(kind), "CASES", {})
     return described or {kind.__name__: Case(kind, kind.create)}  # type: ignore[attr-defined]
 
 
@@ -53,6 +40,9 @@ def _exploring(make: Callable[[Any], Any]) -> Case:
     return Case(QLearning, lambda env: QLearning.create(env, exploration=make(env)))
 
 
+STRATEGIES: dict[str, Callable[[Any], Any]] = {
+    name: make for kind in package_classes("choose") for name, make in _test_file(kind).STRATEGIES.items()
+}
 AGENTS = {name: case for kind in package_classes("learn") for name, case in _described(kind).items()}
 
 CASES: dict[str, Case] = {**AGENTS, **{f"QLearning, {name}": _exploring(make) for name, make in STRATEGIES.items()}}

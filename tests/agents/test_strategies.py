@@ -24,6 +24,15 @@ from edugym.agents.tables import best_value, greedy_action
 from edugym.exact.branching import branches
 from edugym.mdp.protocol import Integers, Random, Reals
 
+STRATEGIES: dict[str, Callable[[Any], Any]] = {
+    "greedy": lambda environment: Greedy(),
+    "epsilon-greedy": lambda environment: EpsilonGreedy(0.2),
+    "linear decay": lambda environment: ScheduledEpsilonGreedy.create(LinearDecay(1.0, 0.1, 500)),
+    "exponential decay": lambda environment: ScheduledEpsilonGreedy.create(ExponentialDecay(1.0, 0.05, 0.99)),
+    "softmax": lambda environment: Softmax(0.3),
+    "ucb": lambda environment: UCB.create(environment, 0.5),
+}
+
 # Values from so few numbers that ties are frequent.
 rows = st.lists(st.sampled_from([-1.0, 0.0, 0.5, 2.0]), min_size=1, max_size=6)
 

@@ -3,6 +3,7 @@
 import math
 from typing import Any, NamedTuple
 
+import gymnasium
 import numpy as np
 import pytest
 from gymnasium import spaces
@@ -10,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.envs.catch import Catch
 from edugym.exact.model import finite_model
 from edugym.mdp.protocol import Integers, Random, Reals
 from tests.compiled.cells import SLIPPERY, WALK, cell
@@ -203,6 +205,96 @@ def test_rewards_that_cannot_be_followed() -> None:
     source = WALK.replace("return 1.0 if next_state == self.size else -0.25", "return max(0.0, rng.normal())")
     with pytest.raises(ValueError, match=r"Walk has no finite model: .* can only add normal noise"):
         finite_model(cell(source)["Walk"](4))
+
+
+def test_where_it_gives_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The number of states is a parameter; ways and the size of the tables have limits of their own."""
+    walk = cell(WALK)["Walk"](40)
+    assert len(finite_model(walk, max_states=41).states) == 41
+    with pytest.raises(ValueError, match=r"it has more than 40 states \(max_states can be raised\)"):
+        finite_model(walk, max_states=40)
+    many = CHANGED.replace("{}", "return (rng.integers(30), rng.integers(30))[0] if action else state + 1")
+    monkeypatch.setattr("edugym.exact.model.MAX_ENTRIES", 1000)
+    with pytest.raises(ValueError, match="its tables would have 2460 entries, and 1000 is the limit"):
+        finite_model(cell(many)["Walk"](40))
+    monkeypatch.setattr("edugym.exact.model.MAX_ENTRIES", 10_000)
+    assert finite_model(cell(many)["Walk"](40)).successors.shape == (41, 2, 30)
+    coins = cell(CHANGED.replace("{}", "return sum(rng.random() < 0.5 for _ in range(8)) * 0 + state + 1"))["Walk"](400)
+    with pytest.raises(ValueError, match=r"its steps can go too many ways in all \(a larger max_states allows more\)"):
+        finite_model(coins, max_states=500)
+    monkeypatch.setattr("edugym.exact.model.MAX_WAYS", 255)
+    with pytest.raises(ValueError, match="one step can go more than 255 ways"):
+        finite_model(coins)
+
+
+@pytest.mark.parametrize("wrong", [-1, 0, 2.5, None, math.inf, True])
+def test_bad_limits(wrong: Any) -> None:
+    """How many states to look at is a whole number."""
+    with pytest.raises(ValueError, match=r"max_states must be .*1 or more, but is"):
+        finite_model(cell(WALK)["Walk"](4), max_states=wrong)
+
+
+def test_what_is_no_task() -> None:
+    """An environment, a class, a name: the message says what to pass."""
+    wrong: Any
+    for wrong in (MDPEnv(cell(WALK)["Walk"](4)), gymnasium.make("CliffWalking-v1")):
+        with pytest.raises(ValueError, match=r"mdp must be an MDP, but is <.*env\.unwrapped\.mdp"):
+            finite_model(wrong)
+    wrong = cell(WALK)["Walk"]
+    with pytest.raises(ValueError, match=r"but is the class Walk: pass a value, Walk\(\.\.\.\)"):
+        finite_model(wrong)
+    for wrong in ("Boulder", None, 3):
+        with pytest.raises(ValueError, match=rf"such as make_mdp\('Boulder'\), but {wrong!r} has no action_space"):
+            finite_model(wrong)
+    wrong = cell(WALK.replace("def terminal", "def terminl"))["Walk"](4)
+    with pytest.raises(ValueError, match=r"but Walk\(size=4\) has no terminal"):
+        finite_model(wrong)
+
+
+SLIPS = {
+    "transition without return": ("return max(0, state + 2 * action - 1)", "state + 1", "transition returns None"),
+    "initial without return": ("return 0\n", "0\n", "initial returns None: is its `return` missing"),
+    "a list": ("return max(0, state + 2 * action - 1)", "return [state]", r"but there is \[0\]"),
+    "reward without return": (
+        "return 1.0 if next_state",
+        "1.0 if next_state",
+        "finite number, but returns None for 0, 0, 0",
+    ),
+    "reward that is no number": (
+        "-0.25",
+        "math.nan",
+        "reward must return a finite number, but returns nan for 0, 0, 0",
+    ),
+    "terminal without return": (
+        "return state == self.size",
+        "state",
+        "must return True or False, but returns None for",
+    ),
+    "a choice of bad sum": ("max(0, ", "max(0, rng.choice(2, p=[0.7, 0.7]) * ", "[Pp]robabilities do not sum to 1"),
+    "a negative choice": ("max(0, ", "max(0, rng.choice(2, p=[1.5, -0.5]) * ", "[Pp]robabilities are not non-negative"),
+    "a choice of another length": ("max(0, ", "max(0, rng.choice(2, p=[1.0]) * ", "a and p must have same size"),
+    "a choice of nothing": ("max(0, ", "max(0, rng.choice([]) * ", "a cannot be empty"),
+}
+
+
+@pytest.mark.parametrize(("line", "slip", "reason"), SLIPS.values(), ids=SLIPS)
+def test_slips(line: str, slip: str, reason: str) -> None:
+    """One sentence says which method is wrong, and how."""
+    assert line in WALK
+    with pytest.raises(ValueError, match=f"Walk has no finite model: .*{reason}"):
+        finite_model(cell(WALK.replace(line, slip, 1))["Walk"](4))
+
+
+@pytest.mark.parametrize(("rows", "columns"), [(2, 1), (5, 4), (9, 17), (40, 12)])
+def test_chance_at_the_start_only(rows: int, columns: int) -> None:
+    """In Catch the first state is drawn, and nothing after it: one outcome each, the states counted by hand."""
+    model = finite_model(Catch(rows, columns))
+    assert model.successors.shape[2] == 1
+    middle = columns // 2
+    reach = [min(middle, y) + min(columns - 1 - middle, y) + 1 for y in range(rows)]
+    assert len(model.states) == columns * sum(reach)
+    first = [model.row((x, 0, middle)) for x in range(columns)]
+    assert model.initial[first] == pytest.approx(np.full(columns, 1 / columns))
 
 
 def test_generative_model() -> None:

@@ -1,125 +1,16 @@
 """Value iteration against closed forms, brute force and linear algebra."""
 
 import itertools
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import pytest
-from gymnasium import spaces
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from edugym import FiniteModel, finite_model, make_mdp, value_iteration
-from edugym.mdp.protocol import Random, Reals
-
-
-class Walk(NamedTuple):
-    """The random walk of example 6.2: from the middle of five states, left or right by chance; 1 for the right end."""
-
-    def initial(self, rng: Random) -> int:
-        """The middle."""
-        return 3
-
-    def transition(self, state: int, action: int, rng: Random) -> int:
-        """One step to either side."""
-        return state + 1 if rng.random() < 0.5 else state - 1
-
-    def reward(self, state: int, action: int, next_state: int, rng: Random) -> float:
-        """1 at the right end."""
-        return 1.0 if next_state == 6 else 0.0
-
-    def terminal(self, state: int) -> bool:
-        """Either end."""
-        return state in (0, 6)
-
-    def observation(self, state: int, rng: Random) -> int:
-        """The state."""
-        return state
-
-    @property
-    def observation_space(self) -> spaces.Discrete:
-        """Five states and two ends."""
-        return spaces.Discrete(7)
-
-    @property
-    def action_space(self) -> spaces.Discrete:
-        """There is nothing to choose."""
-        return spaces.Discrete(1)
-
-
-class Gambler(Walk):
-    """The gambler's problem of example 4.3: stake 1 to 50 of one's capital; heads with probability 0.4."""
-
-    __slots__ = ()
-
-    def initial(self, rng: Random) -> int:
-        """Half of what is wanted."""
-        return 50
-
-    def transition(self, state: int, action: int, rng: Random) -> int:
-        """The stake is won or lost; it is cut to what there is and what is needed."""
-        stake = min(action + 1, state, 100 - state)
-        return state + stake if rng.random() < 0.4 else state - stake
-
-    def reward(self, state: int, action: int, next_state: int, rng: Random) -> float:
-        """1 for reaching 100."""
-        return 1.0 if next_state == 100 else 0.0
-
-    def terminal(self, state: int) -> bool:
-        """Ruin, or 100."""
-        return state in (0, 100)
-
-    @property
-    def action_space(self) -> spaces.Discrete:
-        """The stake, from 1."""
-        return spaces.Discrete(50)
-
-
-class Loop(Walk):
-    """One state that pays 1 for staying (action 1) and nothing for the end (action 0)."""
-
-    __slots__ = ()
-
-    def transition(self, state: int, action: int, rng: Random) -> int:
-        """Stay in 3, or go to the end."""
-        return 3 if action == 1 else 6
-
-    def reward(self, state: int, action: int, next_state: int, rng: Random) -> float:
-        """1 for staying."""
-        return float(action)
-
-    @property
-    def action_space(self) -> spaces.Discrete:
-        """End or stay."""
-        return spaces.Discrete(2)
-
-
-def model_of(probabilities: Reals, rewards: Reals, initial: Reals) -> FiniteModel:
-    """A model in which every state leads to every state, but the last, which is the end."""
-    n, a, _ = probabilities.shape
-    terminal = np.arange(n) == n - 1
-    probabilities[-1], rewards[-1] = terminal, 0.0
-    successors = np.broadcast_to(np.arange(n), (n, a, n)).copy()
-    return FiniteModel(tuple(range(n)), {s: s for s in range(n)}, initial, terminal, successors, probabilities, rewards)
-
-
-def random_model(seed: int, n_states: int = 4, n_actions: int = 2) -> FiniteModel:
-    """One of these with random numbers in it."""
-    rng = np.random.default_rng(seed)
-    probabilities = rng.dirichlet(np.ones(n_states), (n_states, n_actions))
-    rewards = rng.normal(size=(n_states, n_actions, n_states))
-    return model_of(probabilities, rewards, rng.dirichlet(np.ones(n_states)))
-
-
-def value_of(model: FiniteModel, policy: Reals, discount: float) -> Reals:
-    """The values of a policy, shape (S, A), by solving its linear equations: V = r + γ P V."""
-    P = np.einsum("sa,san->sn", policy, model.p)
-    r = np.einsum("sa,sa->s", policy, model.r)
-    going_on = ~model.terminal
-    V = np.zeros(len(r))
-    inside = np.eye(going_on.sum()) - discount * P[np.ix_(going_on, going_on)]
-    V[going_on] = np.linalg.solve(inside, r[going_on])
-    return V
+from edugym.mdp.protocol import Reals
+from tests.exact.tasks import Gambler, Loop, Walk, random_model, value_of
 
 
 def policies(model: FiniteModel, epsilon: float) -> list[Reals]:
@@ -246,6 +137,7 @@ def test_exploring_costs() -> None:
         ("horizon", 2.0, "a whole number"),
         ("tolerance", 0, "greater than 0"),
         ("tolerance", float("nan"), "greater than 0"),
+        ("tolerance", float("inf"), "a finite number"),
         ("max_sweeps", 0, "1 or more"),
     ],
 )

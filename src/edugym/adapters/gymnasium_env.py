@@ -14,7 +14,7 @@ from edugym.checks import one_of
 from edugym.mdp.protocol import MDP, coerced, history_wanted, named_actions, step_limit
 
 if TYPE_CHECKING:
-    from edugym.exact.model import FiniteModel, Outcome
+    from edugym.exact.tables import FiniteModel, Outcome
     from edugym.rendering.scene import Scene
 
 M = TypeVar("M", bound=MDP[Any, Any])

@@ -8,7 +8,7 @@ import numpy as np
 from gymnasium import spaces
 
 from edugym.mdp.protocol import MDP
-from edugym.mdp.tabular import Tabular, table_lows, table_sizes
+from edugym.mdp.tabular import table_lows, table_sizes, tabular_mdp
 
 
 class TabularObservation(gymnasium.ObservationWrapper[int, Any, Any]):
@@ -43,11 +43,8 @@ def tabular(environment: MDP[Any, Any] | gymnasium.Env[Any, Any]) -> Any:
     Raises:
         ValueError: its observations are not whole numbers, or an MDP does not number them from 0.
     """
+    if not isinstance(environment, gymnasium.Env):
+        return tabular_mdp(environment)
     space = environment.observation_space
-    if isinstance(space, spaces.Discrete) and space.start == 0:
-        return environment
-    if isinstance(environment, gymnasium.Env):
-        return TabularObservation(environment)
-    if isinstance(space, spaces.Discrete):
-        raise ValueError(f"an MDP must number its observations from 0, but its observation space is {space}")
-    return Tabular.create(environment)
+    is_table = isinstance(space, spaces.Discrete) and space.start == 0
+    return environment if is_table else TabularObservation(environment)

@@ -12,7 +12,6 @@ from typing import Any
 
 import numpy as np
 
-from edugym import agents
 from edugym.agents.settings import check
 from edugym.files import write_whole
 
@@ -143,5 +142,5 @@ def _build(structure: Any, arrays: dict[str, Any], known: dict[str, type[Any]]) 
 
 def _own_classes() -> Iterator[type]:
     """Yield the NamedTuple classes of all agents and strategies of the package."""
-    for module in pkgutil.iter_modules(agents.__path__, f"{agents.__name__}."):
+    for module in pkgutil.iter_modules([str(Path(__file__).parent)], f"{__package__}."):
         yield from (kind for kind in vars(importlib.import_module(module.name)).values() if hasattr(kind, "_fields"))

@@ -9,7 +9,7 @@ from gymnasium import spaces
 
 from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.checks import between, number_of_steps, whole_number
-from edugym.exact.model import FiniteModel
+from edugym.exact.tables import FiniteModel
 from edugym.mdp.protocol import Integers, Random
 from edugym.rendering.icons import door, sign, smiley
 from edugym.rendering.palette import BLUE, BRICK, GREEN, PAPER, RED, SHADE, WHITE, blend

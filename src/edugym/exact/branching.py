@@ -7,12 +7,15 @@ answers consistently: it is known only up to an interval, which each answer narr
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any
+from typing import Any, ClassVar, NoReturn
+
+import numpy as np
 
 MOST_ANSWERS = 1_000
 """After so many answers on one way the code is taken to go on for ever, as rejection sampling may."""
 ROUNDING = 1e-12
 """Less likely answers are not taken: they come from sums of probabilities that are not quite 1."""
+KEPT = "an exact model cannot follow a random number kept from an earlier call: draw it where it is used"
 
 
 def branches(draw: Callable[[Any], Any], means: bool = False) -> Iterator[tuple[float, Any]]:
@@ -32,49 +35,84 @@ def branches(draw: Callable[[Any], Any], means: bool = False) -> Iterator[tuple[
         rng = BranchingGenerator(untried.pop(), means)
         try:
             value = draw(rng)
+            if type(value) is Unknown:
+                value = value.mean()
         except TypeError as error:
             if not any(kind.__name__ in str(error) for kind in (Unknown, BranchingGenerator)):
                 raise
             raise ValueError(f"an exact model cannot follow what is done with a random number: {error}") from error
-        if isinstance(value, Unknown):
-            value = value.mean()
+        rng.over = True
+        if rng.refused:  # the code that got the error may have caught it
+            raise ValueError(rng.refused)
         yield rng.probability, value
         untried.extend(rng.untried)
 
 
 class BranchingGenerator:
-    """In the place of a `numpy.random.Generator`: answers by a sequence of choices, then by the first possible."""
+    """In the place of a `numpy.random.Generator`: answers by a sequence of choices, then by the first possible.
+
+    Attributes:
+        means: whether random numbers may end as their means.
+        draws: the random numbers given out.
+        untried: the other sequences of choices met on the way.
+        refused: why the code cannot be followed, or "".
+        over: whether the code that it was given to has returned.
+    """
+
+    _numpy: ClassVar[Any] = np.random.default_rng(0)  # asked only for its errors
 
     def __init__(self, choices: tuple[int, ...], means: bool) -> None:
         """Follow `choices` as far as they go."""
-        self.probability = 1.0
         self.means = means
+        self.draws: list[Draw] = []
         self.untried: list[tuple[int, ...]] = []
+        self.refused = ""
+        self.over = False
         self._given = choices
         self._taken: tuple[int, ...] = ()
+        self._probability = 1.0
+
+    @property
+    def probability(self) -> float:
+        """The probability of all answers so far: of the choices, and of the intervals in which the numbers lie."""
+        return self._probability * math.prod([draw.high - draw.low for draw in self.draws])
+
+    def refuse(self, why: str) -> NoReturn:
+        """Stop, and remember why: the code may catch the error."""
+        self.refused = why
+        raise ValueError(why)
 
     def decide(self, probabilities: Sequence[float]) -> int:
-        """Take one of several ways, by their probabilities; note the others, to be taken in later runs."""
-        possible = [k for k, p in enumerate(probabilities) if p > 0]
+        """Draw one of several things by their probabilities."""
+        choice = self.take([k for k, p in enumerate(probabilities) if p > 0])
+        self._probability *= probabilities[choice]
+        return choice
+
+    def take(self, possible: Sequence[int]) -> int:
+        """Take one of several ways, and note the others, to be taken in later runs."""
         step = len(self._taken)
         if step == MOST_ANSWERS:
-            raise ValueError(f"an exact model cannot follow more than {MOST_ANSWERS} random choices in one step")
+            self.refuse(f"an exact model cannot follow more than {MOST_ANSWERS} random choices in one step")
         if step < len(self._given):
             choice = self._given[step]
         else:
             choice = possible[0]
             self.untried += [(*self._taken, k) for k in possible[1:]]
         self._taken += (choice,)
-        self.probability *= probabilities[choice]
         return choice
+
+    def draw(self) -> "Draw":
+        """A number uniform on [0, 1)."""
+        self.draws.append(Draw(self))
+        return self.draws[-1]
 
     def random(self) -> "Unknown":
         """A number uniform on [0, 1)."""
-        return Unknown({Draw(self): 1.0}, 0.0)
+        return Unknown({self.draw(): 1.0}, 0.0)
 
     def uniform(self, low: float = 0.0, high: float = 1.0) -> "Unknown":
         """A number uniform on [low, high)."""
-        return Unknown({Draw(self): high - low}, low)
+        return Unknown({self.draw(): high - low}, low)
 
     def integers(self, low: int, high: int | None = None) -> int:
         """A whole number uniform on low, ..., high - 1 (or 0, ..., low - 1)."""
@@ -85,20 +123,24 @@ class BranchingGenerator:
 
     def choice(self, options: Any, *, p: Sequence[float] | None = None) -> Any:
         """One of the options (0, ..., options - 1 for a number)."""
-        values = options if hasattr(options, "__len__") else range(options)
-        return values[self.decide([1.0 / len(values)] * len(values) if p is None else p)]
+        self._numpy.choice(options, p=p)  # refuses bad options and probabilities, as the real one does
+        values = range(int(options)) if np.ndim(options) == 0 else np.asarray(options)
+        weights = np.ones(len(values)) if p is None else np.asarray(p, np.float64)
+        return values[self.decide((weights / weights.sum()).tolist())]
 
     def normal(self, loc: float = 0.0, scale: float = 1.0) -> "Unknown | float":
         """A normally distributed number, where means will do."""
+        if scale < 0:
+            raise ValueError(f"rng.normal needs a scale of 0 or more, but got {scale!r}")
         if scale == 0:
             return loc
         if not self.means:
-            raise ValueError("a finite model cannot follow rng.normal: what it draws is continuous")
+            self.refuse("a finite model cannot follow rng.normal: what it draws is continuous")
         return Unknown({Noise(self): scale}, loc)
 
     def __getattr__(self, name: str) -> Any:
         """Any other draw cannot be followed."""
-        raise ValueError(f"an exact model cannot follow rng.{name}: use random, uniform, integers or choice")
+        self.refuse(f"an exact model cannot follow rng.{name}: use random, uniform, integers or choice")
 
 
 class Draw:
@@ -111,10 +153,12 @@ class Draw:
 
     def below(self, threshold: float) -> bool:
         """Whether it is below a threshold: where that is open, both ways are taken."""
+        if self.rng.over:
+            raise ValueError(KEPT)
         share = (threshold - self.low) / (self.high - self.low)
         if share <= ROUNDING or share >= 1.0 - ROUNDING:
             return share > 0.5
-        if self.rng.decide([share, 1.0 - share]) == 0:
+        if self.rng.take([0, 1]) == 0:
             self.high = threshold
             return True
         self.low = threshold
@@ -131,7 +175,7 @@ class Noise(Draw):
 
     def below(self, threshold: float) -> bool:
         """Not possible."""
-        raise ValueError("an exact model can only add normal noise to a reward, not compare it or round it")
+        self.rng.refuse("an exact model can only add normal noise to a reward, not compare it or round it")
 
 
 class Unknown:
@@ -141,6 +185,7 @@ class Unknown:
     """
 
     __array_ufunc__ = None  # so that NumPy's numbers leave the arithmetic to this class
+    __class__: Any = property(lambda self: float)  # `isinstance(u, float)` must answer as for a real number
 
     def __init__(self, terms: dict[Draw, float], offset: float) -> None:
         """The factor of each draw, and what is added."""
@@ -151,19 +196,31 @@ class Unknown:
         """For messages."""
         return "a continuous random number"
 
+    def _refuse(self, why: str) -> NoReturn:
+        """Stop, and let every generator that this came from know."""
+        for draw in self.terms:
+            draw.rng.refused = why
+        raise ValueError(why)
+
+    def _refuse_to_be_used(self, *_: Any) -> NoReturn:
+        """Not possible: it has no one value."""
+        self._refuse("an exact model can only compare random numbers and round them down, not use their value")
+
     def mean(self) -> float:
         """Its mean, given what is known of it."""
         total = float(self.offset)
         for draw, factor in self.terms.items():
             if not draw.rng.means:
-                raise ValueError("a finite model cannot hold a continuous random number in a state")
+                self._refuse("a finite model cannot hold a continuous random number in a state")
+            if draw.rng.over:
+                raise ValueError(KEPT)
             total += 0.0 if isinstance(draw, Noise) else factor * (draw.low + draw.high) / 2
         return total
 
     def _single(self) -> tuple[Draw, float] | None:
         """The one draw in it and its factor, or None where there is none."""
         if len(self.terms) > 1:
-            raise ValueError("an exact model cannot compare or round what is made of several random numbers")
+            self._refuse("an exact model cannot compare or round what is made of several random numbers")
         return next(iter(self.terms.items()), None)
 
     def __lt__(self, other: Any) -> bool:
@@ -188,15 +245,15 @@ class Unknown:
 
     def __add__(self, other: Any) -> "Unknown":
         """The sum with a number or with another one."""
-        if not isinstance(other, Unknown):
+        if type(other) is not Unknown:
             return Unknown(self.terms, self.offset + other)
         terms = {draw: self.terms.get(draw, 0.0) + other.terms.get(draw, 0.0) for draw in self.terms | other.terms}
         return Unknown(terms, self.offset + other.offset)
 
-    def __mul__(self, other: float) -> "Unknown":
+    def __mul__(self, other: Any) -> "Unknown":
         """Every term times a number."""
-        if isinstance(other, Unknown):
-            raise ValueError("an exact model cannot follow the product of two random numbers")
+        if type(other) is Unknown:
+            self._refuse("an exact model cannot follow the product of two random numbers")
         return Unknown({draw: factor * other for draw, factor in self.terms.items()}, self.offset * other)
 
     def __sub__(self, other: Any) -> "Unknown":
@@ -241,6 +298,13 @@ class Unknown:
 
     __trunc__ = __int__
 
-    def __float__(self) -> float:
-        """Not possible: it has no one value."""
-        raise ValueError("an exact model can only compare random numbers and round them down, not use their value")
+    def _refuse_operator(self, *_: Any) -> NoReturn:
+        """Not possible; as an error of its own, since code may try a TypeError and go on."""
+        self._refuse(
+            "an exact model cannot follow what is done with a random number: only +, -, comparing, rounding "
+            "down, and multiplying and dividing by numbers"
+        )
+
+    __float__ = __str__ = __format__ = _refuse_to_be_used
+    __pow__ = __rpow__ = __mod__ = __rmod__ = __floordiv__ = __rfloordiv__ = __rtruediv__ = _refuse_operator
+    __divmod__ = __rdivmod__ = __abs__ = __round__ = __index__ = __complex__ = _refuse_operator

@@ -2,188 +2,190 @@
 
 The dynamics are followed along every way that their random numbers can send them (see `edugym.exact.branching`), so
 there is no second description of them that could drift from the first. Noise that is only added to a reward counts as
-its mean.
+its mean. What is found is compared with some real steps (see `edugym.exact.checking`).
 """
 
-from collections.abc import Callable
+import math
+from array import array
+from collections.abc import Iterable
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
-from gymnasium import spaces
+from gymnasium import Env, spaces
 
+from edugym.checks import whole_number
 from edugym.exact.branching import branches
-from edugym.mdp.protocol import MDP, Integers, Reals
+from edugym.exact.checking import compare_with_steps, global_randomness
+from edugym.exact.tables import FiniteModel, plain
+from edugym.mdp.protocol import MDP
 
 MAX_STATES = 50_000
-MAX_WAYS = 100_000
-"""How many ways from a state to the next are looked at, in all, before giving up: some five seconds' worth."""
-
-
-class Outcome(NamedTuple):
-    """One thing that can happen after an action, as in the tables `P[s][a]` of Gymnasium's toy_text.
-
-    Attributes:
-        probability: p(next_state | state, action).
-        next_state: the state, hidden parts included.
-        reward: the mean reward of this transition, r(state, action, next_state).
-        terminated: whether the task ends there.
-    """
-
-    probability: float
-    next_state: Any
-    reward: float
-    terminated: bool
-
-
-class FiniteModel(NamedTuple):
-    """The tables of a finite MDP: row s of each is the state `states[s]`, and each (s, a) has up to K outcomes.
-
-    Attributes:
-        states: every state that can be reached, terminal ones included, in the order in which they were found.
-        rows: the row of each state.
-        initial: shape (S,): the probability that an episode starts there.
-        terminal: shape (S,): whether the task ends there.
-        successors: shape (S, A, K): the next states, by row; unused places have probability 0.
-        probabilities: shape (S, A, K): p of each, summing to 1 over the last axis. A terminal state leads to itself.
-        rewards: shape (S, A, K): the mean reward of each, r(s, a, s'); 0 in terminal states.
-    """
-
-    states: tuple[Any, ...]
-    rows: dict[Any, int]
-    initial: Reals
-    terminal: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]
-    successors: Integers
-    probabilities: Reals
-    rewards: Reals
-
-    @property
-    def p(self) -> Reals:
-        """Shape (S, A, S): the probability of every next state, as one dense array."""
-        n_states, n_actions, _ = self.successors.shape
-        dense = np.zeros((n_states, n_actions, n_states))
-        s, a, _ = np.indices(self.successors.shape)
-        np.add.at(dense, (s, a, self.successors), self.probabilities)
-        return dense
-
-    @property
-    def r(self) -> Reals:
-        """Shape (S, A): the mean reward of every action in every state."""
-        mean: Reals = (self.probabilities * self.rewards).sum(axis=2)
-        return mean
-
-    def row(self, state: Any) -> int:
-        """The row of a state, which may also be given as an array, as Gymnasium's observations are.
-
-        Raises:
-            ValueError: the task has no such state.
-        """
-        numbers = state.tolist() if isinstance(state, np.ndarray) else state
-        try:
-            return self.rows[_plain(tuple(numbers) if isinstance(numbers, list) else numbers)]
-        except (KeyError, ValueError):
-            n = len(self.states)
-            raise ValueError(f"state must be one of the {n} that can be reached (`states`), but is {state!r}") from None
-
-    def outcomes(self, state: Any, action: int) -> list[Outcome]:
-        """All that can happen after `action` in `state`.
-
-        Raises:
-            ValueError: the task has no such state.
-        """
-        s = self.row(state)
-        return [
-            Outcome(float(p), self.states[n], float(reward), bool(self.terminal[n]))
-            for p, n, reward in zip(
-                self.probabilities[s, action], self.successors[s, action], self.rewards[s, action], strict=True
-            )
-            if p > 0
-        ]
+MAX_WAYS = 20_000
+"""How many ways one step may go: thirty coins, say, are thrown in a billion ways."""
+MAX_ENTRIES = 50_000_000
+"""Of each of the three tables of shape (S, A, K): more would not fit into the memory of a small machine."""
+METHODS = ("action_space", "initial", "transition", "reward", "terminal", "observation")
 
 
 def finite_model(mdp: MDP[Any, Any], max_states: int = MAX_STATES) -> FiniteModel:
     """The exact model of an MDP, by taking every way that its methods can go, from its initial states on.
 
+    A state takes some 10 µs, so that a hundred thousand states take a second or two and a million some twenty seconds.
+
     Args:
         mdp: the task. Its states are numbers, or (nested) tuples of numbers.
-        max_states: how many states to look at before giving up.
+        max_states: how many states to look at before giving up, 1 or more. Ways from a state to the next are looked at
+            up to ten times as many (100 000 are always allowed).
 
     Raises:
-        ValueError: the task is not finite: it has too many states, states that hold arrays, or dynamics that draw from
-            a continuous distribution.
+        ValueError: `mdp` is no MDP, or the task is not finite: it has too many states, states that hold arrays, or
+            dynamics that draw from a continuous distribution; or real steps do something else than its methods do when
+            they are followed.
     """
+    whole_number("max_states", max_states, 1)
+    _check_task(mdp)
+    before = global_randomness()
     try:
-        return _explored(mdp, max_states)
+        model = _explored(mdp, max_states)
+        compare_with_steps(model)
+        problem = None
     except ValueError as error:
-        raise ValueError(f"{type(mdp).__name__} has no finite model: {error}") from error
+        problem = error
+    if global_randomness() != before:
+        problem = ValueError("its methods draw from np.random or random: use the `rng` that they are given")
+    if problem:
+        raise ValueError(f"{type(mdp).__name__} has no finite model: {problem}") from problem
+    return model
+
+
+def _check_task(mdp: Any) -> None:
+    """Refuse what is no MDP."""
+    if isinstance(mdp, Env):
+        raise ValueError(f"mdp must be an MDP, but is {mdp} (an environment of EduGym has one: env.unwrapped.mdp)")
+    if isinstance(mdp, type):
+        raise ValueError(f"mdp must be an MDP, but is the class {mdp.__name__}: pass a value, {mdp.__name__}(...)")
+    missing = [name for name in METHODS if not hasattr(mdp, name)]
+    if missing:
+        raise ValueError(f"mdp must be an MDP, such as make_mdp('Boulder'), but {mdp!r} has no {missing[0]}")
+
+
+class _Explorer:
+    """The states found so far, and how to find more."""
+
+    def __init__(self, mdp: MDP[Any, Any], max_states: int) -> None:
+        """Nothing has been found yet."""
+        self.mdp = mdp
+        self.max_states = max_states
+        self.ways_left = max(100_000, 10 * max_states)
+        self.states: list[Any] = []
+        self.rows: dict[Any, int] = {}
+
+    def row(self, state: Any) -> int:
+        """The row of a state, a new one if it has not been met."""
+        try:
+            return self.rows[state]
+        except (KeyError, TypeError):  # a new one, or one that holds an array, which `plain` refuses
+            state = plain(state)
+        if len(self.states) == self.max_states:
+            raise ValueError(f"it has more than {self.max_states} states (max_states can be raised)")
+        self.rows[state] = len(self.states)
+        self.states.append(state)
+        return len(self.states) - 1
+
+    def reached(self, draw: partial[Any]) -> dict[int, float]:
+        """The states that a draw can give, by row, with their probabilities."""
+        total: dict[int, float] = {}
+        for way, (p, state) in enumerate(branches(draw)):
+            if way == MAX_WAYS:
+                raise ValueError(f"one step can go more than {MAX_WAYS} ways")
+            self.ways_left -= 1
+            if self.ways_left < 0:
+                raise ValueError("its steps can go too many ways in all (a larger max_states allows more)")
+            if state is None:
+                raise ValueError(f"{'transition' if draw.args else 'initial'} returns None: is its `return` missing?")
+            row = self.row(state)
+            total[row] = total.get(row, 0.0) + p
+        if abs(sum(total.values()) - 1.0) > 1e-6:
+            where = f"after action {draw.args[1]} in state {draw.args[0]!r}" if draw.args else "at the start"
+            raise ValueError(f"the probabilities of what can happen {where} sum to {sum(total.values()):.6g}")
+        return total
+
+    def ends(self, state: Any) -> bool:
+        """Whether the task ends there."""
+        end = self.mdp.terminal(state)
+        if not isinstance(end, bool | int | np.bool_ | np.integer):
+            raise ValueError(f"terminal must return True or False, but returns {end!r} for state {state!r}")
+        return bool(end)
+
+    def mean_reward(self, state: Any, action: int, next_state: Any) -> float:
+        """The mean reward of a transition."""
+        mean = 0.0
+        for p, reward in branches(partial(self.mdp.reward, state, action, next_state), means=True):
+            try:
+                mean += p * float(reward)
+            except TypeError:
+                mean = math.nan
+            if not math.isfinite(mean):
+                place = f"{state!r}, {action}, {next_state!r}"
+                raise ValueError(f"reward must return a finite number, but returns {reward!r} for {place}") from None
+        return mean
 
 
 def _explored(mdp: MDP[Any, Any], max_states: int) -> FiniteModel:
     if not isinstance(mdp.action_space, spaces.Discrete):
-        raise ValueError(f"its action space is {mdp.action_space}")
+        raise ValueError(f"its action space is {mdp.action_space}, not Discrete(n)")
     n_actions = int(mdp.action_space.n)
-    states: list[Any] = []
-    rows: dict[Any, int] = {}
-    ways = 0
-
-    def row_of(state: Any) -> int:
-        if state not in rows:
-            if len(states) == max_states:
-                raise ValueError(f"it has more than {max_states} states")
-            rows[state] = len(states)
-            states.append(state)
-        return rows[state]
-
-    def reached(draw: Callable[[Any], Any]) -> dict[int, float]:
-        """The states that a draw can give, by row, with their probabilities."""
-        nonlocal ways
-        total: dict[int, float] = {}
-        for p, state in branches(draw):
-            ways += 1
-            if ways > MAX_WAYS:
-                raise ValueError(f"its dynamics can go more than {MAX_WAYS} ways")
-            row = row_of(_plain(state))
-            total[row] = total.get(row, 0.0) + p
-        return total
-
-    first = reached(mdp.initial)
-    table: list[list[list[tuple[int, float, float]]]] = []  # by state, action and outcome: successor, p, reward
-    for s, state in enumerate(states):  # grows on the way
-        if mdp.terminal(state):
-            table.append([[(s, 1.0, 0.0)]] * n_actions)
-            continue
-        table.append([])
+    explorer = _Explorer(mdp, max_states)
+    first = explorer.reached(partial(mdp.initial))
+    # For each state and action in turn: how many outcomes it has, then for each outcome: successor, p and reward.
+    widths, successors, probabilities, rewards = array("l"), array("l"), array("d"), array("d")
+    terminal = array("b")
+    for s, state in enumerate(explorer.states):  # grows on the way
+        terminal.append(explorer.ends(state))
         for action in range(n_actions):
-            successors = reached(partial(mdp.transition, state, action))
-            table[s].append([(n, p, _mean_reward(mdp, state, action, states[n])) for n, p in successors.items()])
+            reached = {s: 1.0} if terminal[s] else explorer.reached(partial(mdp.transition, state, action))
+            widths.append(len(reached))
+            successors.extend(reached)
+            probabilities.extend(reached.values())
+            for n in reached:
+                rewards.append(0.0 if terminal[s] else explorer.mean_reward(state, action, explorer.states[n]))
 
-    width = max(len(outcomes) for by_action in table for outcomes in by_action)
-    full = np.zeros((3, len(states), n_actions, width))
-    for s, by_action in enumerate(table):
-        for a, outcomes in enumerate(by_action):
-            full[:, s, a, : len(outcomes)] = np.transpose(outcomes)
+    order = _ascending(explorer.states)
+    rank = np.empty_like(order)
+    rank[order] = np.arange(len(order))
+    states = tuple(explorer.states[s] for s in order.tolist())
     initial = np.zeros(len(states))
-    initial[list(first)] = list(first.values())
-    terminal = np.array([bool(mdp.terminal(state)) for state in states])
-    return FiniteModel(tuple(states), rows, initial, terminal, full[0].astype(np.int64), full[1], full[2])
+    initial[rank[list(first)]] = list(first.values())
+
+    width = np.array(widths)
+    entries = len(width) * int(width.max())
+    if entries > MAX_ENTRIES:
+        raise ValueError(f"its tables would have {entries} entries, and {MAX_ENTRIES} is the limit")
+    places = np.arange(width.max()) < width[:, np.newaxis]  # shape (S * A, K): which places of the tables are used
+    shape = (len(states), n_actions, width.max())
+
+    def table(numbers: Any) -> Any:
+        filled = np.zeros(places.shape, numbers.dtype)
+        filled[places] = numbers
+        return filled.reshape(shape)[order]
+
+    return FiniteModel(
+        states,
+        {state: s for s, state in enumerate(states)},
+        initial,
+        np.array(terminal, bool)[order],
+        table(rank[np.array(successors)]),
+        table(np.array(probabilities)),
+        table(np.array(rewards)),
+        mdp,
+    )
 
 
-def _mean_reward(mdp: MDP[Any, Any], state: Any, action: int, next_state: Any) -> float:
-    ways = branches(lambda rng: mdp.reward(state, action, next_state, rng), means=True)
-    return float(sum(p * reward for p, reward in ways))
-
-
-def _plain(state: Any) -> Any:
-    """A state that can be the key of a dictionary: NumPy's numbers become Python's.
-
-    Raises:
-        ValueError: it holds something else than numbers.
-    """
-    if isinstance(state, tuple):
-        parts = [_plain(part) for part in state]
-        return type(state)(*parts) if hasattr(state, "_fields") else tuple(parts)
-    if isinstance(state, np.generic):
-        return state.item()
-    if isinstance(state, int | float):
-        return state
-    raise ValueError(f"a state must be a number or a tuple of numbers, but there is {state!r}")
+def _ascending(states: list[Any]) -> Any:
+    """The order that sorts the states; as they were found where they cannot be compared."""
+    try:
+        order: Iterable[int] = sorted(range(len(states)), key=states.__getitem__)
+    except TypeError:
+        order = range(len(states))
+    return np.fromiter(order, np.int64, len(states))

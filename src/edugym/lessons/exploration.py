@@ -24,9 +24,9 @@ from edugym.agents.q_learning import QLearning
 from edugym.agents.strategies import EpsilonGreedy
 from edugym.exact.model import finite_model
 from edugym.exact.value_iteration import value_iteration
-from edugym.experiments import Report
 from edugym.mdp.protocol import Integers, Reals
 from edugym.plotting import Curves, Lines, Sheet, VisitMap
+from edugym.plotting.report import Report
 from edugym.registration import make_mdp
 from edugym.results.claims import Above, Below, Claim, Within
 from edugym.results.statistics import Interval, mean_interval, proportion_interval, share_interval

@@ -49,6 +49,20 @@ class Tabular(NamedTuple):
         return cls(mdp, np.array(table_sizes(space)), np.array(table_lows(space)))
 
 
+def tabular_mdp(mdp: MDP[Any, Any]) -> Any:
+    """The MDP with its observations as the rows of a table; unchanged if they are already.
+
+    Raises:
+        ValueError: its observations are not whole numbers, or it does not number them from 0.
+    """
+    space = mdp.observation_space
+    if isinstance(space, spaces.Discrete):
+        if space.start != 0:
+            raise ValueError(f"an MDP must number its observations from 0, but its observation space is {space}")
+        return mdp
+    return Tabular.create(mdp)
+
+
 def table_sizes(space: spaces.Space[Any]) -> tuple[int, ...]:
     """How many values each whole number in an element of `space` takes.
 

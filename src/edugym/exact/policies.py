@@ -1,0 +1,85 @@
+"""The policy that an agent follows, as an array that can be evaluated."""
+
+import copy
+import pickle
+from typing import Any
+
+import numpy as np
+
+from edugym.exact.branching import branches
+from edugym.exact.tables import FiniteModel
+from edugym.mdp.protocol import Reals
+
+MAX_WAYS = 10_000
+"""How many ways the choice of one action may go."""
+
+
+def policy_of(agent: Any, model: FiniteModel, *, greedy: bool = False) -> Reals:
+    """The policy that an agent follows now: shape (S, A), π(a|s) for every row of the model.
+
+    The probabilities are exact: `agent.act` is followed along every way that its random numbers can go, ε-greedy steps
+    and ties included. Where the observation is random, or does not tell the state, the agent acts by what it sees.
+
+        values = policy_evaluation(model, policy_of(agent, model))
+
+    Args:
+        agent: an agent with whole numbers for observations. It is not changed, also where acting changes it (as counts
+            do): the policy is that of its next action in each state.
+        model: the model of its task.
+        greedy: whether to follow `agent.greedy`, where it has that, instead of `act`.
+
+    Returns:
+        The probabilities; in terminal states, where nothing is chosen, those of random actions.
+
+    Raises:
+        ValueError: `agent` cannot act, chooses an action that is not there, or draws what cannot be followed; or the
+            observations are not whole numbers.
+    """
+    choose_name = "greedy" if greedy and hasattr(agent, "greedy") else "act"
+    if isinstance(agent, type) or not hasattr(agent, choose_name):
+        raise ValueError(f"agent must be an agent, with a method act(state, rng), but is {agent!r}")
+    task = model.table_task()
+    n_states, n_actions, _ = model.successors.shape
+    acting = copy.deepcopy(agent)
+    changes = False
+
+    def choose(observation: int, rng: Any) -> Any:
+        actor = copy.deepcopy(agent) if changes else acting
+        return getattr(actor, choose_name)(observation, rng)
+
+    def chosen(observation: int) -> Reals:
+        """Shape (A,): the probability of every action, given what is observed."""
+        probabilities = np.zeros(n_actions)
+        for way, (p, action) in enumerate(branches(lambda rng: choose(observation, rng))):
+            if way == MAX_WAYS:
+                raise ValueError(f"the agent's choice can go more than {MAX_WAYS} ways: are many actions equally good?")
+            if isinstance(action, bool) or not isinstance(action, int | np.integer) or not 0 <= action < n_actions:
+                raise ValueError(
+                    f"{choose_name} must return an action from 0 to {n_actions - 1}, but returns {action!r}"
+                )
+            probabilities[action] += p
+        return probabilities
+
+    def followed() -> Reals:
+        known: dict[int, Reals] = {}
+        policy = np.full((n_states, n_actions), 1 / n_actions)
+        for s in np.flatnonzero(~model.terminal).tolist():
+            policy[s] = 0.0
+            for p, observation in branches(lambda rng: task.observation(model.states[s], rng)):  # noqa: B023
+                if observation not in known:
+                    known[observation] = chosen(observation)
+                policy[s] += p * known[observation]
+        return policy
+
+    before = _contents(acting)
+    policy = followed()
+    changes = before is None or _contents(acting) != before
+    return followed() if changes else policy
+
+
+def _contents(agent: Any) -> bytes | None:
+    """What an agent holds, to see whether acting changes it; None where that cannot be told."""
+    try:
+        return pickle.dumps(agent)
+    except (pickle.PicklingError, TypeError, AttributeError):
+        return None
