@@ -133,6 +133,8 @@ def check(value: Any) -> None:
                 raise ValueError(
                     f"{name} must be an array of {kind.__name__} with {len(table.axes)} axes, but is {given}"
                 )
+        elif isinstance(hint, type) and hasattr(hint, "_fields") and not isinstance(part, hint):
+            raise ValueError(f"{name} must be a {hint.__name__}, but is {part!r}")
         elif number is not None:
             if get_args(hint)[0] is int:
                 whole_number(name, part, int(number.low), None if number.high is None else int(number.high))
