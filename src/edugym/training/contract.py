@@ -40,8 +40,8 @@ def learns_from(agent: Any) -> tuple[str, ...]:
         elif parameter.default is parameter.empty and parameter.kind is not parameter.VAR_KEYWORD:
             allowed = ", ".join(LEARN_PARAMETERS)
             raise ValueError(
-                f"learn of {type(agent).__name__} may only have the parameters {allowed}, and others with a default, but it"
-                f" has {name!r}"
+                f"learn of {type(agent).__name__} may only have the parameters {allowed}, and others with a default, but"
+                f" it has {name!r}"
             )
     return tuple(taken)
 
