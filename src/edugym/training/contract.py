@@ -40,8 +40,8 @@ def learns_from(agent: Any) -> tuple[str, ...]:
         elif parameter.default is parameter.empty and parameter.kind is not parameter.VAR_KEYWORD:
             allowed = ", ".join(LEARN_PARAMETERS)
             raise ValueError(
-                f"learn of {type(agent).__name__} may only have the parameters {allowed}, and others with a default, but"
-                f" it has {name!r}"
+                f"learn of {type(agent).__name__} may only have the parameters {allowed}, and others with a default,"
+                f" but it has {name!r}"
             )
     return tuple(taken)
 
@@ -49,8 +49,8 @@ def learns_from(agent: Any) -> tuple[str, ...]:
 def learner(agent: Any) -> Any:
     """Wrap an agent so that its `learn` accepts all arguments of a loop, in order, and passes on those it needs.
 
-    Compiled code needs to know the arguments of a call beforehand, so the class of the wrapper is generated. For an agent
-    that learns from `state, action, reward, terminated` it contains:
+    Compiled code needs to know the arguments of a call beforehand, so the class of the wrapper is generated. For an
+    agent that learns from `state, action, reward, terminated` it contains:
 
         def act(self, state, rng):
             return self.agent.act(state, rng)
