@@ -52,6 +52,27 @@ def epsilon_greedy_action(Q: Reals, state: int, epsilon: float, rng: Random) -> 
     return greedy_action(Q, state, rng)
 
 
+def epsilon_greedy_probability(Q: Reals, state: int, action: int, epsilon: float) -> float:
+    """How likely `epsilon_greedy_action` is to choose an action: ε/n, and the best actions share 1 - ε."""
+    share = epsilon / Q.shape[1]
+    highest = best_value(Q, state)
+    if Q[state, action] < highest:
+        return share
+    ties = 0
+    for other in range(Q.shape[1]):
+        if Q[state, other] == highest:
+            ties += 1
+    return share + (1.0 - epsilon) / ties
+
+
+def epsilon_greedy_value(Q: Reals, state: int, epsilon: float) -> float:
+    """The mean action value under `epsilon_greedy_action`: ε mean_a Q(s, a) + (1 - ε) max_a Q(s, a)."""
+    total = 0.0
+    for action in range(Q.shape[1]):
+        total += float(Q[state, action])
+    return epsilon * total / Q.shape[1] + (1.0 - epsilon) * best_value(Q, state)
+
+
 def one_step_target(reward: float, discount: float, next_value: float, terminated: bool) -> float:
     """What a one-step update moves towards: R + γ V(S'), or R alone when S' is terminal, since its value is 0.
 
