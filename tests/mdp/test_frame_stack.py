@@ -66,6 +66,7 @@ def test_the_row_is_the_history_read_as_digits() -> None:
     assert rows(FrameStack.create(task, 1), [0, 1, 2, 3]) == [7, 1, 8, 2, 9]
     assert rows(FrameStack.create(task, 3), [0, 1, 2, 3]) == [777, 771, 718, 182, 829]
     assert rows(FrameStack.create(task, 1, actions=True), [0, 1, 2, 3]) == [7, 1, 8, 2, 9]
+    assert isinstance(FrameStack.create(task, 1).n_recent, int)
 
 
 def test_actions_are_digits_between_the_observations() -> None:
