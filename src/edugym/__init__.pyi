@@ -29,6 +29,14 @@ from edugym.exact.tables import Outcome as Outcome
 from edugym.exact.tables import Sample as Sample
 from edugym.exact.value_iteration import value_iteration as value_iteration
 from edugym.exact.values import Values as Values
+from edugym.mdp.brightness import Brightness as Brightness
+from edugym.mdp.discretised import DiscreteActions as DiscreteActions
+from edugym.mdp.discretised import Discretised as Discretised
+from edugym.mdp.frame_stack import FrameStack as FrameStack
+from edugym.mdp.frame_stack import stack_size as stack_size
+from edugym.mdp.hashed import Hashed as Hashed
+from edugym.mdp.hashed_table import HashedTable as HashedTable
+from edugym.mdp.noisy_observation import NoisyObservation as NoisyObservation
 from edugym.mdp.tabular import Tabular as Tabular
 from edugym.mdp.wrapper import wrapper as wrapper
 from edugym.registration import ENVIRONMENTS as ENVIRONMENTS

@@ -19,6 +19,7 @@ import numpy as np
 from edugym.agents.tables import table_size
 from edugym.checks import a_number, above, at_least, between, whole_number
 from edugym.mdp.protocol import Integers, Reals
+from edugym.memory import require_memory
 
 Made = TypeVar("Made")
 
@@ -185,6 +186,7 @@ def _field(name: str, hint: Any, values: Mapping[str, Any], sizes: Mapping[str, 
     if table is not None:
         shape = tuple(sizes[axis] if isinstance(axis, str) else axis for axis in table.axes)
         fill = values[table.fill] if isinstance(table.fill, str) else table.fill
+        require_memory(name, shape, "show the agent less, or give rows only to what occurs (edugym.Hashed)")
         return np.full(shape, fill, _kind_of_numbers(hint))
     if isinstance(hint, type) and hasattr(hint, "_fields"):
         return new(hint, None, {}, **sizes)

@@ -9,6 +9,10 @@ from gymnasium import spaces
 
 from edugym.mdp.protocol import MDP, Integers, Random
 from edugym.mdp.wrapper import wrapper
+from edugym.memory import in_digits
+
+MOST_ROWS = 2**62
+"""The largest number of rows that machine code can count."""
 
 
 @wrapper
@@ -43,10 +47,16 @@ class Tabular(NamedTuple):
         """The wrapper for an MDP that observes whole numbers.
 
         Raises:
-            ValueError: it observes something else.
+            ValueError: it observes something else, or has more than 2^62 different observations.
         """
         space = mdp.observation_space
-        return cls(mdp, np.array(table_sizes(space)), np.array(table_lows(space)))
+        sizes = table_sizes(space)
+        if math.prod(sizes) > MOST_ROWS:
+            raise ValueError(
+                f"the rows of a table over {in_digits(math.prod(sizes))} observations do not fit 62 bits: give rows"
+                " only to those that occur (edugym.Hashed)"
+            )
+        return cls(mdp, np.array(sizes), np.array(table_lows(space)))
 
 
 def tabular_mdp(mdp: MDP[Any, Any]) -> Any:
