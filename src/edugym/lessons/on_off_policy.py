@@ -314,8 +314,8 @@ def figures(edge: Results, zone: Results) -> list[Sheet]:
         )
     ]
     greedy_curves = [
-        Curves(edge, "greedy", optimum=best_soft_return(model, 0.0)),
-        Curves(zone, "greedy, stop zone 2", optimum=best_soft_return(zone_model, 0.0)),
+        Curves(edge, "greedy", optimum=best_soft_return(model, 0.0), y_range=(-4.0, -1.5)),
+        Curves(zone, "greedy, stop zone 2", optimum=best_soft_return(zone_model, 0.0), y_range=(-4.0, -1.5)),
     ]
     return [Sheet("on_off_policy", [greedy_curves, online_curves]), Sheet("switch", [[switch_lines(model)]])]
 
