@@ -56,7 +56,7 @@ def test_rehearsal_changes_nothing() -> None:
 def test_own_code_is_not_rehearsed(monkeypatch: pytest.MonkeyPatch) -> None:
     """The package's own code goes straight to the compiler."""
     task = edugym.make_mdp("Boulder")
-    monkeypatch.setattr("edugym.compiled.execution.copy.deepcopy", lambda value: pytest.fail("rehearsed"))
+    monkeypatch.setattr(execution, "copied", lambda value: pytest.fail("rehearsed"))
     agent = edugym.QLearning.create(task)
     edugym.train(task, agent, 10_000)
     assert agent.Q.any()
