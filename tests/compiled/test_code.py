@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -357,13 +358,14 @@ def test_changes_are_noticed() -> None:
         "    def f(self, s, rng): return g(s) + self.L"
     )
     kind, other = notebook["T"], cell("def g(x): return x + 5")["g"]
-    for change in (
+    changes: list[Callable[[], Any]] = [
         lambda: notebook.update(K=2),
         lambda: setattr(kind, "L", 4),
         lambda: setattr(notebook["g"], "__code__", other.__code__),
         lambda: notebook.update(g=other),
         lambda: setattr(kind, "f", lambda self, s, rng: s),
-    ):
+    ]
+    for change in changes:
         now = Code(loop, (10, kind(1)))
         assert now.is_current()
         change()

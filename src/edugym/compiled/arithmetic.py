@@ -9,6 +9,8 @@ known. Comparisons with real numbers ask for whole numbers up to 2^53, which are
 """
 
 import builtins
+import ctypes
+import ctypes.util
 import importlib
 import math
 import operator
@@ -17,6 +19,9 @@ from typing import Any, NamedTuple
 
 types: Any = importlib.import_module("numba.core.types")
 extending: Any = importlib.import_module("numba.extending")
+cgutils: Any = importlib.import_module("numba.core.cgutils")
+llvm: Any = importlib.import_module("llvmlite.ir")
+binding: Any = importlib.import_module("llvmlite.binding")
 Function = Callable[..., Any]
 EXACT = 2**53  # up to here every whole number is a real number of 64 bits
 TINY, BELOW_ONE, LARGEST = 5e-324, math.nextafter(1.0, 0.0), 1.7976931348623157e308
@@ -168,12 +173,38 @@ def _whole_power(base: int, exponent: int) -> int:
     return power
 
 
+def _pow_of_libm() -> Function:
+    """C's `pow`, as Python calls it: left to itself the compiler makes `x * x` of it where it can, which may differ."""
+
+    def libms(base: Any, exponent: Any) -> Any:
+        raise NotImplementedError
+
+    def implementation(context: Any, builder: Any, signature: Any, values: Any) -> Any:
+        kind = llvm.FunctionType(llvm.DoubleType(), [llvm.DoubleType()] * 2)
+        name = "edugym_pow" if found else "pow"
+        return builder.call(cgutils.get_or_insert_function(builder.module, kind, name), values)
+
+    try:
+        library: Any = ctypes.CDLL(ctypes.util.find_library("m"))
+        found = ctypes.cast(library.pow, ctypes.c_void_p).value
+    except (OSError, AttributeError):  # another system keeps it elsewhere
+        found = None
+    if found:
+        binding.add_symbol("edugym_pow", found)
+    extending.type_callable(libms)(lambda context: lambda x, y: types.float64)
+    extending.lower_builtin(libms, types.float64, types.float64)(implementation)
+    return libms
+
+
+_libms = _pow_of_libm()
+
+
 def _power(base: Any, exponent: Any) -> Any:
     if base == 0.0 and exponent < 0.0:
         raise ZeroDivisionError("zero to a negative power")
     if base < 0.0 and exponent != math.floor(exponent) and not math.isinf(exponent):
         raise ValueError("a power that is a complex number")
-    power = base**exponent
+    power = _libms(base, exponent)
     if math.isinf(power) and not math.isinf(base) and not math.isinf(exponent):
         raise OverflowError("a power that is too large")
     return power

@@ -29,6 +29,7 @@ class Code:
         functions: every plain function met: the loop, methods, properties and helpers.
         members: what every reached name stands for in a class: (class, name) -> method, property or constant.
         globals: what every global name stands for that a function uses: (function, name) -> value.
+        cells: what every variable of an outer function stands for: (inner function, variable, value).
         fingerprint: a hash of all this code and of the global constants that it reads.
     """
 
@@ -38,6 +39,7 @@ class Code:
         self.functions: dict[FunctionType, None] = {}
         self.members: dict[tuple[type, str], Any] = {}
         self.globals: dict[tuple[FunctionType, str], Any] = {}
+        self.cells: list[tuple[FunctionType, CellType, Any]] = []
         self._names: dict[str, None] = {}
         self._owners: dict[type, None] = {}  # the classes whose members count
         self._seen: dict[int, int] = {}
@@ -81,7 +83,20 @@ class Code:
             all(vars(kind).get(name) is member for (kind, name), member in self._watched_members)
             and all(globals_.get(name) is value for globals_, name, value in self._watched_globals)
             and all(function.__code__ is code for function, code in self._watched_code)
+            and all(inside(cell) is value for cell, value in self._watched_cells)
         )
+
+    def arrays(self) -> tuple[np.ndarray[Any, Any], ...]:
+        """The arrays that code reaches by a name of its own, and not as an argument."""
+        found: list[np.ndarray[Any, Any]] = []
+        waiting = [*self.globals.values(), *self.members.values(), *(value for *_, value in self.cells)]
+        while waiting:
+            value = waiting.pop()
+            if isinstance(value, np.ndarray):
+                found.append(value)
+            elif isinstance(value, tuple):
+                waiting += value
+        return tuple(found)
 
     @cached_property
     def _watched_members(self) -> list[tuple[tuple[type, str], Any]]:
@@ -94,6 +109,10 @@ class Code:
     @cached_property
     def _watched_code(self) -> list[tuple[FunctionType, CodeType]]:
         return [(function, function.__code__) for function in self.functions if is_foreign(function)]
+
+    @cached_property
+    def _watched_cells(self) -> list[tuple[CellType, Any]]:
+        return [(cell, value) for function, cell, value in self.cells if is_foreign(function)]
 
     def _unvisited(self) -> list[tuple[type, str]]:
         """Members whose names are reached by now, in an order that is the same in every process."""
@@ -185,7 +204,8 @@ class Code:
             self.globals[function, name] = function.__globals__[name]
             self._reached(function.__globals__[name], names)
         for cell in function.__closure__ or ():
-            self._visit(_inside(cell))
+            self.cells.append((function, cell, inside(cell)))
+            self._visit(inside(cell))
 
     def _reached(self, value: Any, names: set[str]) -> None:
         """What a global name stands for; of a module, what the code may take from it by one of the names it uses."""
@@ -222,11 +242,12 @@ def _stable(constant: Any) -> Any:
     return constant
 
 
-def _inside(cell: CellType) -> Any:
+def inside(cell: CellType, default: Any = None) -> Any:
+    """What a variable of an outer function stands for, or `default` where it has no value yet."""
     try:
         return cell.cell_contents
-    except ValueError:  # nothing yet
-        return None
+    except ValueError:
+        return default
 
 
 def is_foreign(thing: Any) -> bool:
@@ -245,7 +266,7 @@ def classes_of(value: Any) -> Iterator[type]:
     if isinstance(value, tuple):
         if hasattr(value, "_fields"):
             yield type(value)
-        for part in value:
+        for part in tuple.__iter__(value):  # whatever the class makes of `for`
             yield from classes_of(part)
 
 

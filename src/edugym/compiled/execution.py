@@ -73,8 +73,15 @@ def _machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, rehearsed:
         _announce(code)
         return compiled(loop, rehearsed, *arguments, code=code)
     rehearsed = min(rehearsed, REHEARSED)
-    rehearsal = copied(arguments)
-    result = loop(rehearsed, *rehearsal)  # a mistake in it ends here, at its line
+    rehearsal, constants = copied(arguments), code.arrays()
+    before = copied(constants)
+    try:
+        result = loop(rehearsed, *rehearsal)  # a mistake in it ends here, at its line
+    finally:
+        changed = difference(constants, before, "an array", close=0.0)
+        restore(constants, before)
+    if changed:
+        raise CompilationError("it changes an array that is not its own: pass it as a field")
     _announce(code)
     fast = compiled(loop, rehearsed, *arguments, code=code)
     shadow = copied(arguments)
@@ -165,7 +172,7 @@ def _warn_once(code: Code, arguments: tuple[Any, ...], reason: str) -> None:
 def _plain_objects(value: Any) -> Iterator[Any]:
     """What is in a value that machine code knows nothing of: objects of ordinary classes."""
     if isinstance(value, tuple):
-        for part in value:
+        for part in tuple.__iter__(value):
             yield from _plain_objects(part)
     elif type(value).__module__.partition(".")[0] not in LIBRARIES:
         yield value

@@ -19,7 +19,7 @@ from typing import Any
 
 import numpy as np
 
-from edugym.compiled.code import LIBRARIES, Code, is_foreign, package
+from edugym.compiled.code import LIBRARIES, Code, inside, is_foreign, package
 
 
 def words(text: str) -> frozenset[str]:
@@ -72,7 +72,7 @@ OTHERWISE = {
 def refusal(code: Code, arguments: tuple[Any, ...]) -> str | None:
     """Why this is not to be compiled, in a few words that name the line where there is one; None if it may be."""
     foreign = code.foreign
-    found = _of_values(arguments, "an argument", all_kinds=not foreign, inside=None)
+    found = _of_values(arguments, "an argument", all_kinds=not foreign, owner=None)
     if found or not foreign:
         return found
     judged = [*map(_of_class, filter(is_foreign, code.classes)), *_of_members(code)]
@@ -80,26 +80,26 @@ def refusal(code: Code, arguments: tuple[Any, ...]) -> str | None:
     return next(filter(None, judged), None)
 
 
-def _of_values(value: Any, name: str, *, all_kinds: bool, inside: type | None) -> str | None:
+def _of_values(value: Any, name: str, *, all_kinds: bool, owner: type | None) -> str | None:
     """What is wrong with a value, or with one in it.
 
     Args:
         value: any.
         name: what it is called in a message.
         all_kinds: whether arrays of all types will do: where all code is the package's own.
-        inside: the class of which it is a field.
+        owner: the class of which it is a field.
     """
     if isinstance(value, tuple):
         kind = type(value)
         fields = getattr(value, "_fields", None)
         if getattr(value, "__dict__", None):
             return f"a value of {kind.__name__} has an attribute besides its fields: {next(iter(vars(value)))}"
-        for k, part in enumerate(value):
+        for k, part in enumerate(tuple.__iter__(value)):
             part_name = f"{name}[{k}]" if fields is None else f"the field {fields[k]} of {kind.__name__}"
-            if found := _of_values(part, part_name, all_kinds=all_kinds, inside=kind if fields else inside):
+            if found := _of_values(part, part_name, all_kinds=all_kinds, owner=kind if fields else owner):
                 return found
         return None
-    adapters = inside is not None and inside.__module__.startswith("edugym.adapters")
+    adapters = owner is not None and owner.__module__.startswith("edugym.adapters")
     if isinstance(value, np.ndarray):
         if value.dtype.hasobject:
             return f"{name} is an array of objects"
@@ -107,7 +107,7 @@ def _of_values(value: Any, name: str, *, all_kinds: bool, inside: type | None) -
             return None
         return f"{name} is an array of {value.dtype.name}; of arrays it takes those of float64, int64 and bool"
     if isinstance(value, np.random.Generator):
-        return f"{name} is a random generator: take it as rng" if inside and is_foreign(inside) else None
+        return f"{name} is a random generator: take it as rng" if owner and is_foreign(owner) else None
     if adapters and package(type(value)) == "numba":
         return None
     return _of_constant(value, name)
@@ -136,9 +136,9 @@ def _of_class(kind: type) -> str | None:
         for name, member in vars(base).items():
             if name in getattr(kind, "_fields", ()) and type(member).__name__ != "_tuplegetter":
                 return f"{base.__name__} replaces the field {name} by something else"
-            inside = getattr(member, "__func__", member)
-            special = name.startswith("__") and name.endswith("__") and name not in HARMLESS and callable(inside)
-            own = getattr(inside, "__globals__", {}).get("__name__", "").startswith("namedtuple_")
+            function = getattr(member, "__func__", member)
+            special = name.startswith("__") and name.endswith("__") and name not in HARMLESS and callable(function)
+            own = getattr(function, "__globals__", {}).get("__name__", "").startswith("namedtuple_")
             if special and not (name == "__new__" and own):
                 return f"{base.__name__} defines {name}, which machine code would not call"
             if name in DRAWS_WITH_CHECKS:
@@ -151,14 +151,14 @@ def _of_members(code: Code) -> Iterator[str | None]:
     for (kind, name), member in code.members.items():
         constant = not isinstance(member, FunctionType | property | classmethod | staticmethod | type)
         if is_foreign(kind) and constant and type(member).__name__ != "_tuplegetter":
-            yield _of_values(member, f"{kind.__name__}.{name}", all_kinds=False, inside=None)
+            yield _of_values(member, f"{kind.__name__}.{name}", all_kinds=False, owner=None)
 
 
 def _of_function(function: FunctionType) -> str | None:
     """What is wrong with the names and statements of a function, and in which line."""
     defaults = (*(function.__defaults__ or ()), *(function.__kwdefaults__ or {}).values())
     for value in defaults:
-        if found := _of_values(value, f"a default of {function.__name__}", all_kinds=False, inside=None):
+        if found := _of_values(value, f"a default of {function.__name__}", all_kinds=False, owner=None):
             return _at(found, function.__code__, function.__code__.co_firstlineno)
         if isinstance(value, np.ndarray):
             return _at(f"a default of {function.__name__} is an array", function.__code__, None)
@@ -169,17 +169,21 @@ def _of_code(code: CodeType, function: FunctionType) -> str | None:
     line: int | None = code.co_firstlineno
     value: Any = _UNKNOWN  # what the instruction before has taken from a global name
     path = ""
+    places = False  # whether it has named something whose attributes outlast it
     for instruction in dis.get_instructions(code):
         line = instruction.positions.lineno if instruction.positions and instruction.positions.lineno else line
         name, found = instruction.argval, None
-        if instruction.opname in ("LOAD_GLOBAL", "LOAD_NAME"):
+        if instruction.opname in GLOBAL or (instruction.opname in OUTER and name in function.__code__.co_freevars):
             path, value = name, _looked_up(function, name)
             found = _of_name(value, path)
+            places = places or isinstance(value, ModuleType | tuple) or _is_own_class(value)
         elif instruction.opname in ("LOAD_ATTR", "LOAD_METHOD") and value is not _UNKNOWN:
             path = f"{path}.{name}"
             found, value = _of_attribute(value, name, path)
-        elif instruction.opname in ("STORE_ATTR", "DELETE_ATTR") and value is not _UNKNOWN:
-            found = f"it assigns {path}.{name}"
+        elif instruction.opname in ("STORE_ATTR", "DELETE_ATTR") and places:
+            found = f"it assigns the attribute {name}"
+        elif instruction.opname == "STORE_DEREF" and name in function.__code__.co_freevars:
+            found = f"it assigns {name}, a variable of the function around it"
         elif instruction.opname in STATEMENTS:
             found = STATEMENTS[instruction.opname]
         elif instruction.opname not in ("PRECALL", "CACHE", "NOP", "PUSH_NULL"):
@@ -195,6 +199,8 @@ class _Unknown:
 
 
 _UNKNOWN = _Unknown()
+GLOBAL = ("LOAD_GLOBAL", "LOAD_NAME")
+OUTER = ("LOAD_DEREF", "LOAD_CLASSDEREF", "LOAD_FROM_DICT_OR_DEREF")
 STATEMENTS = {
     "STORE_GLOBAL": "it assigns a global variable",
     "DELETE_GLOBAL": "it deletes a global variable",
@@ -213,6 +219,9 @@ STATEMENTS = {
 
 
 def _looked_up(function: FunctionType, name: str) -> Any:
+    if name in function.__code__.co_freevars:
+        cell = (function.__closure__ or ())[function.__code__.co_freevars.index(name)]
+        return inside(cell, _UNKNOWN)
     if name in function.__globals__:
         return function.__globals__[name]
     builtins: Any = function.__globals__.get("__builtins__", {})
@@ -230,8 +239,7 @@ def _of_name(value: Any, name: str) -> str | None:
     if _known_function(value):
         return None
     if isinstance(value, type):
-        fits = (issubclass(value, tuple) and hasattr(value, "_fields")) or issubclass(value, Enum)
-        return None if fits else OTHERWISE.get(name, f"it uses {name}")
+        return None if _is_own_class(value) else OTHERWISE.get(name, f"it uses {name}")
     if package(type(value)) == "numba" and hasattr(value, "py_func"):
         return None
     module = getattr(value, "__module__", None) or ""
@@ -239,7 +247,12 @@ def _of_name(value: Any, name: str) -> str | None:
         if module.startswith(("numpy.random", "random")) or "random" in type(getattr(value, "__self__", 0)).__module__:
             return _of_module("random")
         return OTHERWISE.get(name, f"it uses {name}")
-    return _of_values(value, f"the global {name}", all_kinds=False, inside=None)
+    return _of_values(value, f"the global {name}", all_kinds=False, owner=None)
+
+
+def _is_own_class(value: Any) -> bool:
+    fits = isinstance(value, type) and (issubclass(value, Enum) or (issubclass(value, tuple)))
+    return fits and (issubclass(value, Enum) or hasattr(value, "_fields"))
 
 
 def _of_module(name: str) -> str:
