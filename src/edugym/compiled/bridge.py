@@ -41,8 +41,8 @@ def _member(kind: Any, name: str) -> Any:
     return inspect.getattr_static(kind.instance_class, name, None)
 
 
-def teach(numba: Any, checked: Any) -> None:
-    """Look up what Numba does not know of a NamedTuple in its class, and compile users' functions by `checked`."""
+def teach(numba: Any, passes: Any) -> None:
+    """Look up what Numba does not know of a NamedTuple in its class, and compile what it finds there by the pipelines of `passes`."""
     types, typeof, extending = numba.types, numba.typeof, numba.extending
     imputils: Any = importlib.import_module("numba.core.imputils")
     templates: Any = importlib.import_module("numba.core.typing.templates")
@@ -52,8 +52,8 @@ def teach(numba: Any, checked: Any) -> None:
     def part(function: FunctionType) -> Any:
         """The type of a method or helper, compiled with the options of the build in progress."""
         if function not in _parts:
-            options = _options | {"pipeline_class": checked} if is_foreign(function) else _options
-            _parts[function] = numba.njit(**options)(function)
+            pipeline = passes.JudgedPart if is_foreign(function) else passes.Part
+            _parts[function] = numba.njit(pipeline_class=pipeline, **_options)(function)
         return types.Dispatcher(_parts[function])
 
     def call(context: Any, builder: Any, function: FunctionType, kinds: Any, values: Any) -> Any:

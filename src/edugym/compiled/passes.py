@@ -258,26 +258,70 @@ def _judge_operator(expr: Any, kinds: Any, calltypes: Any, loc: Any) -> None:
         calltypes[expr] = typing.signature(operation.result, *operation.kinds)
 
 
-def _pass(name: str, work: Callable[[Any], bool]) -> Any:
+def _pass(name: str, work: Callable[[Any], bool], kind: str = "FunctionPass") -> Any:
     """A pass as Numba has them."""
-    base = machinery.FunctionPass
+    base = getattr(machinery, kind)
     members = {
         "_name": name,
         "__init__": lambda self: base.__init__(self),
         "run_pass": lambda self, state: work(state),
     }
-    return machinery.register_pass(mutates_CFG=False, analysis_only=False)(type(name, (base,), members))
+    return machinery.register_pass(mutates_CFG=False, analysis_only=kind == "AnalysisPass")(type(name, (base,), members))
 
 
-def _pipelines(self: Any) -> list[Any]:
-    manager = compiler.DefaultPassBuilder.define_nopython_pipeline(self.state)
-    manager.add_pass_after(BEFORE, untyped_passes.InlineClosureLikes)
-    manager.add_pass_after(AFTER, typed_passes.NopythonTypeInference)
-    manager.finalize()
-    return [manager]
+class _Unlinked:
+    """Numba's code generator for a part of a build, which goes into the whole and is never run by itself."""
+
+    def __init__(self, codegen: Any) -> None:
+        self._codegen = codegen
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._codegen, name)
+
+    def _add_module(self, module: Any) -> None:
+        """Nothing: only the whole is made machine code of."""
 
 
+def _before_lowering(state: Any) -> bool:
+    """Make machine code of the part only within the whole: by itself it would cost time, and 0.7 MB for ever."""
+    flags = state.flags
+    flags.no_compile = flags.no_cpython_wrapper = flags.no_cfunc_wrapper = True
+    codegen = state.targetctx.codegen()
+    library = state.library = codegen.create_library(state.func_id.func_qualname)
+    library._codegen = _Unlinked(codegen)
+    library._finalize_specific = lambda: None
+    return False
+
+
+def _after_lowering(state: Any) -> bool:
+    lowered = state["cr"]
+    entry = [].append  # by which Numba knows the part, in place of its address: some builtin that is like no other
+    state.targetctx.insert_user_function(entry, lowered.fndesc, [state.library])
+    state["cr"] = lowered._replace(cfunc=entry)
+    return False
+
+
+BEFORE_LOWERING = _pass("edugym_before_lowering", _before_lowering, "AnalysisPass")
+AFTER_LOWERING = _pass("edugym_after_lowering", _after_lowering, "AnalysisPass")
 BEFORE = _pass("edugym_before_typing", _before_typing)
 AFTER = _pass("edugym_after_typing", _after_typing)
-Checked: Any = type("Checked", (compiler.CompilerBase,), {"define_pipelines": _pipelines})
-"""Numba's pipeline with both passes in it."""
+
+
+def _part(judged: bool) -> Any:
+    """Numba's pipeline for a part of a build, a method or a helper."""
+
+    def define_pipelines(self: Any) -> list[Any]:
+        manager = compiler.DefaultPassBuilder.define_nopython_pipeline(self.state)
+        if judged:
+            manager.add_pass_after(BEFORE, untyped_passes.InlineClosureLikes)
+            manager.add_pass_after(AFTER, typed_passes.NopythonTypeInference)
+        manager.add_pass_after(BEFORE_LOWERING, typed_passes.AnnotateTypes)
+        manager.add_pass_after(AFTER_LOWERING, typed_passes.NativeLowering)
+        manager.finalize()
+        return [manager]
+
+    return type("Part", (compiler.CompilerBase,), {"define_pipelines": define_pipelines})
+
+
+Part, JudgedPart = _part(judged=False), _part(judged=True)
+"""The pipelines for the package's own functions, and for those of others."""
