@@ -166,6 +166,7 @@ def test_builds_agree(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(compiler, "_compile", watched)
     outcomes = []
     for lean in (True, False):
+        monkeypatch.setattr(compiler, "_built", {})
         if not lean:
             monkeypatch.setattr(compiler, "_countless", lambda kind: False)
         table = np.zeros(4)
@@ -178,6 +179,7 @@ def test_builds_agree(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize("lean", [True, False])
 def test_nothing_is_kept(lean: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     """Machine code keeps no reference to what it was called with."""
+    monkeypatch.setattr(compiler, "_built", {})
     if not lean:
         monkeypatch.setattr(compiler, "_countless", lambda kind: False)
     table, rng = np.zeros(4), np.random.default_rng(0)

@@ -69,8 +69,9 @@ def written(draw: st.DrawFn) -> str:
     """A program of a few lines."""
     inner = st.sampled_from(["x", "y", "x + y", "x * 0.5", "x / y", "x ** y", "x // 2", "0", "x % y"])
     body = draw(BODIES)
+    begin = f"t = {draw(st.sampled_from(['s', '0', '0.0', '2 * s']))}\nk = 1\ni = int(rng.random() * 4)"
     return program(
-        f"t = {draw(st.sampled_from(['s', '0', '0.0', '2 * s']))}\nk = 1\ni = int(rng.random() * 4)\n{body}\nreturn {draw(EXPRESSIONS)}",
+        f"{begin}\n{body}\nreturn {draw(EXPRESSIONS)}",
         fields="x: float\n    Q: np.ndarray\n    N: np.ndarray",
         values=f"{draw(st.sampled_from(['1.5', '2', '0.1']))}, np.zeros((4, 2)), np.ones(4, np.int64)",
         before=HELPER.format(draw(inner), draw(inner)),

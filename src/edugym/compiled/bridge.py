@@ -42,7 +42,7 @@ def _member(kind: Any, name: str) -> Any:
 
 
 def teach(numba: Any, passes: Any) -> None:
-    """Look up what Numba does not know of a NamedTuple in its class, and compile what it finds there by the pipelines of `passes`."""
+    """Look up what Numba does not know of a NamedTuple in its class; compile that by the pipelines of `passes`."""
     types, typeof, extending = numba.types, numba.typeof, numba.extending
     imputils: Any = importlib.import_module("numba.core.imputils")
     templates: Any = importlib.import_module("numba.core.typing.templates")

@@ -18,7 +18,7 @@ from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from types import FunctionType
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -29,7 +29,19 @@ from edugym.compiled.subset import place
 
 Function = Callable[..., Any]
 
-_built: dict[tuple[Any, ...], Any] = {}
+
+class _Key(NamedTuple):
+    """Of what there is a build: the loop, all code that it reaches, the types of the arguments, and the classes."""
+
+    loop: Function
+    fingerprint: str
+    signature: tuple[Any, ...]
+    classes: tuple[type, ...]
+
+
+_built: dict[_Key, Any] = {}
+KEPT = 3
+"""How many builds of a loop are kept for classes of the same names."""
 _lock = threading.RLock()
 _taught: list[str] = []  # nothing yet; then what is wrong with this version of Numba, or ""
 logger = logging.getLogger("edugym")
@@ -84,7 +96,7 @@ def compiled(loop: Function, *arguments: Any, code: Code | None = None) -> Funct
                     raise
         if tuple(map(numba.typeof, arguments)) == signature:
             namesake = True
-            return machine_code.overloads[signature].entry_point(*arguments)
+            return next(iter(machine_code.overloads.values())).entry_point(*arguments)
         return compiled(loop, *given)(*given)  # types have changed on the way: an int became a float
 
     return run
@@ -119,8 +131,7 @@ def check_compiler() -> None:
 
 def is_built(loop: Function, code: Code) -> bool:
     """Whether this process holds machine code of the loop over this code."""
-    made_of = (loop, code.fingerprint, *code.classes)
-    return any(key[: len(made_of)] == made_of for key in _built)
+    return any(key.loop is loop and key.fingerprint == code.fingerprint for key in _built)
 
 
 def is_on_disk(code: Code) -> bool:
@@ -142,17 +153,60 @@ def _processor() -> str:
 
 
 def _made(numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) -> Any:
-    """The build, made when it is first asked for; what cannot be built is not tried again."""
-    key = (loop, code.fingerprint, *code.classes, signature)
+    """The build, made when it is first asked for; what cannot be built is not tried again.
+
+    Run the cell of a class again unchanged, and there is nothing to build: the same code has the same fingerprint, and
+    machine code that gives back no value of the class does for both. Of changed classes only the latest are kept: what
+    a build takes, 2 MB, would add up.
+    """
+    classes = tuple(code.classes)
     with _lock:
-        if key not in _built:
+        for key, made in _built.items():
+            same = key.loop is loop and key.fingerprint == code.fingerprint and _alike(key.signature, signature)
+            if same and (key.classes == classes or isinstance(made, CompilationError) or not _gives_classes(made)):
+                break
+        else:
+            key = _Key(loop, code.fingerprint, signature, classes)
             try:
-                _built[key] = _build(numba, loop, signature, code)
+                made = _build(numba, loop, signature, code)
             except Exception as error:
-                _built[key] = CompilationError(_reason(error, code))
-    if isinstance(_built[key], CompilationError):
-        raise CompilationError(str(_built[key]))
-    return _built[key]
+                made = CompilationError(_reason(error, code))
+            _built[key] = made
+            older = [other for other in _built if other.loop is loop and _alike(other.signature, signature)][:-KEPT]
+            for other in older:
+                del _built[other]
+    if isinstance(made, CompilationError):
+        raise CompilationError(str(made))
+    return made
+
+
+def _alike(one: tuple[Any, ...], other: tuple[Any, ...]) -> bool:
+    """Whether types are the same, but for NamedTuple classes that are others of the same name."""
+    types = _numba().types
+
+    def same(kind: Any, other_kind: Any) -> bool:
+        if kind == other_kind:
+            return True
+        if not (isinstance(kind, types.BaseNamedTuple) and isinstance(other_kind, types.BaseNamedTuple)):
+            return False
+        first, second = kind.instance_class, other_kind.instance_class
+        return (
+            first.__qualname__ == second.__qualname__ and first._fields == second._fields and _alike(kind, other_kind)
+        )
+
+    return len(one) == len(other) and all(map(same, one, other))
+
+
+def _gives_classes(made: Any) -> bool:
+    """Whether machine code gives back a value of a NamedTuple class, which is of the class it was made for."""
+    types = _numba().types
+
+    def has_class(kind: Any) -> bool:
+        if isinstance(kind, types.BaseNamedTuple):
+            return True
+        return isinstance(kind, types.BaseTuple) and any(map(has_class, kind))
+
+    return any(has_class(given.return_type) for given in made.nopython_signatures)
 
 
 def _build(numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) -> Any:
@@ -206,7 +260,7 @@ def _compile(
     users_own = numba.config.CACHE_DIR
     try:
         numba.config.CACHE_DIR = str(folder) if folder else users_own
-        made = numba.njit(cache=folder is not None, nogil=True, **options)(loop)
+        made = numba.njit(cache=folder is not None, nogil=True, no_cfunc_wrapper=True, **options)(loop)
     finally:
         numba.config.CACHE_DIR = users_own
     functions = {*code.functions, *_stand_ins()} if code.foreign else {*code.functions}

@@ -266,7 +266,9 @@ def _pass(name: str, work: Callable[[Any], bool], kind: str = "FunctionPass") ->
         "__init__": lambda self: base.__init__(self),
         "run_pass": lambda self, state: work(state),
     }
-    return machinery.register_pass(mutates_CFG=False, analysis_only=kind == "AnalysisPass")(type(name, (base,), members))
+    return machinery.register_pass(mutates_CFG=False, analysis_only=kind == "AnalysisPass")(
+        type(name, (base,), members)
+    )
 
 
 class _Unlinked:
@@ -290,6 +292,8 @@ def _before_lowering(state: Any) -> bool:
     library = state.library = codegen.create_library(state.func_id.func_qualname)
     library._codegen = _Unlinked(codegen)
     library._finalize_specific = lambda: None
+    library._optimize_functions = lambda module: None
+    library._optimize_final_module = lambda: None
     return False
 
 
