@@ -31,6 +31,10 @@ COMPILED = {
     "softmax": program("p = np.exp(self.Q[0] - np.max(self.Q[0]))\np = p / np.sum(p)\nself.Q[0, 0] += p[0] - s\nreturn p[1]", **Q),
     "row in place": program("self.Q[0] *= 0.5\nself.Q[:] += 0.25\nreturn self.Q.sum()", **Q),
     "normal": program("return rng.normal(0.5 * s, 2.0) + rng.exponential(3.0) + rng.normal()"),
+    "picture": program(
+        "picture = np.zeros((3, 3), np.float32)\npicture[1] = 0.3\npicture[0, 1] = s\nself.Q[0] = s\nreturn self.g(picture) + s * 0.5",
+        more="def g(self, picture):\n    return len(picture) + picture.shape[1]", **Q),
+    "picture of bytes": program("picture = np.zeros((3, 3), np.uint8)\npicture[1, 2] = 100\nreturn len(picture) + s * 0.5"),
     "tuple": program("x, k = s\nreturn (x + rng.random(), k + 1)", start="(0.0, 0)"),
     "default omitted": program(
         "return self.g(s, terminated=True) + self.g(s=s, terminated=False, beta=2.0)",
@@ -133,6 +137,11 @@ REFUSED = {
     "uint8": (program("return s + float(self.Q[0] - self.Q[1])", "Q: np.ndarray", "np.array([3, 250], np.uint8)"), "uint8"),
     "int8": (program("self.Q[0] += 1\nreturn s + self.Q[0]", "Q: np.ndarray", "np.array([3, 50], np.int8)"), "int8"),
     "small number": (program("return s + self.x", "x: float", "np.float32(0.1)"), "float32"),
+    "float32 array computed with": (program("a = np.ones(2, np.float32)\nb = a * 0.1\nself.Q[0, 0] = 1.0\nreturn s + b.sum()", **Q), "float32"),
+    "float32 summed": (program("a = np.full(2, 0.1, np.float32)\nreturn s + a.sum()"), "float32"),
+    "float32 by function": (program("a = np.full(2, 0.1, np.float32)\nreturn s + np.max(a)"), "float32"),
+    "too large for a byte": (program("a = np.zeros(2, np.uint8)\na[0] = int(s) % 300\nreturn s + 1"), "uint8"),
+    "negative byte": (program("a = np.zeros(2, np.uint8)\na[0] = -1 if s > 700 else 1\nreturn s + 1"), "uint8"),
     "float32 made": (program("a = np.zeros(2, np.float32)\na[0] = 0.1 + s\nreturn float(a[0])"), "float32"),
     "flat": (program("self.Q.flat[3] = 1.0\nreturn s + self.Q.flat[2]", **Q), "flat"),
     "mask": (program("m = self.Q[:, 0] > 1\nreturn s + self.Q[m].sum()", **Q), "picks"),

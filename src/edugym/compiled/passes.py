@@ -168,8 +168,8 @@ def _after_typing(state: Any) -> bool:
             index = getattr(statement, "index_var", None) or statement.index
             _judge_index(kinds[index.name] if isinstance(index, ir.Var) else None, statement.loc)
             target, value = kinds[statement.target.name], kinds[statement.value.name]
-            if isinstance(target, types.Array) and _real(value) and not _real(target):
-                _refuse("it puts a real number in an array of whole numbers", statement.loc)
+            if isinstance(target, types.Array):
+                _judge_stored(target, value, statement.loc)
     return True
 
 
@@ -190,7 +190,7 @@ def _judge_type(kind: Any, loc: Any) -> None:
             _refuse(f"it computes with numbers of type {kind}", loc)
         return None
     if isinstance(kind, types.Array):
-        if kind.dtype not in (types.int64, types.float64, types.boolean):
+        if not isinstance(kind.dtype, types.Number | types.Boolean) or isinstance(kind.dtype, types.Complex):
             _refuse(f"it has an array of {kind.dtype}", loc)
         return None
     if isinstance(kind, types.List):
@@ -200,6 +200,24 @@ def _judge_type(kind: Any, loc: Any) -> None:
     if isinstance(kind, types.NumpyFlatType) or not isinstance(kind, FITTING):
         _refuse("it uses .flat" if isinstance(kind, types.NumpyFlatType) else f"it makes a value of type {kind}", loc)
     return None
+
+
+def _narrow(kind: Any) -> bool:
+    """Whether it is an array of other numbers than those of 64 bits: to be filled and passed on, but not computed with.
+
+    (Numba and NumPy do not agree on what such numbers become when they meet others.)
+    """
+    return isinstance(kind, types.Array) and kind.dtype not in (types.int64, types.float64, types.boolean)
+
+
+def _judge_stored(target: Any, value: Any, loc: Any) -> None:
+    """Look at what is put into an array."""
+    if _real(value) and not _real(target):
+        _refuse("it puts a real number in an array of whole numbers", loc)
+    if _narrow(target) and not _real(target) and getattr(value, "dtype", None) != target.dtype:
+        known = value.literal_value if isinstance(value, types.IntegerLiteral) else -1
+        if not 0 <= known < 128:  # which fits in all of them; of others some raise an error and some do not
+            _refuse(f"it puts a number that may not fit in an array of {target.dtype}", loc)
 
 
 def _real(kind: Any) -> bool:
@@ -217,6 +235,7 @@ def _judge(expr: Any, kinds: Any, calltypes: Any, statement: Any) -> None:
     loc, result = statement.loc, kinds[statement.target.name]
     if isinstance(result, types.UnicodeType) and expr.op not in ("getattr", "static_getitem", "getitem", "cast", "phi"):
         _refuse("it makes text", loc)
+    _judge_narrow(expr, kinds, loc)
     if expr.op in ("getitem", "static_getitem"):
         _judge_index(kinds[expr.index.name] if expr.op == "getitem" else None, loc)
     elif expr.op == "getattr":
@@ -233,6 +252,20 @@ def _judge(expr: Any, kinds: Any, calltypes: Any, statement: Any) -> None:
             _refuse("it computes with True and False as if they were numbers", loc)
     elif expr.op in ("binop", "inplace_binop"):
         _judge_operator(expr, kinds, calltypes, loc)
+
+
+def _judge_narrow(expr: Any, kinds: Any, loc: Any) -> None:
+    """Refuse to compute with arrays of other numbers than those of 64 bits."""
+    if expr.op in ("getattr", "getitem", "static_getitem", "build_tuple", "cast", "phi"):
+        return  # single numbers are refused by their type
+    called = kinds[expr.func.name] if expr.op == "call" else None
+    own = isinstance(called, types.Dispatcher) or isinstance(getattr(called, "this", None), types.BaseTuple)
+    if own or getattr(called, "typing_key", None) is len:
+        return  # a function or method of the author's, or one that asks for no number
+    for variable in expr.list_vars():
+        kind = kinds[variable.name]
+        if _narrow(kind) or _narrow(getattr(kind, "this", None)):
+            _refuse(f"it computes with numbers of type {getattr(kind, 'this', kind).dtype}", loc)
 
 
 def _judge_operator(expr: Any, kinds: Any, calltypes: Any, loc: Any) -> None:
@@ -299,7 +332,7 @@ def _before_lowering(state: Any) -> bool:
 
 def _after_lowering(state: Any) -> bool:
     lowered = state["cr"]
-    entry = [].append  # by which Numba knows the part, in place of its address: some builtin that is like no other
+    entry: Any = [].append  # by which Numba knows the part, in place of its address: some builtin that is like no other
     state.targetctx.insert_user_function(entry, lowered.fndesc, [state.library])
     state["cr"] = lowered._replace(cfunc=entry)
     return False
