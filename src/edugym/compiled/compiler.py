@@ -338,6 +338,7 @@ def _numba() -> Any:
     if not _taught:
         try:
             teach(numba, importlib.import_module("edugym.compiled.passes"))
+            _processor()
         except Exception as error:  # what may be missing, and how that shows, is Numba's business
             _taught.append(f"{type(error).__name__}: {error}")
             message = f"this version of Numba ({numba.__version__}) is not known to EduGym: everything runs interpreted"

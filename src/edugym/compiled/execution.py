@@ -42,7 +42,8 @@ def executable(
         expected: how many steps it will be asked for in all; fewer than `COMPILE_FROM` are not worth compiling.
         rehearsed: how many are rehearsed by the interpreter, on copies, before code that is not the package's is
             compiled.
-        replayed: whether a call that fails in such code is played again by the interpreter, to stop at the very line.
+        replayed: without effect: every call that fails in such code is played again by the interpreter, which stops at
+            the very line, or goes on where only machine code could not.
 
     Returns:
         A function with the arguments of `loop`: machine code, or where that does not pay or is not possible, `loop`
@@ -55,7 +56,7 @@ def executable(
         check_compiler()
         if reason := refusal(code, arguments):
             raise CompilationError(reason)
-        return _machine_code(loop, arguments, code, rehearsed, replayed)
+        return _machine_code(loop, arguments, code, rehearsed)
     except NoCompiler:
         return loop
     except CompilationError as error:
@@ -63,7 +64,7 @@ def executable(
     return loop
 
 
-def _machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, rehearsed: int, replayed: bool) -> Loop:
+def _machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, rehearsed: int) -> Loop:
     """Machine code of the loop; that of foreign code has shown on copies that it does what the interpreter does.
 
     Raises:
@@ -92,14 +93,14 @@ def _machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, rehearsed:
     found = difference((result, rehearsal), (shadowed, shadow), "the result")
     if found:
         raise CompilationError(f"machine code comes to something else than Python in the first steps ({found})")
-    return _guarded(fast, loop, code, replayed)
+    return _guarded(fast, loop, code, rehearsed)
 
 
 def _said(error: Exception) -> str:
     return f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
 
 
-def _guarded(fast: Loop, loop: Loop, code: Code, replayed: bool) -> Loop:
+def _guarded(fast: Loop, loop: Loop, code: Code, rehearsed: int) -> Loop:
     """Machine code of foreign code, with the interpreter at its side.
 
     Where machine code fails, the call is played again by the interpreter from the same start, to stop at the very line,
@@ -111,7 +112,8 @@ def _guarded(fast: Loop, loop: Loop, code: Code, replayed: bool) -> Loop:
     def run(*arguments: Any) -> Any:
         nonlocal fast, code, surprises
         if not code.is_current():
-            fast, code = _renewed(loop, arguments)
+            code = Code(loop, arguments[1:])
+            fast = executable(loop, arguments[1:], rehearsed=rehearsed)
         if fast is loop:
             return loop(*arguments)
         then = _noted(before, arguments)
@@ -127,13 +129,6 @@ def _guarded(fast: Loop, loop: Loop, code: Code, replayed: bool) -> Loop:
             return result
 
     return run
-
-
-def _renewed(loop: Loop, arguments: tuple[Any, ...]) -> tuple[Loop, Code]:
-    """Machine code of what the code now is, or else the loop itself, and that code."""
-    code = Code(loop, arguments[1:])
-    run = executable(loop, arguments[1:])
-    return run, code
 
 
 def _noted(room: list[Any], arguments: tuple[Any, ...]) -> Any:
@@ -163,8 +158,9 @@ def _warn_once(code: Code, arguments: tuple[Any, ...], reason: str) -> None:
     plain = next(_plain_objects(arguments), None)
     names = code.names() if plain is None else type(plain).__name__
     reason = reason if plain is None else "it is no NamedTuple"
-    if f"cannot: {names}" not in _warned:
-        _warned.add(f"cannot: {names}")
+    what = f"cannot: {names if code.foreign else reason}"
+    if what not in _warned:
+        _warned.add(what)
         message = f"{names} cannot be compiled and runs interpreted, some hundred times slower: {reason}"
         warnings.warn(message, stacklevel=4)
 
