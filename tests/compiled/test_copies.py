@@ -1,5 +1,6 @@
 """Copies, putting back, and comparing: what is shared stays shared, and a last digit is no difference."""
 
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -51,10 +52,11 @@ def test_restore() -> None:
 def test_difference_names_what_differs() -> None:
     """The first field that differs is named; a stream is one."""
     one = agent()
-    for change, name in (
+    changes: list[tuple[Callable[[Agent], Any], str]] = [
         (lambda other: other.Q.__setitem__((2, 3), 5.0), "Q"),
         (lambda other: other.rng.random(), "a random stream"),
-    ):
+    ]
+    for change, name in changes:
         other = agent()
         change(other)
         assert difference(one, other, "the agent") == name

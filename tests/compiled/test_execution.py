@@ -249,7 +249,7 @@ def test_a_living_environment_runs_what_its_class_has_become() -> None:
 def test_machine_code_that_differs_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
     """What the first steps come to is compared; where it differs the class runs interpreted and says so."""
     monkeypatch.setattr(execution, "_warned", set())
-    original = execution.compiled
+    original = compiler.compiled
 
     def wrong(loop: Any, *arguments: Any, **named: Any) -> Any:
         made = original(loop, *arguments, **named)
@@ -360,7 +360,12 @@ def test_builds_do_not_pile_up(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(compiler, "_built", {})
     made: list[Any] = []
     original = compiler._compile
-    monkeypatch.setattr(compiler, "_compile", lambda *arguments: made.append(0) or original(*arguments))
+
+    def counted(*arguments: Any) -> Any:
+        made.append(0)
+        return original(*arguments)
+
+    monkeypatch.setattr(compiler, "_compile", counted)
 
     def run(source: str) -> None:
         arguments = np.zeros(9), cell(source)["Counter"](4), np.random.default_rng(0)
