@@ -18,8 +18,8 @@ class Storage(Protocol):
     def load(self, i: int) -> Any:
         """The i-th value."""
 
-    def store(self, i: int, value: Any) -> None:
-        """Put a value in the i-th place."""
+    def store(self, i: int, value: Any) -> bool:
+        """Put a value in the i-th place, and tell whether it is there without loss."""
 
 
 class Rows(Protocol):
@@ -62,9 +62,10 @@ class Listed(NamedTuple):
         """The i-th value."""
         return self.values[i]
 
-    def store(self, i: int, value: Any) -> None:
-        """Put a value in the i-th place."""
+    def store(self, i: int, value: Any) -> bool:
+        """Put a value in the i-th place, and tell whether it is there without loss: always."""
         self.values[i] = value
+        return True
 
     def __reduce__(self) -> tuple[Any, ...]:
         """How it is copied and pickled: Numba's lists cannot be."""
@@ -89,20 +90,30 @@ def columns(sample: Any, n: int) -> Storage:
         def load(self, i):
             return (self.columns[0][i], self.columns[1][i],)
         def store(self, i, value):
+            if len(value) != 2:
+                return False
             self.columns[0][i] = value[0]
             self.columns[1][i] = value[1]
+            return same(self.columns[0][i], value[0]) and same(self.columns[1][i], value[1])
+
+    A column has a type, and what does not fit (0.5 in a column of whole numbers) would be cut: `store` tells. Machine
+    code spends no time on this where the types of value and column are equal.
     """
     arrays: list[np.ndarray[Any, Any]] = []
-    kinds: dict[str, type] = {}
+    kinds: dict[str, Any] = {"same": _same}
+    lengths: list[str] = []
     stores: list[str] = []
+    kept: list[str] = []
 
     def walk(value: Any, path: str) -> str:
         if isinstance(value, tuple):
+            lengths.append(f"        if len(value{path}) != {len(value)}:\n            return False")
             inside = "".join(walk(part, f"{path}[{k}]") + ", " for k, part in enumerate(value))
             if not hasattr(value, "_fields"):
                 return f"({inside})"
             kinds[f"Kind{len(kinds)}"] = type(value)
             return f"Kind{len(kinds) - 1}({inside})"
+        kept.append(f"same(self.columns[{len(arrays)}][i], value{path})")
         stores.append(f"        self.columns[{len(arrays)}][i] = value{path}")
         arrays.append(np.zeros(n, np.asarray(value).dtype))
         return f"self.columns[{len(arrays) - 1}][i]"
@@ -113,7 +124,9 @@ def columns(sample: Any, n: int) -> Storage:
         "    def load(self, i):",
         f"        return {loaded}",
         "    def store(self, i, value):",
-        *(stores or ["        pass"]),
+        *lengths,
+        *stores,
+        f"        return {' and '.join(kept) or 'True'}",
     ]
     storage: Storage = generated_class("Columns", lines, kinds)(tuple(arrays))
     return storage
@@ -154,6 +167,39 @@ def observation_rows(mdp: MDP[Any, Any], sample: Any) -> Callable[[np.ndarray[An
     return kind
 
 
+def copy_of(storage: Any) -> Any:
+    """The same values in other places, so that what is stored in the one does not show in the other."""
+    if isinstance(storage, Listed):
+        return _copied(storage, slice(None))
+    return type(storage)(tuple(column.copy() for column in storage.columns))
+
+
+def head(storage: Any, n: int) -> Any:
+    """The first `n` values, in storage of the same type."""
+    if isinstance(storage, Listed):
+        return _copied(storage, slice(n))
+    return type(storage)(tuple(column[:n].copy() for column in storage.columns))
+
+
+def _copied(storage: Listed, part: slice) -> Listed:
+    if isinstance(storage.values, np.ndarray):
+        return Listed(storage.values[part].copy())
+    try:
+        return Listed(storage.values[part])
+    except NotImplementedError:  # Numba takes the class for an older one of the same name
+        return listed(list(storage.values)[part])
+
+
+def as_sampled(value: Any, sample: Any) -> Any:
+    """A value as it was before it went into a column: with Python's numbers where the `sample` has them."""
+    if isinstance(sample, tuple):
+        parts = [as_sampled(part, like) for part, like in zip(value, sample, strict=True)]
+        return type(sample)(*parts) if hasattr(sample, "_fields") else tuple(parts)
+    if isinstance(value, np.generic) and not isinstance(sample, np.generic):
+        return value.item()
+    return value
+
+
 def listed(values: list[Any]) -> Listed:
     """The values as they are, in a list that machine code can use where there is a compiler."""
     try:
@@ -174,6 +220,11 @@ def loose(values: list[Any]) -> Listed:
 def holds_arrays(value: Any) -> bool:
     """Whether there is an array anywhere in a value."""
     return isinstance(value, np.ndarray) or (isinstance(value, tuple) and any(map(holds_arrays, value)))
+
+
+def _same(stored: Any, value: Any) -> Any:
+    """Whether a number has been stored as it is (NaN is no number, and equals itself here)."""
+    return stored == value or (stored != stored and value != value)
 
 
 def _regular(value: Any) -> bool:
