@@ -54,22 +54,37 @@ class RowsInPlace(NamedTuple):
 
 
 class Listed(NamedTuple):
-    """Values of any shape, such as states that hold arrays, in something that is indexed as a list is."""
+    """Values of any shape, such as states that hold arrays, in something that is indexed as a list is.
+
+    Attributes:
+        values: the list.
+        kept: tells whether a value is there without loss (see `columns`).
+    """
 
     values: Any
+    kept: Any
 
     def load(self, i: int) -> Any:
         """The i-th value."""
         return self.values[i]
 
     def store(self, i: int, value: Any) -> bool:
-        """Put a value in the i-th place, and tell whether it is there without loss: always."""
+        """Put a value in the i-th place, and tell whether it is there without loss."""
         self.values[i] = value
-        return True
+        kept: bool = self.kept.equal(self.values[i], value)
+        return kept
 
     def __reduce__(self) -> tuple[Any, ...]:
         """How it is copied and pickled: Numba's lists cannot be."""
         return loose if isinstance(self.values, np.ndarray) else listed, (list(self.values),)
+
+
+class Always(NamedTuple):
+    """Tells of every value that it is kept as it is."""
+
+    def equal(self, stored: Any, value: Any) -> bool:
+        """True."""
+        return True
 
 
 def storage(states: list[Any], n: int) -> Storage:
@@ -183,9 +198,9 @@ def head(storage: Any, n: int) -> Any:
 
 def _copied(storage: Listed, part: slice) -> Listed:
     if isinstance(storage.values, np.ndarray):
-        return Listed(storage.values[part].copy())
+        return storage._replace(values=storage.values[part].copy())
     try:
-        return Listed(storage.values[part])
+        return storage._replace(values=storage.values[part])
     except NotImplementedError:  # Numba takes the class for an older one of the same name
         return listed(list(storage.values)[part])
 
@@ -206,7 +221,24 @@ def listed(values: list[Any]) -> Listed:
         from numba.typed import List
     except ImportError:
         return loose(values)
-    return Listed(List(values))
+    return Listed(List(values), _comparison(values[0]))
+
+
+def _comparison(sample: Any) -> Any:
+    """What compares the numbers in a stored value like `sample`: those in a list of Numba's may have been cast."""
+    parts: list[str] = []
+
+    def walk(value: Any, path: str) -> None:
+        if isinstance(value, tuple):
+            parts.append(f"len(value{path}) == {len(value)}")
+            for k, part in enumerate(value):
+                walk(part, f"{path}[{k}]")
+        elif not isinstance(value, np.ndarray):
+            parts.append(f"same(stored{path}, value{path})")
+
+    walk(sample, "")
+    lines = ["    def equal(self, stored, value):", f"        return {' and '.join(parts) or 'True'}"]
+    return generated_class("Comparison", lines, {"same": _same})()
 
 
 def loose(values: list[Any]) -> Listed:
@@ -214,7 +246,7 @@ def loose(values: list[Any]) -> Listed:
     objects = np.empty(len(values), object)
     for i, value in enumerate(values):
         objects[i] = value
-    return Listed(objects)
+    return Listed(objects, Always())
 
 
 def holds_arrays(value: Any) -> bool:
@@ -228,10 +260,14 @@ def _same(stored: Any, value: Any) -> Any:
 
 
 def _regular(value: Any) -> bool:
-    """Whether it is made of numbers, arrays of numbers and tuples alone."""
+    """Whether it is made of numbers that machine code computes with as Python does, arrays of numbers, and tuples."""
     if isinstance(value, tuple):
         return all(map(_regular, value))
-    return np.asarray(value).dtype.kind in "biufc"
+    if isinstance(value, np.ndarray):
+        return value.dtype.kind in "biuf"
+    if isinstance(value, int) and not -(2**63) <= value < 2**63:
+        return False
+    return isinstance(value, bool | int | float | np.bool_ | np.int64 | np.float64)
 
 
 def _form(value: Any, *, numbers: bool) -> Any:

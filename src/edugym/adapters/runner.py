@@ -10,7 +10,7 @@ import numpy as np
 
 from edugym.adapters.columns import Listed, as_sampled, copy_of, head, loose
 from edugym.adapters.copies import STATE_LOST, Batch
-from edugym.compiled.code import LIBRARIES, Code, package
+from edugym.compiled.code import Code, package
 from edugym.compiled.execution import executable
 
 Loop = Callable[..., Any]
@@ -42,6 +42,12 @@ class Runner:
         self._watched: list[Watched] = []
         self._foreign = False
         self._interpreted = _is_loose(states)
+        if self._interpreted:
+            warnings.warn(
+                f"{type(mdp).__name__} cannot be compiled and runs interpreted, some hundred times slower: its states"
+                " must be numbers, or tuples of numbers and arrays, always of the same types",
+                stacklevel=5,
+            )
 
     @property
     def is_compiled(self) -> bool:
@@ -140,7 +146,7 @@ class Watched:
         self._places: list[tuple[Any, str, Any]] = []
         for kind in code.classes:
             for base in kind.__mro__:
-                if package(base) not in (*LIBRARIES, "edugym"):
+                if base not in (object, tuple) and package(base) != "edugym":
                     self._places += [(vars(base), name, value) for name, value in vars(base).items()]
         self._functions = [
             (function, function.__code__) for function in code.functions if package(function) != "edugym"
