@@ -53,7 +53,7 @@ def test_make(entry: Entry, keywords: Keywords) -> None:
     assert seen == Player(entry.load()(**keywords), entry.name).play(50)
     assert env.spec is not None
     assert env.spec.kwargs == keywords
-    assert env.spec.max_episode_steps == step_limit(env.unwrapped.mdp)
+    assert env.spec.max_episode_steps == step_limit(Player(env, entry.name).bare.mdp)
     assert not isinstance(env, TimeLimit)  # the environment keeps its limit itself
 
 

@@ -51,7 +51,7 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
 
     def __init__(
         self,
-        env: "MDPEnv[M] | Any",
+        env: MDPEnv[M],
         num_envs: int = 1,
         autoreset_mode: str | AutoresetMode = AutoresetMode.NEXT_STEP,
         max_episode_steps: int | None = None,

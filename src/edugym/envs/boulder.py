@@ -145,6 +145,8 @@ class Boulder(NamedTuple):
         height, n_grips, grips = self.height, min(self.n_grips, MOST_SHOWN), self.grips
         shown = min(height, MOST_LEVELS)
         first = min(max(0, state - shown // 2), height - shown)  # the lowest level that is in the picture
+        held = int(grips[max(state - 1, 0)])
+        left = min(max(0, held - n_grips // 2), self.n_grips - n_grips)  # the first grip that is in the picture
         width, top = n_grips + 3.0, 2.0
         bottom = top + shown + 0.5
         edge = top if first + shown == height else -1.0  # a wall that goes on goes on beyond the picture
@@ -157,13 +159,13 @@ class Boulder(NamedTuple):
             y = bottom - (level - first) - 0.75
             shapes.append(Text(0.5, y, str(level + 1), size=0.4))
             for grip in range(n_grips):
-                shapes += _grip(grip + 2.0, y, holds=grip == grips[level])
+                shapes += _grip(grip + 2.0, y, holds=left + grip == grips[level])
         if state == 0:
             climber = (width / 2, bottom + 0.5)
         elif state == height:
             climber = (width / 2, top - 0.45)
         else:
-            climber = (float(grips[state - 1]) + 2.0, bottom - (state - first) + 0.25)
+            climber = (held - left + 2.0, bottom - (state - first) + 0.25)
         shapes += smiley(*climber, 0.42)
         return Scene(width, bottom + 1.5, shapes, SKY, f"Boulder: {state} of {height}", columns=2 * int(width))
 

@@ -43,10 +43,14 @@ class Tabular(NamedTuple):
         """The wrapper for an MDP that observes whole numbers.
 
         Raises:
-            ValueError: it observes something else.
+            ValueError: it observes something else, or numbers nested in one another.
         """
         space = mdp.observation_space
-        return cls(mdp, np.array(table_sizes(space)), np.array(table_lows(space)))
+        sizes = np.array(table_sizes(space))
+        parts = space.spaces if isinstance(space, spaces.Tuple) else ()
+        if not all(isinstance(part, spaces.Discrete) for part in parts) or len(space.shape or ()) > 1:
+            raise ValueError(f"observation_space of an MDP must be flat for a table, but is {space}")
+        return cls(mdp, sizes, np.array(table_lows(space)))
 
 
 def table_sizes(space: spaces.Space[Any]) -> tuple[int, ...]:
