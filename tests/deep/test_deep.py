@@ -170,6 +170,16 @@ def test_pictures() -> None:
     human.close()
 
 
+def test_what_wrappers_read() -> None:
+    """`VecVideoRecorder` reads the pictures a second from `metadata`; others read the specification of a copy."""
+    env = copies("MemoryCorridor", 2, max_steps=77)
+    assert env.metadata["render_fps"] == 4
+    for spec in env.get_attr("spec"):
+        assert spec.id == "edugym/MemoryCorridor-v0"
+        assert spec.max_episode_steps == 77
+        assert spec.kwargs == {"max_steps": 77}
+
+
 def test_one_s_own_environment() -> None:
     """An environment or a vector environment can be given instead of a name."""
     catch = gymnasium.make("edugym/Catch-v0", rows=3).unwrapped

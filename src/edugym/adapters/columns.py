@@ -238,7 +238,8 @@ def _comparison(sample: Any) -> Any:
 
     walk(sample, "")
     lines = ["    def equal(self, stored, value):", f"        return {' and '.join(parts) or 'True'}"]
-    return generated_class("Comparison", lines, {"same": _same})()
+    known: dict[str, Any] = {"same": _same}
+    return generated_class("Comparison", lines, known)()
 
 
 def loose(values: list[Any]) -> Listed:

@@ -46,7 +46,7 @@ class Runner:
             warnings.warn(
                 f"{type(mdp).__name__} cannot be compiled and runs interpreted, some hundred times slower: its states"
                 " must be numbers, or tuples of numbers and arrays, always of the same types",
-                stacklevel=5,
+                stacklevel=4,
             )
 
     @property
@@ -97,7 +97,7 @@ class Runner:
         warnings.warn(
             f"{type(self._mdp).__name__} runs interpreted from here on, some hundred times slower: its states have"
             " changed their type",
-            stacklevel=4,
+            stacklevel=3,
         )
         return done
 

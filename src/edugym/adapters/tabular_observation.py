@@ -71,9 +71,9 @@ def tabular(environment: MDP[Any, Any] | gymnasium.Env[Any, Any]) -> Any:
         ValueError: its observations are not whole numbers, or an MDP does not number them from 0.
     """
     space = environment.observation_space
-    if isinstance(space, spaces.Discrete) and space.start == 0:
-        if not isinstance(environment, gymnasium.Env) or isinstance(environment.unwrapped, MDPEnv):
-            return environment
+    is_foreign = isinstance(environment, gymnasium.Env) and not isinstance(environment.unwrapped, MDPEnv)
+    if isinstance(space, spaces.Discrete) and space.start == 0 and not is_foreign:
+        return environment
     if isinstance(environment, gymnasium.Env):
         return TabularObservation(environment)
     if isinstance(space, spaces.Discrete):

@@ -30,14 +30,15 @@ class Student(NamedTuple):
 
 
 class Study(NamedTuple):
-    """Pass an exam on the last day: a few right days among many that only add noise to the return.
+    """Pass an exam on the last day: a few right days among many that do not matter.
 
     ## Description
     Challenge: the depth of credit assignment. Every day a student studies, sleeps, goes out or does something else.
     Studying helps only on the days of a lecture, and the exam at the end asks for knowledge and for energy. A few days
-    decide; the others, and their noisy rewards, only blur the return. Deep back-ups (Monte Carlo) carry the exam's
-    reward to the first day at once, but with all that noise in it; one-step back-ups are slow to carry it, and filter
-    the noise out.
+    decide; the others only blur the return. Deep back-ups (Monte Carlo) carry the exam's reward to the first day at
+    once, together with all that chance did in between; one-step back-ups carry it slowly, and average chance out. At
+    the defaults chance is almost only in the actions that the agent explores; the noise of the rewards adds little
+    until `action_reward_noise_sigma` is raised.
 
     ## Observation space
     `MultiDiscrete([lecture_days + 1, 5, total_days + 1])`: knowledge, energy and day.

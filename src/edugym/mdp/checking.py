@@ -75,6 +75,8 @@ def check_mdp(mdp: Any, n_steps: int = CHECKED_STEPS) -> list[Any]:
     checked = not is_own(mdp)
     state = mdp.initial(rng)
     states = [state]
+    if checked:
+        checked_observation(mdp, state, rng)
     for _ in range(n_steps):
         action = actions.sample()
         action = int(action) if isinstance(actions, spaces.Discrete) else action
