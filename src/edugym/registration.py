@@ -4,6 +4,7 @@
 the file says its challenge, and its lesson if it has one: "Boulder: exploration (lesson 1)."
 """
 
+import dataclasses
 import importlib
 import inspect
 import pkgutil
@@ -160,14 +161,26 @@ def make_mdp(name: str, **parameters: Any) -> Any:
 def make_environment(name: str, **parameters: Any) -> Any:
     """An environment of the course without Gymnasium's wrappers; errors are those of `make_mdp`."""
     entry = find(name)
-    specification(name, {key: value for key, value in parameters.items() if key != "render_mode"})
-    return entry.load()(**parameters)
+    spec, _ = specification(name, {key: value for key, value in parameters.items() if key != "render_mode"})
+    environment = entry.load()(**parameters)
+    environment.spec = dataclasses.replace(spec, kwargs=dict(parameters))
+    return environment
 
 
-def _make_vector(entry: Entry, num_envs: int = 1, autoreset_mode: str = "NextStep", **parameters: Any) -> Any:
+def _make_vector(
+    entry: Entry,
+    num_envs: int = 1,
+    autoreset_mode: str = "NextStep",
+    max_episode_steps: int | None = None,
+    **parameters: Any,
+) -> Any:
+    from edugym.adapters.gymnasium_env import MDPEnv
     from edugym.adapters.vector_env import MDPVectorEnv
 
-    return MDPVectorEnv(entry.load()(**parameters), num_envs, autoreset_mode)
+    env = entry.load()(**parameters)
+    if not env.only_plays_its_mdp:  # copies do not wait, as Supermarket says
+        env = MDPEnv(env.mdp, env.render_mode)
+    return MDPVectorEnv(env, num_envs, autoreset_mode, max_episode_steps)
 
 
 @cache

@@ -116,7 +116,7 @@ def test_what_cannot_be_played_is_named() -> None:
         Game("Bolder")
     with pytest.raises(ValueError, match="Boulder has no parameter 'heigth'; it has height, n_grips, "):
         Game("Boulder", heigth=3)
-    with pytest.raises(ValueError, match="height must be 1 or more, but is 0"):
+    with pytest.raises(ValueError, match="height must be from 1 to 1000000, but is 0"):
         Game("Boulder", height=0)
     with pytest.raises(ValueError, match=r"go with the name of an environment, but are \['height'\]"):
         Game(Walk(), height=3)

@@ -36,6 +36,7 @@ class MDPVecEnv(VecEnv):
         self.vector = vector
         self._actions: Any = None
         super().__init__(vector.num_envs, vector.single_observation_space, vector.single_action_space)
+        self.metadata = vector.metadata
 
     def reset(self) -> Any:
         """Start an episode in every copy, and give their observations, shape (n, ...)."""

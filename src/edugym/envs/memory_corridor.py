@@ -149,8 +149,12 @@ class MemoryCorridor(NamedTuple):
             ValueError: a parameter is not as the class says.
         """
         num_doors = whole_number("num_doors", num_doors, 2, MOST_DOORS)
-        number_of_steps("max_steps", max_steps)
-        return MemoryCorridor(num_doors, max_steps)
+        return MemoryCorridor(num_doors, number_of_steps("max_steps", max_steps))
+
+    @property
+    def reward_threshold(self) -> float:
+        """No wrong door up to the step limit."""
+        return float(self.max_steps)
 
     @property
     def action_names(self) -> tuple[str, ...]:

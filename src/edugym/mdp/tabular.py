@@ -47,10 +47,14 @@ class Tabular(NamedTuple):
         """The wrapper for an MDP that observes whole numbers.
 
         Raises:
-            ValueError: it observes something else, or has more than 2^62 different observations.
+            ValueError: it observes something else, or numbers nested in one another, or has more than 2^62 different
+                observations.
         """
         space = mdp.observation_space
         sizes = table_sizes(space)
+        parts = space.spaces if isinstance(space, spaces.Tuple) else ()
+        if not all(isinstance(part, spaces.Discrete) for part in parts) or len(space.shape or ()) > 1:
+            raise ValueError(f"observation_space of an MDP must be flat for a table, but is {space}")
         if math.prod(sizes) > MOST_ROWS:
             raise ValueError(
                 f"the rows of a table over {in_digits(math.prod(sizes))} observations do not fit 62 bits: give rows"
