@@ -55,19 +55,49 @@ def _copied_array(array: Any, known: dict[int, Any]) -> Any:
     return made
 
 
-def restore(now: Any, then: Any) -> None:
-    """Put tables and random streams back in place to what they were in a copy."""
-    if isinstance(now, np.ndarray):
-        if now.flags.writeable:
-            np.copyto(now, then)
-    elif isinstance(now, np.random.Generator):
-        now.bit_generator.state = then.bit_generator.state
-    elif isinstance(now, tuple):
-        for part_now, part_then in _pairs(now, then):
-            restore(part_now, part_then)
-    elif type(now).__module__.startswith("numba.typed"):
-        for k, part in enumerate(then):
-            now[k] = part
+class Snapshot:
+    """What a call may change of its arguments, tables and random streams, as it was; its memory is used again."""
+
+    def __init__(self) -> None:
+        """Of nothing yet."""
+        self._leaves: list[Any] = []
+        self._kept: list[Any] = []
+
+    def take(self, value: Any) -> None:
+        """Note how everything in a value is now."""
+        leaves: list[Any] = []
+        _collect(value, leaves)
+        old = self._kept if len(self._kept) == len(leaves) else [None] * len(leaves)
+        self._leaves, self._kept = leaves, list(map(_noted, leaves, old))
+
+    def put_back(self) -> None:
+        """Let everything be as it was, but for what cannot be written to."""
+        for leaf, kept in zip(self._leaves, self._kept, strict=True):
+            if isinstance(leaf, np.random.Generator):
+                leaf.bit_generator.state = kept
+            elif not isinstance(leaf, np.ndarray):
+                for k, part in enumerate(kept):
+                    leaf[k] = part
+            elif leaf.flags.writeable:
+                np.copyto(leaf, kept)
+
+
+def _collect(value: Any, leaves: list[Any]) -> None:
+    if isinstance(value, tuple):
+        for part in tuple.__iter__(value):
+            _collect(part, leaves)
+    elif isinstance(value, np.ndarray | np.random.Generator) or type(value).__module__.startswith("numba.typed"):
+        leaves.append(value)
+
+
+def _noted(leaf: Any, old: Any) -> Any:
+    if isinstance(leaf, np.random.Generator):
+        return leaf.bit_generator.state
+    fits = isinstance(leaf, np.ndarray) and isinstance(old, np.ndarray) and old.shape == leaf.shape
+    if not (fits and old.dtype == leaf.dtype):
+        return leaf.copy()
+    np.copyto(old, leaf)
+    return old
 
 
 def difference(one: Any, other: Any, name: str, close: float = CLOSE) -> str | None:
@@ -114,17 +144,3 @@ def _same(one: np.ndarray[Any, Any], other: np.ndarray[Any, Any], close: float) 
             return bool(one.item() == other.item())
         return all(difference(a, b, "", close) is None for a, b in zip(one.flat, other.flat, strict=True))
     return bool(np.all(one == other))
-
-
-def alike(one: Any, other: Any) -> bool:
-    """Whether `restore` can make one value of the other: arrays of the same shapes and types in the same places."""
-    if isinstance(one, tuple):
-        if type(one) is not type(other) or tuple.__len__(one) != tuple.__len__(other):
-            return False
-        return all(alike(part, other_part) for part, other_part in _pairs(one, other))
-    if isinstance(one, np.ndarray):
-        same = isinstance(other, np.ndarray) and one.shape == other.shape and one.dtype == other.dtype
-        return same and one.flags.writeable == other.flags.writeable and not one.dtype.hasobject
-    if isinstance(one, np.random.Generator):
-        return isinstance(other, np.random.Generator) and type(one.bit_generator) is type(other.bit_generator)
-    return one is other or isinstance(one, bool | int | float | str | np.number | None)
