@@ -63,10 +63,10 @@ class Snapshot:
         self._leaves: list[Any] = []
         self._kept: list[Any] = []
 
-    def take(self, value: Any) -> None:
-        """Note how everything in a value is now."""
+    def take(self, values: tuple[Any, ...]) -> None:
+        """Note how everything in these values is now."""
         leaves: list[Any] = []
-        _collect(value, leaves)
+        _collect(values, leaves)
         old = self._kept if len(self._kept) == len(leaves) else [None] * len(leaves)
         self._leaves, self._kept = leaves, list(map(_noted, leaves, old))
 
@@ -82,12 +82,18 @@ class Snapshot:
                 np.copyto(leaf, kept)
 
 
-def _collect(value: Any, leaves: list[Any]) -> None:
-    if isinstance(value, tuple):
-        for part in tuple.__iter__(value):
-            _collect(part, leaves)
-    elif isinstance(value, np.ndarray | np.random.Generator) or type(value).__module__.startswith("numba.typed"):
-        leaves.append(value)
+PLAIN = frozenset({int, float, bool, str, type(None)})
+
+
+def _collect(values: tuple[Any, ...], leaves: list[Any]) -> None:
+    for value in tuple.__iter__(values):
+        kind = type(value)
+        if kind is np.ndarray or kind is np.random.Generator:
+            leaves.append(value)
+        elif isinstance(value, tuple):
+            _collect(value, leaves)
+        elif kind not in PLAIN and (isinstance(value, np.ndarray) or kind.__module__.startswith("numba.typed")):
+            leaves.append(value)
 
 
 def _noted(leaf: Any, old: Any) -> Any:
