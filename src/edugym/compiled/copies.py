@@ -55,19 +55,55 @@ def _copied_array(array: Any, known: dict[int, Any]) -> Any:
     return made
 
 
-def restore(now: Any, then: Any) -> None:
-    """Put tables and random streams back in place to what they were in a copy."""
-    if isinstance(now, np.ndarray):
-        if now.flags.writeable:
-            np.copyto(now, then)
-    elif isinstance(now, np.random.Generator):
-        now.bit_generator.state = then.bit_generator.state
-    elif isinstance(now, tuple):
-        for part_now, part_then in _pairs(now, then):
-            restore(part_now, part_then)
-    elif type(now).__module__.startswith("numba.typed"):
-        for k, part in enumerate(then):
-            now[k] = part
+class Snapshot:
+    """What a call may change of its arguments, tables and random streams, as it was; its memory is used again."""
+
+    def __init__(self) -> None:
+        """Of nothing yet."""
+        self._leaves: list[Any] = []
+        self._kept: list[Any] = []
+
+    def take(self, values: tuple[Any, ...]) -> None:
+        """Note how everything in these values is now."""
+        leaves: list[Any] = []
+        _collect(values, leaves)
+        old = self._kept if len(self._kept) == len(leaves) else [None] * len(leaves)
+        self._leaves, self._kept = leaves, list(map(_noted, leaves, old))
+
+    def put_back(self) -> None:
+        """Let everything be as it was, but for what cannot be written to."""
+        for leaf, kept in zip(self._leaves, self._kept, strict=True):
+            if isinstance(leaf, np.random.Generator):
+                leaf.bit_generator.state = kept
+            elif not isinstance(leaf, np.ndarray):
+                for k, part in enumerate(kept):
+                    leaf[k] = part
+            elif leaf.flags.writeable:
+                np.copyto(leaf, kept)
+
+
+PLAIN = frozenset({int, float, bool, str, type(None)})
+
+
+def _collect(values: tuple[Any, ...], leaves: list[Any]) -> None:
+    for value in tuple.__iter__(values):
+        kind = type(value)
+        if kind is np.ndarray or kind is np.random.Generator:
+            leaves.append(value)
+        elif isinstance(value, tuple):
+            _collect(value, leaves)
+        elif kind not in PLAIN and (isinstance(value, np.ndarray) or kind.__module__.startswith("numba.typed")):
+            leaves.append(value)
+
+
+def _noted(leaf: Any, old: Any) -> Any:
+    if isinstance(leaf, np.random.Generator):
+        return leaf.bit_generator.state
+    fits = isinstance(leaf, np.ndarray) and isinstance(old, np.ndarray) and old.shape == leaf.shape
+    if not (fits and old.dtype == leaf.dtype):
+        return leaf.copy()
+    np.copyto(old, leaf)
+    return old
 
 
 def difference(one: Any, other: Any, name: str, close: float = CLOSE) -> str | None:
@@ -114,17 +150,3 @@ def _same(one: np.ndarray[Any, Any], other: np.ndarray[Any, Any], close: float) 
             return bool(one.item() == other.item())
         return all(difference(a, b, "", close) is None for a, b in zip(one.flat, other.flat, strict=True))
     return bool(np.all(one == other))
-
-
-def alike(one: Any, other: Any) -> bool:
-    """Whether `restore` can make one value of the other: arrays of the same shapes and types in the same places."""
-    if isinstance(one, tuple):
-        if type(one) is not type(other) or tuple.__len__(one) != tuple.__len__(other):
-            return False
-        return all(alike(part, other_part) for part, other_part in _pairs(one, other))
-    if isinstance(one, np.ndarray):
-        same = isinstance(other, np.ndarray) and one.shape == other.shape and one.dtype == other.dtype
-        return same and one.flags.writeable == other.flags.writeable and not one.dtype.hasobject
-    if isinstance(one, np.random.Generator):
-        return isinstance(other, np.random.Generator) and type(one.bit_generator) is type(other.bit_generator)
-    return one is other or isinstance(one, bool | int | float | str | np.number | None)

@@ -15,7 +15,7 @@ from typing import Any
 
 from edugym.compiled.code import LIBRARIES, Code
 from edugym.compiled.compiler import CompilationError, NoCompiler, check_compiler, compiled, is_built, is_on_disk
-from edugym.compiled.copies import alike, copied, difference, restore
+from edugym.compiled.copies import Snapshot, copied, difference
 from edugym.compiled.subset import refusal
 
 Loop = Callable[..., Any]
@@ -75,12 +75,13 @@ def _machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, rehearsed:
         return compiled(loop, rehearsed, *arguments, code=code)
     rehearsed = min(rehearsed, REHEARSED)
     rehearsal, constants = copied(arguments), code.arrays()
-    before = copied(constants)
+    as_before, before = copied(constants), Snapshot()
+    before.take(constants)
     try:
         result = loop(rehearsed, *rehearsal)  # a mistake in it ends here, at its line
     finally:
-        changed = difference(constants, before, "an array", close=0.0)
-        restore(constants, before)
+        changed = difference(constants, as_before, "an array", close=0.0)
+        before.put_back()
     if changed:
         raise CompilationError("it changes an array that is not its own: pass it as a field")
     _announce(code)
@@ -106,7 +107,7 @@ def _guarded(fast: Loop, loop: Loop, code: Code, rehearsed: int) -> Loop:
     Where machine code fails, the call is played again by the interpreter from the same start, to stop at the very line,
     or to go on where Python does. Once code has changed, machine code of what it is now takes over.
     """
-    before: list[Any] = []  # room for copies of tables, kept from call to call
+    before = Snapshot()
     surprises = 0
 
     def run(*arguments: Any) -> Any:
@@ -116,11 +117,11 @@ def _guarded(fast: Loop, loop: Loop, code: Code, rehearsed: int) -> Loop:
             fast = executable(loop, arguments[1:], rehearsed=rehearsed)
         if fast is loop:
             return loop(*arguments)
-        then = _noted(before, arguments)
+        before.take(arguments)
         try:
             return fast(*arguments)
         except Exception as error:
-            restore(arguments, then)
+            before.put_back()
             result = loop(*arguments)  # where this is an error for Python as well, it is raised here
             surprises += 1
             if surprises == MOST_SURPRISES:
@@ -129,15 +130,6 @@ def _guarded(fast: Loop, loop: Loop, code: Code, rehearsed: int) -> Loop:
             return result
 
     return run
-
-
-def _noted(room: list[Any], arguments: tuple[Any, ...]) -> Any:
-    """A copy of the arguments, in the memory of the last one where they are of the same shapes."""
-    if room and alike(room[0], arguments):
-        restore(room[0], arguments)
-        return room[0]
-    room[:] = [copied(arguments)]
-    return room[0]
 
 
 def _announce(code: Code) -> None:
