@@ -140,7 +140,7 @@ def test_tasks_that_observe_something_else() -> None:
 
 def test_actions() -> None:
     """All combinations, the last number fastest; each does what it stands for."""
-    task: Any = DiscreteActions.create(Shows(), [2, 3])
+    task: Any = DiscreteActions.create(Shows(-10.0, 10.0), [2, 3])
     assert task.action_space == spaces.Discrete(6)
     assert task.actions.tolist() == [[-1, 0], [-1, 5], [-1, 10], [1, 0], [1, 5], [1, 10]]
     assert list(named_actions(task))[:2] == ["-1, 0", "-1, 5"]

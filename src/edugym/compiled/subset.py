@@ -100,7 +100,7 @@ def _of_values(value: Any, name: str, *, all_kinds: bool, owner: type | None) ->
             if found := _of_values(part, part_name, all_kinds=all_kinds, owner=kind if fields else owner):
                 return found
         return None
-    adapters = owner is not None and owner.__module__.startswith("edugym.adapters")
+    adapters = owner is not None and owner.__module__.startswith(("edugym.adapters", "edugym.compiled"))
     if isinstance(value, np.ndarray):
         if value.dtype.hasobject:
             return f"{name} is an array of objects"
@@ -140,7 +140,8 @@ def _of_class(kind: type) -> str | None:
             function = getattr(member, "__func__", member)
             special = name.startswith("__") and name.endswith("__") and name not in HARMLESS and callable(function)
             own = getattr(function, "__globals__", {}).get("__name__", "").startswith("namedtuple_")
-            if special and not (name == "__new__" and own):
+            ours = package(function) == "edugym"  # as what the decorator `wrapper` adds
+            if special and not ours and not (name == "__new__" and own):
                 return f"{base.__name__} defines {name}, which machine code would not call"
             if name in DRAWS_WITH_CHECKS:
                 return f"{base.__name__} has a member named {name}, as rng has"
