@@ -43,13 +43,13 @@ PARAMETERS = Parameters(
         {"stochasticity_level": 1e18, "observe_hits": True},
     ),
     bad=(
-        *refused("width", 1, 4, -7, *NO_WHOLE_NUMBER),
-        *refused("length", 6, 0, *NO_WHOLE_NUMBER),
+        *refused("width", 1, 4, -7, 1003, *NO_WHOLE_NUMBER),
+        *refused("length", 6, 0, 1002, 10**6, *NO_WHOLE_NUMBER),
         *refused("green_radius", 0, -1.0, 13.5, 100, nan, inf, "2", None, True),
         *refused("green_radius", 0.5, stochasticity_level=0),  # whole cells lie half a cell from the flag or more
-        *refused("max_hits", 0, *NO_WHOLE_NUMBER),
+        *refused("max_hits", 0, 10**6 + 1, *NO_WHOLE_NUMBER),
         *refused("max_hits", 1, stochasticity_level=0),
-        *refused("stochasticity_level", -0.1, nan, inf, "a", None, True),
+        *refused("stochasticity_level", -0.1, 1001, 1e308, nan, inf, "a", None, True),
         *refused("observe_hits", 1, "yes", None),
     ),
     finite=({"stochasticity_level": 0}, {"stochasticity_level": 0, "observe_hits": True, "max_hits": 4}),

@@ -319,8 +319,12 @@ def gymnasium_class(kind: Any, module: str) -> Any:
     return type(f"{kind.__name__}Env", (MDPEnv,), members)
 
 
-def environment_of(environment: Any) -> "MDPEnv[Any]":
-    """The environment that plays an MDP, given that, the MDP, or what `gymnasium.make` put around the environment.
+def environment_of(environment: Any, name: str = "environment") -> "MDPEnv[Any]":
+    """The environment that plays an MDP, given that, the MDP, or what `gymnasium.make` puts around the environment.
+
+    Args:
+        environment: one of these.
+        name: of the parameter that it was given for.
 
     Raises:
         ValueError: it is something else, or a wrapper changes what it does.
@@ -332,9 +336,10 @@ def environment_of(environment: Any) -> "MDPEnv[Any]":
         return inside
     if isinstance(inside, gymnasium.Wrapper) and isinstance(inside.unwrapped, MDPEnv):
         raise ValueError(
-            f"environment must have no wrapper that changes it, but has {type(inside).__name__}:"
-            " pass environment.unwrapped, and wrap the copies instead"
+            f"{name} must have no wrapper that changes it, but has {type(inside).__name__}: pass its `unwrapped`, and"
+            " wrap the copies instead"
         )
+    require_mdp(inside, name)
     return MDPEnv(inside)
 
 
