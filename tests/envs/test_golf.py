@@ -40,7 +40,7 @@ PARAMETERS = Parameters(
         {"width": 21, "length": 60, "max_hits": 100, "observe_hits": True},
         {"stochasticity_level": 0},
         {"stochasticity_level": 0.0, "max_hits": 3, "observe_hits": True},
-        {"stochasticity_level": 1e18, "observe_hits": True},
+        {"stochasticity_level": 1000.0, "observe_hits": True},
     ),
     bad=(
         *refused("width", 1, 4, -7, 1003, *NO_WHOLE_NUMBER),
