@@ -77,3 +77,5 @@ def in_short(value: Any) -> str:
 def _number(name: str, value: Any, allowed: str) -> None:
     if isinstance(value, bool | np.bool_) or not isinstance(value, int | float | np.integer | np.floating):
         raise ValueError(f"{name} must be a number, {allowed}, but is {in_short(value)}")
+    if isinstance(value, int) and abs(value) > sys.float_info.max:  # it could not be computed with
+        raise ValueError(f"{name} must be {allowed}, but is {in_short(value)}")

@@ -196,7 +196,7 @@ def test_wrong_parameters() -> None:
     assert isinstance(catch.unwrapped, MDPEnv)
     assert copies(catch, 2).num_envs == 2
     for wrong in (None, 3, Boulder):
-        with pytest.raises(ValueError, match="mdp must be"):
+        with pytest.raises(ValueError, match="environment must be"):
             copies(wrong)
     with pytest.raises(ValueError, match="must have no wrapper that changes it, but has TimeLimit"):
         copies(gymnasium.make("edugym/Catch-v0", max_episode_steps=3))

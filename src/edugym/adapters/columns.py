@@ -1,6 +1,6 @@
-"""Room for n states, a column for each number in one, and for what is seen of them, a row for each.
+"""Arrays for the states and the observations of n copies, which machine code reads and writes in place.
 
-Machine code reads and writes both in place.
+States have a column (an array of length n) for each number in a state; observations are the rows of one array.
 """
 
 from collections.abc import Callable
@@ -13,7 +13,7 @@ from edugym.mdp.protocol import MDP, Random
 
 
 class Storage(Protocol):
-    """Room for n values."""
+    """A place for each of n values."""
 
     def load(self, i: int) -> Any:
         """The i-th value."""
@@ -44,7 +44,7 @@ class WholeRows(NamedTuple):
 
 
 class RowsInPlace(NamedTuple):
-    """Rows for observations that are arrays, which the MDP itself writes in their place."""
+    """Rows for observations that are arrays, which the MDP itself writes into them."""
 
     rows: Any
 
@@ -54,7 +54,7 @@ class RowsInPlace(NamedTuple):
 
 
 class Listed(NamedTuple):
-    """Values of any shape, such as states that hold arrays, in something that is indexed as a list is.
+    """Values of any shape, such as states that hold arrays, in a list or an array of objects.
 
     Attributes:
         values: the list.
@@ -88,7 +88,10 @@ class Always(NamedTuple):
 
 
 def storage(states: list[Any], n: int) -> Storage:
-    """Room for `n` states, given some that occur; a number that is whole in some and not in others is not whole."""
+    """A place for each of `n` states, chosen by some states that occur.
+
+    A number that is whole in some of them and not in others is stored as a real number.
+    """
     if not all(map(_regular, states)) or len({_form(state, numbers=False) for state in states}) > 1:
         return loose([states[0]] * n)
     if not holds_arrays(states[0]):
@@ -98,9 +101,9 @@ def storage(states: list[Any], n: int) -> Storage:
 
 
 def columns(sample: Any, n: int) -> Storage:
-    """Room for `n` values like `sample`: a number, or a (nested) tuple of numbers.
+    """A place for each of `n` values like `sample`: a number, or a (nested) tuple of numbers.
 
-    The class is written for the sample, for example for a state (x, speed):
+    It writes a class for the sample. For a state (x, speed) that is:
 
         def load(self, i):
             return (self.columns[0][i], self.columns[1][i],)
@@ -111,8 +114,8 @@ def columns(sample: Any, n: int) -> Storage:
             self.columns[1][i] = value[1]
             return same(self.columns[0][i], value[0]) and same(self.columns[1][i], value[1])
 
-    A column has a type, and what does not fit (0.5 in a column of whole numbers) would be cut: `store` tells. Machine
-    code spends no time on this where the types of value and column are equal.
+    A value that does not fit the type of its column is cut (0.5 becomes 0 among whole numbers); then `store` returns
+    False. Where the types are equal the comparison takes no time in machine code.
     """
     arrays: list[np.ndarray[Any, Any]] = []
     kinds: dict[str, Any] = {"same": _same}
@@ -148,9 +151,9 @@ def columns(sample: Any, n: int) -> Storage:
 
 
 def observation_rows(mdp: MDP[Any, Any], sample: Any) -> Callable[[np.ndarray[Any, Any]], Rows]:
-    """What makes of an array the rows for observations of `mdp` like `sample`.
+    """The class of the rows for observations of `mdp` like `sample`; it is made from the array.
 
-    For tuples the class is written for the sample, for example for (x, speed):
+    For tuples it writes a class for the sample. For (x, speed) that is:
 
         def put(self, i, mdp, state, rng):
             value = mdp.observation(state, rng)
@@ -183,7 +186,7 @@ def observation_rows(mdp: MDP[Any, Any], sample: Any) -> Callable[[np.ndarray[An
 
 
 def copy_of(storage: Any) -> Any:
-    """The same values in other places, so that what is stored in the one does not show in the other."""
+    """The same values in arrays of their own."""
     if isinstance(storage, Listed):
         return _copied(storage, slice(None))
     return type(storage)(tuple(column.copy() for column in storage.columns))
@@ -206,7 +209,7 @@ def _copied(storage: Listed, part: slice) -> Listed:
 
 
 def as_sampled(value: Any, sample: Any) -> Any:
-    """A value as it was before it went into a column: with Python's numbers where the `sample` has them."""
+    """A value from a column, with Python's numbers where the `sample` has them."""
     if isinstance(sample, tuple):
         parts = [as_sampled(part, like) for part, like in zip(value, sample, strict=True)]
         return type(sample)(*parts) if hasattr(sample, "_fields") else tuple(parts)
@@ -216,7 +219,7 @@ def as_sampled(value: Any, sample: Any) -> Any:
 
 
 def listed(values: list[Any]) -> Listed:
-    """The values as they are, in a list that machine code can use where there is a compiler."""
+    """The values in a list that machine code can use, where there is a compiler."""
     try:
         from numba.typed import List
     except ImportError:
@@ -225,7 +228,7 @@ def listed(values: list[Any]) -> Listed:
 
 
 def _comparison(sample: Any) -> Any:
-    """What compares the numbers in a stored value like `sample`: those in a list of Numba's may have been cast."""
+    """A comparison of the numbers in a stored value and in the original, since Numba's lists cast them."""
     parts: list[str] = []
 
     def walk(value: Any, path: str) -> None:
@@ -243,7 +246,7 @@ def _comparison(sample: Any) -> Any:
 
 
 def loose(values: list[Any]) -> Listed:
-    """The values, and later others of whatever kind, which machine code cannot use."""
+    """The values in an array of objects, which takes values of any kind but cannot be used by machine code."""
     objects = np.empty(len(values), object)
     for i, value in enumerate(values):
         objects[i] = value
@@ -256,7 +259,7 @@ def holds_arrays(value: Any) -> bool:
 
 
 def _same(stored: Any, value: Any) -> Any:
-    """Whether a number has been stored as it is (NaN is no number, and equals itself here)."""
+    """Whether a number has been stored without loss; NaN equals itself here."""
     return stored == value or (stored != stored and value != value)
 
 
@@ -272,7 +275,7 @@ def _regular(value: Any) -> bool:
 
 
 def _form(value: Any, *, numbers: bool) -> Any:
-    """What values have in common that fit in one place: up to the types of their numbers, or these as well."""
+    """The form of a value: values that fit in one place have the same. With `numbers`, their types count too."""
     if isinstance(value, tuple):
         return type(value), tuple(_form(part, numbers=numbers) for part in value)
     if isinstance(value, np.ndarray):

@@ -80,7 +80,7 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
 
     @property
     def spec(self) -> EnvSpec | None:
-        """What Gymnasium knows of it: the id and the parameters, the step limit and the reward threshold."""
+        """The id, the parameters, the step limit and the reward threshold."""
         return self._spec
 
     @spec.setter
@@ -258,7 +258,7 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         return self._known_model
 
     def descriptive_model(self, state: Any, action: Any) -> "list[Outcome]":
-        """All that can happen: a list of (probability, next_state, reward, terminated), rewards in the mean.
+        """All outcomes of an action: a list of (probability, next_state, mean reward, terminated).
 
         Raises:
             ValueError: the task is not finite, or it has no such state or action.
@@ -266,7 +266,7 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         return self.finite_model.outcomes(state, self._checked(action))
 
     def generative_model(self, state: Any, action: Any) -> "Outcome":
-        """One thing that can happen, as (1.0, next_state, reward, terminated), drawn from a stream of the model's own.
+        """One outcome, (1.0, next_state, reward, terminated), drawn from the model's own random stream.
 
         Raises:
             ValueError: the task is not finite, or it has no such state or action.
@@ -291,7 +291,7 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         return checked_action(self.action_space, action)
 
     def __getstate__(self) -> dict[str, Any]:
-        """What is pickled and copied: everything but the window."""
+        """Everything but the window, to be pickled or copied."""
         return {**self.__dict__, "_window": None}
 
 
@@ -319,8 +319,12 @@ def gymnasium_class(kind: Any, module: str) -> Any:
     return type(f"{kind.__name__}Env", (MDPEnv,), members)
 
 
-def environment_of(environment: Any) -> "MDPEnv[Any]":
-    """The environment that plays an MDP, given that, the MDP, or what `gymnasium.make` put around the environment.
+def environment_of(environment: Any, name: str = "environment") -> "MDPEnv[Any]":
+    """The environment that plays an MDP, given that, the MDP, or what `gymnasium.make` puts around the environment.
+
+    Args:
+        environment: one of these.
+        name: of the parameter that it was given for.
 
     Raises:
         ValueError: it is something else, or a wrapper changes what it does.
@@ -332,14 +336,15 @@ def environment_of(environment: Any) -> "MDPEnv[Any]":
         return inside
     if isinstance(inside, gymnasium.Wrapper) and isinstance(inside.unwrapped, MDPEnv):
         raise ValueError(
-            f"environment must have no wrapper that changes it, but has {type(inside).__name__}:"
-            " pass environment.unwrapped, and wrap the copies instead"
+            f"{name} must have no wrapper that changes it, but has {type(inside).__name__}: pass its `unwrapped`, and"
+            " wrap the copies instead"
         )
+    require_mdp(inside, name)
     return MDPEnv(inside)
 
 
 def as_element_of(space: spaces.Space[Any]) -> Callable[[Any], Any]:
-    """What turns an observation of an MDP into an element of a Gymnasium space (an array of its own each time)."""
+    """A function that turns an observation of an MDP into an element of a Gymnasium space, a new array each time."""
     if isinstance(space, spaces.Tuple):
         parts = [as_element_of(part) for part in space.spaces]
         return lambda seen: tuple(part(one) for part, one in zip(parts, seen, strict=True))

@@ -3,6 +3,7 @@
 import copy
 import warnings
 from collections.abc import Callable
+from importlib.util import find_spec
 from types import CodeType
 from typing import Any
 
@@ -42,7 +43,7 @@ class Runner:
         self._watched: list[Watched] = []
         self._foreign = False
         self._interpreted = _is_loose(states)
-        if self._interpreted:
+        if self._interpreted and find_spec("numba"):
             warnings.warn(
                 f"{type(mdp).__name__} cannot be compiled and runs interpreted, some hundred times slower: its states"
                 " must be numbers, or tuples of numbers and arrays, always of the same types",
@@ -54,13 +55,10 @@ class Runner:
         """Whether the loops run as machine code."""
         return not self._interpreted
 
-    def state(self, i: int) -> Any:
-        """The i-th state."""
-        return self.as_state(self.states.load(i))
-
-    def as_state(self, stored: Any) -> Any:
-        """A state from what was stored of it."""
-        return stored if isinstance(self.states, Listed) else as_sampled(stored, self._sample)
+    def state(self, i: int, storage: Any = None) -> Any:
+        """The i-th state; of another storage, if one is given."""
+        storage = self.states if storage is None else storage
+        return storage.load(i) if isinstance(storage, Listed) else as_sampled(storage.load(i), self._sample)
 
     def run(
         self, loop: Loop, rng: np.random.Generator, batch: Batch, few: Callable[[int], Batch], *arguments: Any
@@ -83,6 +81,8 @@ class Runner:
         fast = loop if self._interpreted else self._code[loop]
         if self._interpreted or not self._foreign:
             done: int = fast(self._n, self._mdp, rng, *arguments, self.states, batch)
+            if done == STATE_LOST:
+                raise TypeError(f"states of {type(self._mdp).__name__} do not fit the storage that was made for them")
             return done
         kept = copy_of(self.states), rng.bit_generator.state, batch.steps.copy(), batch.over.copy()
         try:
@@ -124,13 +124,13 @@ class Runner:
             self._interpret()
 
     def _interpret(self) -> None:
-        """From here on keep the states as the MDP makes them, since nothing has to fit machine code."""
+        """Run interpreted from here on, with the states as the MDP makes them."""
         self._interpreted = True
         if not _is_loose(self.states):
             self.states = loose([self.state(i) for i in range(self._n)])
 
     def __getstate__(self) -> dict[str, Any]:
-        """What is pickled and copied: everything but the machine code."""
+        """Everything but the machine code, to be pickled or copied."""
         return {**self.__dict__, "_code": {}, "_watched": []}
 
 

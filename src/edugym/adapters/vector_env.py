@@ -57,7 +57,7 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
         max_episode_steps: int | None = None,
     ) -> None:
         """See the class."""
-        env = environment_of(env)
+        env = environment_of(env, "env")
         if not env.only_plays_its_mdp:
             raise ValueError(
                 f"env must do in a step what its MDP does and no more, but {env!r} does more: use Gymnasium's"
@@ -98,7 +98,7 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
 
     @property
     def spec(self) -> EnvSpec | None:
-        """What Gymnasium knows of it: the id and the parameters, the step limit and the reward threshold."""
+        """The id, the parameters, the step limit and the reward threshold."""
         return self._spec
 
     @spec.setter
@@ -200,7 +200,7 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
         env.last_state, env.actions = None, []
         if env.steps > 0:
             if self._last_states is not None and self._runner is not None:
-                env.last_state = self._runner.as_state(self._last_states.load(i))
+                env.last_state = self._runner.state(i, self._last_states)
             known = self._actions[-env.steps :]
             env.actions = [int(actions[i]) if self._n_actions else actions[i].copy() for actions in known]
         return env
@@ -214,7 +214,7 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
         self._env.close()
 
     def _remember(self, last_states: Any, actions: np.ndarray[Any, Any]) -> None:
-        """Keep of a step what the picture and the info of the MDP ask for."""
+        """Keep the states before a step and its actions, as far as the picture and the info of the MDP ask for them."""
         self._last_states = last_states
         if not {"actions", "last_action"} & self._asked:
             return
@@ -249,7 +249,7 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
         )
 
     def _made_runner(self) -> Runner:
-        """Find out, from some random steps, of what shape and types states and observations are."""
+        """Choose the storage for states and observations by what some random steps show."""
         states = check_mdp(self.mdp, TRIED)
         rng = np.random.default_rng(0)
         self._rows = observation_rows(self.mdp, copy.deepcopy(self.mdp).observation(states[-1], rng))

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
-from edugym.checks import above, between, whole_number
+from edugym.checks import above, between, in_short, whole_number
 from edugym.mdp.protocol import Random
 from edugym.rendering.icons import Mood, flag, smiley
 from edugym.rendering.palette import GRASS, GREEN, SAND, WATER, WHITE, blend
@@ -173,6 +173,7 @@ class Golf(NamedTuple):
             raise ValueError(f"width must be odd, so that the flag stands in the middle of a cell, but is {width!r}")
         length = whole_number("length", length, width, LONGEST)
         above("green_radius", green_radius, 0)
+        green_radius = float(green_radius)
         if green_radius >= length - width / 2:
             raise ValueError(
                 f"green_radius must be less than {length - width / 2}, so that the tee is not on the green, "
@@ -181,9 +182,9 @@ class Golf(NamedTuple):
         max_hits = whole_number("max_hits", max_hits, 1, MOST_HITS)
         between("stochasticity_level", stochasticity_level, 0, WORST)
         if not isinstance(observe_hits, bool):
-            raise ValueError(f"observe_hits must be True or False, but is {observe_hits!r}")
+            raise ValueError(f"observe_hits must be True or False, but is {in_short(observe_hits)}")
         kind = GolfWithHits if observe_hits else Golf
-        golf = kind(width, length, float(green_radius), max_hits, float(stochasticity_level))
+        golf = kind(width, length, green_radius, max_hits, float(stochasticity_level))
         if stochasticity_level == 0 and not _reachable(golf):
             raise ValueError(
                 f"green_radius must be larger or max_hits higher: without noise no {max_hits!r} hits end on a green "

@@ -28,26 +28,30 @@ SPACES = ("observation_space", "action_space")
 CHECKED_STEPS = 200
 
 
-def require_mdp(mdp: Any) -> None:
-    """Refuse what is no MDP: it needs five methods, two spaces, and no step limit but a whole number.
+def require_mdp(mdp: Any, name: str = "mdp") -> None:
+    """Refuse what is no MDP: it needs five methods and two spaces; its step limit, if any, must be a whole number.
+
+    Args:
+        mdp: the value.
+        name: of the parameter that it was given for.
 
     Raises:
         ValueError: something is missing, or is not as it must be.
     """
     if isinstance(mdp, type):
         made = f"{mdp.__name__}.create(...)" if hasattr(mdp, "create") else f"{mdp.__name__}(...)"
-        raise ValueError(f"mdp must be a value, but is the class {mdp.__name__}: make one with {made}")
+        raise ValueError(f"{name} must be a value, but is the class {mdp.__name__}: make one with {made}")
     if isinstance(mdp, str):
-        raise ValueError(f"mdp must be an MDP, but is the name {mdp!r}: use edugym.make_mdp({mdp!r})")
-    if isinstance(mdp, Env) or not any(_has(mdp, name) for name in METHODS):
+        raise ValueError(f"{name} must be an MDP, but is the name {mdp!r}: use edugym.make_mdp({mdp!r})")
+    if isinstance(mdp, Env) or not any(_has(mdp, method) for method in METHODS):
         raise ValueError(
-            f"mdp must be an MDP, a value with the methods {', '.join(METHODS)} and the properties"
+            f"{name} must be an MDP, a value with the methods {', '.join(METHODS)} and the properties"
             f" {' and '.join(SPACES)}, but is {mdp!r}"
         )
-    for name, parameters in METHODS.items():
-        _require_method(mdp, name, parameters)
-    for name in SPACES:
-        _require_space(mdp, name)
+    for method, parameters in METHODS.items():
+        _require_method(mdp, method, parameters)
+    for space in SPACES:
+        _require_space(mdp, space)
     actions = mdp.action_space
     if isinstance(actions, spaces.Discrete) and actions.start != 0:
         raise ValueError(f"action_space of {_name(mdp)} must number the actions from 0, but is {actions}")

@@ -17,7 +17,7 @@ MOST_ROWS = 2**62
 
 @wrapper
 class Tabular(NamedTuple):
-    """An MDP whose observation (i, j, ...) is shown as its index in a table of `sizes`, the last number fastest.
+    """An MDP that shows its observation (i, j, ...) as the index in a table of `sizes`, the last number fastest.
 
     Attributes:
         mdp: the task, which observes a tuple of whole numbers.
@@ -35,7 +35,7 @@ class Tabular(NamedTuple):
         return spaces.Discrete(math.prod(self.sizes.tolist()))
 
     def observation(self, state: Any, rng: Random) -> int:
-        """The row of the table that stands for what the task shows."""
+        """The row of the table for the observation of the task."""
         parts = self.mdp.observation(state, rng)
         row = 0
         for k in range(len(self.sizes)):

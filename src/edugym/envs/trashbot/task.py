@@ -266,7 +266,7 @@ class Trashbot(NamedTuple):
                 f"action_scale of {action_scale!r}, but is {max_steps!r}"
             )
         kind = Trashbot if n_bins is None else TrashbotInBins
-        return kind(container_width, action_scale, max_steps, n_bins or 0)
+        return kind(float(container_width), float(action_scale), max_steps, n_bins or 0)
 
     @property
     def reward_threshold(self) -> float:
