@@ -102,7 +102,7 @@ def test_pixels_are_their_own_bins() -> None:
         QLearning.create(grid)
     with pytest.raises(ValueError, match=r"of about 10\^362 bytes \(about 10\^361 by 3 numbers\)"):
         QLearning.create(image)
-    with pytest.raises(ValueError, match=r"about 10\^361 observations do not fit 62 bits: .*edugym.Hashed"):
+    with pytest.raises(ValueError, match=r"about 10\^361 observations do not fit 63 bits: .*edugym.Hashed"):
         Tabular.create(image)
 
 

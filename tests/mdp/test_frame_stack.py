@@ -102,19 +102,19 @@ def test_sizes_are_computed_not_built() -> None:
     assert stack_size(4, 3, n_actions=3) == 4**3 * 3**2
     assert stack_size(4, 10_000) == 4**10_000
     assert longest_stack(4) == 31
-    assert longest_stack(4, 3) == 17
+    assert longest_stack(4, 3) == 18
     assert longest_stack(1) is None
     with pytest.raises(ValueError, match=r"Q would be a table of 27 petabytes \(1,125,899,906,842,624 by 3 numbers\)"):
         QLearning.create(task)
 
 
 def test_the_longest_stack_that_fits() -> None:
-    """31 frames of four observations are 62 bits, and their rows are right; one more is refused."""
+    """31 frames of four observations take 62 bits, and their rows are right; one more is refused."""
     task: Any = FrameStack.create(Digits((3,) * 40, 4, 3), 31)
     assert rows(task, [0] * 39)[-1] == 4**31 - 1
     for k, actions, message in (
-        (32, False, "k must be at most 31 for 4 observations, since the rows .* do not fit 62 bits, but is 32"),
-        (18, True, "k must be at most 17 for 4 observations and 3 actions, .* but is 18"),
+        (32, False, "k must be at most 31 for 4 observations, since the rows .* do not fit 63 bits, but is 32"),
+        (19, True, "k must be at most 18 for 4 observations and 3 actions, .* but is 19"),
         (0, False, "k must be a whole number, 1 or more|k must be 1 or more"),
         (2.0, False, "k must be a whole number"),
     ):

@@ -120,9 +120,9 @@ def test_an_interrupted_lesson_reports_what_it_has() -> None:
 
 
 CHILD = f"""
-import json, os, signal, sys, warnings
+import json, os, signal, sys, threading, time, warnings
 import joblib
-from edugym import QLearning, repeat
+from edugym import LinearDecay, QLearning, ScheduledEpsilonGreedy, repeat
 
 signal.signal(signal.SIGINT, signal.default_int_handler)
 environment, backend, jobs, runs = sys.argv[1], sys.argv[2], int(sys.argv[3]), int(sys.argv[4])
@@ -145,20 +145,36 @@ class Announced:
             os.write(1, b"learning\\n")  # in one piece, whoever else writes
 
 
-def make(environment):
-    return QLearning.create(environment)
-
-
 def make_announced(environment):
-    return Announced(make(environment))
+    return Announced(QLearning.create(environment))
+
+
+made = []
+
+
+def make_counting(environment):
+    "An agent of machine code, which can announce nothing, but counts."
+    schedule = LinearDecay(0.1, 0.1, 1)
+    made.append(QLearning.create(environment, exploration=ScheduledEpsilonGreedy.create(schedule)))
+    return made[-1]
+
+
+def announce():
+    "Say so of each counting agent that has learned for some time."
+    for n in range(min(jobs, runs)):
+        while sum(agent.exploration.step[0] > 2 * every for agent in made) <= n:
+            time.sleep(0.05)
+        os.write(1, b"learning\\n")
 
 
 if __name__ == "__main__":
-    agents = {{"Q": make if environment == "Boulder" else make_announced}}
+    agents = {{"Q": make_counting if environment == "Boulder" else make_announced}}
     with joblib.parallel_config(backend=backend, n_jobs=jobs), warnings.catch_warnings(record=True) as warned:
         warnings.simplefilter("always")
         repeat(environment, agents, 100, max_steps=100, repetitions=4, jobs=None)  # every worker has worked
         os.write(1, b"ready\\n")
+        if environment == "Boulder":
+            threading.Thread(target=announce, daemon=True).start()
         results = repeat(environment, agents, {HOURS}, evaluate_every=every, max_steps=100, repetitions=runs, jobs=None)
     table = results.table
     steps = [int(steps) for steps in table.groupby("repetition")["step"].max()]
@@ -192,10 +208,7 @@ def test_ctrl_c_in_the_middle(tmp_path: Path, environment: str, backend: str, jo
         try:
             begun = min(jobs, runs)
             assert child.stdout.readline() == "ready\n"
-            if environment == "Boulder":  # machine code announces nothing
-                threading.Event().wait(10)
-            else:
-                assert {child.stdout.readline() for _ in range(begun)} == {"learning\n"}
+            assert {child.stdout.readline() for _ in range(begun)} == {"learning\n"}
             os.killpg(child.pid, signal.SIGINT)  # as a terminal does: to all its processes
             lines, _ = child.communicate(timeout=60)
         finally:

@@ -98,8 +98,8 @@ class FrameStack(NamedTuple):
             actions: whether to show the actions between them as well.
 
         Raises:
-            ValueError: the task observes something else, its actions are not 0, 1, ..., or there are more than 2^62
-                different stacks.
+            ValueError: the task observes something else, its actions are not 0, 1, ..., or there are 2^63 different
+                stacks or more.
         """
         k = whole_number("k", k, 1)
         mdp = tabular_mdp(mdp)
@@ -112,7 +112,7 @@ class FrameStack(NamedTuple):
         if most is not None and k > most:
             shown = f"{n} observations" if n_actions == 1 else f"{n} observations and {n_actions} actions"
             raise ValueError(
-                f"k must be at most {most} for {shown}, since the rows of a longer stack do not fit 62 bits, but is {k}"
+                f"k must be at most {most} for {shown}, since the rows of a longer stack do not fit 63 bits, but is {k}"
             )
         return cls(mdp, k, n, n_actions, stack_size(n, k - 1, n_actions) if k > 1 else 1)
 
@@ -127,7 +127,7 @@ def stack_size(n_observations: int, k: int, n_actions: int = 1) -> int:
 
 
 def longest_stack(n_observations: int, n_actions: int = 1) -> int | None:
-    """The largest k for which the rows of a stack fit 62 bits; None where every k does."""
+    """The largest k for which the rows of a stack fit 63 bits; None where every k does."""
     if n_observations * n_actions == 1:
         return None
     k = 0

@@ -11,7 +11,7 @@ from edugym.mdp.protocol import MDP, Integers, Random
 from edugym.mdp.wrapper import wrapper
 from edugym.memory import in_digits
 
-MOST_ROWS = 2**62
+MOST_ROWS = 2**63 - 1
 """The largest number of rows that machine code can count."""
 
 
@@ -47,8 +47,8 @@ class Tabular(NamedTuple):
         """The wrapper for an MDP that observes whole numbers.
 
         Raises:
-            ValueError: it observes something else, or numbers nested in one another, or has more than 2^62 different
-                observations.
+            ValueError: it observes something else, or numbers nested in one another, or has 2^63 different
+                observations or more.
         """
         space = mdp.observation_space
         sizes = table_sizes(space)
@@ -57,7 +57,7 @@ class Tabular(NamedTuple):
             raise ValueError(f"observation_space of an MDP must be flat for a table, but is {space}")
         if math.prod(sizes) > MOST_ROWS:
             raise ValueError(
-                f"the rows of a table over {in_digits(math.prod(sizes))} observations do not fit 62 bits: give rows"
+                f"the rows of a table over {in_digits(math.prod(sizes))} observations do not fit 63 bits: give rows"
                 " only to those that occur (edugym.Hashed)"
             )
         return cls(mdp, np.array(sizes), np.array(table_lows(space)))
