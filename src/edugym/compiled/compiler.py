@@ -267,7 +267,7 @@ def _teach_numba(numba: Any) -> None:
     def part(function: FunctionType) -> Any:
         """The type of a method or helper, compiled with the options of the build in progress."""
         if function not in _parts:
-            _parts[function] = numba.njit(**_options)(function)
+            _parts[function] = numba.njit(forceinline=True, **_options)(function)  # tuples are passed by value
         return types.Dispatcher(_parts[function])
 
     def call(context: Any, builder: Any, function: FunctionType, kinds: Any, values: Any) -> Any:
