@@ -4,10 +4,13 @@ from edugym.adapters.gymnasium_env import MDPEnv as MDPEnv
 from edugym.adapters.tabular_observation import TabularObservation as TabularObservation
 from edugym.adapters.vector_env import MDPVectorEnv as MDPVectorEnv
 from edugym.agents.count_based import CountBased as CountBased
+from edugym.agents.dyna_q import DynaQ as DynaQ
 from edugym.agents.expected_sarsa import ExpectedSARSA as ExpectedSARSA
 from edugym.agents.go_explore import GoExplore as GoExplore
 from edugym.agents.n_step_sarsa import NStepSARSA as NStepSARSA
+from edugym.agents.prioritised_sweeping import PrioritisedSweeping as PrioritisedSweeping
 from edugym.agents.q_learning import QLearning as QLearning
+from edugym.agents.r_max import RMax as RMax
 from edugym.agents.sarsa import SARSA as SARSA
 from edugym.agents.saving import load as load
 from edugym.agents.saving import save as save
