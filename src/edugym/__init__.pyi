@@ -3,11 +3,18 @@
 from edugym.adapters.gymnasium_env import MDPEnv as MDPEnv
 from edugym.adapters.tabular_observation import TabularObservation as TabularObservation
 from edugym.adapters.vector_env import MDPVectorEnv as MDPVectorEnv
+from edugym.agents.actor_critic import ActorCritic as ActorCritic
 from edugym.agents.count_based import CountBased as CountBased
+from edugym.agents.dqn import DQN as DQN
+from edugym.agents.features import Identity as Identity
+from edugym.agents.gaussian_actor_critic import GaussianActorCritic as GaussianActorCritic
 from edugym.agents.go_explore import GoExplore as GoExplore
+from edugym.agents.linear_q_learning import LinearQLearning as LinearQLearning
 from edugym.agents.q_learning import QLearning as QLearning
+from edugym.agents.reinforce import REINFORCE as REINFORCE
 from edugym.agents.saving import load as load
 from edugym.agents.saving import save as save
+from edugym.agents.semi_gradient_sarsa import SemiGradientSARSA as SemiGradientSARSA
 from edugym.agents.strategies import UCB as UCB
 from edugym.agents.strategies import EpsilonGreedy as EpsilonGreedy
 from edugym.agents.strategies import ExponentialDecay as ExponentialDecay
@@ -16,6 +23,7 @@ from edugym.agents.strategies import LinearDecay as LinearDecay
 from edugym.agents.strategies import ScheduledEpsilonGreedy as ScheduledEpsilonGreedy
 from edugym.agents.strategies import Softmax as Softmax
 from edugym.agents.tables import table_size as table_size
+from edugym.agents.tile_coding import TileCoding as TileCoding
 from edugym.exact.finite_horizon import finite_horizon as finite_horizon
 from edugym.exact.model import finite_model as finite_model
 from edugym.exact.policies import policy_of as policy_of
