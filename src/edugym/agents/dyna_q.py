@@ -8,7 +8,7 @@ from edugym.agents.settings import ActionValues, Discount, LearningRate, Range, 
 from edugym.agents.strategies import EpsilonGreedy, Exploration
 from edugym.agents.tables import best_value, greedy_action, one_step_target, random_action
 from edugym.agents.tabular_model import TabularModel, empty_model, given_model
-from edugym.exact.model import FiniteModel
+from edugym.exact.tables import FiniteModel
 from edugym.mdp.protocol import Random
 
 

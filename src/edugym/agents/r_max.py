@@ -8,7 +8,7 @@ from edugym.agents.planning import Planning, budget
 from edugym.agents.settings import Counter, Discount, Range, Table, new, shows_settings
 from edugym.agents.tables import greedy_action, table_size
 from edugym.agents.tabular_model import TabularModel, empty_model, given_model
-from edugym.exact.model import FiniteModel
+from edugym.exact.tables import FiniteModel
 from edugym.mdp.protocol import Integers, Random, Reals
 
 MOST = 1e300

@@ -91,12 +91,7 @@ def table_size(environment: Any) -> tuple[int, int]:
         ValueError: it is no environment, its observations are not whole numbers, or its actions are not 0, 1, ...
     """
     if isinstance(environment, tuple) and not hasattr(environment, "_fields"):
-        if len(environment) != 2 or not all(isinstance(size, int) and size >= 1 for size in environment):
-            raise ValueError(
-                "environment must be an environment or the shape (n_states, n_actions) of a table, two whole numbers of"
-                f" 1 or more, but is {environment!r}"
-            )
-        return environment
+        return check_shape(environment, "(n_states, n_actions)")
     if not hasattr(environment, "action_space"):
         raise ValueError(f"environment must be an MDP, a Gymnasium environment or a shape, but is {environment!r}")
     actions = environment.action_space
@@ -104,3 +99,21 @@ def table_size(environment: Any) -> tuple[int, int]:
         raise ValueError(f"a table needs the actions 0, 1, ..., but the action space is {actions}")
     n_states: int = math.prod(table_sizes(environment.observation_space))
     return n_states, int(actions.n)
+
+
+def check_shape(shape: tuple[Any, ...], name: str) -> tuple[int, int]:
+    """Refuse a shape that is not two whole numbers of 1 or more.
+
+    Args:
+        shape: what was given in place of an environment.
+        name: what the two numbers are.
+
+    Raises:
+        ValueError: it is something else.
+    """
+    if len(shape) != 2 or not all(isinstance(size, int) and size >= 1 for size in shape):
+        raise ValueError(
+            f"environment must be an environment or the shape {name} of a table, two whole numbers of 1 or more, but is"
+            f" {shape!r}"
+        )
+    return shape

@@ -9,7 +9,7 @@ from edugym.adapters.tabular_observation import tabular
 from edugym.agents.settings import Counter, Table, new
 from edugym.agents.tables import best_value, one_step_target, random_action, table_size
 from edugym.checks import whole_number
-from edugym.exact.model import FiniteModel
+from edugym.exact.tables import FiniteModel
 from edugym.mdp.protocol import Integers, Random, Reals
 
 

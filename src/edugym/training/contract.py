@@ -19,6 +19,10 @@ class GreedyActor(NamedTuple):
         """The agent's greedy action."""
         return self.agent.greedy(state, rng)
 
+    def act_into(self, state: Any, rng: Any, action: Any) -> None:
+        """Write the same into an array."""
+        self.agent.greedy_into(state, rng, action)
+
 
 def is_on_policy(agent: Any) -> bool:
     """Whether `learn` takes `next_action`, as that of SARSA does: then the next action is chosen before learning."""
@@ -54,6 +58,8 @@ def learner(agent: Any) -> Any:
 
         def act(self, state, rng):
             return self.agent.act(state, rng)
+        def act_into(self, state, rng, action):  # for agents that have it
+            self.agent.act_into(state, rng, action)
         def learn(self, state, action, reward, next_state, terminated, truncated):
             self.agent.learn(state=state, action=action, reward=reward, terminated=terminated)
 
@@ -66,6 +72,8 @@ def learner(agent: Any) -> Any:
         "    agent: object",
         "    def act(self, state, rng):",
         "        return self.agent.act(state, rng)",
+        "    def act_into(self, state, rng, action):",
+        "        self.agent.act_into(state, rng, action)",
         f"    def learn(self, {', '.join(told)}):",
         f"        self.agent.learn({', '.join(f'{name}={name}' for name in taken)})",
     ]
