@@ -26,11 +26,13 @@ from typing import Any
 import numpy as np
 
 from edugym.compiled.code import NAMEDTUPLE_OWN, Code
+from edugym.interrupts import interruptibly
 
 Function = Callable[..., Any]
 
 _built: dict[tuple[Any, ...], Any] = {}
 _lock = threading.RLock()
+_loaded: list[Any] = []  # Numba, once it knows NamedTuple methods
 # Of the build in progress, of which there is one at a time: Numba's options, the plain functions that may be compiled
 # along, and those that were so far.
 _options: dict[str, bool] = {}
@@ -133,15 +135,21 @@ def _folders(code: Code) -> tuple[Path, Path]:
 def _made(numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) -> Any:
     """The build, made when it is first asked for; what cannot be built is not tried again."""
     key = (loop, code.fingerprint, *code.classes, signature)
+    if key not in _built:
+        interruptibly(_make, key, numba, loop, signature, code)
+    if isinstance(_built[key], CompilationError):
+        raise CompilationError(str(_built[key]))
+    return _built[key]
+
+
+def _make(key: tuple[Any, ...], numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) -> None:
+    """Build it, unless another thread just did; one build at a time."""
     with _lock:
         if key not in _built:
             try:
                 _built[key] = _build(numba, loop, signature, code)
             except Exception as error:
                 _built[key] = CompilationError(_reason(error, code))
-    if isinstance(_built[key], CompilationError):
-        raise CompilationError(str(_built[key]))
-    return _built[key]
 
 
 def _build(numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) -> Any:
@@ -239,14 +247,22 @@ def _reason(error: Exception, code: Code) -> str:
 @cache
 def _numba() -> Any:
     """Numba, with its knowledge of NamedTuple methods; imported when it is first needed."""
-    try:
-        numba = importlib.import_module("numba")
-    except ImportError as error:
-        raise NoCompiler("Numba is not installed") from error
-    if numba.config.DISABLE_JIT:
-        raise NoCompiler("Numba is switched off by NUMBA_DISABLE_JIT")
-    _teach_numba(numba)
-    return numba
+    return interruptibly(_load_numba)
+
+
+def _load_numba() -> Any:
+    with _lock:
+        if _loaded:  # by a thread that nobody waited for any more
+            return _loaded[0]
+        try:
+            numba = importlib.import_module("numba")
+        except ImportError as error:
+            raise NoCompiler("Numba is not installed") from error
+        if numba.config.DISABLE_JIT:
+            raise NoCompiler("Numba is switched off by NUMBA_DISABLE_JIT")
+        _teach_numba(numba)
+        _loaded.append(numba)
+        return numba
 
 
 def _member(kind: Any, name: str) -> Any:
