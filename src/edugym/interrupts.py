@@ -28,7 +28,7 @@ from typing import Any, ParamSpec, TypeVar
 P = ParamSpec("P")
 T = TypeVar("T")
 
-PATIENCE = 0.12
+PATIENCE = 0.1
 """The seconds in which runs may stop by themselves and return what is done, after the order to stop."""
 
 AGAIN = 0.01
@@ -50,6 +50,10 @@ class Interrupted(KeyboardInterrupt):
     def _render_traceback_(self) -> list[str]:
         """Return what a notebook shows in place of a traceback."""
         return [f"Interrupted: {self}"]
+
+
+class Stopped(KeyboardInterrupt):
+    """The order to stop came while `interruptibly` waited."""
 
 
 class Stop:
@@ -93,6 +97,7 @@ class Work:
         """Take an event that also ends the work when it is set, or None."""
         self.ordered = False
         self._stop = stop
+        self._around: Work | None = getattr(_current, "work", None)
         self._held = False
         self._handlers: dict[int, Callable[[int, Any], Any]] = {}
         self._pending: list[tuple[int, Any]] = []
@@ -102,6 +107,7 @@ class Work:
 
     def __enter__(self) -> "Work":
         """Take the place of every signal handler that is a Python function."""
+        _current.work = self
         if threading.current_thread() is threading.main_thread():
             _start_watch()
             self._held = True  # until all are in place
@@ -118,6 +124,7 @@ class Work:
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, traceback: Any) -> None:
         """Put the handlers back, and call those that still wait."""
+        _current.work = self._around
         self._held = True
         for number, handler in self._handlers.items():
             signal.signal(number, handler)
@@ -195,6 +202,7 @@ class Work:
             _thread.interrupt_main()
 
 
+_current = threading.local()  # its `work` is the innermost one of a thread
 _presses: "queue.SimpleQueue[tuple[float, Callable[[], None]]]" = queue.SimpleQueue()
 _watch: threading.Thread | None = None
 
@@ -215,9 +223,12 @@ def _press() -> None:
 
 
 def interruptibly(function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
-    """Call a function in a thread, and wait for it such that a signal handler can end the waiting at any moment.
+    """Call a function in a thread, and wait for it such that a signal handler or an order to stop ends the waiting.
 
     The function itself goes on in its thread to its end, which the process waits for before it ends.
+
+    Raises:
+        Stopped: the work of this thread was ordered to stop.
     """
     done = threading.Event()
     returned: list[T] = []
@@ -232,8 +243,10 @@ def interruptibly(function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -
             done.set()
 
     threading.Thread(target=work, name=f"edugym-{getattr(function, '__name__', 'work')}").start()
-    while not done.wait(0.05):  # on Windows waiting cannot be interrupted, so it is never for long
-        pass
+    current: Work | None = getattr(_current, "work", None)
+    while not done.wait(0.02):  # on Windows waiting cannot be interrupted, so it is never for long
+        if current is not None and current.stopped():
+            raise Stopped
     if raised:
         raise raised.pop()
     return returned.pop()

@@ -133,7 +133,7 @@ def repeat(
     training = {"n_steps": n_steps, **curve}
     stopped_before, experiment, runs = stop.is_set(), None, Runs()
     try:
-        with Work(stop) as work:
+        with Work() as work:
             for library in ("joblib", "pandas"):  # an import that is cut off would leave half of a library
                 interruptibly(importlib.import_module, library)
             experiment = _experiment(task(environment, parameters), makers, plan, arguments)
@@ -141,13 +141,13 @@ def repeat(
             if not stop.is_set():
                 runs |= store.found(plan)
             _do_all(experiment, training, runs, store, jobs, progress, stop, work)
+            if work.ordered:
+                raise KeyboardInterrupt
             results = _collected(experiment, runs)
             if save_to is not None and results.complete:
                 results.save(save_to)
                 if checkpoints is None:
                     store.remove()
-            if work.ordered:
-                raise KeyboardInterrupt
     except KeyboardInterrupt:
         partial = _collected(experiment, runs) if experiment else None
         kept = "; the same call goes on from there" if save_to or checkpoints else ""

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from edugym.checks import whole_number
-from edugym.interrupts import Interrupted, Work
+from edugym.interrupts import Interrupted, Stopped, Work
 from edugym.mdp.protocol import Integers, Reals
 from edugym.training.progress import progress_bar
 from edugym.training.trainers import Trainer, trainer
@@ -98,6 +98,8 @@ def train(
                 if done % every == 0 or done == n_steps:
                     curve.measure(done, training, evaluation_episodes, work.stopped)
                 bar.update(steps)
+    except Stopped:
+        pass
     except KeyboardInterrupt:
         interrupted = True
     run = Run(*curve.columns(), agent, seed, time.perf_counter() - began, complete=curve.last == n_steps)
