@@ -22,6 +22,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import cached_property
 from pathlib import Path
 from typing import Any, ParamSpec, TypeVar
 
@@ -36,16 +37,17 @@ AGAIN = 0.01
 
 
 class Interrupted(KeyboardInterrupt):
-    """Ctrl-C, or the stop button of a notebook, ended the work; the message says how much is done.
+    """Ctrl-C, or the stop button of a notebook, ended the work; the message says how much is done."""
 
-    Attributes:
-        partial: what is done: a `Run` with `complete=False`, or `Results`.
-    """
-
-    def __init__(self, message: str, partial: Any) -> None:
-        """Keep the message, and what is done."""
+    def __init__(self, message: str, collect: Callable[[], Any]) -> None:
+        """Keep the message, and a function that collects what is done."""
         super().__init__(message)
-        self.partial = partial
+        self._collect = collect
+
+    @cached_property
+    def partial(self) -> Any:
+        """What is done: a `Run` with `complete=False`, or `Results` without the runs that had not begun."""
+        return self._collect()
 
     def _render_traceback_(self) -> list[str]:
         """Return what a notebook shows in place of a traceback."""

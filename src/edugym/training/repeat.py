@@ -8,7 +8,7 @@ import threading
 import warnings
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from edugym.checks import whole_number
 from edugym.extras import require
@@ -20,9 +20,6 @@ from edugym.training.configuration import Planned, Task, described, planned_runs
 from edugym.training.fingerprints import versions
 from edugym.training.progress import progress_bar
 from edugym.training.train import Run, check_stop, train
-
-if TYPE_CHECKING:
-    import pandas
 
 MOST_JOBS = 1_000
 """The most runs at a time: each is a thread or a process."""
@@ -37,13 +34,13 @@ class Experiment(NamedTuple):
         task: the task of each repetition.
         makers: by label, functions that make the agent of a run for an environment.
         plan: the runs, in order.
-        configuration: one row for each method: task, agent, arguments of the experiment, versions.
+        configuration: by label, what the results say about a method: task, agent, arguments, versions.
     """
 
     task: Task
     makers: dict[str, Maker]
     plan: list[Planned]
-    configuration: "pandas.DataFrame"
+    configuration: dict[str, dict[str, Any]]
 
 
 Runs = dict[Planned, Run]
@@ -125,19 +122,20 @@ def repeat(
     makers = {label: _maker(label, agent) for label, agent in agents.items()}
     if not makers:
         raise ValueError("agents must have one method or more, but is empty")
+    the_task = task(environment, parameters)
     if save_to is not None:
         save_to = check_writable(save_to)
     curve = {"max_steps": max_steps, "evaluate_every": evaluate_every, "evaluation_episodes": evaluation_episodes}
     plan = planned_runs(list(makers), repetitions, seed)
     arguments = {"n_steps": n_steps, "repetitions": repetitions, "runs": len(plan), "experiment_seed": seed, **curve}
     training = {"n_steps": n_steps, **curve}
-    stopped_before, experiment, runs = stop.is_set(), None, Runs()
+    experiment = Experiment(the_task, makers, plan, _configuration(the_task, makers, plan[0], arguments))
+    stopped_before, runs = stop.is_set(), Runs()
     try:
         with Work() as work:
             for library in ("joblib", "pandas"):  # an import that is cut off would leave half of a library
                 interruptibly(importlib.import_module, library)
-            experiment = _experiment(task(environment, parameters), makers, plan, arguments)
-            store = _checkpoints(checkpoints, save_to, experiment.task, agents, training)
+            store = _checkpoints(checkpoints, save_to, the_task, agents, training)
             if not stop.is_set():
                 runs |= store.found(plan)
             _do_all(experiment, training, runs, store, jobs, progress, stop, work)
@@ -149,9 +147,8 @@ def repeat(
                 if checkpoints is None:
                     store.remove()
     except KeyboardInterrupt:
-        partial = _collected(experiment, runs) if experiment else None
         kept = "; the same call goes on from there" if save_to or checkpoints else ""
-        raise Interrupted(_so_far(plan, runs) + kept, partial) from None
+        raise Interrupted(_so_far(plan, runs) + kept, lambda: _collected(experiment, runs)) from None
     if not results.complete and not stopped_before:
         warnings.warn(f"stopped: {_so_far(plan, runs)}", stacklevel=2)
     return results
@@ -173,16 +170,14 @@ def _maker(label: str, agent: Any) -> Maker:
     return lambda environment: copy.deepcopy(agent(environment))
 
 
-def _experiment(task: Task, makers: dict[str, Maker], plan: list[Planned], arguments: dict[str, Any]) -> Experiment:
-    """Return the experiment with its configuration: task, agents, arguments, versions."""
-    import pandas
-
-    done = {**task.settings, **arguments, "versions": versions()}
-    environment = task.make(plan[0].repetition.layout_seed)
-    rows = {label: {**done, **described(maker(environment), "agent")} for label, maker in makers.items()}
-    table = pandas.DataFrame.from_dict(rows, orient="index")
-    configuration = table.drop(columns="layout_seed", errors="ignore").dropna(axis="columns", how="all")
-    return Experiment(task, makers, plan, configuration)
+def _configuration(
+    task: Task, makers: dict[str, Maker], first: Planned, arguments: dict[str, Any]
+) -> dict[str, dict[str, Any]]:
+    """Return what the results say about each method: task, agent, arguments, versions."""
+    settings = {**task.settings, **arguments, "versions": versions()}
+    settings.pop("layout_seed", None)  # each row has its own
+    environment = task.make(first.repetition.layout_seed)
+    return {label: settings | described(maker(environment), "agent") for label, maker in makers.items()}
 
 
 def _checkpoints(
@@ -286,5 +281,8 @@ def _collected(experiment: Experiment, runs: Runs) -> Results:
         }
         for column, values in columns.items():
             parts[column] += values if isinstance(values, list) else [values] * len(run.steps)
-    table = pandas.DataFrame(parts, columns=list(MEASURED))
-    return Results(with_types(table.join(experiment.configuration, on="method")), agents)
+    configuration = pandas.DataFrame.from_dict(experiment.configuration, orient="index").dropna(
+        axis="columns", how="all"
+    )
+    table = pandas.DataFrame(parts, columns=list(MEASURED)).join(configuration, on="method")
+    return Results(with_types(table), agents)

@@ -104,7 +104,7 @@ def train(
         interrupted = True
     run = Run(*curve.columns(), agent, seed, time.perf_counter() - began, complete=curve.last == n_steps)
     if interrupted:
-        raise Interrupted(f"after {done} of {n_steps} steps; the agent keeps what it has learned", run)
+        raise Interrupted(f"after {done} of {n_steps} steps; the agent keeps what it has learned", lambda: run)
     return run
 
 
