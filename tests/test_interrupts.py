@@ -1,36 +1,52 @@
-"""Ctrl-C: what it leaves of a run, and how it waits while machine code runs."""
+"""Ctrl-C and other signals: what they leave of a run, and how they wait while machine code runs."""
 
+import contextlib
 import os
+import re
 import signal
 import subprocess
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
-from edugym.training.interrupts import interrupts
+from edugym.interrupts import Interrupted, Stopped, Work, interruptibly
 
 SCRIPT = """
-import os, signal, sys, threading, warnings
+import os, signal, sys, threading
 import gymnasium
 from edugym import QLearning, train
-from edugym.training import train as training
+from edugym.interrupts import Interrupted
+from edugym.training import trainers
+
+class Timeout(Exception):
+    pass
+
+def expire(number, frame):
+    raise Timeout
 
 how, env_id = sys.argv[1:]
+signal.signal(signal.SIGINT, signal.default_int_handler)
 environment = gymnasium.make(env_id)
 agent = QLearning.create(environment, initial_value=1.0)
-stop = threading.Event() if how == "compiled, may stop" else None
 if how == "interpreted":
-    training.executable = lambda loop, *arguments, **options: loop
+    trainers.executable = lambda loop, *arguments, **options: loop
 train(environment, agent, 6_000)  # what has to be compiled is compiled
-threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
-with warnings.catch_warnings(record=True) as caught:
-    warnings.simplefilter("always")
-    run = train(environment, agent, 10**13, evaluate_every=20_000, stop=stop)
-print([str(warning.message) for warning in caught])
-print(run.complete, len(run.steps) == len(run.returns) == len(run.episodes), run.steps[0], run.agent.Q is agent.Q)
+number = signal.SIGINT
+if how == "alarm":
+    number = signal.SIGALRM
+    signal.signal(number, expire)
+threading.Timer(0.5, lambda: os.kill(os.getpid(), number)).start()
+try:
+    train(environment, agent, 10**13, evaluate_every=20_000, stop=threading.Event())
+except Interrupted as interrupted:
+    run = interrupted.partial
+    print(interrupted)
+    print(run.complete, len(run.steps) == len(run.returns) == len(run.episodes), run.steps[0], run.agent.Q is agent.Q)
+except Timeout:
+    print("timeout")
 print((agent.Q != 1.0).any())
 """
 
@@ -41,13 +57,13 @@ print((agent.Q != 1.0).any())
         ("compiled", "edugym/Boulder-v0"),
         ("compiled", "edugym/Golf-v0"),
         ("compiled", "edugym/MemoryCorridor-v0"),
-        ("compiled, may stop", "edugym/Boulder-v0"),
+        ("alarm", "edugym/Golf-v0"),
         ("interpreted", "edugym/Boulder-v0"),
         ("gymnasium", "FrozenLake-v1"),
     ],
 )
-def test_ctrl_c_returns_what_is_done(how: str, env_id: str, tmp_path: Path) -> None:
-    """The run so far, marked as incomplete, with a warning that says so; the interpreter goes on.
+def test_a_signal_ends_a_run(how: str, env_id: str, tmp_path: Path) -> None:
+    """What is done is kept, and the interpreter goes on; a handler of another signal raises its own error.
 
     States that are numbers, NamedTuples, and hold arrays: the latter two crash where the signal is not waited for.
     """
@@ -57,13 +73,12 @@ def test_ctrl_c_returns_what_is_done(how: str, env_id: str, tmp_path: Path) -> N
         [sys.executable, script, how, env_id], capture_output=True, text=True, timeout=120, check=False
     )
     assert done.stderr == ""
-    warned, partial, learned = done.stdout.splitlines()
-    if how == "compiled, may stop":  # whoever can stop it knows that it may not be complete
-        assert warned == "[]"
+    *said, learned = done.stdout.splitlines()
+    if how == "alarm":
+        assert said == ["timeout"]
     else:
-        assert warned.startswith("['interrupted after ")
-        assert warned.endswith(" of 10000000000000 steps: this is what was done']")
-    assert partial == "False True 0 True"
+        assert re.fullmatch(r"after \d+ of 10000000000000 steps; the agent keeps what it has learned", said[0])
+        assert said[1] == "False True 0 True"
     assert learned == "True"
 
 
@@ -81,37 +96,105 @@ def ctrl_c() -> None:
     os.kill(os.getpid(), signal.SIGINT)
 
 
-def test_it_waits_until_it_may_come(came: list[int]) -> None:
+def test_it_waits_while_machine_code_runs(came: list[int]) -> None:
     """Twice pressed, it comes twice; afterwards all is as before."""
     handler = signal.getsignal(signal.SIGINT)
-    with interrupts(deferred=True) as let_come:
-        let_come()
+    with Work() as work:
+        work.hold(machine_code=True)
+        assert not work.stopped()
         ctrl_c()
         ctrl_c()
         assert came == []
-        let_come()
+        work.stopped()
         assert came == [signal.SIGINT] * 2
     assert signal.getsignal(signal.SIGINT) is handler
     assert came == [signal.SIGINT] * 2
 
 
 def test_it_comes_at_the_end_at_the_latest(came: list[int]) -> None:
-    """It is not lost."""
-    with interrupts(deferred=True):
-        ctrl_c()
-        assert came == []
+    """It is not lost, even if the work fails."""
+
+    def fail() -> None:
+        with Work() as work:
+            work.hold(machine_code=True)
+            ctrl_c()
+            raise OSError("on the way")
+
+    with pytest.raises(OSError, match="on the way"):
+        fail()
     assert came == [signal.SIGINT]
 
 
-def test_it_comes_at_once_where_nothing_is_to_wait(came: list[int]) -> None:
-    """As without all this; an error on the way leaves things as they were, too."""
-    handler = signal.getsignal(signal.SIGINT)
-    with interrupts(deferred=False):
+def test_it_comes_at_once_in_python(came: list[int]) -> None:
+    """As without a work."""
+    with Work() as work:
+        work.hold(machine_code=False)
         ctrl_c()
         assert came == [signal.SIGINT]
-    with pytest.raises(OSError, match="on the way"), interrupts(deferred=True):
-        raise OSError("on the way")
-    assert signal.getsignal(signal.SIGINT) is handler
+
+
+class Careless:
+    """What presses Ctrl-C where Python ignores errors."""
+
+    def __del__(self) -> None:
+        """At its end."""
+        ctrl_c()
+
+
+def ignored_by_python(work: Work) -> None:
+    """An error in `__del__`."""
+    Careless()
+    threading.Event().wait(10)
+
+
+def ignored_by_a_student(work: Work) -> None:
+    """An `except` that is too wide."""
+    with contextlib.suppress(BaseException):
+        ctrl_c()
+    work.stopped()
+    raise AssertionError
+
+
+def ignored_at_the_end(work: Work) -> None:
+    """The same, just before the work ends."""
+    with contextlib.suppress(BaseException):
+        ctrl_c()
+
+
+@pytest.mark.parametrize("ignored", [ignored_by_python, ignored_by_a_student, ignored_at_the_end])
+@pytest.mark.usefixtures("interrupting")
+def test_what_is_swallowed_is_raised_again(ignored: Callable[[Work], None]) -> None:
+    """No Ctrl-C is lost."""
+
+    def work() -> None:
+        with Work() as work:
+            ignored(work)
+
+    with pytest.raises(KeyboardInterrupt):
+        work()
+
+
+@pytest.fixture
+def interrupting() -> None:
+    """Ctrl-C interrupts, also where the tests run in the background, which ignores it."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+@pytest.mark.usefixtures("interrupting")
+def test_an_order_first_and_then_an_interrupt() -> None:
+    """What does not follow the order is interrupted without a second Ctrl-C."""
+    ordered: list[bool] = []
+
+    def work(seconds: float) -> Work:
+        with Work() as work, work.ordering(lambda: ordered.append(True)):
+            ctrl_c()
+            threading.Event().wait(seconds)
+        return work
+
+    assert work(0).ordered
+    assert ordered == [True]
+    with pytest.raises(KeyboardInterrupt):
+        work(10)
 
 
 def test_other_threads_have_nothing_to_do_with_it(came: list[int]) -> None:
@@ -119,11 +202,45 @@ def test_other_threads_have_nothing_to_do_with_it(came: list[int]) -> None:
     seen = []
 
     def work() -> None:
-        with interrupts(deferred=True) as let_come:
-            let_come()
+        with Work() as work:
+            work.stopped()
             seen.append(signal.getsignal(signal.SIGINT))
 
     thread = threading.Thread(target=work)
     thread.start()
     thread.join()
     assert seen == [signal.getsignal(signal.SIGINT)]
+
+
+@pytest.mark.usefixtures("interrupting")
+def test_what_cannot_be_interrupted_is_waited_for_interruptibly() -> None:
+    """Results and errors come through, and Ctrl-C or an order to stop ends the waiting."""
+    assert interruptibly(divmod, 7, 2) == (3, 1)
+    with pytest.raises(ZeroDivisionError):
+        interruptibly(divmod, 7, 0)
+    go_on, stop = threading.Event(), threading.Event()
+
+    def work() -> None:
+        with Work(stop):
+            interruptibly(go_on.wait)
+
+    timer = threading.Timer(0.05, ctrl_c)
+    timer.start()
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            work()
+        stop.set()
+        with pytest.raises(Stopped):
+            work()
+    finally:
+        go_on.set()
+        timer.join()
+
+
+def test_a_notebook_shows_one_line() -> None:
+    """In place of a traceback; what is done is collected when somebody asks."""
+    collected: list[int] = []
+    interrupted = Interrupted("after 3 of 7 steps", lambda: collected.append(1) or 5)
+    assert interrupted._render_traceback_() == ["Interrupted: after 3 of 7 steps"]
+    assert not collected
+    assert (interrupted.partial, interrupted.partial, collected) == (5, 5, [1])

@@ -12,20 +12,21 @@ from typing import Any
 
 import pytest
 
-from edugym import QLearning, Results, repeat
+from edugym import QLearning, repeat
+from edugym.interrupts import Interrupted
 from edugym.lessons import exploration
 
 HOURS = 10**13  # training steps that no machine takes while a test waits
 
 
 def stopping(after: int, stop: Callable[[], None]) -> Callable[[Any], QLearning]:
-    """A function that makes agents, and calls `stop` when it makes the agent of run `after` (0: while compiling)."""
+    """A function that makes agents, and calls `stop` when it makes that of run `after`, where the first is 1."""
     made = -1  # the first is described in the results
 
     def make(environment: Any) -> QLearning:
         nonlocal made
         made += 1
-        if made == after + 1:
+        if made == after:
             stop()
         return QLearning.create(environment)
 
@@ -44,10 +45,12 @@ def _ctrl_c_interrupts() -> None:
 
 
 def test_what_is_done_comes_back(tmp_path: Path) -> None:
-    """Two runs are complete, the third is in part, the fourth has not begun; and all of that is saved."""
+    """Two runs are complete, the third is in part, the fourth has not begun; and the same call goes on from there."""
     path = tmp_path / "results.csv"
-    with pytest.warns(UserWarning, match="interrupted: of 4 runs 2 are complete, and 1 are in part"):
-        results = repeat("Boulder", {"Q": stopping(3, interrupt)}, 200, repetitions=4, jobs=1, save_to=path)
+    said = "of 4 runs 2 are complete, and 1 are in part; the same call goes on from there"
+    with pytest.raises(Interrupted, match=said) as raised:
+        repeat("Boulder", {"Q": stopping(3, interrupt)}, 200, repetitions=4, jobs=1, save_to=path)
+    results = raised.value.partial
     complete = results.table.groupby("repetition")["complete"].first()
     assert complete.to_dict() == {0: True, 1: True, 2: False}
     assert results.table.query("repetition == 2")["step"].tolist() == [0]
@@ -55,7 +58,7 @@ def test_what_is_done_comes_back(tmp_path: Path) -> None:
     assert sorted(results.complete_agents("Q")) == [0, 1]
     assert not results.complete
     assert results.share("Q", at_least=0).n == 2
-    assert not Results.load(path).complete
+    assert not path.exists()
 
 
 def test_ctrl_c_is_as_before_afterwards() -> None:
@@ -66,22 +69,34 @@ def test_ctrl_c_is_as_before_afterwards() -> None:
         interrupt()
 
 
-def test_a_second_ctrl_c_insists() -> None:
-    """Where a run does not listen, the second one interrupts it as always."""
+def test_a_run_that_does_not_listen_is_left() -> None:
+    """The order to stop does not reach it; the interrupt that follows does."""
 
-    def twice() -> None:
+    def stuck() -> None:
         interrupt()
-        interrupt()
+        threading.Event().wait(60)
 
-    with pytest.raises(KeyboardInterrupt):
-        repeat("Boulder", {"Q": stopping(1, twice)}, 200, repetitions=2, jobs=1)
+    with pytest.raises(Interrupted, match="of 2 runs 0 are complete"):
+        repeat("Boulder", {"Q": stopping(1, stuck)}, 200, repetitions=2, jobs=1)
+    go_on = threading.Event()
+
+    def stuck_in_a_thread() -> None:
+        signal.raise_signal(signal.SIGINT)
+        go_on.wait(60)
+
+    try:
+        with pytest.raises(Interrupted, match="of 4 runs 0 are complete"):
+            repeat("Boulder", {"Q": stopping(1, stuck_in_a_thread)}, 200, repetitions=4, jobs=2)
+    finally:
+        go_on.set()
 
 
 def test_before_the_first_step(tmp_path: Path) -> None:
-    """While the methods are compiled nothing is done yet, and that comes back: results without a row, and no file."""
+    """Nothing is done yet, and that comes back: results without a row, and no file."""
     path = tmp_path / "results.csv"
-    with pytest.warns(UserWarning, match="interrupted: of 3 runs 0 are complete, and 0 are in part"):
-        results = repeat("Boulder", {"Q": stopping(0, interrupt)}, 200, repetitions=3, jobs=1, save_to=path)
+    with pytest.raises(Interrupted, match="of 3 runs 0 are complete, and 1 are in part") as raised:
+        repeat("Boulder", {"Q": stopping(1, interrupt)}, 200, repetitions=3, jobs=1, save_to=path)
+    results = raised.value.partial
     assert not path.exists()
     assert results.methods == ["Q"]
     assert not results.complete
@@ -93,7 +108,7 @@ def test_before_the_first_step(tmp_path: Path) -> None:
 def test_an_event_stops_too() -> None:
     """From another thread, such as that of a button; and what comes after it is left out without a warning."""
     stop = threading.Event()
-    with pytest.warns(UserWarning, match="interrupted: of 3 runs 1 are complete"):
+    with pytest.warns(UserWarning, match="stopped: of 3 runs 1 are complete"):
         repeat("Boulder", {"Q": stopping(2, stop.set)}, 200, repetitions=3, jobs=1, stop=stop)
     assert stop.is_set()
     assert repeat("Boulder", {"Q": QLearning.create}, 200, repetitions=3, stop=stop).table.empty
@@ -123,6 +138,7 @@ CHILD = f"""
 import json, os, signal, sys, warnings
 import joblib
 from edugym import QLearning, repeat
+from edugym.interrupts import Interrupted
 
 signal.signal(signal.SIGINT, signal.default_int_handler)
 environment, backend, jobs, runs = sys.argv[1], sys.argv[2], int(sys.argv[3]), int(sys.argv[4])
@@ -159,11 +175,15 @@ if __name__ == "__main__":
         warnings.simplefilter("always")
         repeat(environment, agents, 100, max_steps=100, repetitions=4, jobs=None)  # every worker has worked
         os.write(1, b"ready\\n")
-        results = repeat(environment, agents, {HOURS}, evaluate_every=every, max_steps=100, repetitions=runs, jobs=None)
+        try:
+            repeat(environment, agents, {HOURS}, evaluate_every=every, max_steps=100, repetitions=runs, jobs=None)
+        except Interrupted as interrupted:
+            results = interrupted.partial
+            said = str(interrupted)
     table = results.table
     steps = [int(steps) for steps in table.groupby("repetition")["step"].max()]
     done = int(table["complete"].sum())
-    print(json.dumps({{"warned": [str(w.message) for w in warned], "steps": steps, "done": done}}))
+    print(json.dumps({{"said": said, "warned": [str(w.message) for w in warned], "steps": steps, "done": done}}))
 """
 
 
@@ -201,7 +221,8 @@ def test_ctrl_c_in_the_middle(tmp_path: Path, environment: str, backend: str, jo
         finally:
             child.kill()
     found = json.loads(lines.splitlines()[-1])
-    assert found["warned"] == [f"interrupted: of {runs} runs 0 are complete, and {begun} are in part"]
+    assert found["warned"] == []
+    assert found["said"] == f"of {runs} runs 0 are complete, and {begun} are in part"
     assert len(found["steps"]) == begun
     assert all(0 < steps < HOURS for steps in found["steps"])
     assert found["done"] == 0

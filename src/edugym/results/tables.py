@@ -207,17 +207,13 @@ class Results:
             io.BytesIO(contents), converters=exact, dtype={"method": str}, keep_default_na=False, na_values=[""]
         )
         if _beside(path).exists():
-            about = json.loads(_beside(path).read_bytes())
-            if about["sha256"] != hashlib.sha256(contents).hexdigest():
-                raise ValueError(f"{_beside(path)} belongs to other results than {path}: one of them was changed alone")
+            about = _read_about(path, contents)
             shared = {}
             for key in ("all", "method", "repetition"):
                 groups = table[key].map(str) if key in table else [""] * len(table)
                 for column in next(iter(about[key].values()), {}):
                     shared[column] = [about[key][group][column] for group in groups]
-            table = pandas.concat([table, pandas.DataFrame(shared, index=table.index)], axis="columns")[
-                about["columns"]
-            ]
+            table = pandas.concat([table, pandas.DataFrame(shared, index=table.index)], axis="columns")[about["columns"]]
         missing = [column for column in MEASURED if column not in table]
         if missing:
             raise ValueError(f"{path} is not a table of results: it has no column {missing[0]!r}")
@@ -227,6 +223,18 @@ class Results:
 def _beside(path: str | os.PathLike[str]) -> Path:
     """Return the path of the JSON file that belongs to a CSV file."""
     return Path(f"{os.fspath(path)}.json")
+
+
+def _read_about(path: str | os.PathLike[str], contents: bytes) -> dict[str, Any]:
+    """Read the JSON file beside a CSV file with these contents."""
+    try:
+        about: dict[str, Any] = json.loads(_beside(path).read_bytes())
+        belongs = about["sha256"] == hashlib.sha256(contents).hexdigest()
+    except (ValueError, TypeError, KeyError):
+        raise ValueError(f"{_beside(path)} is not the file that `save` wrote beside {path}") from None
+    if not belongs:
+        raise ValueError(f"{_beside(path)} belongs to other results than {path}: one of them was changed alone")
+    return about
 
 
 def _csv(table: "pandas.DataFrame") -> bytes:

@@ -14,6 +14,7 @@ from edugym.training.train import Run
 
 CHECKPOINTS = "checkpoints"
 """The name of the folder for finished runs in the folder of a lesson's results."""
+SUFFIX = ".run"
 DIGEST = 32  # bytes
 
 
@@ -64,12 +65,14 @@ class Checkpoints:
         write_whole(path, hashlib.sha256(contents).digest() + contents)
 
     def remove(self) -> None:
-        """Remove the runs of this experiment, and the folder unless there are others in it."""
-        for path in self._used:
-            path.unlink(missing_ok=True)
-        if self._folder is not None:
-            with contextlib.suppress(OSError):
-                self._folder.rmdir()
+        """Remove the runs of this experiment and files that were never finished, and the folder once it is empty."""
+        if self._folder is None or not self._folder.exists():
+            return
+        for path in self._folder.iterdir():
+            if path in self._used or path.suffix != SUFFIX:
+                path.unlink()
+        with contextlib.suppress(OSError):  # there are runs of others
+            self._folder.rmdir()
 
     def _load(self, planned: Planned) -> Run | None:
         path = self._path(planned)
@@ -90,7 +93,7 @@ class Checkpoints:
         if self._folder is None or name is None:
             return None
         _, seed, layout_seed = planned.repetition
-        path = self._folder / f"{hashlib.sha256(f'{name} {seed} {layout_seed}'.encode()).hexdigest()[:32]}.run"
+        path = self._folder / f"{hashlib.sha256(f'{name} {seed} {layout_seed}'.encode()).hexdigest()[:32]}{SUFFIX}"
         self._used.add(path)
         return path
 
