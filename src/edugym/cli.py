@@ -1,9 +1,10 @@
 """The command `edugym`."""
 
 import ast
+import importlib
 import os
+import shutil
 import sys
-import threading
 import warnings
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -13,9 +14,12 @@ from gymnasium.error import DependencyNotInstalled
 from edugym.experiments import lesson_names, load_experiments
 from edugym.extras import require
 from edugym.files import check_writable, write_whole
+from edugym.interrupts import Work, interruptibly
 from edugym.plotting.report import Report
 from edugym.registration import in_course_order, parameters_of
 from edugym.results.claims import Claim
+from edugym.training.checkpoints import CHECKPOINTS
+from edugym.training.repeat import MOST_JOBS
 
 try:
     require("experiments", "typer")
@@ -30,8 +34,8 @@ from rich.table import Column, Table
 INTERRUPTED = 130
 """The exit status of a command that Ctrl-C ended, as shells expect it."""
 
-MOST_JOBS = 1_000
-"""The most runs at a time: each is a thread or a process."""
+CLAIMS = "claims.csv"
+"""The file with the claims of a lesson."""
 
 app = typer.Typer(no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False)
 
@@ -135,8 +139,9 @@ def reproduce(
 ) -> None:
     """Run the experiments behind the paper's figures again, and report which claims hold.
 
-    Figures (PNG, SVG) and data (CSV) are written to OUTPUT/LESSON. The exit status is 0 when every claim holds, 1 when
-    a claim does not hold, 2 when the command is wrong, and 130 after Ctrl-C, which keeps the data so far.
+    Figures (PNG, SVG) and data (CSV) are written to OUTPUT/LESSON when everything is complete. Until then all that is
+    done is kept in OUTPUT/LESSON.unfinished: whatever ends the command, the same command goes on from there. The exit
+    status is 0 when every claim holds, 1 when a claim does not hold, 2 when the command is wrong, and 130 after Ctrl-C.
     """
     names = lesson_names()
     if lesson is not None and lesson not in names:
@@ -146,43 +151,62 @@ def reproduce(
     chosen = names if lesson is None else [lesson]
     for name in chosen:
         try:
-            check_writable(output / name / "claims.csv")
+            check_writable(output / name / CLAIMS)
         except OSError as error:
             raise typer.BadParameter(str(error), param_hint="--output") from error
     how: dict[str, Any] = {"seed": seed, "jobs": jobs, "progress": sys.stderr.isatty()}
     how |= {} if repetitions is None else {"repetitions": repetitions}
-    all_hold = True
     try:
-        for name in chosen:
-            all_hold &= _reproduce(name, output / name, how)
+        with Work() as work:
+            hold = [_reproduce(name, output / name, how, work) for name in chosen]
     except KeyboardInterrupt:
-        typer.echo(f"edugym: interrupted; the data so far is in {output}", err=True)
+        typer.echo(f"edugym: interrupted; what is done is kept in {output}, and the same command goes on", err=True)
         raise typer.Exit(INTERRUPTED) from None
-    raise typer.Exit(0 if all_hold else 1)
+    raise typer.Exit(0 if all(hold) else 1)
 
 
-def _reproduce(lesson: str, folder: Path, how: dict[str, Any]) -> bool:
+def _reproduce(lesson: str, folder: Path, how: dict[str, Any], work: Work) -> bool:
     """Run the experiments of one lesson, and return whether all claims hold.
 
-    Raises:
-        KeyboardInterrupt: after Ctrl-C; the data so far is saved, and no figure is drawn.
-    """
-    from edugym.plotting import save_figure
+    Everything is written into a folder beside `folder`, and moved there when it is complete: an unfinished rerun leaves
+    complete results as they are. The claims come last: where they are, everything else is.
 
-    stop = threading.Event()
+    Raises:
+        KeyboardInterrupt: Ctrl-C was pressed.
+    """
+    unfinished = folder.with_name(f"{folder.name}.unfinished")
+    _remove(unfinished, keep=CHECKPOINTS)
+    experiments = interruptibly(load_experiments, lesson)
     with warnings.catch_warnings(record=True) as warned:
         warnings.simplefilter("always")
-        report = load_experiments(lesson).report(**how, stop=stop, folder=folder)
+        report = experiments.report(**how, folder=unfinished)
     for warning in warned:
         typer.echo(f"edugym: {warning.message}", err=True)
-    if stop.is_set():
-        raise KeyboardInterrupt
+    plotting = interruptibly(importlib.import_module, "edugym.plotting")
     for figure in report.figures:
-        save_figure(figure.draw(), folder / figure.name)
-    _write_claims(report, folder / "claims.csv")
+        work.stopped()
+        plotting.save_figure(figure.draw(), unfinished / figure.name)
+    _write_claims(report, unfinished / CLAIMS)
+    work.stopped()
+    (folder / CLAIMS).unlink(missing_ok=True)
+    for path in sorted(unfinished.iterdir(), key=lambda path: (path.name == CLAIMS, path.name)):
+        if path.name != CHECKPOINTS:
+            write_whole(folder / path.name, path.read_bytes())
+    shutil.rmtree(unfinished)
     _print_claims(lesson, report.claims)
     typer.echo(f"Figures and data are in {folder}.")
     return all(claim.holds for claim in report.claims)
+
+
+def _remove(folder: Path, keep: str) -> None:
+    """Remove what an unfinished command has left, except one folder."""
+    for path in folder.iterdir() if folder.exists() else ():
+        if path.name == keep:
+            continue
+        if path.is_dir() and not path.is_symlink():
+            shutil.rmtree(path)
+        else:
+            path.unlink()
 
 
 def _write_claims(report: Report, path: Path) -> None:
@@ -218,6 +242,10 @@ def main() -> None:
         finally:
             if sys.stdout is not None:
                 sys.stdout.flush()  # here, where an error can still be reported
+    except SystemExit as end:
+        if end.code == INTERRUPTED:
+            os._exit(INTERRUPTED)  # at once: the compiler may still be busy in a thread, which Python would wait for
+        raise
     except DependencyNotInstalled as missing:
         raise SystemExit(f"edugym: {missing}") from None
     except OSError as error:

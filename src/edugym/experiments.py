@@ -4,8 +4,8 @@ A lesson with experiments has a module `edugym/lessons/<name>.py` with one funct
 
     report(*, repetitions=..., seed=0, jobs=-1, progress=False, stop=None, folder=None) -> Report
 
-It runs the experiments, saves their results in the folder one by one, and returns the claims and figures. Modules are
-found by their place; there is no list of them.
+It runs the experiments, saves their results in the folder one by one, and returns the claims and figures. Ctrl-C ends
+all of it with a `KeyboardInterrupt`. Modules are found by their place; there is no list of them.
 """
 
 import importlib
@@ -43,7 +43,8 @@ class Experiments(Protocol):
             progress: whether to show progress, as there.
             stop: an event that ends all experiments when it is set, as there. Claims without data are then reported as
                 not measured.
-            folder: the folder for the results, which are saved as soon as they are complete.
+            folder: the folder for the results, which are saved as soon as they are complete. Finished runs are kept in
+                a folder `checkpoints` in it: the same call goes on from there.
         """
 
 

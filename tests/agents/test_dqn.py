@@ -75,7 +75,7 @@ def test_forward_by_hand() -> None:
     """
     agent = small((2, 2), hidden=2)
     agent.weights.first[:] = [[1, -1], [0, -1], [1, 0]]
-    agent.weights.second[:] = [[3, -1], [9, 9], [0.5, -0.5]]
+    agent.weights.second[:] = np.array([[3, -1], [9, 9], [0.5, -0.5]])
     forward(agent.weights, np.array([1.0, 2.0]), agent.h, agent.Q)
     assert agent.h.tolist() == [2, 0]
     assert agent.Q.tolist() == [[6.5, -2.5]]
@@ -170,7 +170,8 @@ def test_inputs_are_scaled_by_the_bounds_of_the_observation_space() -> None:
 @pytest.mark.parametrize("setting", ["hidden", "memory_size", "batch_size", "learn_every", "learn_from", "copy_every"])
 def test_sizes_and_times_out_of_range_are_refused(setting: str) -> None:
     """They are whole numbers of 1 or more."""
-    for value in (0, 2.5, "8"):
+    values: tuple[Any, ...] = (0, 2.5, "8")
+    for value in values:
         with pytest.raises(ValueError, match=f"{setting} must be (a whole number, )?1 or more, but is {value!r}"):
             DQN.create((4, 2), **{setting: value})
 
@@ -192,7 +193,7 @@ def test_it_learns_catch_from_the_grid() -> None:
 def test_it_learns_cart_pole() -> None:
     """To 400 of 500 in 50 000 steps, in an environment of Gymnasium's."""
     env = gymnasium.make("CartPole-v1", disable_env_checker=True)
-    settings = {"learn_every": 1, "copy_every": 500, "exploration": EpsilonGreedy(0.05)}
+    settings: dict[str, Any] = {"learn_every": 1, "copy_every": 500, "exploration": EpsilonGreedy(0.05)}
     runs = [
         train(env, DQN.create(env, **settings), 50_000, seed=seed, evaluate_every=5_000, evaluation_episodes=5)
         for seed in range(2)

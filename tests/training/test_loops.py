@@ -1,5 +1,6 @@
 """The loops of training: the textbook's, in chunks, compiled or not, for the package's agents and students' own."""
 
+import math
 from typing import Any
 
 import numpy as np
@@ -33,8 +34,8 @@ def test_many_small_chunks_are_one_call(chunk: int, monkeypatch: pytest.MonkeyPa
     """Where the loop is cut does not show, compiled or not."""
     mdp, tables = SlipperyWalk(), []
     for size in (100_000, chunk):
-        monkeypatch.setattr(trainers, "CHUNK", size)
-        monkeypatch.setattr(trainers, "INTERPRETED_CHUNK", size)
+        monkeypatch.setattr(trainers, "FIRST_STEPS", size)
+        monkeypatch.setattr(trainers, "CALL_SECONDS", math.nan)  # no call is too long or too short
         agents: list[Any] = [QLearning.create(mdp), StudentsSarsa(np.zeros((7, 2)))]
         for n_steps in (500, 6_000):
             runs = [train(mdp, agent, n_steps, evaluate_every=n_steps, seed=5) for agent in agents]

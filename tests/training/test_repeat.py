@@ -13,8 +13,10 @@ import pytest
 from gymnasium.error import DependencyNotInstalled
 
 from edugym import CountBased, EpsilonGreedy, GoExplore, QLearning, Results, make_mdp, repeat, train
+from edugym.envs.boulder import Boulder
 from edugym.extras import require
-from edugym.mdp.protocol import Reals
+from edugym.mdp.protocol import Random, Reals
+from edugym.results.tables import MEASURED
 from edugym.training.configuration import described
 
 AGENTS: dict[str, Any] = {
@@ -25,8 +27,10 @@ AGENTS: dict[str, Any] = {
 
 def small(n_steps: int = 2_000, **changes: Any) -> Results:
     """Two methods, three times each, on a low wall."""
-    arguments: dict[str, Any] = {"repetitions": 3, "parameters": {"height": 5}, "jobs": 1} | changes
-    return repeat("Boulder", AGENTS, n_steps, **arguments)
+    arguments: dict[str, Any] = {"environment": "Boulder", "agents": AGENTS, "repetitions": 3, "jobs": 1} | changes
+    if arguments["environment"] == "Boulder":
+        arguments.setdefault("parameters", {"height": 5})
+    return repeat(n_steps=n_steps, **arguments)
 
 
 def runs(results: Results) -> pd.DataFrame:
@@ -160,7 +164,10 @@ def test_any_gymnasium_environment() -> None:
         ({"n_steps": 0}, "n_steps must be 1 or more, but is 0"),
         ({"repetitions": 0}, "repetitions must be 1 or more, but is 0"),
         ({"seed": -1}, "seed must be 0 or more, but is -1"),
-        ({"jobs": 0}, "jobs must be 1 or more, but is 0"),
+        ({"jobs": 0}, "jobs must be from 1 to 1000, but is 0"),
+        ({"jobs": 10**8}, "jobs must be from 1 to 1000, but is 100000000"),
+        ({"stop": "x"}, r"stop must be a threading.Event or None, but is 'x'"),
+        ({"environment": Boulder}, "environment must be an environment or a function that makes one"),
         ({"evaluate_every": 0}, "evaluate_every must be 1 or more, but is 0"),
     ],
 )
@@ -175,6 +182,88 @@ def test_wrong_arguments_are_named(changes: dict[str, Any], message: str) -> Non
     } | changes
     with pytest.raises(ValueError, match=message):
         repeat(**arguments)
+
+
+class Fading(NamedTuple):
+    """A schedule that keeps its state in an array: the more often it is asked, the less it explores."""
+
+    asked: Reals
+
+    def action(self, Q: Reals, state: int, rng: Random) -> int:
+        """Explore ever less."""
+        self.asked[0] += 1
+        if rng.random() < 1 / self.asked[0]:
+            return int(rng.random() * Q.shape[1])
+        return int(Q[state].argmax())
+
+
+class Fader(NamedTuple):
+    """An agent with such a schedule."""
+
+    Q: Reals
+    schedule: Fading
+
+    def act(self, state: int, rng: Random) -> int:
+        """As the schedule says."""
+        return self.schedule.action(self.Q, state, rng)
+
+    def learn(self, state: int, action: int, reward: float, next_state: int) -> None:
+        """Learn a little."""
+        self.Q[state, action] += 0.1 * (reward - self.Q[state, action])
+
+
+def test_runs_share_nothing() -> None:
+    """A schedule inside a partial or a closure is that of one run, so results do not depend on `jobs`."""
+
+    def run(jobs: int) -> list[pd.DataFrame]:
+        schedule = Fading(np.zeros(1))
+        agents = {
+            "partial": partial(lambda task, schedule: Fader(np.zeros((6, 2)), schedule), schedule=schedule),
+            "closure": lambda task: Fader(np.zeros((6, 2)), schedule),
+        }
+        results = small(300, jobs=jobs, agents=agents)
+        assert schedule.asked[0] == 0
+        assert all(agent.schedule.asked[0] >= 300 for runs in results.agents.values() for agent in runs.values())
+        return [results.curves(method, "training_return") for method in agents]
+
+    for alone, parallel in zip(run(1), run(4), strict=True):
+        pd.testing.assert_frame_equal(alone, parallel)
+    first, second = run(1)
+    pd.testing.assert_frame_equal(first, second)
+
+
+def test_a_function_of_the_layout_seed() -> None:
+    """It gives what the name gives; the settings are those that all layouts share."""
+    made = small(environment=lambda layout_seed: Boulder.create(height=5, layout_seed=layout_seed))
+    named = small()
+    pd.testing.assert_frame_equal(made.table[list(MEASURED)], named.table[list(MEASURED)])
+    assert set(made.table["environment.height"]) == {5}
+    assert "environment.grips" not in made.table
+
+
+def test_an_error_ends_all_runs_at_its_line() -> None:
+    """The last frame is the student's, and joblib's are not shown."""
+
+    def broken(environment: Any) -> QLearning:
+        raise ZeroDivisionError("mine")
+
+    with pytest.raises(ZeroDivisionError, match="mine") as raised:
+        repeat("Boulder", {"Q": QLearning.create, "broken": MakesOnce(broken)}, 100, jobs=2)
+    assert raised.traceback[-1].name == "broken"
+    assert not any("joblib" in str(entry.path) for entry in raised.traceback)
+
+
+class MakesOnce:
+    """A function that is asked once for a description, and fails after that."""
+
+    def __init__(self, then: Any) -> None:
+        """What follows."""
+        self.then, self.asked = then, 0
+
+    def __call__(self, environment: Any) -> Any:
+        """Make an agent, or not."""
+        self.asked += 1
+        return QLearning.create(environment) if self.asked == 1 else self.then(environment)
 
 
 def test_an_unwritable_file_is_refused_before_the_work(tmp_path: Path) -> None:
@@ -208,7 +297,7 @@ def test_saved_and_loaded_is_the_same(tmp_path: Path) -> None:
     assert row["experiment_seed"] == 0
     assert f"numpy {np.__version__}" in row["versions"]
     assert pd.isna(row["agent.bonus"])  # a setting of another method
-    assert [file.name for file in path.parent.iterdir()] == ["results.csv"]
+    assert sorted(file.name for file in path.parent.iterdir()) == ["results.csv", "results.csv.json"]
 
 
 def test_other_tables_are_not_results(tmp_path: Path) -> None:

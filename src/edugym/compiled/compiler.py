@@ -26,6 +26,7 @@ from edugym.compiled.bridge import building, teach
 from edugym.compiled.code import Code
 from edugym.compiled.disk import SEAL, cache_directory, is_whole, new_folder, publish, remove, seal
 from edugym.compiled.subset import place
+from edugym.interrupts import interruptibly
 
 Function = Callable[..., Any]
 
@@ -153,31 +154,45 @@ def _processor() -> str:
 
 
 def _made(numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) -> Any:
-    """The build, made when it is first asked for; what cannot be built is not tried again.
+    """The build, made when it is first needed; a build that has failed is not tried again.
 
     Run the cell of a class again unchanged, and there is nothing to build: the same code has the same fingerprint, and
-    machine code that gives back no value of the class does for both. Of changed classes only the latest are kept: what
-    a build takes, 2 MB, would add up.
+    machine code that returns no value of the class serves both.
     """
-    classes = tuple(code.classes)
-    with _lock:
-        for key, made in _built.items():
-            same = key.loop is loop and key.fingerprint == code.fingerprint and _alike(key.signature, signature)
-            if same and (key.classes == classes or isinstance(made, CompilationError) or not _gives_classes(made)):
-                break
-        else:
-            key = _Key(loop, code.fingerprint, signature, classes)
-            try:
-                made = _build(numba, loop, signature, code)
-            except Exception as error:
-                made = CompilationError(_reason(error, code))
-            _built[key] = made
-            older = [other for other in _built if other.loop is loop and _alike(other.signature, signature)][:-KEPT]
-            for other in older:
-                del _built[other]
+    if _found(loop, signature, code) is None:
+        interruptibly(_make, numba, loop, signature, code)
+    made = _found(loop, signature, code)
     if isinstance(made, CompilationError):
         raise CompilationError(str(made))
     return made
+
+
+def _found(loop: Function, signature: tuple[Any, ...], code: Code) -> Any:
+    """The build for these types and this code, or the error of building it; None if there is neither."""
+    classes = tuple(code.classes)
+    for key, made in list(_built.items()):
+        same = key.loop is loop and key.fingerprint == code.fingerprint and _alike(key.signature, signature)
+        if same and (key.classes == classes or isinstance(made, CompilationError) or not _gives_classes(made)):
+            return made
+    return None
+
+
+def _make(numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) -> None:
+    """Build it, unless another thread just did; one build at a time.
+
+    Of classes that have changed only the latest builds are kept: the 2 MB of each would add up.
+    """
+    with _lock:
+        if _found(loop, signature, code) is not None:
+            return
+        try:
+            made = _build(numba, loop, signature, code)
+        except Exception as error:
+            made = CompilationError(_reason(error, code))
+        _built[_Key(loop, code.fingerprint, signature, tuple(code.classes))] = made
+        older = [other for other in _built if other.loop is loop and _alike(other.signature, signature)][:-KEPT]
+        for other in older:
+            del _built[other]
 
 
 def _alike(one: tuple[Any, ...], other: tuple[Any, ...]) -> bool:
@@ -329,25 +344,30 @@ def _reason(error: Exception, code: Code) -> str:
 @cache
 def _numba() -> Any:
     """Numba, with its knowledge of NamedTuple methods; imported when it is first needed."""
-    try:
-        numba = importlib.import_module("numba")
-    except ImportError as error:
-        raise NoCompiler("Numba is not installed") from error
-    if numba.config.DISABLE_JIT:
-        raise NoCompiler("Numba is switched off by NUMBA_DISABLE_JIT")
-    if not _taught:
+    return interruptibly(_load_numba)
+
+
+def _load_numba() -> Any:
+    with _lock:  # a thread for which nobody waits any more may still be loading it
         try:
-            teach(numba, importlib.import_module("edugym.compiled.passes"))
-            _processor()
-        except Exception as error:  # what may be missing, and how that shows, is Numba's business
-            _taught.append(f"{type(error).__name__}: {error}")
-            message = f"this version of Numba ({numba.__version__}) is not known to EduGym: everything runs interpreted"
-            warnings.warn(f"{message} ({_taught[0]})", stacklevel=2)
-        else:
-            _taught.append("")
-    if _taught[0]:
-        raise NoCompiler(f"this version of Numba is not known: {_taught[0]}")
-    return numba
+            numba = importlib.import_module("numba")
+        except ImportError as error:
+            raise NoCompiler("Numba is not installed") from error
+        if numba.config.DISABLE_JIT:
+            raise NoCompiler("Numba is switched off by NUMBA_DISABLE_JIT")
+        if not _taught:
+            try:
+                teach(numba, importlib.import_module("edugym.compiled.passes"))
+                _processor()
+            except Exception as error:  # what may be missing, and how that shows, is Numba's business
+                _taught.append(f"{type(error).__name__}: {error}")
+                message = f"this version of Numba ({numba.__version__}) is not known to EduGym"
+                warnings.warn(f"{message}: everything runs interpreted ({_taught[0]})", stacklevel=2)
+            else:
+                _taught.append("")
+        if _taught[0]:
+            raise NoCompiler(f"this version of Numba is not known: {_taught[0]}")
+        return numba
 
 
 def _refused() -> Any:

@@ -31,6 +31,7 @@ from edugym.registration import make_mdp
 from edugym.results.claims import Above, Below, Claim, Within
 from edugym.results.statistics import Interval, mean_interval, proportion_interval, share_interval
 from edugym.results.tables import Results
+from edugym.training.checkpoints import CHECKPOINTS
 from edugym.training.repeat import repeat
 from edugym.training.visits import record_visits
 
@@ -250,6 +251,7 @@ def report(
         "jobs": jobs,
         "progress": progress,
         "stop": stop,
+        "checkpoints": folder and folder / CHECKPOINTS,
     }
     by_height = {
         height: compare(height, save_to=folder and folder / f"height_{height}.csv", **how) for height in HEIGHTS

@@ -1,5 +1,8 @@
 """The results of repeated training, as one tidy table."""
 
+import hashlib
+import io
+import json
 import os
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -20,6 +23,9 @@ MEASURED = (
     "method", "repetition", "seed", "layout_seed", "step", "return", "training_return", "episodes", "complete"
 )  # fmt: skip
 """The columns that every table has; the other columns hold the configuration."""
+
+IN_EVERY_ROW = ("method", "repetition", "step", "return", "training_return", "episodes")
+"""The columns that a saved table always has; of the others, those whose values vary within a run."""
 
 Period: TypeAlias = Literal["end", "training"]
 """What one value of a run is taken from: the last point of its learning curve, or the average over all of training."""
@@ -154,31 +160,91 @@ class Results:
         return self.final(method, column) if over == "end" else self.average(method, column)
 
     def save(self, path: str | os.PathLike[str]) -> Path:
-        """Write the table as a CSV file: the whole table, or nothing if something goes wrong.
+        """Write the table as a compact CSV file, and a JSON file beside it with all that does not change from row to row.
+
+        The JSON file has the name of the CSV file with `.json` added. It holds the configuration, seeds and layout
+        seeds, and a hash of the CSV file, so that two files that do not belong together are noticed. To a device or a
+        pipe, such as /dev/stdout, the whole table is written as one CSV file.
 
         Raises:
-            OSError: the file cannot be written.
+            OSError: a file cannot be written.
         """
-        return write_whole(path, self.table.to_csv(index=False, lineterminator="\n").encode())
+        if Path(path).exists() and not Path(path).is_file():
+            return write_whole(path, _csv(self.table))
+        import pandas
+
+        rest = self.table
+        about: dict[str, Any] = {"columns": list(rest.columns)}
+        for key in ("all", "method", "repetition"):
+            groups = rest[key] if key in rest else pandas.Series("", rest.index)
+            grouped = rest.drop(columns=list(IN_EVERY_ROW)).groupby(groups, sort=False)
+            different = grouped.nunique(dropna=False).max()
+            same = [column for column in different.index if different[column] <= 1]
+            about[key] = {
+                str(group): {column: _plain(rows[column].iloc[0]) for column in same} for group, rows in grouped
+            }
+            rest = rest.drop(columns=same)
+        contents = _csv(rest)
+        about["sha256"] = hashlib.sha256(contents).hexdigest()
+        write_whole(_beside(path), (json.dumps(about, ensure_ascii=False, indent=1) + "\n").encode())
+        return write_whole(path, contents)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> "Results":
         """Read a table that `save` wrote.
 
         Raises:
-            OSError: the file cannot be read.
-            ValueError: the file is not a table of results.
+            OSError: a file cannot be read.
+            ValueError: the file is not a table of results, or the JSON file beside it belongs to another one.
             gymnasium.error.DependencyNotInstalled: pandas is missing.
         """
         require("experiments", "pandas")
         import pandas
 
+        contents = Path(path).read_bytes()
         exact = {column: lambda text: float(text or "nan") for column in ("return", "training_return")}
-        table = pandas.read_csv(path, converters=exact, keep_default_na=False, na_values=[""])
+        table = pandas.read_csv(
+            io.BytesIO(contents), converters=exact, dtype={"method": str}, keep_default_na=False, na_values=[""]
+        )
+        if _beside(path).exists():
+            about = _read_about(path, contents)
+            shared = {}
+            for key in ("all", "method", "repetition"):
+                groups = table[key].map(str) if key in table else [""] * len(table)
+                for column in next(iter(about[key].values()), {}):
+                    shared[column] = [about[key][group][column] for group in groups]
+            table = pandas.concat([table, pandas.DataFrame(shared, index=table.index)], axis="columns")[about["columns"]]
         missing = [column for column in MEASURED if column not in table]
         if missing:
             raise ValueError(f"{path} is not a table of results: it has no column {missing[0]!r}")
         return cls(with_types(table))
+
+
+def _beside(path: str | os.PathLike[str]) -> Path:
+    """Return the path of the JSON file that belongs to a CSV file."""
+    return Path(f"{os.fspath(path)}.json")
+
+
+def _read_about(path: str | os.PathLike[str], contents: bytes) -> dict[str, Any]:
+    """Read the JSON file beside a CSV file with these contents."""
+    try:
+        about: dict[str, Any] = json.loads(_beside(path).read_bytes())
+        belongs = about["sha256"] == hashlib.sha256(contents).hexdigest()
+    except (ValueError, TypeError, KeyError):
+        raise ValueError(f"{_beside(path)} is not the file that `save` wrote beside {path}") from None
+    if not belongs:
+        raise ValueError(f"{_beside(path)} belongs to other results than {path}: one of them was changed alone")
+    return about
+
+
+def _csv(table: "pandas.DataFrame") -> bytes:
+    return table.to_csv(index=False, lineterminator="\n").encode()
+
+
+def _plain(value: Any) -> Any:
+    """Return a number, text or boolean as JSON can hold it, and None for no value."""
+    plain = value.item() if isinstance(value, np.generic) else value
+    return plain if isinstance(plain, bool | int | float | str) and plain == plain else None
 
 
 def with_types(table: "pandas.DataFrame") -> "pandas.DataFrame":

@@ -1,16 +1,15 @@
-"""What is done in an experiment: the task of each repetition, and how task and agents are described in the results."""
+"""What an experiment does: the task of each repetition, and how the results describe task and agents."""
 
 import copy
 import hashlib
 import inspect
 import json
-import platform
 from collections.abc import Callable, Mapping
-from importlib.metadata import PackageNotFoundError, version
 from typing import Any, NamedTuple
 
 import gymnasium
 import numpy as np
+from gymnasium.envs.registration import load_env_creator
 
 from edugym.registration import specification
 
@@ -28,19 +27,49 @@ class Task(NamedTuple):
         has_layout: whether the seed changes what is made.
         settings: its name and parameters, by the names of the columns of the table of results (with `layout_seed` if it
             is fixed).
+        origin: the values that determine what `make` makes.
     """
 
     make: Callable[[int], Any]
     has_layout: bool
     settings: dict[str, Setting]
+    origin: tuple[Any, ...]
+
+
+class Repetition(NamedTuple):
+    """What the runs of all methods in one repetition have in common.
+
+    Attributes:
+        number: 0, 1, ...
+        seed: the seed of all random streams of the run.
+        layout_seed: the seed of the task's layout, where it has one.
+    """
+
+    number: int
+    seed: int
+    layout_seed: int
+
+
+class Planned(NamedTuple):
+    """A run of the plan: a method in a repetition."""
+
+    method: str
+    repetition: Repetition
+
+
+def planned_runs(methods: list[str], repetitions: int, seed: int) -> list[Planned]:
+    """Return all runs in order; the seeds of the repetitions are independent streams from one number."""
+    children = np.random.SeedSequence(seed).spawn(repetitions)
+    seeds = [Repetition(i, *map(int, child.generate_state(2))) for i, child in enumerate(children)]
+    return [Planned(method, repetition) for repetition in seeds for method in methods]
 
 
 def task(environment: Any, parameters: Mapping[str, Any] | None = None) -> Task:
-    """The task that `environment` means.
+    """Return the task that `environment` means.
 
     Args:
-        environment: the name of an environment of this package ("Boulder"), an id that Gymnasium knows, an MDP, or a
-            Gymnasium environment.
+        environment: the name of an environment of this package ("Boulder"), an id that Gymnasium knows, an MDP, a
+            Gymnasium environment, or a function that makes one of these for a `layout_seed`.
         parameters: those of a name or id. With `layout_seed` among them, or none to choose, every repetition has one
             layout.
 
@@ -53,15 +82,30 @@ def task(environment: Any, parameters: Mapping[str, Any] | None = None) -> Task:
         raise ValueError(
             f"parameters can be given with the name of an environment only, but environment is {environment!r}"
         )
-    if isinstance(environment, gymnasium.Env):
-        name = environment.spec.id if environment.spec else type(environment.unwrapped).__name__
-        given = environment.spec.kwargs if environment.spec else {}
-        return Task(lambda _: copy.deepcopy(environment), False, {"environment": name, **_named(given)})
-    return Task(lambda _: environment, False, described(environment, "environment"))
+    if isinstance(environment, type):
+        raise ValueError(f"environment must be an environment or a function that makes one, but is {environment!r}")
+    if callable(environment) and not hasattr(environment, "action_space"):
+        # The settings that layouts have in common: what differs, such as the grips of a wall, comes from the seed.
+        first, second = (_settings(environment(layout_seed)).items() for layout_seed in (0, 1))
+        return Task(environment, True, dict(setting for setting in first if setting in second), (environment,))
+    make = copy.deepcopy if isinstance(environment, gymnasium.Env) else _same
+    return Task(lambda _: make(environment), False, _settings(environment), (environment,))
+
+
+def _same(environment: Any) -> Any:
+    return environment
+
+
+def _settings(environment: Any) -> dict[str, Setting]:
+    """Return the name and parameters of an environment."""
+    if not isinstance(environment, gymnasium.Env):
+        return described(environment, "environment")
+    name = environment.spec.id if environment.spec else type(environment.unwrapped).__name__
+    return {"environment": name, **_named(environment.spec.kwargs if environment.spec else {})}
 
 
 def _registered(name: str, parameters: dict[str, Any]) -> Task:
-    """A task that is made anew for every repetition."""
+    """Return a task that is made anew for every repetition."""
     spec, allowed = specification(name, parameters)
     given = {**spec.kwargs, **parameters}
     has_layout = "layout_seed" in allowed and "layout_seed" not in given
@@ -75,20 +119,21 @@ def _registered(name: str, parameters: dict[str, Any]) -> Task:
     default_layout = settings.pop("environment.layout_seed", None)
     if default_layout is not None and not has_layout:
         settings["layout_seed"] = default_layout
-    return Task(make, has_layout, settings)
+    entry = spec.entry_point if callable(spec.entry_point) else load_env_creator(str(spec.entry_point))
+    return Task(make, has_layout, settings, (spec, entry, parameters))
 
 
 def _named(parameters: dict[str, Any]) -> dict[str, Setting]:
-    """Parameters by the names of their columns; None is what says nothing."""
+    """Return parameters by the names of their columns; None says nothing."""
     return {f"environment.{key}": plain(value) for key, value in parameters.items() if value is not None}
 
 
 def described(value: Any, name: str) -> dict[str, Setting]:
-    """The settings of an MDP or agent: `{"agent": "QLearning", "agent.learning_rate": 0.1, "agent.exploration": ...}`.
+    """Return the settings of an MDP or agent: `{"agent": "QLearning", "agent.learning_rate": 0.1, ...}`.
 
-    What a NamedTuple holds is described in turn, each part once, less arrays of zeros, which are empty tables; of other
-    objects, the public attributes that are numbers, texts, or true or false. That an agent's visits are recorded is no
-    setting.
+    The fields of a NamedTuple are described in turn, each value once, without arrays of zeros, which are empty tables.
+    Of other objects, the public attributes that are numbers, texts or booleans are described. A `VisitRecorder` is
+    described as the agent in it.
     """
     value = getattr(value, "recorded", value)
     seen: set[int] = set()
@@ -115,7 +160,7 @@ def described(value: Any, name: str) -> dict[str, Setting]:
 
 
 def plain(value: Any) -> Setting:
-    """A setting as a number or a text; of a long array, its shape and what it is filled with."""
+    """Return a setting as a number or a text; of a long array, its shape and what it is filled with."""
     if isinstance(value, np.generic):
         value = value.item()
     if isinstance(value, bool | int | float | str):
@@ -128,14 +173,3 @@ def plain(value: Any) -> Setting:
         else:
             value = {"shape": value.shape, "sha256": hashlib.sha256(value.tobytes()).hexdigest()[:16]}
     return json.dumps(value, default=lambda other: type(other).__name__)
-
-
-def versions() -> str:
-    """The versions of what the numbers depend on."""
-    parts = [f"python {platform.python_version()}"]
-    for package in ("edugym", "numpy", "numba", "gymnasium"):
-        try:
-            parts.append(f"{package} {version(package)}")
-        except PackageNotFoundError:  # numba, where there is no compiler
-            continue
-    return ", ".join(parts)

@@ -2,7 +2,6 @@
 
 import math
 import time
-import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -10,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from edugym.checks import whole_number
+from edugym.interrupts import Interrupted, Stopped, Work
 from edugym.mdp.protocol import Integers, Reals
-from edugym.training.interrupts import interrupts
 from edugym.training.progress import progress_bar
 from edugym.training.trainers import Trainer, trainer
 
@@ -57,7 +56,10 @@ def train(
     """Train `agent` in `environment` for `n_steps` steps and measure its learning curve.
 
     Long runs of an MDP or of an EduGym environment run as machine code; other Gymnasium environments run in a plain
-    loop (both are in `edugym.training.loops` and `gymnasium_loops`). Ctrl-C stops at once and returns what is done.
+    loop (both are in `edugym.training.loops` and `gymnasium_loops`).
+
+    Ctrl-C ends the run within a fifth of a second. The agent keeps what it has learned, and the curve so far is in the
+    `Interrupted` that is raised: `sys.last_value.partial` in a notebook or at the prompt.
 
     Args:
         environment: an MDP, a Gymnasium environment, or the name or id of one.
@@ -69,10 +71,11 @@ def train(
             random streams of their own, so that evaluating changes nothing in the training.
         seed: the same seed gives the same run, bit for bit.
         progress: whether to show a progress bar.
-        stop: a `threading.Event` that ends the run when it is set.
+        stop: a `threading.Event`. When it is set, the run ends and what is done is returned.
 
     Raises:
         ValueError: a parameter is not as above, or the observations or actions do not fit a table.
+        Interrupted: Ctrl-C was pressed. Its `partial` is the `Run` so far.
     """
     whole_number("n_steps", n_steps, 1)
     every = max(1, n_steps // 100) if evaluate_every is None else evaluate_every
@@ -81,48 +84,46 @@ def train(
     whole_number("seed", seed, 0)
     if max_steps is not None:
         whole_number("max_steps", max_steps, 1)
-    began = time.perf_counter()
-    training = trainer(environment, agent, seed, max_steps, expected=n_steps)
-    curve = _Curve()
-    done = 0
+    check_stop(stop)
+    began, done, curve, interrupted = time.perf_counter(), 0, _Curve(), False
     try:
-        with interrupts(training.is_compiled) as deliver, progress_bar(n_steps, "steps", shown=progress) as bar:
-
-            def stopped() -> bool:
-                deliver()
-                return stop is not None and stop.is_set()
-
-            curve.measure(done, training, evaluation_episodes, stopped)
-            while done < n_steps and not stopped():
-                steps = min(training.chunk, n_steps - done, every - done % every)
-                training.learn(steps)
+        with Work(stop) as work, progress_bar(n_steps, "steps", shown=progress) as bar:
+            training = trainer(environment, agent, seed, max_steps, expected=n_steps)
+            agent = training.agent
+            work.hold(training.is_compiled)
+            curve.measure(done, training, evaluation_episodes, work.stopped)
+            while done < n_steps and not work.stopped():
+                steps = training.learn(at_most=min(n_steps - done, every - done % every))
                 done += steps
                 if done % every == 0 or done == n_steps:
-                    curve.measure(done, training, evaluation_episodes, stopped)
+                    curve.measure(done, training, evaluation_episodes, work.stopped)
                 bar.update(steps)
+    except Stopped:
+        pass
     except KeyboardInterrupt:
-        if stop is None:
-            warnings.warn(f"interrupted after {done} of {n_steps} steps: this is what was done", stacklevel=2)
-    return Run(
-        steps=np.array(curve.steps, np.int64),
-        returns=np.array(curve.returns, float),
-        training_returns=np.array(curve.training_returns, float),
-        episodes=np.array(curve.episodes, np.int64),
-        agent=training.agent,
-        seed=seed,
-        seconds=time.perf_counter() - began,
-        complete=done == n_steps,
-    )
+        interrupted = True
+    run = Run(*curve.columns(), agent, seed, time.perf_counter() - began, complete=curve.last == n_steps)
+    if interrupted:
+        raise Interrupted(f"after {done} of {n_steps} steps; the agent keeps what it has learned", lambda: run)
+    return run
+
+
+def check_stop(stop: Any) -> None:
+    """Refuse what is no event."""
+    if stop is not None and not (hasattr(stop, "is_set") and hasattr(stop, "set")):
+        raise ValueError(f"stop must be a threading.Event or None, but is {stop!r}")
 
 
 class _Curve:
-    """The learning curve so far; its lists are those of `Run`."""
+    """The learning curve so far."""
 
     def __init__(self) -> None:
-        self.steps: list[int] = []
-        self.returns: list[float] = []
-        self.training_returns: list[float] = []
-        self.episodes: list[int] = []
+        self._points: list[tuple[int, float, float, int]] = []
+
+    @property
+    def last(self) -> int:
+        """The number of steps at the last point; -1 before the first."""
+        return self._points[-1][0] if self._points else -1
 
     def measure(self, steps: int, training: Trainer, n_episodes: int, stopped: Callable[[], bool]) -> None:
         """Evaluate the agent over some episodes, and add a point to the curve unless the run is stopped meanwhile."""
@@ -133,8 +134,16 @@ class _Curve:
             returns.append(training.play_episode())
         log = training.log
         ended = int(log.episodes[0])
-        self.steps.append(steps)
-        self.returns.append(float(np.mean(returns)))
-        self.training_returns.append(log.returns[0] / ended if ended else math.nan)
-        self.episodes.append(ended)
+        mean = log.returns[0] / ended if ended else math.nan
+        self._points.append((steps, float(np.mean(returns)), mean, ended))  # at once: Ctrl-C leaves no half of a point
         log.returns[0] = log.episodes[0] = 0
+
+    def columns(self) -> tuple[Integers, Reals, Reals, Integers]:
+        """Return the steps, returns, training returns and episodes, as in `Run`."""
+        steps, returns, training_returns, episodes = zip(*self._points, strict=True) if self._points else ((),) * 4
+        return (
+            np.array(steps, np.int64),
+            np.array(returns, float),
+            np.array(training_returns, float),
+            np.array(episodes, np.int64),
+        )

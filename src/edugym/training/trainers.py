@@ -5,7 +5,9 @@ form of everything.
 """
 
 import copy
-from collections.abc import Callable
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any, Protocol
 
 import gymnasium
@@ -24,8 +26,10 @@ from edugym.training.contract import actor, is_on_policy, learner
 from edugym.training.loops import Log
 from edugym.training.machine_agent import MachineAgent
 
-CHUNK = 100_000  # steps between two looks at the keyboard: a millisecond of machine code
-INTERPRETED_CHUNK = 1_000
+CALL_SECONDS = 0.02
+"""About how long one call of `learn` takes: signals are looked at between two calls."""
+FIRST_STEPS = 50
+"""How many steps the first call takes, when it is not known how long a step takes."""
 NO_LIMIT = 2**62
 EVALUATION_LIMIT = 1_000
 """How long an evaluation episode may take where the task has no step limit: a greedy policy may never get anywhere."""
@@ -38,16 +42,14 @@ class Trainer(Protocol):
         agent: the agent, whose tables change as it learns.
         log: sums over the training episodes that ended.
         is_compiled: whether the loop runs as machine code.
-        chunk: how many steps to take in one call of `learn` at most, so that Ctrl-C is soon answered.
     """
 
     agent: Any
     log: Log
     is_compiled: bool
-    chunk: int
 
-    def learn(self, n_steps: int) -> None:
-        """Take `n_steps` training steps."""
+    def learn(self, at_most: int) -> int:
+        """Take training steps, as many as take about `CALL_SECONDS`; return their number."""
 
     def play_episode(self) -> float:
         """Play an episode without learning, as the agent believes best; its undiscounted return."""
@@ -77,7 +79,7 @@ class MDPTrainer:
 
     def __init__(self, mdp: Any, agent: Any, seed: int, limit: int | None, expected: int) -> None:
         """See `trainer`; the limit is None where the task has none."""
-        self.agent, self.log = agent, new_log()
+        self.agent, self.log, self._pace = agent, new_log(), Pace()
         environment_rng, agent_rng, self._evaluation_rng, self._actor_rng = streams(seed)
         self._evaluation_limit = limit or EVALUATION_LIMIT
         training, self._playing = View(mdp, agent, is_on_policy(agent)), View(mdp, agent)
@@ -92,11 +94,12 @@ class MDPTrainer:
         self._advance = executable(loop, (*self._rest, self._moment), expected=expected)
         self._play = executable(loops.play_episodes, self._evaluation(), expected=expected, rehearsed=1)
         self.is_compiled = self._advance is not loop
-        self.chunk = CHUNK if self.is_compiled else INTERPRETED_CHUNK
 
-    def learn(self, n_steps: int) -> None:
-        """Take `n_steps` training steps."""
-        self._moment = self._advance(n_steps, *self._rest, self._moment)
+    def learn(self, at_most: int) -> int:
+        """Take training steps, as many as take about `CALL_SECONDS`; return their number."""
+        with self._pace.steps(at_most) as n_steps:
+            self._moment = self._advance(n_steps, *self._rest, self._moment)
+        return n_steps
 
     def play_episode(self) -> float:
         """Play an episode without learning, as the agent believes best; its undiscounted return."""
@@ -115,11 +118,10 @@ class GymnasiumTrainer:
     """Trains and evaluates an agent in any Gymnasium environment, in plain Python."""
 
     is_compiled = False
-    chunk = INTERPRETED_CHUNK
 
     def __init__(self, env: gymnasium.Env[Any, Any], agent: Any, seed: int, limit: int | None, expected: int) -> None:
         """See `trainer`; the limit is None where it is not known."""
-        self.agent, self.log = agent, new_log()
+        self.agent, self.log, self._pace = agent, new_log(), Pace()
         environment_rng, self._agent_rng, self._evaluation_rng, self._actor_rng = streams(seed)
         self._evaluated = copy.deepcopy(env)  # before it draws anything that cannot be copied
         self._env, self._learner, self._actor, self._limit = env, learner(agent), None, limit
@@ -133,10 +135,12 @@ class GymnasiumTrainer:
             self._loop = gymnasium_loops.on_policy
             self._moment = (None, observation, self._learner.act(observation, self._agent_rng), 0, 0.0)
 
-    def learn(self, n_steps: int) -> None:
-        """Take `n_steps` training steps."""
+    def learn(self, at_most: int) -> int:
+        """Take training steps, as many as take about `CALL_SECONDS`; return their number."""
         limit = self._limit or NO_LIMIT
-        self._moment = self._loop(n_steps, self._env, self._learner, limit, self._agent_rng, self.log, self._moment)
+        with self._pace.steps(at_most) as n_steps:
+            self._moment = self._loop(n_steps, self._env, self._learner, limit, self._agent_rng, self.log, self._moment)
+        return n_steps
 
     def play_episode(self) -> float:
         """Play an episode without learning, as the agent believes best; its undiscounted return."""
@@ -144,6 +148,25 @@ class GymnasiumTrainer:
         return gymnasium_loops.play_episode(
             self._evaluated, self._actor or actor(self.agent), limit, rng, self._actor_rng
         )
+
+
+class Pace:
+    """How many steps to take at a time. How a run is cut into calls does not change its results."""
+
+    def __init__(self) -> None:
+        """Begin with few."""
+        self._steps = FIRST_STEPS
+
+    @contextmanager
+    def steps(self, at_most: int) -> Iterator[int]:
+        """Yield a number of steps, and measure how long they take."""
+        steps, began = min(self._steps, at_most), time.perf_counter()
+        yield steps
+        seconds = time.perf_counter() - began
+        if seconds > CALL_SECONDS:
+            self._steps = max(1, int(steps * CALL_SECONDS / seconds))
+        elif steps == self._steps and seconds < CALL_SECONDS / 2:
+            self._steps *= 2
 
 
 def streams(seed: int) -> list[np.random.Generator]:

@@ -1,0 +1,261 @@
+"""Ctrl-C, the stop button of a notebook, and every other signal that Python code handles, while long work runs.
+
+Everything that takes long runs inside `with Work() as work`. A signal is then answered within a fifth of a second:
+
+* In plain Python its handler runs at once, as ever. Where something swallows the `KeyboardInterrupt` (Python ignores
+  errors in `__del__` and in weakref callbacks), it is raised again.
+* While machine code runs (`work.hold()`), the handler waits until `work.stopped()` is asked, between two chunks. When
+  machine code returns a tuple, Numba does not expect an error, and a handler that raises would crash the process.
+* While runs are under way in other threads and processes (`work.ordering()`), Ctrl-C orders them to stop, so that they
+  return what is done. After `PATIENCE` seconds, or with a second Ctrl-C, those that have not stopped are left alone.
+
+What cannot be interrupted at all, such as LLVM or the import of a library, runs in a thread (`interruptibly`).
+"""
+
+import _thread
+import os
+import queue
+import signal
+import sys
+import tempfile
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import cached_property
+from pathlib import Path
+from typing import Any, ParamSpec, TypeVar
+
+P = ParamSpec("P")
+T = TypeVar("T")
+
+PATIENCE = 0.1
+"""The seconds in which runs may stop by themselves and return what is done, after the order to stop."""
+
+AGAIN = 0.01
+"""The seconds after which a `KeyboardInterrupt` that was swallowed is raised again."""
+
+
+class Interrupted(KeyboardInterrupt):
+    """Ctrl-C, or the stop button of a notebook, ended the work; the message says how much is done."""
+
+    def __init__(self, message: str, collect: Callable[[], Any]) -> None:
+        """Keep the message, and a function that collects what is done."""
+        super().__init__(message)
+        self._collect = collect
+
+    @cached_property
+    def partial(self) -> Any:
+        """What is done: a `Run` with `complete=False`, or `Results` without the runs that had not begun."""
+        return self._collect()
+
+    def _render_traceback_(self) -> list[str]:
+        """Return what a notebook shows in place of a traceback."""
+        return [f"Interrupted: {self}"]
+
+
+class Stopped(KeyboardInterrupt):
+    """The order to stop came while `interruptibly` waited."""
+
+
+class Stop:
+    """The order to stop, for runs in this process and in others on this machine, which see a file appear."""
+
+    def __init__(self, event: threading.Event, folder: str) -> None:
+        """Take an event that orders it as well, and a folder that other processes see."""
+        self._event: threading.Event | None = event
+        self._file = Path(folder) / "stop"
+        self._is_set = False
+        self.process = os.getpid()
+
+    def set(self) -> None:
+        """Order every run to stop."""
+        self._is_set = True  # first, so that no new run is handed out when one has seen the file
+        self._file.touch()
+
+    def is_set(self) -> bool:
+        """Return whether to stop."""
+        if self._event is None:
+            return self._file.exists()
+        if self._event.is_set() and not self._is_set:
+            self.set()
+        return self._is_set
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what another process gets: the name of the file."""
+        return {**self.__dict__, "_event": None}
+
+
+class Work:
+    """A stretch of work during which signals are answered as this module says.
+
+    Works may be nested. Outside the main thread, which alone handles signals, a work only passes on the order to stop.
+
+    Attributes:
+        ordered: whether Ctrl-C has ordered runs to stop.
+    """
+
+    def __init__(self, stop: Any = None) -> None:
+        """Take an event that also ends the work when it is set, or None."""
+        self.ordered = False
+        self._stop = stop
+        self._around: Work | None = getattr(_current, "work", None)
+        self._held = False
+        self._handlers: dict[int, Callable[[int, Any], Any]] = {}
+        self._pending: list[tuple[int, Any]] = []
+        self._raised: KeyboardInterrupt | None = None
+        self._order: Callable[[], None] | None = None
+        self._lock = threading.Lock()
+
+    def __enter__(self) -> "Work":
+        """Take the place of every signal handler that is a Python function."""
+        _current.work = self
+        if threading.current_thread() is threading.main_thread():
+            _start_watch()
+            self._held = True  # until all are in place
+            for number in signal.valid_signals():
+                handler = signal.getsignal(number)
+                if callable(handler):
+                    self._handlers[number] = handler
+                    signal.signal(number, self._arrive)
+            self._hook = sys.unraisablehook
+            sys.unraisablehook = self._swallowed
+            self._held = False
+            self._deliver()
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, traceback: Any) -> None:
+        """Put the handlers back, and call those that still wait."""
+        _current.work = self._around
+        self._held = True
+        for number, handler in self._handlers.items():
+            signal.signal(number, handler)
+        if self._handlers:
+            sys.unraisablehook = self._hook
+        if kind is not None:
+            self._raised = None
+        self._deliver()
+
+    def hold(self, machine_code: bool) -> None:
+        """Let signals wait until `stopped` is asked, from now on and if machine code is to run."""
+        self._held = machine_code and bool(self._handlers)
+
+    def stopped(self) -> bool:
+        """Return whether to stop, after every handler that waits has run.
+
+        Raises:
+            KeyboardInterrupt: after Ctrl-C. Other signals raise what their handlers raise.
+        """
+        if self._pending or self._raised:
+            self._deliver()
+        return self._stop is not None and bool(self._stop.is_set())
+
+    @contextmanager
+    def ordering(self, stop: Callable[[], None]) -> Iterator[None]:
+        """Let the next Ctrl-C call `stop`, and raise nothing unless the block goes on for `PATIENCE` seconds."""
+        self._order = stop
+        try:
+            yield
+        finally:
+            with self._lock:
+                self._order = None
+
+    def _arrive(self, number: int, frame: Any) -> None:
+        if self._held:
+            self._pending.append((number, frame))
+        else:
+            self._handle(number, frame)
+
+    def _deliver(self) -> None:
+        while self._pending:
+            self._handle(*self._pending.pop(0))
+        if self._raised is not None:
+            error, self._raised = self._raised, None
+            raise error
+
+    def _handle(self, number: int, frame: Any) -> None:
+        # A signal may come anywhere, also where a lock is held or another one is handled: nothing here takes a lock.
+        if number == signal.SIGINT and self._order is not None and not self.ordered:
+            self.ordered = True
+            self._order()
+            _presses.put((PATIENCE, self._insist))
+            return
+        try:
+            self._handlers[number](number, frame)
+        except KeyboardInterrupt as error:
+            self._raised = error  # in case it gets lost
+            raise
+
+    def _insist(self) -> None:
+        """Press Ctrl-C again where the order to stop was not enough."""
+        with self._lock:
+            if self._order is not None:
+                _thread.interrupt_main()
+
+    def _swallowed(self, unraisable: Any) -> None:
+        """Press Ctrl-C again where Python ignored it."""
+        if issubclass(unraisable.exc_type, KeyboardInterrupt):
+            _presses.put((AGAIN, self._raise_again))
+        else:
+            self._hook(unraisable)
+
+    def _raise_again(self) -> None:
+        if self._raised is not None:
+            _thread.interrupt_main()
+
+
+_current = threading.local()  # its `work` is the innermost one of a thread
+_presses: "queue.SimpleQueue[tuple[float, Callable[[], None]]]" = queue.SimpleQueue()
+_watch: threading.Thread | None = None
+
+
+def _start_watch() -> None:
+    """Start the thread that presses Ctrl-C again. It must be there before: a signal handler cannot start a thread."""
+    global _watch
+    if _watch is None or not _watch.is_alive():  # a forked process has no threads
+        _watch = threading.Thread(target=_press, name="edugym-ctrl-c", daemon=True)
+        _watch.start()
+
+
+def _press() -> None:
+    while True:
+        seconds, press = _presses.get()
+        time.sleep(seconds)
+        press()
+
+
+def interruptibly(function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
+    """Call a function in a thread, and wait for it such that a signal handler or an order to stop ends the waiting.
+
+    The function itself goes on in its thread to its end, which the process waits for before it ends.
+
+    Raises:
+        Stopped: the work of this thread was ordered to stop.
+    """
+    done = threading.Event()
+    returned: list[T] = []
+    raised: list[BaseException] = []
+
+    def work() -> None:
+        try:
+            returned.append(function(*args, **kwargs))
+        except BaseException as error:
+            raised.append(error)
+        finally:
+            done.set()
+
+    threading.Thread(target=work, name=f"edugym-{getattr(function, '__name__', 'work')}").start()
+    current: Work | None = getattr(_current, "work", None)
+    while not done.wait(0.02):  # on Windows waiting cannot be interrupted, so it is never for long
+        if current is not None and current.stopped():
+            raise Stopped
+    if raised:
+        raise raised.pop()
+    return returned.pop()
+
+
+@contextmanager
+def ordered_by(event: threading.Event) -> Iterator[Stop]:
+    """Yield the order to stop, which is also given when the event is set, in a form that other processes see."""
+    with tempfile.TemporaryDirectory(prefix="edugym-", ignore_cleanup_errors=True) as folder:
+        yield Stop(event, folder)

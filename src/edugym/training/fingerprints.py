@@ -1,0 +1,199 @@
+"""Fingerprints of what determines a run: values, and all code that they reach."""
+
+import functools
+import hashlib
+import inspect
+import platform
+import struct
+import sys
+import sysconfig
+from collections.abc import Mapping
+from contextlib import suppress
+from functools import cache
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from types import BuiltinFunctionType, CodeType, FunctionType, MethodType, ModuleType
+from typing import Any
+
+import numpy as np
+
+import edugym
+
+
+def fingerprint(*values: Any) -> str:
+    """Return a hash that two processes agree on exactly if their values and the code of these are the same.
+
+    Code of libraries counts by its version, that of this package by all of its files, and every other function or class
+    by its byte code, its constants and whatever it reaches in turn.
+
+    Raises:
+        Exception: a value cannot be taken apart, such as an open file (what is raised depends on its class).
+    """
+    walk = _Walk()
+    walk.add(platform.machine(), versions(), _own_code())
+    for value in values:
+        walk.visit(value)
+    return walk.hash.hexdigest()[:32]
+
+
+def versions() -> str:
+    """Return the versions of what the numbers depend on."""
+    packages = ("edugym", "numpy", "numba", "gymnasium")
+    found = [f"{package} {_version(package)}" for package in packages if _version(package)]
+    return ", ".join([f"python {platform.python_version()}", *found])
+
+
+class _Walk:
+    """A walk through values, which hashes each part once."""
+
+    def __init__(self) -> None:
+        self.hash = hashlib.sha256()
+        self._seen: dict[int, int] = {}
+        self._kept: list[Any] = []  # ids stay unique while the objects live
+
+    def add(self, *things: Any) -> None:
+        self.hash.update(repr(things).encode())
+
+    def visit(self, thing: Any) -> None:
+        """Hash a value of any kind."""
+        if isinstance(thing, float):
+            self.add("float", struct.pack("<d", thing))
+        elif thing is None or (isinstance(thing, bool | int | complex | str | bytes) and type(thing) in _PLAIN):
+            self.add(type(thing).__name__, thing)
+        elif isinstance(thing, np.ndarray | np.generic) and not thing.dtype.hasobject:
+            self.add("array", thing.dtype.str, thing.shape, np.ascontiguousarray(thing).tobytes())
+        elif id(thing) in self._seen:
+            self.add("again", self._seen[id(thing)])
+        else:
+            self._seen[id(thing)] = len(self._seen)
+            self._kept.append(thing)
+            self._visit_object(thing)
+
+    def _visit_object(self, thing: Any) -> None:
+        self.add(type(thing).__module__, type(thing).__qualname__)
+        if isinstance(thing, ModuleType | BuiltinFunctionType) or _is_library(thing):
+            self.add(_name(thing), _version(_package(thing)))
+        elif isinstance(thing, FunctionType):
+            self._function(thing)
+        elif isinstance(thing, type):
+            self._class(thing)
+        elif isinstance(thing, MethodType):
+            self._all(thing.__func__, thing.__self__)
+        elif isinstance(thing, functools.partial):
+            self._all(thing.func, thing.args, thing.keywords)
+        elif isinstance(thing, property):
+            self._all(thing.fget)
+        elif isinstance(thing, functools.cached_property):
+            self._all(thing.func)
+        elif inspect.isfunction(inner := getattr(thing, "__wrapped__", getattr(thing, "py_func", None))):
+            self._all(inner)  # cached, or decorated with Numba's own @njit
+        elif isinstance(thing, classmethod | staticmethod):
+            self._all(thing.__func__)
+        elif isinstance(thing, tuple | list):
+            self._all(type(thing), len(thing), *thing)
+        elif isinstance(thing, Mapping):
+            self._all(type(thing), len(thing), *(part for item in thing.items() for part in item))
+        elif isinstance(thing, set | frozenset):
+            self.add(sorted(fingerprint(part) for part in thing))
+        else:
+            parts: Any = thing.__reduce_ex__(4)
+            self._all(type(thing), *parts[1:3])
+            for more in parts[3:5]:
+                self._all(*(more or ()))
+
+    def _all(self, *things: Any) -> None:
+        for thing in things:
+            self.visit(thing)
+
+    def _class(self, kind: type) -> None:
+        self.add(kind.__qualname__)
+        self._all(*kind.__bases__)
+        for name, member in sorted(vars(kind).items(), key=lambda item: item[0]):
+            if (name not in _OF_EVERY_CLASS and not inspect.isdatadescriptor(member)) or isinstance(member, property):
+                self.add(name)
+                self.visit(member)
+
+    def _function(self, function: FunctionType) -> None:
+        self.add(function.__qualname__)
+        self._all(function.__defaults__, function.__kwdefaults__)
+        names = self._code(function.__code__)
+        for name in sorted(names & function.__globals__.keys()):
+            self.add(name)
+            self._reached(function.__globals__[name], names)
+        for cell in function.__closure__ or ():
+            with suppress(ValueError):  # not set yet
+                self.visit(cell.cell_contents)
+
+    def _reached(self, value: Any, names: set[str]) -> None:
+        """Hash what a global name stands for; of a module, what the code may take from it."""
+        self.visit(value)
+        if isinstance(value, ModuleType) and not _is_library(value):
+            for name in sorted(names & vars(value).keys()):
+                self.add(name)
+                self._reached(vars(value)[name], names - {name})
+
+    def _code(self, code: CodeType) -> set[str]:
+        """Hash the byte code, and return the names it uses, those of inner functions included."""
+        names = set(code.co_names)
+        self.add(code.co_code, code.co_names, code.co_varnames, code.co_freevars)
+        for constant in code.co_consts:
+            if isinstance(constant, CodeType):
+                names |= self._code(constant)
+            else:
+                self.visit(constant)
+        return names
+
+
+_PLAIN = frozenset({bool, int, complex, str, bytes})
+_OF_EVERY_CLASS = frozenset(
+    {"__module__", "__dict__", "__weakref__", "__doc__", "__qualname__", "__firstlineno__", "__static_attributes__"}
+    | {"__abstractmethods__", "_abc_impl", "__annotations__", "__parameters__", "__orig_bases__"}
+)
+
+
+def _is_library(thing: Any) -> bool:
+    """Whether a class, function or module belongs to this package, to Python or to an installed one."""
+    if not isinstance(thing, ModuleType | FunctionType | type):
+        return False
+    top = _package(thing)
+    return top in ("builtins", "edugym") or _is_installed(top)
+
+
+@cache
+def _is_installed(package: str) -> bool:
+    if package == "__main__":
+        return False
+    module = sys.modules.get(package)
+    file = getattr(module, "__file__", None)
+    if module is None or file is None:
+        return module is not None  # one that is built into Python
+    folders = (sysconfig.get_path(kind) for kind in ("stdlib", "platstdlib", "purelib", "platlib"))
+    return any(Path(file).resolve().is_relative_to(Path(folder).resolve()) for folder in folders)
+
+
+def _package(thing: Any) -> str:
+    return _name(thing).partition(".")[0]
+
+
+def _name(thing: Any) -> str:
+    if isinstance(thing, ModuleType):
+        return thing.__name__
+    return f"{getattr(thing, '__module__', None) or 'builtins'}.{getattr(thing, '__qualname__', '')}"
+
+
+@cache
+def _version(package: str) -> str:
+    try:
+        return version(package)
+    except (PackageNotFoundError, ValueError):  # numba where there is no compiler, or a module of Python's own
+        return ""
+
+
+@cache
+def _own_code() -> str:
+    """Return a hash of all files of this package."""
+    folder = Path(edugym.__file__).parent
+    digest = hashlib.sha256()
+    for path in sorted(folder.rglob("*.py")):
+        digest.update(path.relative_to(folder).as_posix().encode() + b"\0" + path.read_bytes() + b"\0")
+    return digest.hexdigest()
