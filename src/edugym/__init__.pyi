@@ -5,6 +5,7 @@ from edugym.adapters.tabular_observation import TabularObservation as TabularObs
 from edugym.adapters.vector_env import MDPVectorEnv as MDPVectorEnv
 from edugym.agents.actor_critic import ActorCritic as ActorCritic
 from edugym.agents.count_based import CountBased as CountBased
+from edugym.agents.double_q_learning import DoubleQLearning as DoubleQLearning
 from edugym.agents.dqn import DQN as DQN
 from edugym.agents.dyna_q import DynaQ as DynaQ
 from edugym.agents.expected_sarsa import ExpectedSARSA as ExpectedSARSA
@@ -14,10 +15,13 @@ from edugym.agents.go_explore import GoExplore as GoExplore
 from edugym.agents.linear_q_learning import LinearQLearning as LinearQLearning
 from edugym.agents.n_step_sarsa import NStepSARSA as NStepSARSA
 from edugym.agents.prioritised_sweeping import PrioritisedSweeping as PrioritisedSweeping
+from edugym.agents.q_lambda import QLambda as QLambda
 from edugym.agents.q_learning import QLearning as QLearning
 from edugym.agents.r_max import RMax as RMax
 from edugym.agents.reinforce import REINFORCE as REINFORCE
+from edugym.agents.risk_sensitive_q_learning import RiskSensitiveQLearning as RiskSensitiveQLearning
 from edugym.agents.sarsa import SARSA as SARSA
+from edugym.agents.sarsa_lambda import SARSALambda as SARSALambda
 from edugym.agents.saving import load as load
 from edugym.agents.saving import save as save
 from edugym.agents.semi_gradient_sarsa import SemiGradientSARSA as SemiGradientSARSA
@@ -30,7 +34,12 @@ from edugym.agents.strategies import ScheduledEpsilonGreedy as ScheduledEpsilonG
 from edugym.agents.strategies import Softmax as Softmax
 from edugym.agents.tables import table_size as table_size
 from edugym.agents.tile_coding import TileCoding as TileCoding
+from edugym.agents.traces import Accumulating as Accumulating
+from edugym.agents.traces import Dutch as Dutch
+from edugym.agents.traces import Replacing as Replacing
+from edugym.agents.tree_backup import TreeBackup as TreeBackup
 from edugym.exact.finite_horizon import finite_horizon as finite_horizon
+from edugym.exact.model import FiniteModel as FiniteModel
 from edugym.exact.model import finite_model as finite_model
 from edugym.exact.policies import policy_of as policy_of
 from edugym.exact.policy_evaluation import policy_evaluation as policy_evaluation

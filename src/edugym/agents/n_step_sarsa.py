@@ -3,29 +3,12 @@
 import math
 from typing import Annotated, Any, NamedTuple
 
-from edugym.agents.settings import ActionValues, Counter, Discount, LearningRate, Range, Table, new, shows_settings
+from edugym.agents.last_steps import LastSteps
+from edugym.agents.settings import ActionValues, Discount, LearningRate, Range, Table, new, shows_settings
 from edugym.agents.strategies import EpsilonGreedy, Exploration
 from edugym.agents.tables import greedy_action
 from edugym.checks import whole_number
-from edugym.mdp.protocol import Integers, Random, Reals
-
-
-class Steps(NamedTuple):
-    """The last steps of the episode under way: step t is at index t mod (length of the array).
-
-    Attributes:
-        t: shape (1,): how many steps this episode has taken.
-        states: shape (n + 1,): the states, the one reached last included.
-        actions: shape (n + 1,): the actions in them.
-        rewards: shape (n,): the reward after each.
-        returns: shape (n,): the return of each, from its reward to the last.
-    """
-
-    t: Counter
-    states: Annotated[Integers, Table(("n + 1",))]
-    actions: Annotated[Integers, Table(("n + 1",))]
-    rewards: Annotated[Reals, Table(("n",))]
-    returns: Annotated[Reals, Table(("n",))]
+from edugym.mdp.protocol import Random, Reals
 
 
 @shows_settings
@@ -43,6 +26,7 @@ class NStepSARSA(NamedTuple):
     Attributes:
         Q: shape (n_states, n_actions): the action values.
         steps: the steps that are still needed.
+        returns: shape (n,): the return of each, from its reward to the last.
         n: how many rewards, a whole number of 1 or more, or infinity.
         learning_rate: α, greater than 0 and up to 1.
         discount: γ, from 0 to 1.
@@ -52,7 +36,8 @@ class NStepSARSA(NamedTuple):
     """
 
     Q: ActionValues
-    steps: Steps
+    steps: LastSteps
+    returns: Annotated[Reals, Table(("n",))]
     n: Annotated[float, Range(1, math.inf)] = 4.0
     learning_rate: LearningRate = 0.1
     discount: Discount = 0.99
@@ -70,31 +55,19 @@ class NStepSARSA(NamedTuple):
     ) -> None:
         """Store the step, and update the pair whose n rewards are complete; at the end, all that are left."""
         n = len(self.steps.rewards)
-        t = self.remember(state, action, reward, next_state, next_action)
+        t = self.steps.remember(state, action, reward, next_state)
         ended = terminated or truncated
         if ended or t + 1 >= n:
             first = max(t - n + 1, 0)
             G = 0.0 if terminated else float(self.Q[next_state, next_action])
             for k in range(t, first - 1, -1):
                 G = self.steps.rewards[k % n] + self.discount * G
-                self.steps.returns[k % n] = G
+                self.returns[k % n] = G
             for tau in range(first, t + 1 if ended else first + 1):
-                s, a = self.steps.states[tau % (n + 1)], self.steps.actions[tau % (n + 1)]
-                self.Q[s, a] += self.learning_rate * (self.steps.returns[tau % n] - self.Q[s, a])
-        self.steps.t[0] = 0 if ended else t + 1
-
-    def remember(self, state: int, action: int, reward: float, next_state: int, next_action: int) -> int:
-        """Store a step, and return its number in the episode."""
-        n = len(self.steps.rewards)
-        t = int(self.steps.t[0])
-        if self.steps.states[t % (n + 1)] != state:
-            t = 0  # training was stopped within an episode, and this is another one
-        self.steps.states[t % (n + 1)] = state
-        self.steps.actions[t % (n + 1)] = action
-        self.steps.rewards[t % n] = reward
-        self.steps.states[(t + 1) % (n + 1)] = next_state
-        self.steps.actions[(t + 1) % (n + 1)] = next_action
-        return t
+                s, a = self.steps.states[tau % (n + 1)], self.steps.actions[tau % n]
+                self.Q[s, a] += self.learning_rate * (self.returns[tau % n] - self.Q[s, a])
+        if ended:
+            self.steps.forget()
 
     def act(self, state: int, rng: Random) -> int:
         """Choose an action by the exploration strategy."""

@@ -40,6 +40,18 @@ def best_value(Q: Reals, state: int) -> float:
     return float(value)
 
 
+def value_of_best(Q: Reals, other: Reals, state: int) -> float:
+    """What `other` says of the best action of Q: other(s, argmax_a Q(s, a)); its mean over equally good ones."""
+    highest = best_value(Q, state)
+    total = 0.0
+    ties = 0
+    for action in range(Q.shape[1]):
+        if Q[state, action] == highest:
+            total += float(other[state, action])
+            ties += 1
+    return total / ties
+
+
 def random_action(n_actions: int, rng: Random) -> int:
     """An action drawn uniformly."""
     return int(rng.random() * n_actions)
