@@ -204,7 +204,7 @@ def test_wrong_parameters() -> None:
         copies("CartPole-v1")
     with pytest.raises(ValueError, match=r"and no more, such as waiting, but .*Supermarket.* use .*DummyVecEnv"):
         copies("Supermarket", 4, step_timeout=0.1)
-    with pytest.raises(ValueError, match="rows must be 2 or more, but is 1"):
+    with pytest.raises(ValueError, match="rows must be from 2 to 1000, but is 1"):
         copies("Catch", 2, rows=1)
     with pytest.raises(ValueError, match=r"parameters .* \{'rows': 3\}"):
         copies(catch.unwrapped, rows=3)

@@ -1,5 +1,6 @@
 """Mistakes in a student's MDP are answered with one sentence, by the environment and by `check_mdp`."""
 
+import traceback
 from typing import Any
 
 import numpy as np
@@ -7,6 +8,7 @@ import pytest
 from gymnasium import spaces
 
 from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.mdp.checking import check_mdp, is_own, require_mdp
 from edugym.mdp.protocol import step_limit
 from edugym.registration import ENVIRONMENTS
@@ -149,6 +151,19 @@ def test_checking_leaves_the_task_alone() -> None:
     )
     check_mdp(task)
     assert task.size.tolist() == [2, 0]
+
+
+def test_where_an_error_is_shown() -> None:
+    """A mistake that Python finds ends at the student's line, with one frame of ours above it."""
+    task = walk("return state == self.size", "return state == self.sise")
+    env, vector = MDPEnv(task), MDPVectorEnv(MDPEnv(task), 2)
+    env.reset(seed=0)
+    for call in (lambda: env.step(1), lambda: vector.reset(seed=0)):
+        with pytest.raises(AttributeError, match="sise") as caught:
+            call()
+        *_, ours, students = traceback.extract_tb(caught.value.__traceback__)
+        assert students.line == "return state == self.sise"
+        assert ours.name in ("step", "reset")
 
 
 def test_step_limits() -> None:

@@ -87,20 +87,25 @@ class Always(NamedTuple):
         return True
 
 
-def storage(states: list[Any], n: int) -> Storage:
+def storage(states: list[Any], n: int, *, checked: bool = True) -> Storage:
     """A place for each of `n` states, chosen by some states that occur.
 
     A number that is whole in some of them and not in others is stored as a real number.
+
+    Args:
+        states: some that occur.
+        n: how many to store.
+        checked: whether `store` tells of a loss; there is none in the package's own MDPs.
     """
     if not all(map(_regular, states)) or len({_form(state, numbers=False) for state in states}) > 1:
         return loose([states[0]] * n)
     if not holds_arrays(states[0]):
-        return columns(_joint(states), n)
+        return columns(_joint(states), n, checked=checked)
     several = len({_form(state, numbers=True) for state in states}) > 1
     return (loose if several else listed)([states[0]] * n)
 
 
-def columns(sample: Any, n: int) -> Storage:
+def columns(sample: Any, n: int, *, checked: bool = True) -> Storage:
     """A place for each of `n` values like `sample`: a number, or a (nested) tuple of numbers.
 
     It writes a class for the sample. For a state (x, speed) that is:
@@ -115,7 +120,7 @@ def columns(sample: Any, n: int) -> Storage:
             return same(self.columns[0][i], value[0]) and same(self.columns[1][i], value[1])
 
     A value that does not fit the type of its column is cut (0.5 becomes 0 among whole numbers); then `store` returns
-    False. Where the types are equal the comparison takes no time in machine code.
+    False, unless it is not `checked`.
     """
     arrays: list[np.ndarray[Any, Any]] = []
     kinds: dict[str, Any] = {"same": _same}
@@ -129,14 +134,18 @@ def columns(sample: Any, n: int) -> Storage:
             inside = "".join(walk(part, f"{path}[{k}]") + ", " for k, part in enumerate(value))
             if not hasattr(value, "_fields"):
                 return f"({inside})"
-            kinds[f"Kind{len(kinds)}"] = type(value)
-            return f"Kind{len(kinds) - 1}({inside})"
+            kind = f"Kind{len(kinds)}"
+            kinds[kind] = type(value)
+            return f"{kind}({inside})"
         kept.append(f"same(self.columns[{len(arrays)}][i], value{path})")
         stores.append(f"        self.columns[{len(arrays)}][i] = value{path}")
         arrays.append(np.zeros(n, np.asarray(value).dtype))
         return f"self.columns[{len(arrays) - 1}][i]"
 
     loaded = walk(sample, "")
+    if not checked:
+        kinds.pop("same")
+        lengths, kept = [], []
     lines = [
         "    columns: tuple",
         "    def load(self, i):",

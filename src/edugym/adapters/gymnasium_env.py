@@ -16,7 +16,7 @@ from gymnasium.wrappers import OrderEnforcing, PassiveEnvChecker
 from edugym.adapters.actions import checked_action
 from edugym.adapters.specification import filled
 from edugym.checks import one_of
-from edugym.mdp.checking import CHECKED_STEPS, checked_observation, checked_step, is_own, require_mdp
+from edugym.mdp.checking import CHECKED_STEPS, at_students_line, checked_observation, checked_step, is_own, require_mdp
 from edugym.mdp.protocol import MDP, coerced, history_wanted, named_actions, step_limit
 
 if TYPE_CHECKING:
@@ -133,7 +133,10 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         mdp, state, rng = self.mdp, self.state, self.np_random
         if self._steps_to_check:
             self._steps_to_check -= 1
-            next_state, reward, terminated, observed = checked_step(mdp, state, action, rng)
+            try:
+                next_state, reward, terminated, observed = checked_step(mdp, state, action, rng)
+            except Exception as error:
+                raise at_students_line(error)  # noqa: B904
         else:
             next_state = mdp.transition(state, action, rng)
             reward = float(mdp.reward(state, action, next_state, rng))

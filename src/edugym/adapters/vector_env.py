@@ -17,7 +17,7 @@ from edugym.adapters.gymnasium_env import RENDERING, M, MDPEnv, environment_of
 from edugym.adapters.runner import Runner
 from edugym.adapters.specification import filled
 from edugym.checks import in_short, number_of_steps, one_of, whole_number
-from edugym.mdp.checking import check_mdp
+from edugym.mdp.checking import at_students_line, check_mdp, is_own
 from edugym.mdp.protocol import HISTORY, history_wanted, step_limit
 
 NO_LIMIT = 2**62
@@ -118,7 +118,10 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
             raise ValueError(f"reset_mask must be an array of {self.num_envs} booleans, but is {mask!r}")
         super().reset(seed=seed)
         if self._runner is None:
-            self._runner = self._made_runner()
+            try:
+                self._runner = self._made_runner()
+            except Exception as error:
+                raise at_students_line(error)  # noqa: B904
             mask = np.ones(self.num_envs, np.bool_)
         batch = self._batch()
         self._runner.run(reset_copies, self.np_random, batch, self._few, mask)
@@ -146,17 +149,20 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
         array = self._checked(actions)
         batch = self._batch()
         last_states = copy_of(runner.states) if self._asked and "last_state" in self._asked else None
-        finished = runner.run(
-            step_copies,
-            self.np_random,
-            batch,
-            self._few,
-            array,
-            array if self._n_actions else NOTHING,
-            self._n_actions,
-            self._limit or NO_LIMIT,
-            MODES.index(self.autoreset_mode),
-        )
+        try:
+            finished = runner.run(
+                step_copies,
+                self.np_random,
+                batch,
+                self._few,
+                array,
+                array if self._n_actions else NOTHING,
+                self._n_actions,
+                self._limit or NO_LIMIT,
+                MODES.index(self.autoreset_mode),
+            )
+        except Exception as error:
+            raise at_students_line(error)  # noqa: B904
         if finished == ACTION_OUTSIDE:
             raise ValueError(f"actions {in_short(actions)} are not in the action space {self.action_space}")
         if self._asked:
@@ -253,11 +259,12 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
         states = check_mdp(self.mdp, TRIED)
         rng = np.random.default_rng(0)
         self._rows = observation_rows(self.mdp, copy.deepcopy(self.mdp).observation(states[-1], rng))
-        return Runner(self.mdp, self.num_envs, storage(states, self.num_envs), states[0])
+        places = storage(states, self.num_envs, checked=not is_own(self.mdp))
+        return Runner(self.mdp, self.num_envs, places, states[0])
 
     def _checked(self, actions: Any) -> np.ndarray[Any, Any]:
         """The actions as an array of the type that the loops take."""
-        if isinstance(self.single_action_space, spaces.Box):
+        if not self._n_actions and isinstance(self.single_action_space, spaces.Box):
             array: np.ndarray[Any, Any] = checked_action(self.action_space, actions)
             return array
         try:

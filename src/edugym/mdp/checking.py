@@ -9,6 +9,7 @@ import difflib
 import inspect
 import math
 import numbers
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -26,6 +27,7 @@ METHODS = {
 """What every MDP has, and what each method takes."""
 SPACES = ("observation_space", "action_space")
 CHECKED_STEPS = 200
+PACKAGE = str(Path(__file__).parents[1])
 
 
 def require_mdp(mdp: Any, name: str = "mdp") -> None:
@@ -135,6 +137,14 @@ def checked_observation(mdp: MDP[Any, Any], state: Any, rng: Random) -> Any:
     if not _fits(mdp.observation_space, observation):
         raise ValueError(_sentence(mdp, "observation", observation, f"an element of {mdp.observation_space}", state))
     return observation
+
+
+def at_students_line(error: Exception) -> Exception:
+    """The same error, whose traceback shows none of the package's frames before the student's line."""
+    frame = error.__traceback__
+    while frame is not None and frame.tb_frame.f_code.co_filename.startswith(PACKAGE):
+        frame = frame.tb_next
+    return error.with_traceback(frame)
 
 
 def is_own(value: Any) -> bool:
