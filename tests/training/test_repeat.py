@@ -12,7 +12,8 @@ import pandas as pd
 import pytest
 from gymnasium.error import DependencyNotInstalled
 
-from edugym import Boulder, CountBased, EpsilonGreedy, GoExplore, QLearning, Results, make_mdp, repeat, train
+from edugym import CountBased, EpsilonGreedy, GoExplore, QLearning, Results, make_mdp, repeat, train
+from edugym.envs.boulder import Boulder
 from edugym.extras import require
 from edugym.mdp.protocol import Random, Reals
 from edugym.results.tables import MEASURED
