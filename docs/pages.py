@@ -28,6 +28,7 @@ from edugym.rendering.scene import Scene
 from edugym.rendering.svg import to_svg
 
 PAGES = Path(__file__).parent / "environments"
+ORIGINAL = "../coming-from-the-original-edugym.md"
 FRAMES = 31
 
 # The players of the animations in which Q-learning on the observations would not show the task.
@@ -84,7 +85,8 @@ def index() -> str:
         for e in in_course_order()
     ]
     head = ["| | environment | its one challenge | parameters and defaults |", "|---|---|---|---|"]
-    return "\n".join(["# The environments", "", *head, *rows, ""])
+    more = f"For users of the original code: [what has changed]({ORIGINAL})."
+    return "\n".join(["# The environments", "", *head, *rows, "", more, ""])
 
 
 def pages() -> dict[Path, str]:

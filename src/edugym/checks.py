@@ -14,21 +14,21 @@ def a_number(name: str, value: Any) -> None:
     """Refuse a `value` that is not a finite number."""
     _number(name, value, "finite")
     if not abs(value) <= sys.float_info.max:
-        raise ValueError(f"{name} must be a finite number, but is {value!r}")
+        raise ValueError(f"{name} must be a finite number, but is {in_short(value)}")
 
 
 def at_least(name: str, value: Any, low: float) -> None:
     """Refuse a `value` that is not a number of `low` or more."""
     _number(name, value, f"{low} or more")
     if not value >= low:
-        raise ValueError(f"{name} must be {low} or more, but is {value!r}")
+        raise ValueError(f"{name} must be {low} or more, but is {in_short(value)}")
 
 
 def between(name: str, value: Any, low: float, high: float) -> None:
     """Refuse a `value` that is not a number from `low` to `high`, ends included."""
     _number(name, value, f"from {low} to {high}")
     if not low <= value <= high:
-        raise ValueError(f"{name} must be from {low} to {high}, but is {value!r}")
+        raise ValueError(f"{name} must be from {low} to {high}, but is {in_short(value)}")
 
 
 def above(name: str, value: Any, low: float, high: float | None = None) -> None:
@@ -36,7 +36,7 @@ def above(name: str, value: Any, low: float, high: float | None = None) -> None:
     allowed = f"greater than {low}" if high is None else f"greater than {low} and at most {high}"
     _number(name, value, allowed)
     if not value > low or (high is not None and value > high):
-        raise ValueError(f"{name} must be {allowed}, but is {value!r}")
+        raise ValueError(f"{name} must be {allowed}, but is {in_short(value)}")
 
 
 def whole_number(name: str, value: Any, low: int, high: int | None = None) -> int:
@@ -47,25 +47,35 @@ def whole_number(name: str, value: Any, low: int, high: int | None = None) -> in
     """
     allowed = f"{low} or more" if high is None else f"from {low} to {high}"
     if isinstance(value, bool | np.bool_) or not isinstance(value, int | np.integer):
-        raise ValueError(f"{name} must be a whole number, {allowed}, but is {value!r}")
+        raise ValueError(f"{name} must be a whole number, {allowed}, but is {in_short(value)}")
     if value < low or (high is not None and value > high):
-        raise ValueError(f"{name} must be {allowed}, but is {value!r}")
+        raise ValueError(f"{name} must be {allowed}, but is {in_short(value)}")
     return int(value)
 
 
-def number_of_steps(name: str, value: Any) -> None:
-    """Refuse a `value` that is not a whole number of 1 or more, or that no machine can count to."""
-    whole_number(name, value, 1)
-    if value > MOST_STEPS:
-        raise ValueError(f"{name} must be at most {MOST_STEPS}, but is {value!r}")
+def number_of_steps(name: str, value: Any) -> int:
+    """Refuse a `value` that is not a whole number of 1 or more, or that no machine can count to; as `whole_number`."""
+    steps = whole_number(name, value, 1)
+    if steps > MOST_STEPS:
+        raise ValueError(f"{name} must be at most {MOST_STEPS}, but is {in_short(value)}")
+    return steps
 
 
 def one_of(name: str, value: Any, allowed: Sequence[Any]) -> None:
     """Refuse a `value` that is not one of those `allowed`."""
     if value not in allowed:
-        raise ValueError(f"{name} must be one of {', '.join(map(repr, allowed))}, but is {value!r}")
+        raise ValueError(f"{name} must be one of {', '.join(map(repr, allowed))}, but is {in_short(value)}")
+
+
+def in_short(value: Any) -> str:
+    """A value for a message: Python refuses to write out whole numbers of more than some thousand digits."""
+    if isinstance(value, int) and value.bit_length() > 14_000:
+        return f"a whole number of {value.bit_length()} bits"
+    return repr(value)
 
 
 def _number(name: str, value: Any, allowed: str) -> None:
     if isinstance(value, bool | np.bool_) or not isinstance(value, int | float | np.integer | np.floating):
-        raise ValueError(f"{name} must be a number, {allowed}, but is {value!r}")
+        raise ValueError(f"{name} must be a number, {allowed}, but is {in_short(value)}")
+    if isinstance(value, int) and abs(value) > sys.float_info.max:  # it could not be computed with
+        raise ValueError(f"{name} must be {allowed}, but is {in_short(value)}")

@@ -4,6 +4,7 @@
 the file says its challenge, and its lesson if it has one: "Boulder: exploration (lesson 1)."
 """
 
+import dataclasses
 import importlib
 import inspect
 import pkgutil
@@ -32,18 +33,18 @@ class Entry(NamedTuple):
 
     @property
     def id(self) -> str:
-        """What to pass to `gymnasium.make` and `gymnasium.make_vec`."""
+        """The id for `gymnasium.make` and `gymnasium.make_vec`."""
         return f"edugym/{self.name}-v0"
 
     @property
     def challenge(self) -> str:
-        """The one challenge that it isolates, as the first line of its file says."""
-        return self._said("challenge") or ""
+        """The one challenge that it isolates, from the first line of its file."""
+        return self._from_first_line("challenge") or ""
 
     @property
     def lesson(self) -> int | None:
         """The number of its lesson, if it has one."""
-        number = self._said("lesson")
+        number = self._from_first_line("lesson")
         return None if number is None else int(number)
 
     def load_mdp(self) -> Any:
@@ -58,23 +59,23 @@ class Entry(NamedTuple):
         own = getattr(module, f"{self.name}Env", None)
         return gymnasium_class(self.load_mdp(), __name__) if own is None else own
 
-    def _said(self, group: str) -> str | None:
+    def _from_first_line(self, group: str) -> str | None:
         text = (importlib.import_module(self.module).__doc__ or "").strip().splitlines()
         match = FIRST_LINE.match(text[0]) if text else None
         return match[group] if match else None
 
 
 def in_snake_case(name: str) -> str:
-    """The name of a class as the name of a file: MemoryCorridor, memory_corridor; QLearning, q_learning."""
+    """The file name of a class: memory_corridor for MemoryCorridor, q_learning for QLearning."""
     return re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", "_", name).lower()
 
 
-def _found() -> tuple[Entry, ...]:
+def _find_all() -> tuple[Entry, ...]:
     files = (module.name for module in pkgutil.iter_modules([str(Path(__file__).with_name("envs"))]))
     return tuple(Entry("".join(map(str.capitalize, file.split("_"))), f"edugym.envs.{file}") for file in files)
 
 
-ENVIRONMENTS = _found()
+ENVIRONMENTS = _find_all()
 """Every environment, by name."""
 
 
@@ -109,19 +110,18 @@ def find(name: str) -> Entry:
 def full_id(name: str) -> str:
     """The Gymnasium id of an environment of the course; any other id stays as it is.
 
-    The name alone (Boulder) is enough. The prefix `edugym:`, by which Gymnasium is told to import this package, is
-    taken off.
+    The name alone (Boulder) is enough. The prefix `edugym:`, which tells Gymnasium to import this package, is removed.
     """
     name = name.removeprefix("edugym:")
     return next((entry.id for entry in ENVIRONMENTS if entry.name in (name, name.removesuffix("-v0"))), name)
 
 
 def specification(name: str, parameters: Mapping[str, Any]) -> tuple[EnvSpec, dict[str, Any]]:
-    """What Gymnasium knows of an environment, and all of its parameters with their defaults.
+    """The specification of an environment, and all of its parameters with their defaults.
 
     Args:
         name: of an environment of the course, or the id of any of Gymnasium's.
-        parameters: those that it is to be made with.
+        parameters: the parameters to make it with.
 
     Raises:
         ValueError: there is no such environment, or it has no such parameter.
@@ -143,7 +143,7 @@ def specification(name: str, parameters: Mapping[str, Any]) -> tuple[EnvSpec, di
 
 
 def parameters_of(creator: Callable[..., Any]) -> dict[str, Any]:
-    """The parameters of a task with their defaults, less `render_mode`, which changes nothing in the task."""
+    """The parameters of a task with their defaults. `render_mode` is left out: it changes nothing in the task."""
     parts = inspect.signature(creator).parameters
     return {name: part.default for name, part in parts.items() if name != "render_mode"}
 
@@ -158,21 +158,37 @@ def make_mdp(name: str, **parameters: Any) -> Any:
 
 
 def make_environment(name: str, **parameters: Any) -> Any:
-    """An environment of the course without Gymnasium's wrappers; errors are those of `make_mdp`."""
+    """An environment of the course without Gymnasium's wrappers.
+
+    Raises:
+        ValueError: as `make_mdp`.
+    """
     entry = find(name)
-    specification(name, {key: value for key, value in parameters.items() if key != "render_mode"})
-    return entry.load()(**parameters)
+    spec, _ = specification(name, {key: value for key, value in parameters.items() if key != "render_mode"})
+    environment = entry.load()(**parameters)
+    environment.spec = dataclasses.replace(spec, kwargs=dict(parameters))
+    return environment
 
 
-def _make_vector(entry: Entry, num_envs: int = 1, autoreset_mode: str = "NextStep", **parameters: Any) -> Any:
+def _make_vector(
+    entry: Entry,
+    num_envs: int = 1,
+    autoreset_mode: str = "NextStep",
+    max_episode_steps: int | None = None,
+    **parameters: Any,
+) -> Any:
+    from edugym.adapters.gymnasium_env import MDPEnv
     from edugym.adapters.vector_env import MDPVectorEnv
 
-    return MDPVectorEnv(entry.load()(**parameters), num_envs, autoreset_mode)
+    env = entry.load()(**parameters)
+    if not env.only_plays_its_mdp:  # copies do not wait, as Supermarket says
+        env = MDPEnv(env.mdp, env.render_mode)
+    return MDPVectorEnv(env, num_envs, autoreset_mode, max_episode_steps)
 
 
 @cache
 def __getattr__(name: str) -> Any:
-    """`<name>Env` and `make_<name>_vector` for every environment, by which Gymnasium and pickle ask for them."""
+    """`<name>Env` and `make_<name>_vector` for every environment: the names that Gymnasium and pickle look up."""
     for entry in ENVIRONMENTS:
         if name == f"make_{entry.name}_vector":
             return partial(_make_vector, entry)

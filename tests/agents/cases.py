@@ -10,10 +10,9 @@ from collections.abc import Callable, Iterator
 from types import ModuleType
 from typing import Any
 
-import numpy as np
-
 from edugym import QLearning, agents
 from tests.agents.case import Case
+from tests.agents.case import same as same
 
 
 def package_classes(method: str) -> Iterator[type]:
@@ -46,16 +45,3 @@ STRATEGIES: dict[str, Callable[[Any], Any]] = {
 AGENTS = {name: case for kind in package_classes("learn") for name, case in _described(kind).items()}
 
 CASES: dict[str, Case] = {**AGENTS, **{f"QLearning, {name}": _exploring(make) for name, make in STRATEGIES.items()}}
-
-
-def same(one: Any, other: Any) -> bool:
-    """Whether two agents (or any nested tuples) are of the same classes and equal to the last bit, NaN included."""
-    if type(one) is not type(other):
-        return False
-    if isinstance(one, tuple):
-        return len(one) == len(other) and all(map(same, one, other))
-    if isinstance(one, np.ndarray):
-        return bool(one.dtype == other.dtype and one.shape == other.shape and one.tobytes() == other.tobytes())
-    if isinstance(one, np.random.Generator):
-        return bool(one.bit_generator.state == other.bit_generator.state)
-    return bool(one == other)

@@ -6,6 +6,7 @@ import subprocess
 import sys
 import traceback
 import warnings
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -56,7 +57,7 @@ def test_rehearsal_changes_nothing() -> None:
 def test_own_code_is_not_rehearsed(monkeypatch: pytest.MonkeyPatch) -> None:
     """The package's own code goes straight to the compiler."""
     task = edugym.make_mdp("Boulder")
-    monkeypatch.setattr("edugym.compiled.execution.copy.deepcopy", lambda value: pytest.fail("rehearsed"))
+    monkeypatch.setattr(execution, "copied", lambda value: pytest.fail("rehearsed"))
     agent = edugym.QLearning.create(task)
     edugym.train(task, agent, 10_000)
     assert agent.Q.any()
@@ -226,3 +227,154 @@ def test_without_a_compiler() -> None:
     assert [lines.pop() for lines in outputs] == ["True", "True", "False"]
     assert outputs[0] == outputs[1] == outputs[2]
     assert len(outputs[0]) == 51
+
+
+def test_a_living_environment_runs_what_its_class_has_become() -> None:
+    """A method, a global or a constant of a class that changes shows at the next step, also as machine code."""
+    notebook = cell("BONUS = 1.0\n" + WALK.replace("else -0.25", "else -0.25 * BONUS"))
+    task = notebook["Walk"](50)
+    vector = MDPVectorEnv(MDPEnv(task), 4)
+    vector.reset(seed=0)
+    step = np.ones(4, np.int64)
+    assert vector.step(step)[1].tolist() == [-0.25] * 4
+    notebook["BONUS"] = 2.0
+    assert vector.step(step)[1].tolist() == [-0.5] * 4
+    cell(WALK.replace("else -0.25", "else -3.0"), notebook)
+    task.__class__.reward = notebook["Walk"].reward
+    assert vector.step(step)[1].tolist() == [-3.0] * 4
+    notebook["BONUS"] = []  # which is not to be compiled, and not used any more
+    assert vector.step(step)[1].tolist() == [-3.0] * 4
+
+
+def test_machine_code_that_differs_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What the first steps come to is compared; where it differs the class runs interpreted and says so."""
+    monkeypatch.setattr(execution, "_warned", set())
+    original = compiler.compiled
+
+    def wrong(loop: Any, *arguments: Any, **named: Any) -> Any:
+        made = original(loop, *arguments, **named)
+
+        def run(n: int, table: Any, *rest: Any) -> Any:
+            table[3] += 1e-9
+            return made(n, table, *rest)
+
+        return run
+
+    monkeypatch.setattr(execution, "compiled", wrong)
+    table, rng = np.zeros(4), np.random.default_rng(0)
+    with pytest.warns(UserWarning, match="comes to something else than Python in the first steps"):
+        assert executable(count, (table, cell(COUNTER)["Counter"](4), rng)) is count
+    assert not table.any()
+
+
+def test_no_step_happens_twice(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    """What a student's code prints, or counts outside, it does once for each step."""
+    monkeypatch.setattr(execution, "_warned", set())
+    for line in ("print('step')", "seen.append(1)", "T.k[0] += 1"):
+        source = "seen = []\nclass T: k = [0]\n" + COUNTER.replace("return int", f"{line}\n        return int")
+        notebook = cell(source)
+        monkeypatch.setattr(execution, "_warned", set())
+        with pytest.warns(UserWarning, match="runs interpreted"):
+            run = executable(count, (np.zeros(4), notebook["Counter"](4), np.random.default_rng(0)))
+        run(7, np.zeros(4), notebook["Counter"](4), np.random.default_rng(0))
+        assert (capsys.readouterr().out.count("step"), len(notebook["seen"]), notebook["T"].k[0]) in (
+            (7, 0, 0), (0, 7, 0), (0, 0, 7),
+        )  # fmt: skip
+
+
+ADAPTED = """
+class Adapted(NamedTuple):
+    agent: object
+
+    def act(self, state, rng):
+        return self.agent.act(state=state, rng=rng)
+
+    def learn(self, state, action, reward, next_state, terminated, truncated):
+        self.agent.learn(
+            state=state, action=action, reward=reward, next_state=next_state, terminated=terminated)
+"""
+
+
+def test_methods_are_called_by_keywords(monkeypatch: pytest.MonkeyPatch) -> None:
+    """An adapter that names what it passes compiles, also where other parameters have defaults, or another order."""
+    kept: list[Any] = []
+    source = LEARNER.replace("next_state, terminated)", "next_state, terminated, alpha=0.5)").replace(
+        "self.rate *", "alpha *"
+    )
+    shuffled = source.replace(
+        "self, state, action, reward, next_state, terminated", "self, reward, terminated, next_state, action, state"
+    )
+    for version in (source, shuffled):
+        for compile_from in (COMPILE_FROM, N_STEPS):
+            monkeypatch.setattr(execution, "COMPILE_FROM", compile_from)
+            notebook = cell(WALK + version + ADAPTED)
+            agent = notebook["Adapted"](notebook["Learner"](np.zeros((6, 2))))
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                edugym.train(notebook["Walk"](5), agent, 6000, seed=3)
+            kept.append(agent.agent.Q.tolist())
+    assert kept[0] == kept[1] == kept[2] == kept[3]
+    assert np.any(kept[0])
+
+
+MOVED = """
+import sys, warnings
+import numba
+{change}
+import edugym
+from edugym.compiled import execution
+with warnings.catch_warnings(record=True) as caught:
+    warnings.simplefilter("always")
+    task = edugym.make_mdp("Boulder", height=4)
+    for _ in range(2):
+        run = edugym.train(task, edugym.QLearning.create(task), 6000)
+print(run.complete, [str(w.message) for w in caught])
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "change",
+    [
+        "sys.modules['numba.core.imputils'] = None",
+        "import numba.core.compiler as c; del c.DefaultPassBuilder.define_nopython_pipeline",
+        "import numba.core.typing.typeof as t; del t.Purpose",
+    ],
+)
+def test_a_numba_that_is_not_as_expected(change: str, tmp_path: Path) -> None:
+    """Where something in Numba has moved, everything runs interpreted, after one warning."""
+    environment = os.environ | {
+        "PYTHONPATH": os.pathsep.join(filter(None, sys.path)),
+        "EDUGYM_CACHE_DIR": str(tmp_path),
+    }
+    command = [sys.executable, "-c", MOVED.format(change=change)]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    complete, _, said = done.stdout.partition(" ")
+    assert complete == "True"
+    assert said.count("interpreted") == 1, said
+
+
+def test_builds_do_not_pile_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Run the cell of a class again unchanged, and nothing is compiled; change it, and the oldest builds go."""
+    monkeypatch.setattr(compiler, "_built", {})
+    made: list[Any] = []
+    original = compiler._compile
+
+    def counted(*arguments: Any) -> Any:
+        made.append(0)
+        return original(*arguments)
+
+    monkeypatch.setattr(compiler, "_compile", counted)
+
+    def run(source: str) -> None:
+        arguments = np.zeros(9), cell(source)["Counter"](4), np.random.default_rng(0)
+        executable(count, arguments)(10, *arguments)
+
+    for _ in range(3):
+        run(COUNTER)
+    assert len(made) == 1
+    for k in range(1, 7):
+        run(COUNTER.replace("* self.size", f"* self.size + {k / 10}"))
+    assert len(made) == 7
+    assert len(compiler._built) == compiler.KEPT

@@ -18,6 +18,7 @@ from stable_baselines3.common.vec_env import DummyVecEnv, VecMonitor, VecNormali
 from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.deep import stable_baselines3_env
+from edugym.envs.boulder import Boulder
 from edugym.registration import ENVIRONMENTS, Entry
 
 every_environment = pytest.mark.parametrize("entry", ENVIRONMENTS, ids=[entry.name for entry in ENVIRONMENTS])
@@ -169,6 +170,16 @@ def test_pictures() -> None:
     human.close()
 
 
+def test_what_wrappers_read() -> None:
+    """`VecVideoRecorder` reads the pictures a second from `metadata`; others read the specification of a copy."""
+    env = copies("MemoryCorridor", 2, max_steps=77)
+    assert env.metadata["render_fps"] == 4
+    for spec in env.get_attr("spec"):
+        assert spec.id == "edugym/MemoryCorridor-v0"
+        assert spec.max_episode_steps == 77
+        assert spec.kwargs == {"max_steps": 77}
+
+
 def test_one_s_own_environment() -> None:
     """An environment or a vector environment can be given instead of a name."""
     catch = gymnasium.make("edugym/Catch-v0", rows=3).unwrapped
@@ -183,9 +194,12 @@ def test_wrong_parameters() -> None:
     """What is no environment, and what does not fit it, raises a ValueError that says so."""
     catch = gymnasium.make("edugym/Catch-v0")
     assert isinstance(catch.unwrapped, MDPEnv)
-    for wrong in (catch, None, 3):
-        with pytest.raises(ValueError, match="environment must be a name, an MDPEnv or an MDPVectorEnv"):
+    assert copies(catch, 2).num_envs == 2
+    for wrong in (None, 3, Boulder):
+        with pytest.raises(ValueError, match="environment must be"):
             copies(wrong)
+    with pytest.raises(ValueError, match="must have no wrapper that changes it, but has TimeLimit"):
+        copies(gymnasium.make("edugym/Catch-v0", max_episode_steps=3))
     with pytest.raises(ValueError, match="environment must be one of Boulder"):
         copies("CartPole-v1")
     with pytest.raises(ValueError, match=r"and no more, such as waiting, but .*Supermarket.* use .*DummyVecEnv"):

@@ -25,8 +25,8 @@ PARAMETERS = Parameters(
         {"height": 3, "n_grips": 50, "layout_seed": 2**63},
     ),
     bad=(
-        *refused("height", 0, -1, *NO_WHOLE_NUMBER),
-        *refused("n_grips", 1, -2, *NO_WHOLE_NUMBER),
+        *refused("height", 0, -1, 10**6 + 1, 10**400, *NO_WHOLE_NUMBER),
+        *refused("n_grips", 1, -2, 1001, 10**9, *NO_WHOLE_NUMBER),
         *refused("max_steps", *NO_STEPS),
         *refused("layout_seed", -1, *NO_WHOLE_NUMBER),
     ),

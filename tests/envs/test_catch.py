@@ -37,8 +37,8 @@ PARAMETERS = Parameters(
         {"rows": 100, "columns": 199, "observation_type": "vectorised"},
     ),
     bad=(
-        *refused("rows", 1, 0, -10, *NO_WHOLE_NUMBER),
-        *refused("columns", 0, -1, 20, 1000, *NO_WHOLE_NUMBER),
+        *refused("rows", 1, 0, -10, 1001, 10**9, *NO_WHOLE_NUMBER),
+        *refused("columns", 0, -1, 20, 1000, 1001, 10**9, *NO_WHOLE_NUMBER),
         *refused("columns", 4, rows=2),
         *refused("observation_type", "pixels", "Grid", "", None, 0),
     ),

@@ -14,7 +14,7 @@ PARAMETERS = Parameters(
     valid=st.fixed_dictionaries({"num_doors": st.integers(2, 6)}, optional={"max_steps": st.integers(1, 60)}),
     corners=({}, {"num_doors": 2}, {"num_doors": 40}, {"max_steps": 1}, {"num_doors": 2, "max_steps": 7}),
     bad=(
-        *refused("num_doors", 1, 0, -3, *NO_WHOLE_NUMBER),
+        *refused("num_doors", 1, 0, -3, 1001, 10**5, *NO_WHOLE_NUMBER),
         *refused("max_steps", None, *NO_STEPS),
     ),
     informed=lambda info, _: info["right_door"],

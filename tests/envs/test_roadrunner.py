@@ -37,8 +37,8 @@ PARAMETERS = Parameters(
         {"size": 30, "stop_zone": 3, "negative_reward": -1, "max_steps": 1},
     ),
     bad=(
-        *refused("size", 1, 0, -10, *NO_WHOLE_NUMBER),
-        *refused("max_speed", 0, -1, *NO_WHOLE_NUMBER),
+        *refused("size", 1, 0, -10, 10**6 + 1, 10**400, *NO_WHOLE_NUMBER),
+        *refused("max_speed", 0, -1, 10**6 + 1, *NO_WHOLE_NUMBER),
         *refused("negative_reward", 1, 0.5, -inf, inf, nan, "-1", None, True),
         *refused("stop_zone", -1, 9, 10, *NO_WHOLE_NUMBER),
         *refused("stop_zone", 1, size=2),

@@ -52,8 +52,8 @@ PARAMETERS = Parameters(
         {"action_reward_noise_mean": 1e6, "action_reward_noise_sigma": 1e6},
     ),
     bad=(
-        *refused("total_days", 2, 4, 0, -10, *NO_WHOLE_NUMBER),
-        *refused("n_actions", 1, 0, *NO_WHOLE_NUMBER),
+        *refused("total_days", 2, 4, 0, -10, 10**5 + 1, 10**400, *NO_WHOLE_NUMBER),
+        *refused("n_actions", 1, 0, 1001, 10**9, *NO_WHOLE_NUMBER),
         *refused("lecture_days", 0, 10, 11, *NO_WHOLE_NUMBER),
         *refused("lectures_needed", 0, 4, -1, *NO_WHOLE_NUMBER),
         *refused("lectures_needed", 3, total_days=5),

@@ -332,7 +332,7 @@ def test_what_a_reader_would_see_go_wrong_fails_the_build(code: str, message: st
     source = code if "import" in code or "ipywidgets" not in code else f"import ipywidgets\n{code}"
     notebook = new_notebook(cells=[new_code_cell(source, id="cell-000")])
     with pytest.raises(build.LessonError, match=f"(?s){message}"):
-        build.execute(notebook, "one", seconds=5)
+        build.execute(notebook, "one", seconds=1 if "sleep" in code else 5)
 
 
 @pytest.mark.slow

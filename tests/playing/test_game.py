@@ -1,5 +1,6 @@
 """Games: their actions, their score and their pictures."""
 
+import io
 from typing import Any
 
 import numpy as np
@@ -7,8 +8,8 @@ import pytest
 from gymnasium import spaces
 from gymnasium.error import ResetNeeded
 
-from edugym.playing import Game
-from edugym.playing.game import TERMINATED, TRUNCATED, named_actions
+from edugym.playing import Game, play
+from edugym.playing.game import MOST_NAMED, TERMINATED, TRUNCATED, named_actions
 from edugym.playing.keyboard import keys_of
 from edugym.registration import ENVIRONMENTS
 from tests.playing.tasks import Still, Walk
@@ -115,7 +116,7 @@ def test_what_cannot_be_played_is_named() -> None:
         Game("Bolder")
     with pytest.raises(ValueError, match="Boulder has no parameter 'heigth'; it has height, n_grips, "):
         Game("Boulder", heigth=3)
-    with pytest.raises(ValueError, match="height must be 1 or more, but is 0"):
+    with pytest.raises(ValueError, match="height must be from 1 to 1000000, but is 0"):
         Game("Boulder", height=0)
     with pytest.raises(ValueError, match=r"go with the name of an environment, but are \['height'\]"):
         Game(Walk(), height=3)
@@ -180,3 +181,12 @@ def test_actions_without_a_name_are_written_out() -> None:
     score, observation = game.line().splitlines()
     assert score == "step 1: action -1 0.333, reward 0, return 0"
     assert observation.startswith("observation -0.28")
+
+
+def test_very_many_actions_have_no_names() -> None:
+    """An environment with a billion actions can be shown, though not played with keys."""
+    many = Still(spaces.Discrete(10**9))
+    assert Game(many).actions == {}
+    assert len(Game(Still(spaces.Discrete(MOST_NAMED))).actions) == MOST_NAMED
+    with pytest.raises(ValueError, match="too many actions to be played with keys"):
+        play(many, keyboard=io.StringIO(), screen=io.StringIO())

@@ -228,6 +228,7 @@ def command(arguments: str) -> subprocess.CompletedProcess[str]:
         ("yes 0 | (EDUGYM play Boulder; echo $? >&2) | head -1", 0, "\n", "1\n"),
         ("EDUGYM play Boulder </dev/null >&-", 2, "", "standard output is closed"),
         ("EDUGYM play Boulder </dev/null >/dev/full", 2, "", "No space left on device"),
+        ("EDUGYM list >/dev/full", 1, "", "No space left on device\n"),
     ],
 )
 def test_inputs_and_outputs_that_end(line: str, status: int, output: str, error: str) -> None:

@@ -100,6 +100,11 @@ def test_methods_keep_their_strokes() -> None:
     assert len({stroke.color for stroke in STROKES}) == len(STROKES)
 
 
+def test_a_range_of_the_y_axis() -> None:
+    """It cuts off what is beyond."""
+    assert Curves(made_results(), y_range=(-4.0, 1.5)).draw(new_axes()).get_ylim() == (-4.0, 1.5)
+
+
 def test_unknown_names_are_refused() -> None:
     """Of methods and of columns."""
     with pytest.raises(ValueError, match="method must be one of 'A', 'B', but is 'C'"):

@@ -8,7 +8,7 @@ import pytest
 
 from edugym import QLearning, train
 from edugym.mdp.protocol import Random
-from edugym.training.contract import TOLD, is_on_policy, learner, learns_from
+from edugym.training.contract import LEARN_PARAMETERS, is_on_policy, learner, learns_from
 from tests.training.tasks import SlipperyWalk, Stairs
 
 STEP = {
@@ -36,13 +36,13 @@ class Noting:
     return scope["Noting"]()
 
 
-@pytest.mark.parametrize("size", range(1, len(TOLD) + 1))
+@pytest.mark.parametrize("size", range(1, len(LEARN_PARAMETERS) + 1))
 def test_any_names_in_any_order(size: int) -> None:
     """Whatever an agent asks for, it gets that, however it orders it."""
-    orders = itertools.islice(itertools.permutations(TOLD, size), 0, None, 1 if size < 4 else 97)
+    orders = itertools.islice(itertools.permutations(LEARN_PARAMETERS, size), 0, None, 1 if size < 4 else 97)
     for names in orders:
         agent = agent_that_takes(names)
-        told = [STEP[name] for name in TOLD if name != "next_action" or "next_action" in names]
+        told = [STEP[name] for name in LEARN_PARAMETERS if name != "next_action" or "next_action" in names]
         learner(agent).learn(*told)
         assert agent.noted == {name: STEP[name] for name in names}
         assert learns_from(agent) == names
@@ -64,7 +64,7 @@ def test_a_default_of_ones_own_is_left_alone() -> None:
             self.seen = (terminated, alpha)
 
     agent = Agent()
-    learner(agent).learn(*(STEP[name] for name in TOLD if name != "next_action"))
+    learner(agent).learn(*(STEP[name] for name in LEARN_PARAMETERS if name != "next_action"))
     assert agent.seen == (True, 0.5)
 
 
@@ -111,7 +111,9 @@ def test_compiled_as_interpreted() -> None:
 def test_unknown_names_are_refused(more: str, asked: str) -> None:
     """The message lists the names."""
     agent = agent_that_takes(("state", "action"), more)
-    with pytest.raises(ValueError, match=f"learn of Noting must take some of state, action, .* but asks for {asked}"):
+    with pytest.raises(
+        ValueError, match=f"learn of Noting may only have the parameters state, action, .* but it has {asked}"
+    ):
         train(Stairs(), agent, 10)
 
 

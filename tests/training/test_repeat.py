@@ -156,7 +156,7 @@ def test_any_gymnasium_environment() -> None:
         ({"environment": "Bolder"}, "environment must be one of Boulder, .*Bolder"),
         ({"environment": "edugym/Bolder-v0"}, "environment must be one of Boulder, .*Bolder"),
         ({"parameters": {"heigth": 3}}, "has no parameter 'heigth'; it has height, n_grips"),
-        ({"parameters": {"height": 0}}, "height must be 1 or more, but is 0"),
+        ({"parameters": {"height": 0}}, "height must be from 1 to 1000000, but is 0"),
         ({"environment": make_mdp("Boulder"), "parameters": {"height": 3}}, "parameters can be given with the name"),
         ({"agents": {}}, "agents must have one"),
         ({"agents": {"Q": QLearning}}, r"agents\['Q'\] must be an agent or a function"),

@@ -1,6 +1,6 @@
-"""Room for n states, a column for each number in one, and for what is seen of them, a row for each.
+"""Arrays for the states and the observations of n copies, which machine code reads and writes in place.
 
-Machine code reads and writes both in place.
+States have a column (an array of length n) for each number in a state; observations are the rows of one array.
 """
 
 from collections.abc import Callable
@@ -13,13 +13,13 @@ from edugym.mdp.protocol import MDP, Random
 
 
 class Storage(Protocol):
-    """Room for n values."""
+    """A place for each of n values."""
 
     def load(self, i: int) -> Any:
         """The i-th value."""
 
-    def store(self, i: int, value: Any) -> None:
-        """Put a value in the i-th place."""
+    def store(self, i: int, value: Any) -> bool:
+        """Put a value in the i-th place, and tell whether it is there without loss."""
 
 
 class Rows(Protocol):
@@ -44,7 +44,7 @@ class WholeRows(NamedTuple):
 
 
 class RowsInPlace(NamedTuple):
-    """Rows for observations that are arrays, which the MDP itself writes in their place."""
+    """Rows for observations that are arrays, which the MDP itself writes into them."""
 
     rows: Any
 
@@ -54,25 +54,44 @@ class RowsInPlace(NamedTuple):
 
 
 class Listed(NamedTuple):
-    """Values of any shape, such as states that hold arrays, in something that is indexed as a list is."""
+    """Values of any shape, such as states that hold arrays, in a list or an array of objects.
+
+    Attributes:
+        values: the list.
+        kept: tells whether a value is there without loss (see `columns`).
+    """
 
     values: Any
+    kept: Any
 
     def load(self, i: int) -> Any:
         """The i-th value."""
         return self.values[i]
 
-    def store(self, i: int, value: Any) -> None:
-        """Put a value in the i-th place."""
+    def store(self, i: int, value: Any) -> bool:
+        """Put a value in the i-th place, and tell whether it is there without loss."""
         self.values[i] = value
+        kept: bool = self.kept.equal(self.values[i], value)
+        return kept
 
     def __reduce__(self) -> tuple[Any, ...]:
         """How it is copied and pickled: Numba's lists cannot be."""
         return loose if isinstance(self.values, np.ndarray) else listed, (list(self.values),)
 
 
+class Always(NamedTuple):
+    """Tells of every value that it is kept as it is."""
+
+    def equal(self, stored: Any, value: Any) -> bool:
+        """True."""
+        return True
+
+
 def storage(states: list[Any], n: int) -> Storage:
-    """Room for `n` states, given some that occur; a number that is whole in some and not in others is not whole."""
+    """A place for each of `n` states, chosen by some states that occur.
+
+    A number that is whole in some of them and not in others is stored as a real number.
+    """
     if not all(map(_regular, states)) or len({_form(state, numbers=False) for state in states}) > 1:
         return loose([states[0]] * n)
     if not holds_arrays(states[0]):
@@ -82,27 +101,37 @@ def storage(states: list[Any], n: int) -> Storage:
 
 
 def columns(sample: Any, n: int) -> Storage:
-    """Room for `n` values like `sample`: a number, or a (nested) tuple of numbers.
+    """A place for each of `n` values like `sample`: a number, or a (nested) tuple of numbers.
 
-    The class is written for the sample, for example for a state (x, speed):
+    It writes a class for the sample. For a state (x, speed) that is:
 
         def load(self, i):
             return (self.columns[0][i], self.columns[1][i],)
         def store(self, i, value):
+            if len(value) != 2:
+                return False
             self.columns[0][i] = value[0]
             self.columns[1][i] = value[1]
+            return same(self.columns[0][i], value[0]) and same(self.columns[1][i], value[1])
+
+    A value that does not fit the type of its column is cut (0.5 becomes 0 among whole numbers); then `store` returns
+    False. Where the types are equal the comparison takes no time in machine code.
     """
     arrays: list[np.ndarray[Any, Any]] = []
-    kinds: dict[str, type] = {}
+    kinds: dict[str, Any] = {"same": _same}
+    lengths: list[str] = []
     stores: list[str] = []
+    kept: list[str] = []
 
     def walk(value: Any, path: str) -> str:
         if isinstance(value, tuple):
+            lengths.append(f"        if len(value{path}) != {len(value)}:\n            return False")
             inside = "".join(walk(part, f"{path}[{k}]") + ", " for k, part in enumerate(value))
             if not hasattr(value, "_fields"):
                 return f"({inside})"
             kinds[f"Kind{len(kinds)}"] = type(value)
             return f"Kind{len(kinds) - 1}({inside})"
+        kept.append(f"same(self.columns[{len(arrays)}][i], value{path})")
         stores.append(f"        self.columns[{len(arrays)}][i] = value{path}")
         arrays.append(np.zeros(n, np.asarray(value).dtype))
         return f"self.columns[{len(arrays) - 1}][i]"
@@ -113,16 +142,18 @@ def columns(sample: Any, n: int) -> Storage:
         "    def load(self, i):",
         f"        return {loaded}",
         "    def store(self, i, value):",
-        *(stores or ["        pass"]),
+        *lengths,
+        *stores,
+        f"        return {' and '.join(kept) or 'True'}",
     ]
     storage: Storage = generated_class("Columns", lines, kinds)(tuple(arrays))
     return storage
 
 
 def observation_rows(mdp: MDP[Any, Any], sample: Any) -> Callable[[np.ndarray[Any, Any]], Rows]:
-    """What makes of an array the rows for observations of `mdp` like `sample`.
+    """The class of the rows for observations of `mdp` like `sample`; it is made from the array.
 
-    For tuples the class is written for the sample, for example for (x, speed):
+    For tuples it writes a class for the sample. For (x, speed) that is:
 
         def put(self, i, mdp, state, rng):
             value = mdp.observation(state, rng)
@@ -154,21 +185,72 @@ def observation_rows(mdp: MDP[Any, Any], sample: Any) -> Callable[[np.ndarray[An
     return kind
 
 
+def copy_of(storage: Any) -> Any:
+    """The same values in arrays of their own."""
+    if isinstance(storage, Listed):
+        return _copied(storage, slice(None))
+    return type(storage)(tuple(column.copy() for column in storage.columns))
+
+
+def head(storage: Any, n: int) -> Any:
+    """The first `n` values, in storage of the same type."""
+    if isinstance(storage, Listed):
+        return _copied(storage, slice(n))
+    return type(storage)(tuple(column[:n].copy() for column in storage.columns))
+
+
+def _copied(storage: Listed, part: slice) -> Listed:
+    if isinstance(storage.values, np.ndarray):
+        return storage._replace(values=storage.values[part].copy())
+    try:
+        return storage._replace(values=storage.values[part])
+    except NotImplementedError:  # Numba takes the class for an older one of the same name
+        return listed(list(storage.values)[part])
+
+
+def as_sampled(value: Any, sample: Any) -> Any:
+    """A value from a column, with Python's numbers where the `sample` has them."""
+    if isinstance(sample, tuple):
+        parts = [as_sampled(part, like) for part, like in zip(value, sample, strict=True)]
+        return type(sample)(*parts) if hasattr(sample, "_fields") else tuple(parts)
+    if isinstance(value, np.generic) and not isinstance(sample, np.generic):
+        return value.item()
+    return value
+
+
 def listed(values: list[Any]) -> Listed:
-    """The values as they are, in a list that machine code can use where there is a compiler."""
+    """The values in a list that machine code can use, where there is a compiler."""
     try:
         from numba.typed import List
     except ImportError:
         return loose(values)
-    return Listed(List(values))
+    return Listed(List(values), _comparison(values[0]))
+
+
+def _comparison(sample: Any) -> Any:
+    """A comparison of the numbers in a stored value and in the original, since Numba's lists cast them."""
+    parts: list[str] = []
+
+    def walk(value: Any, path: str) -> None:
+        if isinstance(value, tuple):
+            parts.append(f"len(value{path}) == {len(value)}")
+            for k, part in enumerate(value):
+                walk(part, f"{path}[{k}]")
+        elif not isinstance(value, np.ndarray):
+            parts.append(f"same(stored{path}, value{path})")
+
+    walk(sample, "")
+    lines = ["    def equal(self, stored, value):", f"        return {' and '.join(parts) or 'True'}"]
+    known: dict[str, Any] = {"same": _same}
+    return generated_class("Comparison", lines, known)()
 
 
 def loose(values: list[Any]) -> Listed:
-    """The values, and later others of whatever kind, which machine code cannot use."""
+    """The values in an array of objects, which takes values of any kind but cannot be used by machine code."""
     objects = np.empty(len(values), object)
     for i, value in enumerate(values):
         objects[i] = value
-    return Listed(objects)
+    return Listed(objects, Always())
 
 
 def holds_arrays(value: Any) -> bool:
@@ -176,15 +258,24 @@ def holds_arrays(value: Any) -> bool:
     return isinstance(value, np.ndarray) or (isinstance(value, tuple) and any(map(holds_arrays, value)))
 
 
+def _same(stored: Any, value: Any) -> Any:
+    """Whether a number has been stored without loss; NaN equals itself here."""
+    return stored == value or (stored != stored and value != value)
+
+
 def _regular(value: Any) -> bool:
-    """Whether it is made of numbers, arrays of numbers and tuples alone."""
+    """Whether it is made of numbers that machine code computes with as Python does, arrays of numbers, and tuples."""
     if isinstance(value, tuple):
         return all(map(_regular, value))
-    return np.asarray(value).dtype.kind in "biufc"
+    if isinstance(value, np.ndarray):
+        return value.dtype.kind in "biuf"
+    if isinstance(value, int) and not -(2**63) <= value < 2**63:
+        return False
+    return isinstance(value, bool | int | float | np.bool_ | np.int64 | np.float64)
 
 
 def _form(value: Any, *, numbers: bool) -> Any:
-    """What values have in common that fit in one place: up to the types of their numbers, or these as well."""
+    """The form of a value: values that fit in one place have the same. With `numbers`, their types count too."""
     if isinstance(value, tuple):
         return type(value), tuple(_form(part, numbers=numbers) for part in value)
     if isinstance(value, np.ndarray):

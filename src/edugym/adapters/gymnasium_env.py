@@ -1,5 +1,6 @@
 """Any MDP as a Gymnasium environment."""
 
+import copy
 import inspect
 from collections.abc import Callable
 from functools import cache, partial
@@ -8,9 +9,14 @@ from typing import TYPE_CHECKING, Any, Generic, SupportsFloat, TypeVar
 import gymnasium
 import numpy as np
 from gymnasium import spaces
+from gymnasium.envs.registration import EnvSpec
 from gymnasium.error import ResetNeeded
+from gymnasium.wrappers import OrderEnforcing, PassiveEnvChecker
 
+from edugym.adapters.actions import checked_action
+from edugym.adapters.specification import filled
 from edugym.checks import one_of
+from edugym.mdp.checking import CHECKED_STEPS, checked_observation, checked_step, is_own, require_mdp
 from edugym.mdp.protocol import MDP, coerced, history_wanted, named_actions, step_limit
 
 if TYPE_CHECKING:
@@ -26,7 +32,8 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
     """A Gymnasium environment that plays an MDP: `MDPEnv(Walk(7))`.
 
     It adds the API: it keeps the state, the random stream and the step limit, and asks the MDP for everything else, the
-    picture, the info and the names of the actions included.
+    picture, the info and the names of the actions included. In the first steps of a student's MDP it checks what the
+    methods return (see `edugym.mdp.checking`).
 
     Args:
         mdp: the task, with `observation_space` and `action_space` (see `edugym.mdp.protocol.MDP`).
@@ -38,19 +45,20 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         steps: how many steps this episode has taken.
         last_state: the state before this one; None at the start of an episode.
         actions: the actions of this episode, in order.
+        info_takes: which of `edugym.mdp.protocol.HISTORY` the MDP's `info` asks for.
 
     Raises:
-        ValueError: there is no such render mode, or the MDP numbers its actions otherwise than 0, 1, ...
+        ValueError: there is no such render mode, or `mdp` is no MDP (see `edugym.mdp.checking.require_mdp`).
     """
 
     metadata = RENDERING
+    _spec: EnvSpec | None = None
 
     def __init__(self, mdp: M, render_mode: str | None = None) -> None:
         """See the class."""
+        require_mdp(mdp)
         mdp = coerced(mdp)
         one_of("render_mode", render_mode, [None, *self.metadata["render_modes"]])
-        if isinstance(mdp.action_space, spaces.Discrete) and mdp.action_space.start != 0:
-            raise ValueError(f"action_space of an MDP must number the actions from 0, but is {mdp.action_space}")
         self.mdp = mdp
         self.observation_space = mdp.observation_space
         self.action_space = mdp.action_space
@@ -67,7 +75,17 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         self._known_model: FiniteModel | None = None
         self._model_rng = np.random.default_rng(0)
         self._info = getattr(mdp, "info", None)
-        self._info_takes = history_wanted(mdp.info) if hasattr(mdp, "info") else ()
+        self.info_takes = history_wanted(mdp.info) if hasattr(mdp, "info") else ()
+        self._steps_to_check = 0 if is_own(mdp) else CHECKED_STEPS
+
+    @property
+    def spec(self) -> EnvSpec | None:
+        """The id, the parameters, the step limit and the reward threshold."""
+        return self._spec
+
+    @spec.setter
+    def spec(self, spec: EnvSpec | None) -> None:
+        self._spec = filled(spec, self.mdp, self._limit)
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
         """Start an episode.
@@ -87,7 +105,8 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         self.steps = 0
         self.last_state, self.actions = None, []
         self._over = False
-        observation = self._shown(self.mdp.observation(self.state, rng))
+        observe = checked_observation if self._steps_to_check else _observation
+        observation = self._shown(observe(self.mdp, self.state, rng))
         if self.render_mode == "human":
             self.render()
         return observation, self.info()
@@ -96,7 +115,8 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         """Take one step.
 
         Args:
-            action: an element of `action_space`.
+            action: an element of `action_space`, or a list or array that stands for one. Numbers beyond the bounds of a
+                Box are clipped to them.
 
         Returns:
             The observation, the reward, whether the task has ended (`terminated`), whether the step limit has cut the
@@ -111,10 +131,15 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
             raise ResetNeeded(f"step {why}: call reset() to start an episode")
         action = self._checked(action)
         mdp, state, rng = self.mdp, self.state, self.np_random
-        next_state = mdp.transition(state, action, rng)
-        reward = float(mdp.reward(state, action, next_state, rng))
-        terminated = bool(mdp.terminal(next_state))
-        observation = self._shown(mdp.observation(next_state, rng))
+        if self._steps_to_check:
+            self._steps_to_check -= 1
+            next_state, reward, terminated, observed = checked_step(mdp, state, action, rng)
+        else:
+            next_state = mdp.transition(state, action, rng)
+            reward = float(mdp.reward(state, action, next_state, rng))
+            terminated = bool(mdp.terminal(next_state))
+            observed = mdp.observation(next_state, rng)
+        observation = self._shown(observed)
         self.steps += 1
         truncated = self.steps == self._limit and not terminated
         self.state, self.last_state = next_state, state
@@ -141,7 +166,7 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         """What a teacher may want to plot and an agent may not use: a new dictionary at every call."""
         if self._info is None:
             return {}
-        told: dict[str, Any] = self._info(self.state, **self._history(self._info_takes))
+        told: dict[str, Any] = self._info(self.state, **self._history(self.info_takes))
         return told
 
     def named_actions(self) -> dict[str, Any]:
@@ -150,6 +175,18 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         Empty where each action goes by its number.
         """
         return named_actions(self.mdp)
+
+    def get_keys_to_action(self) -> dict[str, Any]:
+        """The action for each key of the keyboard, for `gymnasium.utils.play.play`: keys 0, 1, ..., then letters.
+
+        Raises:
+            ValueError: there are more actions than keys, or actions that are not named are real numbers.
+        """
+        from edugym.playing.game import named_actions as all_named
+        from edugym.playing.keyboard import keys_of
+
+        actions = all_named(self)
+        return {key: actions[name] for key, name in keys_of(list(actions)).items()}
 
     def scene(self) -> "Scene":
         """The picture of the present state, or of an initial one before the first `reset`.
@@ -221,7 +258,7 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         return self._known_model
 
     def descriptive_model(self, state: Any, action: Any) -> "list[Outcome]":
-        """All that can happen: a list of (probability, next_state, reward, terminated), rewards in the mean.
+        """All outcomes of an action: a list of (probability, next_state, mean reward, terminated).
 
         Raises:
             ValueError: the task is not finite, or it has no such state or action.
@@ -229,7 +266,7 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         return self.finite_model.outcomes(state, self._checked(action))
 
     def generative_model(self, state: Any, action: Any) -> "Outcome":
-        """One thing that can happen, as (1.0, next_state, reward, terminated), drawn from a stream of the model's own.
+        """One outcome, (1.0, next_state, reward, terminated), drawn from the model's own random stream.
 
         Raises:
             ValueError: the task is not finite, or it has no such state or action.
@@ -248,20 +285,13 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         return self.descriptive_model(state, action) if kind == "descriptive" else self.generative_model(state, action)
 
     def _checked(self, action: Any) -> Any:
-        """The action as the MDP takes it: whole numbers as `int`, others as they are."""
+        """The action as the MDP takes it."""
         if type(action) is int and 0 <= action < self._n_actions:
             return action
-        no_array = isinstance(self.action_space, spaces.Box) and not isinstance(action, np.ndarray)
-        try:  # a Box would cast what is no array, with a warning; Gymnasium up to 1.3 stumbles over huge numbers
-            fits = not no_array and self.action_space.contains(action)
-        except OverflowError:
-            fits = False
-        if not fits:
-            raise ValueError(f"action {action!r} is not in the action space {self.action_space}")
-        return int(action) if self._n_actions else action
+        return checked_action(self.action_space, action)
 
     def __getstate__(self) -> dict[str, Any]:
-        """What is pickled and copied: everything but the window."""
+        """Everything but the window, to be pickled or copied."""
         return {**self.__dict__, "_window": None}
 
 
@@ -289,6 +319,43 @@ def gymnasium_class(kind: Any, module: str) -> Any:
     return type(f"{kind.__name__}Env", (MDPEnv,), members)
 
 
+def environment_of(environment: Any, name: str = "environment") -> "MDPEnv[Any]":
+    """The environment that plays an MDP, given that, the MDP, or what `gymnasium.make` puts around the environment.
+
+    Args:
+        environment: one of these.
+        name: of the parameter that it was given for.
+
+    Raises:
+        ValueError: it is something else, or a wrapper changes what it does.
+    """
+    inside = environment
+    while isinstance(inside, PassiveEnvChecker | OrderEnforcing):
+        inside = inside.env
+    if isinstance(inside, MDPEnv):
+        return inside
+    if isinstance(inside, gymnasium.Wrapper) and isinstance(inside.unwrapped, MDPEnv):
+        raise ValueError(
+            f"{name} must have no wrapper that changes it, but has {type(inside).__name__}: pass its `unwrapped`, and"
+            " wrap the copies instead"
+        )
+    require_mdp(inside, name)
+    return MDPEnv(inside)
+
+
 def as_element_of(space: spaces.Space[Any]) -> Callable[[Any], Any]:
-    """What turns an observation of an MDP into an element of a Gymnasium space (an array of its own each time)."""
-    return int if isinstance(space, spaces.Discrete) else partial(np.array, dtype=space.dtype)
+    """A function that turns an observation of an MDP into an element of a Gymnasium space, a new array each time."""
+    if isinstance(space, spaces.Tuple):
+        parts = [as_element_of(part) for part in space.spaces]
+        return lambda seen: tuple(part(one) for part, one in zip(parts, seen, strict=True))
+    if isinstance(space, spaces.Dict):
+        named = {name: as_element_of(part) for name, part in space.spaces.items()}
+        return lambda seen: {name: part(seen[name]) for name, part in named.items()}
+    if isinstance(space, spaces.Discrete):
+        return int
+    arrays = isinstance(space, spaces.Box | spaces.MultiDiscrete | spaces.MultiBinary)
+    return partial(np.array, dtype=space.dtype) if arrays else copy.deepcopy
+
+
+def _observation(mdp: MDP[Any, Any], state: Any, rng: np.random.Generator) -> Any:
+    return mdp.observation(state, rng)

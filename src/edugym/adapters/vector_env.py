@@ -1,26 +1,30 @@
 """Any MDP as a Gymnasium vector environment: n copies stepped in one call of machine code."""
 
 import copy
-from typing import Any, Generic, NamedTuple
+from typing import Any, Generic
 
 import numpy as np
 from gymnasium import spaces
+from gymnasium.envs.registration import EnvSpec
 from gymnasium.error import ResetNeeded
 from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 
-from edugym.adapters.columns import Storage, observation_rows, storage
-from edugym.adapters.gymnasium_env import RENDERING, M, MDPEnv
-from edugym.checks import whole_number
-from edugym.compiled.execution import executable
-from edugym.mdp.protocol import MDP, Random, step_limit
+from edugym.adapters.actions import checked_action
+from edugym.adapters.columns import copy_of, observation_rows, storage
+from edugym.adapters.copies import ACTION_OUTSIDE, MODES, Batch, reset_copies, step_copies
+from edugym.adapters.gymnasium_env import RENDERING, M, MDPEnv, environment_of
+from edugym.adapters.runner import Runner
+from edugym.adapters.specification import filled
+from edugym.checks import in_short, number_of_steps, one_of, whole_number
+from edugym.mdp.checking import check_mdp
+from edugym.mdp.protocol import HISTORY, history_wanted, step_limit
 
 NO_LIMIT = 2**62
-ACTION_OUTSIDE = -1
 NOTHING = np.empty(0, np.int64)
 TRIED = 100  # steps
-MODES = [AutoresetMode.NEXT_STEP, AutoresetMode.SAME_STEP, AutoresetMode.DISABLED]
-NEXT_STEP, SAME_STEP, DISABLED = range(3)
+ARRAYS = (spaces.Discrete, spaces.Box, spaces.MultiDiscrete, spaces.MultiBinary)
+"""Spaces of which n elements are one array."""
 
 
 class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
@@ -31,22 +35,44 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
     `"final_obs"` where copies are reset in the same step.
 
     Args:
-        env: one environment, which says what all are.
+        env: what all copies are: an environment, what `gymnasium.make` gives, or the MDP itself.
         num_envs: how many copies, 1 or more.
         autoreset_mode: what becomes of a copy whose episode is over. `"NextStep"`: the next `step` resets it and
             ignores its action. `"SameStep"`: it is reset at once, and its last observation is in
             `infos["final_obs"]`. `"Disabled"`: it waits for `reset(options={"reset_mask": mask})`.
+        max_episode_steps: truncate episodes after so many steps, if the MDP's own limit is not lower; None or -1 for
+            the MDP's own.
 
     Raises:
-        ValueError: a parameter is not as above.
+        ValueError: a parameter is not as above, or the steps of the environment do more than those of its MDP.
     """
 
+    _spec: EnvSpec | None = None
+
     def __init__(
-        self, env: MDPEnv[M], num_envs: int = 1, autoreset_mode: str | AutoresetMode = AutoresetMode.NEXT_STEP
+        self,
+        env: MDPEnv[M],
+        num_envs: int = 1,
+        autoreset_mode: str | AutoresetMode = AutoresetMode.NEXT_STEP,
+        max_episode_steps: int | None = None,
     ) -> None:
         """See the class."""
+        env = environment_of(env, "env")
+        if not env.only_plays_its_mdp:
+            raise ValueError(
+                f"env must do in a step what its MDP does and no more, but {env!r} does more: use Gymnasium's"
+                " SyncVectorEnv"
+            )
+        for name in ("observation_space", "action_space"):
+            if not isinstance(getattr(env, name), ARRAYS):
+                raise ValueError(
+                    f"{name} must be Discrete, Box, MultiDiscrete or MultiBinary in a vector environment, but is"
+                    f" {getattr(env, name)}"
+                )
         self._env = copy.copy(env)  # to draw with
-        whole_number("num_envs", num_envs, 1)
+        num_envs = whole_number("num_envs", num_envs, 1)
+        if not isinstance(autoreset_mode, AutoresetMode):
+            one_of("autoreset_mode", autoreset_mode, [mode.value for mode in MODES])
         self.autoreset_mode = AutoresetMode(autoreset_mode)
         self.metadata = {**RENDERING, "autoreset_mode": self.autoreset_mode}
         self.num_envs = num_envs
@@ -54,13 +80,30 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
         self.single_observation_space, self.single_action_space = env.observation_space, env.action_space
         self.observation_space = batch_space(env.observation_space, num_envs)
         self.action_space = batch_space(env.action_space, num_envs)
-        self._max_steps = step_limit(env.mdp) or NO_LIMIT
+        self._limit = step_limit(env.mdp)
+        if max_episode_steps not in (None, -1):
+            most = number_of_steps("max_episode_steps", max_episode_steps)
+            self._limit = most if self._limit is None else min(most, self._limit)
         self._n_actions = int(env.action_space.n) if isinstance(env.action_space, spaces.Discrete) else 0
         self._steps = np.zeros(num_envs, np.int64)
         self._over = np.zeros(num_envs, np.bool_)
-        self._states: Storage | None = None
+        self._runner: Runner | None = None
         self._rows: Any = None
-        self._code: dict[Any, Any] = {}
+        drawn = getattr(env.mdp, "scene", None)
+        asked = (*(history_wanted(drawn) if drawn else ()), *env.info_takes)
+        self._asked = {name for name in HISTORY if name in asked}
+        self._last_states: Any = None
+        self._needed = 0
+        self._actions: list[Any] = []  # the last ones, as far as `showing` needs them
+
+    @property
+    def spec(self) -> EnvSpec | None:
+        """The id, the parameters, the step limit and the reward threshold."""
+        return self._spec
+
+    @spec.setter
+    def spec(self, spec: EnvSpec | None) -> None:
+        self._spec = filled(spec, self.mdp, self._limit)
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
@@ -74,11 +117,11 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
         if not (isinstance(mask, np.ndarray) and mask.shape == self._over.shape and mask.dtype == np.bool_):
             raise ValueError(f"reset_mask must be an array of {self.num_envs} booleans, but is {mask!r}")
         super().reset(seed=seed)
-        if self._states is None:
-            self._make_room()
+        if self._runner is None:
+            self._runner = self._made_runner()
             mask = np.ones(self.num_envs, np.bool_)
         batch = self._batch()
-        self._run(reset_copies, self.np_random, mask, self._states, batch)
+        self._runner.run(reset_copies, self.np_random, batch, self._few, mask)
         return batch.observations.rows, {}
 
     def step(self, actions: Any) -> tuple[Any, Any, Any, Any, dict[str, Any]]:
@@ -94,26 +137,30 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
             ResetNeeded: before the first reset, or for a finished copy where none is reset by itself.
             ValueError: an action is not in the action space; nothing has been stepped then.
         """
-        if self._states is None:
+        runner = self._runner
+        if runner is None:
             raise ResetNeeded("step before the first reset: call reset() to start the episodes")
         if self.autoreset_mode is AutoresetMode.DISABLED and self._over.any():
             waiting = np.flatnonzero(self._over).tolist()
             raise ResetNeeded(f"step of finished copies {waiting}: call reset(options={{'reset_mask': ...}}) for them")
         array = self._checked(actions)
         batch = self._batch()
-        finished = self._run(
+        last_states = copy_of(runner.states) if self._asked and "last_state" in self._asked else None
+        finished = runner.run(
             step_copies,
             self.np_random,
+            batch,
+            self._few,
             array,
             array if self._n_actions else NOTHING,
             self._n_actions,
-            self._max_steps,
+            self._limit or NO_LIMIT,
             MODES.index(self.autoreset_mode),
-            self._states,
-            batch,
         )
         if finished == ACTION_OUTSIDE:
-            raise ValueError(f"actions {actions!r} are not in the action space {self.action_space}")
+            raise ValueError(f"actions {in_short(actions)} are not in the action space {self.action_space}")
+        if self._asked:
+            self._remember(last_states, array)
         infos: dict[str, Any] = {}
         if finished and self.autoreset_mode is AutoresetMode.SAME_STEP:
             over = batch.terminations | batch.truncations
@@ -122,25 +169,40 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
                 infos["final_obs"][i] = batch.final_observations.rows[i]
         return batch.observations.rows, batch.rewards, batch.terminations, batch.truncations, infos
 
+    @property
+    def is_compiled(self) -> bool:
+        """Whether the copies run as machine code, as far as is known: after the first reset and step."""
+        return self._runner is not None and self._runner.is_compiled
+
     def state(self, i: int) -> Any:
         """The full state of the i-th copy.
 
         Raises:
             ResetNeeded: before the first reset.
+            ValueError: there is no such copy.
         """
-        if self._states is None:
+        if self._runner is None:
             raise ResetNeeded("there are no states before the first reset")
-        return self._states.load(i)
+        return self._runner.state(whole_number("i", i, 0, self.num_envs - 1))
 
     def showing(self, i: int) -> MDPEnv[M]:
         """An environment that is as the i-th copy now is, until this is called again: to draw it, or for its `info`.
 
-        Stepping or resetting it does not change the copy.
+        Its last state and actions are there as far as the picture and the info of the MDP ask for them. Stepping or
+        resetting it does not change the copy.
+
+        Raises:
+            ValueError: there is no such copy.
         """
-        env = self._env
-        env.state = None if self._states is None else self._states.load(i)
+        env, i = self._env, whole_number("i", i, 0, self.num_envs - 1)
+        env.state = None if self._runner is None else self._runner.state(i)
         env.steps = int(self._steps[i])
         env.last_state, env.actions = None, []
+        if env.steps > 0:
+            if self._last_states is not None and self._runner is not None:
+                env.last_state = self._runner.state(i, self._last_states)
+            known = self._actions[-env.steps :]
+            env.actions = [int(actions[i]) if self._n_actions else actions[i].copy() for actions in known]
         return env
 
     def render(self) -> tuple[Any, ...] | None:
@@ -151,14 +213,34 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
         """Close the window, if there is one."""
         self._env.close()
 
-    def _batch(self) -> "Batch":
+    def _remember(self, last_states: Any, actions: np.ndarray[Any, Any]) -> None:
+        """Keep the states before a step and its actions, as far as the picture and the info of the MDP ask for them."""
+        self._last_states = last_states
+        if not {"actions", "last_action"} & self._asked:
+            return
+        small = np.int8 if 0 < self._n_actions <= 127 else actions.dtype
+        self._actions.append(actions.astype(small))
+        if "actions" not in self._asked:
+            del self._actions[:-1]
+        elif len(self._actions) > 2 * self._needed + 16:
+            self._needed = int(self._steps.max())
+            del self._actions[: len(self._actions) - self._needed]
+
+    def _batch(self) -> Batch:
         """The copies, with new arrays for what the next call gives."""
-        n, space = self.num_envs, self.single_observation_space
+        return self._batch_of(self._steps, self._over)
+
+    def _few(self, n: int) -> Batch:
+        """The same for the first `n` copies, in arrays of their own."""
+        return self._batch_of(self._steps[:n].copy(), self._over[:n].copy())
+
+    def _batch_of(self, steps: Any, over: Any) -> Batch:
+        n, space = len(steps), self.single_observation_space
         shape = space.shape or ()
         finals = n if self.autoreset_mode is AutoresetMode.SAME_STEP else 0
         return Batch(
-            self._steps,
-            self._over,
+            steps,
+            over,
             self._rows(np.empty((n, *shape), space.dtype)),
             self._rows(np.empty((finals, *shape), space.dtype)),
             np.empty(n),
@@ -166,110 +248,25 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
             np.empty(n, np.bool_),
         )
 
-    def _make_room(self) -> None:
-        """Find out, from some random steps, of what shape and types states and observations are."""
-        rng, actions = np.random.default_rng(0), copy.deepcopy(self.single_action_space)
-        actions.seed(0)
-        state = self.mdp.initial(rng)
-        states = [state]
-        for _ in range(TRIED):
-            over = self.mdp.terminal(state)
-            action = int(actions.sample()) if self._n_actions else actions.sample()
-            state = self.mdp.initial(rng) if over else self.mdp.transition(state, action, rng)
-            states.append(state)
-        self._states = storage(states, self.num_envs)
-        self._rows = observation_rows(self.mdp, self.mdp.observation(state, rng))
+    def _made_runner(self) -> Runner:
+        """Choose the storage for states and observations by what some random steps show."""
+        states = check_mdp(self.mdp, TRIED)
+        rng = np.random.default_rng(0)
+        self._rows = observation_rows(self.mdp, copy.deepcopy(self.mdp).observation(states[-1], rng))
+        return Runner(self.mdp, self.num_envs, storage(states, self.num_envs), states[0])
 
     def _checked(self, actions: Any) -> np.ndarray[Any, Any]:
-        array = np.asarray(actions)
-        if self._n_actions:  # whether each is an action is looked at in `step_copies`
-            fits = array.shape == self.action_space.shape and array.dtype.kind in "iu"
-        else:
-            fits = array.dtype == self.action_space.dtype and self.action_space.contains(array)
-        if not fits:
-            raise ValueError(f"actions {actions!r} are not in the action space {self.action_space}")
-        return array.astype(np.int64, copy=False) if self._n_actions else array
-
-    def _run(self, loop: Any, *arguments: Any) -> Any:
-        """Run one of the loops below over all copies, compiled when it is first needed."""
-        if loop not in self._code:
-            self._code[loop] = executable(loop, (self.mdp, *arguments), rehearsed=self.num_envs, replayed=False)
-        return self._code[loop](self.num_envs, self.mdp, *arguments)
-
-    def __getstate__(self) -> dict[str, Any]:
-        """What is pickled and copied: everything but the machine code."""
-        return {**self.__dict__, "_code": {}}
-
-
-class Batch(NamedTuple):
-    """The copies less their states, and what a step gives: arrays with one place, or row, for each copy.
-
-    (With the states in it, which may be in a list, Numba would take fifty microseconds a call to see what all this is.)
-    """
-
-    steps: Any
-    over: Any
-    observations: Any
-    final_observations: Any
-    rewards: Any
-    terminations: Any
-    truncations: Any
-
-
-def reset_copies(n: int, mdp: MDP[Any, Any], rng: Random, mask: Any, states: Any, batch: Batch) -> None:
-    """Start an episode in the first `n` copies, where `mask` says so, and observe them all."""
-    for i in range(n):
-        if mask[i]:
-            states.store(i, mdp.initial(rng))
-            batch.steps[i] = 0
-            batch.over[i] = False
-        batch.observations.put(i, mdp, states.load(i), rng)
-
-
-def step_copies(
-    n: int,
-    mdp: MDP[Any, Any],
-    rng: Random,
-    actions: Any,
-    whole: Any,
-    n_actions: int,
-    max_steps: int,
-    autoreset: int,
-    states: Any,
-    batch: Batch,
-) -> int:
-    """Step the first `n` copies, and give the number of episodes that ended, or what is wrong (a negative number)."""
-    for i in range(len(whole)):
-        if whole[i] < 0 or whole[i] >= n_actions:
-            return ACTION_OUTSIDE
-    finished = 0
-    for i in range(n):
-        if batch.over[i] and autoreset == NEXT_STEP:
-            state = mdp.initial(rng)
-            states.store(i, state)
-            batch.observations.put(i, mdp, state, rng)
-            batch.steps[i] = 0
-            batch.over[i] = False
-            batch.rewards[i] = 0.0
-            batch.terminations[i] = False
-            batch.truncations[i] = False
-            continue
-        state = states.load(i)
-        next_state = mdp.transition(state, actions[i], rng)
-        batch.rewards[i] = mdp.reward(state, actions[i], next_state, rng)
-        terminated = mdp.terminal(next_state)
-        batch.steps[i] += 1
-        truncated = batch.steps[i] == max_steps and not terminated
-        batch.terminations[i] = terminated
-        batch.truncations[i] = truncated
-        batch.over[i] = terminated or truncated
-        if batch.over[i]:
-            finished += 1
-            if autoreset == SAME_STEP:
-                batch.final_observations.put(i, mdp, next_state, rng)
-                next_state = mdp.initial(rng)
-                batch.steps[i] = 0
-                batch.over[i] = False
-        batch.observations.put(i, mdp, next_state, rng)
-        states.store(i, next_state)
-    return finished
+        """The actions as an array of the type that the loops take."""
+        if isinstance(self.single_action_space, spaces.Box):
+            array: np.ndarray[Any, Any] = checked_action(self.action_space, actions)
+            return array
+        try:
+            array = np.asarray(actions)
+            fits = array.dtype.kind in "iu" and array.shape == self.action_space.shape
+            if fits and self._n_actions:  # whether each is an action is looked at in `step_copies`
+                return array.astype(np.int64, copy=False)
+            if fits and self.action_space.contains(array.astype(self.action_space.dtype)):
+                return array.astype(self.action_space.dtype)
+        except (ValueError, TypeError, OverflowError):
+            pass
+        raise ValueError(f"actions {in_short(actions)} are not in the action space {self.action_space}")

@@ -43,9 +43,12 @@ class QLearning(NamedTuple):
 
     @classmethod
     def create(cls, environment: Any, **settings: Any) -> "QLearning":
-        """A new agent for an environment (or the shape of a table); settings: see the class, and `initial_value`.
+        """Create an agent with new tables for an environment, or for the shape (n_states, n_actions) of a table.
+
+        The settings are the fields of the class that have a default, and `initial_value`, the first value of every
+        entry of Q (0).
 
         Raises:
-            ValueError: a setting is not as the class says, or the environment does not fit a table.
+            ValueError: a setting is unknown or out of range, or the environment is not tabular.
         """
         return new(cls, environment, settings)

@@ -12,6 +12,7 @@ refuses what a field may not hold.
 
 import inspect
 from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Annotated, Any, NamedTuple, TypeVar, get_args, get_origin, get_type_hints
 
 import numpy as np
@@ -19,6 +20,7 @@ import numpy as np
 from edugym.agents.tables import table_size
 from edugym.checks import a_number, above, at_least, between, whole_number
 from edugym.mdp.protocol import Integers, Reals
+from edugym.memory import require_memory
 
 Made = TypeVar("Made")
 
@@ -63,6 +65,10 @@ class Table(NamedTuple):
     fill: float | str = 0.0
 
 
+class Part(NamedTuple):
+    """Marks a field that `create` fills itself: it is no setting."""
+
+
 LearningRate = Annotated[float, Range(0, 1, open=True)]
 Discount = Annotated[float, Range(0, 1)]
 Probability = Annotated[float, Range(0, 1)]
@@ -73,7 +79,14 @@ Counter = Annotated[Integers, Table((1,))]
 """A whole number that changes, shape (1,): the fields of an agent are fixed, the entries of an array are not."""
 
 
-def new(kind: type[Made], environment: Any, settings: Mapping[str, Any], **sizes: int) -> Made:
+def new(
+    kind: type[Made],
+    environment: Any,
+    settings: Mapping[str, Any],
+    parts: Mapping[str, Any] = MappingProxyType({}),
+    /,
+    **sizes: int,
+) -> Made:
     """A new agent (or strategy): its tables made for an environment, its settings checked.
 
     Args:
@@ -81,6 +94,7 @@ def new(kind: type[Made], environment: Any, settings: Mapping[str, Any], **sizes
         environment: an MDP or Gymnasium environment with whole numbers for observations and actions, or the shape
             (n_states, n_actions) of a table; None if no table needs it.
         settings: values for the fields that are no tables; the others keep their defaults.
+        parts: fields that are made already, by name.
         **sizes: lengths of axes that the environment does not give, by name.
 
     Raises:
@@ -98,7 +112,8 @@ def new(kind: type[Made], environment: Any, settings: Mapping[str, Any], **sizes
     values = {**allowed, **settings}
     if "initial_value" in values:
         a_number("initial_value", values["initial_value"])
-    made = kind(**{name: _field(name, hint, values, sizes) for name, hint in _hints(kind).items()})
+    missing = {name: hint for name, hint in _hints(kind).items() if name not in parts}
+    made = kind(**{name: _field(name, hint, values, sizes) for name, hint in missing.items()}, **parts)
     check(made)
     return made
 
@@ -111,7 +126,7 @@ def settings_of(kind: type) -> dict[str, Any]:
         table = _mark(hint, Table)
         if table is not None and isinstance(table.fill, str):
             settings[table.fill] = 0.0
-        elif table is None and not hasattr(hint, "_fields"):
+        elif table is None and not hasattr(hint, "_fields") and _mark(hint, Part) is None:
             settings[name] = defaults.get(name, inspect.Parameter.empty)
     initial_value = {name: settings.pop(name) for name in ("initial_value",) if name in settings}
     return settings | initial_value
@@ -133,10 +148,14 @@ def check(value: Any) -> None:
                 raise ValueError(
                     f"{name} must be an array of {kind.__name__} with {len(table.axes)} axes, but is {given}"
                 )
+        elif isinstance(hint, type) and hasattr(hint, "_fields") and not isinstance(part, hint):
+            raise ValueError(f"{name} must be a {hint.__name__}, but is {part!r}")
         elif number is not None:
             if get_args(hint)[0] is int:
                 whole_number(name, part, int(number.low), None if number.high is None else int(number.high))
             number.check(name, part)
+        elif hint is bool and not isinstance(part, bool):
+            raise ValueError(f"{name} must be True or False, but is {part!r}")
         elif name == "exploration" and (isinstance(part, type) or not hasattr(part, "choose")):
             raise ValueError(f"exploration must be a strategy such as EpsilonGreedy(0.1), but is {part!r}")
         if hasattr(part, "_fields") and not isinstance(part, type):
@@ -165,7 +184,7 @@ def _hints(kind: type) -> dict[str, Any]:
 
 
 def _mark(hint: Any, kind: type) -> Any:
-    """The `Range` or `Table` in an annotation, or None."""
+    """The `Range`, `Table` or `Part` in an annotation, or None."""
     marks = getattr(hint, "__metadata__", ())
     return next((mark for mark in marks if isinstance(mark, kind)), None)
 
@@ -183,6 +202,7 @@ def _field(name: str, hint: Any, values: Mapping[str, Any], sizes: Mapping[str, 
     if table is not None:
         shape = tuple(sizes[axis] if isinstance(axis, str) else axis for axis in table.axes)
         fill = values[table.fill] if isinstance(table.fill, str) else table.fill
+        require_memory(name, shape, "show the agent less, or give rows only to what occurs (edugym.Hashed)")
         return np.full(shape, fill, _kind_of_numbers(hint))
     if isinstance(hint, type) and hasattr(hint, "_fields"):
         return new(hint, None, {}, **sizes)

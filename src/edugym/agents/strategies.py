@@ -4,7 +4,8 @@ A strategy is a value. An agent holds one, `QLearning(..., exploration=EpsilonGr
 
     action = exploration.choose(Q, state, rng)
 
-`Q` is the whole table, of shape (n_states, n_actions), and `state` its row.
+`Q` is the whole table, of shape (n_states, n_actions), and `state` its row. A strategy whose probabilities are known
+also has `probability(Q, state, action)` and `expected_value(Q, state)`, for expected SARSA and tree backup.
 
 References: Sutton and Barto, Reinforcement Learning, 2nd edition, sections 2.2 (ε-greedy) and 2.7 (UCB).
 """
@@ -13,7 +14,13 @@ import math
 from typing import Annotated, Any, NamedTuple, Protocol
 
 from edugym.agents.settings import Counter, Probability, Range, Table, check, new
-from edugym.agents.tables import best_value, epsilon_greedy_action, greedy_action
+from edugym.agents.tables import (
+    best_value,
+    epsilon_greedy_action,
+    epsilon_greedy_probability,
+    epsilon_greedy_value,
+    greedy_action,
+)
 from edugym.mdp.protocol import Integers, Random, Reals
 
 
@@ -24,12 +31,43 @@ class Exploration(Protocol):
         """Choose an action in `state`, given the action values `Q` of shape (n_states, n_actions)."""
 
 
+class Policy(Exploration, Protocol):
+    """A rule for choosing an action whose probabilities are known."""
+
+    def probability(self, Q: Reals, state: int, action: int) -> float:
+        """The probability that the next choice in `state` is `action`: π(a|s)."""
+
+    def expected_value(self, Q: Reals, state: int) -> float:
+        """The mean action value under these probabilities: Σ_a π(a|s) Q(s, a)."""
+
+
+def check_policy(name: str, strategy: Any) -> None:
+    """Refuse a strategy whose probabilities are not known.
+
+    Raises:
+        ValueError: it has no `probability` or no `expected_value`.
+    """
+    if isinstance(strategy, type) or not (hasattr(strategy, "probability") and hasattr(strategy, "expected_value")):
+        raise ValueError(
+            f"{name} must be a strategy that knows the probability of each action (Greedy, EpsilonGreedy,"
+            f" ScheduledEpsilonGreedy or Softmax), but is {getattr(strategy, '__name__', type(strategy).__name__)}"
+        )
+
+
 class Greedy(NamedTuple):
     """Never explore: always the action with the highest value, ties broken at random."""
 
     def choose(self, Q: Reals, state: int, rng: Random) -> int:
         """The best action in `state`."""
         return greedy_action(Q, state, rng)
+
+    def probability(self, Q: Reals, state: int, action: int) -> float:
+        """The best actions share 1."""
+        return epsilon_greedy_probability(Q, state, action, 0.0)
+
+    def expected_value(self, Q: Reals, state: int) -> float:
+        """The highest value."""
+        return best_value(Q, state)
 
 
 class EpsilonGreedy(NamedTuple):
@@ -44,6 +82,14 @@ class EpsilonGreedy(NamedTuple):
     def choose(self, Q: Reals, state: int, rng: Random) -> int:
         """A random action with probability ε, else the best one."""
         return epsilon_greedy_action(Q, state, self.epsilon, rng)
+
+    def probability(self, Q: Reals, state: int, action: int) -> float:
+        """ε/n, and the best actions share 1 - ε."""
+        return epsilon_greedy_probability(Q, state, action, self.epsilon)
+
+    def expected_value(self, Q: Reals, state: int) -> float:
+        """ε mean_a Q(s, a) + (1 - ε) max_a Q(s, a)."""
+        return epsilon_greedy_value(Q, state, self.epsilon)
 
 
 class LinearDecay(NamedTuple):
@@ -99,6 +145,14 @@ class ScheduledEpsilonGreedy(NamedTuple):
         self.step[0] += 1
         return epsilon_greedy_action(Q, state, epsilon, rng)
 
+    def probability(self, Q: Reals, state: int, action: int) -> float:
+        """As ε-greedy with the ε of the next choice."""
+        return epsilon_greedy_probability(Q, state, action, self.schedule.value(self.step[0]))
+
+    def expected_value(self, Q: Reals, state: int) -> float:
+        """As ε-greedy with the ε of the next choice."""
+        return epsilon_greedy_value(Q, state, self.schedule.value(self.step[0]))
+
     @classmethod
     def create(cls, schedule: Any) -> "ScheduledEpsilonGreedy":
         """A strategy at step 0 of its schedule.
@@ -135,6 +189,25 @@ class Softmax(NamedTuple):
             if left < 0.0:
                 return action
         return Q.shape[1] - 1
+
+    def probability(self, Q: Reals, state: int, action: int) -> float:
+        """The share of an action in the sum of exp(Q/τ)."""
+        highest = best_value(Q, state)
+        total = 0.0
+        for other in range(Q.shape[1]):
+            total += math.exp((float(Q[state, other]) - highest) / self.temperature)
+        return math.exp((float(Q[state, action]) - highest) / self.temperature) / total
+
+    def expected_value(self, Q: Reals, state: int) -> float:
+        """Every value by its share."""
+        highest = best_value(Q, state)
+        total = 0.0
+        weighted = 0.0
+        for action in range(Q.shape[1]):
+            weight = math.exp((float(Q[state, action]) - highest) / self.temperature)
+            total += weight
+            weighted += weight * float(Q[state, action])
+        return weighted / total
 
 
 class UCB(NamedTuple):

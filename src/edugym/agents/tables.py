@@ -52,6 +52,27 @@ def epsilon_greedy_action(Q: Reals, state: int, epsilon: float, rng: Random) -> 
     return greedy_action(Q, state, rng)
 
 
+def epsilon_greedy_probability(Q: Reals, state: int, action: int, epsilon: float) -> float:
+    """How likely `epsilon_greedy_action` is to choose an action: ε/n, and the best actions share 1 - ε."""
+    share = epsilon / Q.shape[1]
+    highest = best_value(Q, state)
+    if Q[state, action] < highest:
+        return share
+    ties = 0
+    for other in range(Q.shape[1]):
+        if Q[state, other] == highest:
+            ties += 1
+    return share + (1.0 - epsilon) / ties
+
+
+def epsilon_greedy_value(Q: Reals, state: int, epsilon: float) -> float:
+    """The mean action value under `epsilon_greedy_action`: ε mean_a Q(s, a) + (1 - ε) max_a Q(s, a)."""
+    total = 0.0
+    for action in range(Q.shape[1]):
+        total += float(Q[state, action])
+    return epsilon * total / Q.shape[1] + (1.0 - epsilon) * best_value(Q, state)
+
+
 def one_step_target(reward: float, discount: float, next_value: float, terminated: bool) -> float:
     """What a one-step update moves towards: R + γ V(S'), or R alone when S' is terminal, since its value is 0.
 
@@ -70,12 +91,7 @@ def table_size(environment: Any) -> tuple[int, int]:
         ValueError: it is no environment, its observations are not whole numbers, or its actions are not 0, 1, ...
     """
     if isinstance(environment, tuple) and not hasattr(environment, "_fields"):
-        if len(environment) != 2 or not all(isinstance(size, int) and size >= 1 for size in environment):
-            raise ValueError(
-                "environment must be an environment or the shape (n_states, n_actions) of a table, two whole numbers of"
-                f" 1 or more, but is {environment!r}"
-            )
-        return environment
+        return check_shape(environment, "(n_states, n_actions)")
     if not hasattr(environment, "action_space"):
         raise ValueError(f"environment must be an MDP, a Gymnasium environment or a shape, but is {environment!r}")
     actions = environment.action_space
@@ -83,3 +99,21 @@ def table_size(environment: Any) -> tuple[int, int]:
         raise ValueError(f"a table needs the actions 0, 1, ..., but the action space is {actions}")
     n_states: int = math.prod(table_sizes(environment.observation_space))
     return n_states, int(actions.n)
+
+
+def check_shape(shape: tuple[Any, ...], name: str) -> tuple[int, int]:
+    """Refuse a shape that is not two whole numbers of 1 or more.
+
+    Args:
+        shape: what was given in place of an environment.
+        name: what the two numbers are.
+
+    Raises:
+        ValueError: it is something else.
+    """
+    if len(shape) != 2 or not all(isinstance(size, int) and size >= 1 for size in shape):
+        raise ValueError(
+            f"environment must be an environment or the shape {name} of a table, two whole numbers of 1 or more, but is"
+            f" {shape!r}"
+        )
+    return shape

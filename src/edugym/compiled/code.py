@@ -1,12 +1,13 @@
 """What code a loop can reach, and its fingerprint, so that machine code is never run for code that has changed."""
 
 import hashlib
+import re
 import sys
 from collections.abc import Callable, Iterator
 from enum import Enum
-from functools import cache
+from functools import cache, cached_property
 from pathlib import Path
-from types import CodeType, FunctionType, ModuleType
+from types import CellType, CodeType, FunctionType, ModuleType
 from typing import Any
 
 import numpy as np
@@ -18,18 +19,29 @@ NAMEDTUPLE_OWN = frozenset({"_make", "_replace", "_asdict", "_fields", "_field_d
 
 
 class Code:
-    """The code that a loop over some values can reach: its classes, its helper functions, and their fingerprint.
+    """The code that a loop over some values can reach: its classes, its functions, and their fingerprint.
+
+    A member of a class is reached if code that is reached uses its name: `create` or `scene`, which no loop names, are
+    neither hashed nor judged.
 
     Attributes:
-        classes: every NamedTuple class met, those of the values and those that methods name.
+        classes: every NamedTuple class met: those of the values, and those that functions name.
         functions: every plain function met: the loop, methods, properties and helpers.
-        fingerprint: a hash of all this code and of the global constants it reads.
+        members: what every reached name stands for in a class: (class, name) -> method, property or constant.
+        globals: what every global name stands for that a function uses: (function, name) -> value.
+        cells: what every variable of an outer function stands for: (inner function, variable, value).
+        fingerprint: a hash of all this code and of the global constants that it reads.
     """
 
     def __init__(self, loop: Callable[..., Any], values: tuple[Any, ...]) -> None:
         """Walk through all that `loop(*values)` can reach."""
         self.classes: dict[type, None] = {}
         self.functions: dict[FunctionType, None] = {}
+        self.members: dict[tuple[type, str], Any] = {}
+        self.globals: dict[tuple[FunctionType, str], Any] = {}
+        self.cells: list[tuple[FunctionType, CellType, Any]] = []
+        self._names: dict[str, None] = {}
+        self._owners: dict[type, None] = {}  # the classes whose members count
         self._seen: dict[int, int] = {}
         self._kept: list[Any] = []  # ids stay unique while the objects live
         self._hash = hashlib.sha256()
@@ -37,17 +49,20 @@ class Code:
         self._visit(loop)
         for kind in classes_of(values):
             self._visit(kind)
+        while missing := self._unvisited():
+            for kind, name in missing:
+                self._member(kind, name)
         self.fingerprint = self._hash.hexdigest()[:24]
 
     @property
     def foreign(self) -> bool:
         """Whether any of it is not the package's own, but a student's."""
-        return any(package(thing) != "edugym" for thing in (*self.classes, *self.functions))
+        return any(is_foreign(thing) for thing in (*self.classes, *self.functions))
 
     @property
     def foreign_files(self) -> set[str]:
         """The files, or cells, of those of its functions that are not the package's own."""
-        return {function.__code__.co_filename for function in self.functions if package(function) != "edugym"}
+        return {function.__code__.co_filename for function in self.functions if is_foreign(function)}
 
     @property
     def importable(self) -> bool:
@@ -59,11 +74,73 @@ class Code:
 
     def names(self) -> str:
         """The classes that are not the package's own, or else all of them, for a message."""
-        own = [kind.__name__ for kind in self.classes if package(kind) != "edugym"]
+        own = [kind.__name__ for kind in self.classes if is_foreign(kind)]
         return ", ".join(own or [kind.__name__ for kind in self.classes])
 
+    def is_current(self) -> bool:
+        """Whether the methods and globals of others than the package are still what they were: a look, no walk."""
+        return (
+            all(vars(kind).get(name) is member for (kind, name), member in self._watched_members)
+            and all(globals_.get(name) is value for globals_, name, value in self._watched_globals)
+            and all(function.__code__ is code for function, code in self._watched_code)
+            and all(inside(cell) is value for cell, value in self._watched_cells)
+        )
+
+    def arrays(self) -> tuple[np.ndarray[Any, Any], ...]:
+        """The arrays that code reaches by a name of its own, and not as an argument."""
+        found: list[np.ndarray[Any, Any]] = []
+        waiting = [*self.globals.values(), *self.members.values(), *(value for *_, value in self.cells)]
+        while waiting:
+            value = waiting.pop()
+            if isinstance(value, np.ndarray):
+                found.append(value)
+            elif isinstance(value, tuple):
+                waiting += value
+        return tuple(found)
+
+    @cached_property
+    def _watched_members(self) -> list[tuple[tuple[type, str], Any]]:
+        return [(key, member) for key, member in self.members.items() if is_foreign(key[0])]
+
+    @cached_property
+    def _watched_globals(self) -> list[tuple[dict[str, Any], str, Any]]:
+        return [(f.__globals__, name, value) for (f, name), value in self.globals.items() if is_foreign(f)]
+
+    @cached_property
+    def _watched_code(self) -> list[tuple[FunctionType, CodeType]]:
+        return [(function, function.__code__) for function in self.functions if is_foreign(function)]
+
+    @cached_property
+    def _watched_cells(self) -> list[tuple[CellType, Any]]:
+        return [(cell, value) for function, cell, value in self.cells if is_foreign(function)]
+
+    def _unvisited(self) -> list[tuple[type, str]]:
+        """Members whose names are reached by now, in an order that is the same in every process."""
+        names = sorted(self._names)
+        return [
+            (base, name)
+            for kind in self._owners
+            for base in kind.__mro__
+            if package(base) not in LIBRARIES
+            for name in names
+            if name in vars(base) and (base, name) not in self.members and name not in NAMEDTUPLE_OWN
+        ]
+
+    def _member(self, kind: type, name: str) -> None:
+        if (kind, name) in self.members:
+            return
+        member = self.members[kind, name] = vars(kind)[name]
+        self._add(kind.__qualname__, name)
+        function = member.fget if isinstance(member, property) else member
+        if isinstance(function, classmethod | staticmethod):
+            function = function.__func__
+        if isinstance(function, FunctionType):
+            self._function(function)
+        elif type(function).__name__ != "_tuplegetter":  # a field
+            self._visit(function)
+
     def _visit(self, thing: Any) -> None:
-        if isinstance(thing, bool | int | float | complex | str | bytes | slice | Enum | np.generic | None):
+        if isinstance(thing, bool | int | float | complex | str | bytes | slice | Enum | np.generic | np.dtype | None):
             self._add(type(thing), thing)
             return
         known = self._seen.setdefault(id(thing), len(self._seen))
@@ -79,13 +156,26 @@ class Code:
             self._class(thing)
         elif isinstance(thing, np.ndarray):
             self._add(thing.dtype, thing.shape, thing.tobytes())
-        elif isinstance(thing, tuple | frozenset | dict):
+        elif isinstance(thing, tuple):
             self._add(len(thing))
             self._visit(type(thing))
-            for part in thing.items() if isinstance(thing, dict) else thing:
+            for part in thing:
                 self._visit(part)
-        elif hasattr(thing, "py_func"):  # already decorated with Numba's own @njit
-            self._visit(thing.py_func)
+        elif isinstance(thing, frozenset):
+            self._add(_stable(thing))
+        elif package(type(thing)) == "numba":
+            self._compiled_by_its_author(thing)
+
+    def _compiled_by_its_author(self, thing: Any) -> None:
+        """What @njit, @vectorize, @guvectorize and @cfunc have made, or a type of Numba's."""
+        self._add(type(thing).__qualname__)
+        inner = getattr(thing, "gufunc_builder", thing)
+        found = [getattr(inner, name, None) for name in ("py_func", "__wrapped__", "_pyfunc")]
+        functions = [function for function in found if isinstance(function, FunctionType)]
+        if functions:
+            self._visit(functions[0])
+        else:
+            self._add(re.sub(r"0x[0-9a-f]+", "", str(thing)))
 
     def _class(self, kind: type) -> None:
         if package(kind) in LIBRARIES:
@@ -93,30 +183,29 @@ class Code:
         self._add(kind.__qualname__, getattr(kind, "_fields", ()))
         if issubclass(kind, tuple) and hasattr(kind, "_fields"):
             self.classes[kind] = None
-        for base in kind.__mro__:
-            if package(base) in LIBRARIES:
-                continue
-            for name, member in sorted(vars(base).items(), key=lambda item: item[0]):
-                if name in NAMEDTUPLE_OWN or (name.startswith("__") and name.endswith("__")):
-                    continue
-                self._add(name)
-                function = member.fget if isinstance(member, property) else member
-                if isinstance(function, FunctionType):
-                    self._function(function)
-                elif not isinstance(function, classmethod | staticmethod):
-                    self._visit(function)
+        self._owners[kind] = None
+        if issubclass(kind, Enum):
+            for member in kind:
+                self._visit(member)
 
     def _function(self, function: FunctionType) -> None:
+        if function in self.functions:
+            return
         self.functions[function] = None
         self._add(function.__qualname__)
         self._visit(function.__defaults__)
-        self._visit(function.__kwdefaults__)
+        for name, value in sorted((function.__kwdefaults__ or {}).items()):
+            self._add(name)
+            self._visit(value)
         names = self._code(function.__code__)
+        self._names.update(dict.fromkeys(names))
         for name in sorted(names & function.__globals__.keys()):
             self._add(name)
+            self.globals[function, name] = function.__globals__[name]
             self._reached(function.__globals__[name], names)
         for cell in function.__closure__ or ():
-            self._visit(cell.cell_contents)
+            self.cells.append((function, cell, inside(cell)))
+            self._visit(inside(cell))
 
     def _reached(self, value: Any, names: set[str]) -> None:
         """What a global name stands for; of a module, what the code may take from it by one of the names it uses."""
@@ -137,11 +226,33 @@ class Code:
             if isinstance(constant, CodeType):
                 names |= self._code(constant)
             else:
-                self._add(type(constant), constant)
+                self._add(type(constant), _stable(constant))
         return names
 
     def _add(self, *things: Any) -> None:
         self._hash.update(repr(things).encode())
+
+
+def _stable(constant: Any) -> Any:
+    """A constant of code in a form whose `repr` is the same in every process: sets have no order."""
+    if isinstance(constant, frozenset):
+        return "set", sorted(repr((type(part), _stable(part))) for part in constant)
+    if isinstance(constant, tuple):
+        return tuple((type(part), _stable(part)) for part in constant)
+    return constant
+
+
+def inside(cell: CellType, default: Any = None) -> Any:
+    """What a variable of an outer function stands for, or `default` where it has no value yet."""
+    try:
+        return cell.cell_contents
+    except ValueError:
+        return default
+
+
+def is_foreign(thing: Any) -> bool:
+    """Whether a class, function or module is not the package's own."""
+    return package(thing) != "edugym"
 
 
 def package(thing: Any) -> str:
@@ -155,14 +266,13 @@ def classes_of(value: Any) -> Iterator[type]:
     if isinstance(value, tuple):
         if hasattr(value, "_fields"):
             yield type(value)
-        for part in value:
+        for part in tuple.__iter__(value):  # whatever the class makes of `for`
             yield from classes_of(part)
 
 
 @cache
 def _compilers_own_code() -> str:
     """A hash of the files that decide how code is compiled: what an older version of them left on disk is not used."""
-    here = Path(__file__)
     return hashlib.sha256(
-        b"".join(here.with_name(name).read_bytes() for name in ("code.py", "compiler.py"))
+        b"".join(file.read_bytes() for file in sorted(Path(__file__).parent.glob("*.py")))
     ).hexdigest()

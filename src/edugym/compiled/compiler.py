@@ -1,43 +1,55 @@
-"""From plain Python to machine code: the one file that knows Numba (and `edugym.compiled.generators`, for it).
+"""From plain Python to machine code.
 
 An MDP, an agent and a loop over them are plain Python. `compiled(loop, *arguments)` makes one machine-code function of
-them all. Numba compiles functions of NamedTuples but does not know their methods; `_teach_numba` adds that, once: a
-method, property or constant of *any* NamedTuple class is looked up in the class itself, so a class from a notebook cell
-works as the package's own do, and plain helper functions compile along.
+them all: `edugym.compiled.bridge` teaches Numba how.
 
 The machine code belongs to the *code* it was made from (`edugym.compiled.code`): redefine a class under its old name,
 edit a method in place or change a global number, and the next call compiles anew. The same fingerprint names the folder
 of the disk cache.
 """
 
+import hashlib
 import importlib
-import inspect
-import os
+import logging
 import re
-import shutil
 import threading
 import warnings
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from types import FunctionType
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from edugym.compiled.code import NAMEDTUPLE_OWN, Code
+from edugym.compiled.bridge import building, teach
+from edugym.compiled.code import Code
+from edugym.compiled.disk import SEAL, cache_directory, is_whole, new_folder, publish, remove, seal
+from edugym.compiled.subset import place
 from edugym.interrupts import interruptibly
 
 Function = Callable[..., Any]
 
-_built: dict[tuple[Any, ...], Any] = {}
+
+class _Key(NamedTuple):
+    """Of what there is a build: the loop, all code that it reaches, the types of the arguments, and the classes."""
+
+    loop: Function
+    fingerprint: str
+    signature: tuple[Any, ...]
+    classes: tuple[type, ...]
+
+
+_built: dict[_Key, Any] = {}
+KEPT = 3
+"""How many builds of a loop are kept for classes of the same names."""
 _lock = threading.RLock()
-_loaded: list[Any] = []  # Numba, once it knows NamedTuple methods
-# Of the build in progress, of which there is one at a time: Numba's options, the plain functions that may be compiled
-# along, and those that were so far.
-_options: dict[str, bool] = {}
-_helpers: set[FunctionType] = set()
-_parts: dict[FunctionType, Any] = {}
+_taught: list[str] = []  # nothing yet; then what is wrong with this version of Numba, or ""
+logger = logging.getLogger("edugym")
+MOST_WORDS = 150
+"""How many letters of a message of Numba's are shown."""
+LEAN = {"_nrt": False, "boundscheck": True}
+COUNTING = {"boundscheck": True}
 
 
 class CompilationError(Exception):
@@ -85,7 +97,7 @@ def compiled(loop: Function, *arguments: Any, code: Code | None = None) -> Funct
                     raise
         if tuple(map(numba.typeof, arguments)) == signature:
             namesake = True
-            return machine_code.overloads[signature].entry_point(*arguments)
+            return next(iter(machine_code.overloads.values())).entry_point(*arguments)
         return compiled(loop, *given)(*given)  # types have changed on the way: an int became a float
 
     return run
@@ -109,16 +121,18 @@ def _locate() -> Callable[[Any], Any]:
     return located
 
 
-def cache_directory() -> Path:
-    """Where machine code is kept between runs: $EDUGYM_CACHE_DIR, or `edugym` in the user's cache directory."""
-    chosen = os.environ.get("EDUGYM_CACHE_DIR")
-    return Path(chosen) if chosen else Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "edugym"
+def check_compiler() -> None:
+    """Make sure that something can be compiled here.
+
+    Raises:
+        NoCompiler: nothing can.
+    """
+    _numba()
 
 
 def is_built(loop: Function, code: Code) -> bool:
     """Whether this process holds machine code of the loop over this code."""
-    made_of = (loop, code.fingerprint, *code.classes)
-    return any(key[: len(made_of)] == made_of for key in _built)
+    return any(key.loop is loop and key.fingerprint == code.fingerprint for key in _built)
 
 
 def is_on_disk(code: Code) -> bool:
@@ -128,28 +142,86 @@ def is_on_disk(code: Code) -> bool:
 
 def _folders(code: Code) -> tuple[Path, Path]:
     """Where builds without and with reference counts are kept."""
-    name = f"{code.fingerprint}-{_numba().__version__}"
+    name = f"{code.fingerprint}-{_numba().__version__}-{_processor()}"
     return cache_directory() / f"{name}-lean", cache_directory() / name
 
 
+@cache
+def _processor() -> str:
+    """The processor for which Numba writes machine code."""
+    target: Any = importlib.import_module("numba.core.registry").cpu_target
+    return hashlib.sha256(repr(target.target_context.codegen().magic_tuple()).encode()).hexdigest()[:8]
+
+
 def _made(numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) -> Any:
-    """The build, made when it is first asked for; what cannot be built is not tried again."""
-    key = (loop, code.fingerprint, *code.classes, signature)
-    if key not in _built:
-        interruptibly(_make, key, numba, loop, signature, code)
-    if isinstance(_built[key], CompilationError):
-        raise CompilationError(str(_built[key]))
-    return _built[key]
+    """The build, made when it is first needed; a build that has failed is not tried again.
+
+    Run the cell of a class again unchanged, and there is nothing to build: the same code has the same fingerprint, and
+    machine code that returns no value of the class serves both.
+    """
+    if _found(loop, signature, code) is None:
+        interruptibly(_make, numba, loop, signature, code)
+    made = _found(loop, signature, code)
+    if isinstance(made, CompilationError):
+        raise CompilationError(str(made))
+    return made
 
 
-def _make(key: tuple[Any, ...], numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) -> None:
-    """Build it, unless another thread just did; one build at a time."""
+def _found(loop: Function, signature: tuple[Any, ...], code: Code) -> Any:
+    """The build for these types and this code, or the error of building it; None if there is neither."""
+    classes = tuple(code.classes)
+    for key, made in list(_built.items()):
+        same = key.loop is loop and key.fingerprint == code.fingerprint and _alike(key.signature, signature)
+        if same and (key.classes == classes or isinstance(made, CompilationError) or not _gives_classes(made)):
+            return made
+    return None
+
+
+def _make(numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) -> None:
+    """Build it, unless another thread just did; one build at a time.
+
+    Of classes that have changed only the latest builds are kept: the 2 MB of each would add up.
+    """
     with _lock:
-        if key not in _built:
-            try:
-                _built[key] = _build(numba, loop, signature, code)
-            except Exception as error:
-                _built[key] = CompilationError(_reason(error, code))
+        if _found(loop, signature, code) is not None:
+            return
+        try:
+            made = _build(numba, loop, signature, code)
+        except Exception as error:
+            made = CompilationError(_reason(error, code))
+        _built[_Key(loop, code.fingerprint, signature, tuple(code.classes))] = made
+        older = [other for other in _built if other.loop is loop and _alike(other.signature, signature)][:-KEPT]
+        for other in older:
+            del _built[other]
+
+
+def _alike(one: tuple[Any, ...], other: tuple[Any, ...]) -> bool:
+    """Whether types are the same, but for NamedTuple classes that are others of the same name."""
+    types = _numba().types
+
+    def same(kind: Any, other_kind: Any) -> bool:
+        if kind == other_kind:
+            return True
+        if not (isinstance(kind, types.BaseNamedTuple) and isinstance(other_kind, types.BaseNamedTuple)):
+            return False
+        first, second = kind.instance_class, other_kind.instance_class
+        return (
+            first.__qualname__ == second.__qualname__ and first._fields == second._fields and _alike(kind, other_kind)
+        )
+
+    return len(one) == len(other) and all(map(same, one, other))
+
+
+def _gives_classes(made: Any) -> bool:
+    """Whether machine code gives back a value of a NamedTuple class, which is of the class it was made for."""
+    types = _numba().types
+
+    def has_class(kind: Any) -> bool:
+        if isinstance(kind, types.BaseNamedTuple):
+            return True
+        return isinstance(kind, types.BaseTuple) and any(map(has_class, kind))
+
+    return any(has_class(given.return_type) for given in made.nopython_signatures)
 
 
 def _build(numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) -> Any:
@@ -159,38 +231,59 @@ def _build(numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) -
     indices are nearly free (Q-learning on Boulder 8 ns a step; with counts 6 unchecked, 70 checked).
     """
     lean, counting = _folders(code)
-    if not counting.exists() and all(_countless(kind) for kind in signature):
+    keep = code.importable and Path(loop.__code__.co_filename).is_file()
+    for folder, options in ((lean, LEAN), (counting, COUNTING)) if keep else ():
+        if is_whole(folder):  # one with counts was kept because no other could be made
+            try:
+                return _compile(numba, loop, signature, folder, code, options)
+            except Exception:  # made by a Numba that differs in something
+                remove(folder)
+    if all(_countless(kind) for kind in signature):
         try:
-            made = _compile(numba, loop, signature, lean, code, {"_nrt": False, "boundscheck": True})
-            if _counts_nothing(made.overloads[signature], lean):
-                return made
-        except Exception:  # something allocates: what is wrong besides will show in the build that may
-            pass
-        shutil.rmtree(lean, ignore_errors=True)
-    return _compile(numba, loop, signature, counting, code, {"boundscheck": True})
+            return _kept(numba, loop, signature, lean if keep else None, code, LEAN)
+        except Exception as error:  # something allocates: what is wrong besides will show in the build that may
+            if isinstance(error, _refused()):
+                raise
+            logger.debug("no build of %s without reference counts: %s", code.names(), _reason(error, code))
+    return _kept(numba, loop, signature, counting if keep else None, code, COUNTING)
+
+
+def _kept(
+    numba: Any, loop: Function, signature: tuple[Any, ...], folder: Path | None, code: Code, options: dict[str, bool]
+) -> Any:
+    """A new build, which is left in the folder as well where it can be written."""
+    unfinished = new_folder(folder) if folder else None
+    try:
+        made = _compile(numba, loop, signature, unfinished, code, options)
+        if options is LEAN:
+            _check_that_nothing_counts(made.overloads[signature])
+    except Exception as error:
+        if unfinished:
+            remove(unfinished)
+        if isinstance(error, OSError) and unfinished:  # the disk is full
+            return _kept(numba, loop, signature, None, code, options)
+        raise
+    if unfinished and folder:
+        publish(unfinished, folder)
+    return made
 
 
 def _compile(
-    numba: Any, loop: Function, signature: tuple[Any, ...], folder: Path, code: Code, options: dict[str, bool]
+    numba: Any, loop: Function, signature: tuple[Any, ...], folder: Path | None, code: Code, options: dict[str, bool]
 ) -> Any:
     """One build by a dispatcher of its own, since Numba's fast path tells classes apart by their names alone."""
-    keep = code.importable and Path(loop.__code__.co_filename).is_file() and _writable(folder)
     users_own = numba.config.CACHE_DIR
     try:
-        numba.config.CACHE_DIR = str(folder) if keep else users_own
-        made = numba.njit(cache=keep, nogil=True, **options)(loop)
+        numba.config.CACHE_DIR = str(folder) if folder else users_own
+        made = numba.njit(cache=folder is not None, nogil=True, no_cfunc_wrapper=True, **options)(loop)
     finally:
         numba.config.CACHE_DIR = users_own
-    _options.update(options)
-    _helpers.update(code.functions)
-    try:
-        with warnings.catch_warnings():  # what Numba finds remarkable says nothing to a student
-            warnings.simplefilter("ignore", importlib.import_module("numba.core.errors").NumbaWarning)
-            made.compile(signature)
-    finally:
-        _options.clear()
-        _helpers.clear()
-        _parts.clear()  # the globals that it read may have changed by the next build
+    functions = {*code.functions, *_stand_ins()} if code.foreign else {*code.functions}
+    with building(options, functions), warnings.catch_warnings():
+        warnings.simplefilter("ignore", importlib.import_module("numba.core.errors").NumbaWarning)
+        made.compile(signature)
+    if folder and (folder / SEAL).exists() and not sum(made.stats.cache_hits.values()):
+        seal(folder)  # Numba thought that what was there is older than the source, and has written it again
     made.disable_compile()  # left to itself it would compile for other types without these options
     return made
 
@@ -204,44 +297,48 @@ def _countless(kind: Any) -> bool:
     return isinstance(kind, types.Number | types.Boolean | types.NoneType | types.Array | generator)
 
 
-def _counts_nothing(build: Any, folder: Path) -> bool:
-    """Whether no reference counting crept in after all: it would leak, as would an array that is returned.
+def _check_that_nothing_counts(build: Any) -> None:
+    """Make sure that no reference counting crept in after all: it would leak, as would an array that is returned.
 
-    What has passed is marked on the disk, so that what is found there unmarked is not trusted.
+    Raises:
+        CompilationError: it did.
     """
-    types, passed = _numba().types, folder / "passed"
+    types = _numba().types
 
     def only_numbers(kind: Any) -> bool:
         return all(map(only_numbers, kind)) if isinstance(kind, types.BaseTuple) else not isinstance(kind, types.Array)
 
-    if not (_countless(build.signature.return_type) and only_numbers(build.signature.return_type)):
-        return False
-    if build.metadata is None:  # from the disk
-        return passed.exists()
-    if re.search(r"call [^\n]*@NRT_(?!meminfo_new_from_pyobject)", build.library.get_llvm_str()):
-        return False
-    if folder.exists():
-        passed.touch()
-    return True
-
-
-def _writable(folder: Path) -> bool:
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError:
-        return False
-    return os.access(folder, os.W_OK)
+    result = build.signature.return_type
+    if not (_countless(result) and only_numbers(result)):
+        raise CompilationError(f"it gives back a value of type {result}")
+    if found := re.search(r"call [^\n]*@(NRT_(?!meminfo_new_from_pyobject)\w*)", build.library.get_llvm_str()):
+        raise CompilationError(f"it allocates ({found[1]})")
 
 
 def _reason(error: Exception, code: Code) -> str:
     """The line of Numba's message that says what is wrong, and the last line of the student's code that it names."""
+    if isinstance(error, CompilationError | _refused()):
+        return str(error)
     text = re.sub(r"\x1b\[[0-9;]*m", "", str(error))
     says = [line.strip() for line in text.splitlines() if line.strip()]
-    frame = ("Failed in", "No implementation", ">>>", "There ", "- ", "Overload", "With arg", "Rejected", "During")
-    first = next((line for line in says if not line.startswith(frame)), type(error).__name__)
-    own = {Path(file).name for file in code.foreign_files}
-    places = [place for place in re.findall(r'File "([^"]+)", line (\d+)', text) if Path(place[0]).name in own]
-    return f"{first} ({places[-1][0]}, line {places[-1][1]})" if places else first
+    frame = (
+        "Failed in",
+        "No implementation",
+        ">>>",
+        "There ",
+        "- ",
+        "Overload",
+        "With arg",
+        "Rejected",
+        "During",
+        "No ma",
+    )
+    first = next((line for line in says if not line.startswith(frame)), None)
+    first = first or next((line for line in says if line.startswith("No impl")), type(error).__name__)
+    own = {Path(file).name: file for file in code.foreign_files}
+    places = [(Path(file).name, line) for file, line in re.findall(r'File "([^"]+)", line (\d+)', text)]
+    lines = [place(own[name], int(line)) for name, line in places if name in own]
+    return f"{first[:MOST_WORDS]} ({lines[-1]})" if lines else first[:MOST_WORDS]
 
 
 @cache
@@ -251,93 +348,35 @@ def _numba() -> Any:
 
 
 def _load_numba() -> Any:
-    with _lock:
-        if _loaded:  # by a thread that nobody waited for any more
-            return _loaded[0]
+    with _lock:  # a thread for which nobody waits any more may still be loading it
         try:
             numba = importlib.import_module("numba")
         except ImportError as error:
             raise NoCompiler("Numba is not installed") from error
         if numba.config.DISABLE_JIT:
             raise NoCompiler("Numba is switched off by NUMBA_DISABLE_JIT")
-        _teach_numba(numba)
-        _loaded.append(numba)
+        if not _taught:
+            try:
+                teach(numba, importlib.import_module("edugym.compiled.passes"))
+                _processor()
+            except Exception as error:  # what may be missing, and how that shows, is Numba's business
+                _taught.append(f"{type(error).__name__}: {error}")
+                message = f"this version of Numba ({numba.__version__}) is not known to EduGym"
+                warnings.warn(f"{message}: everything runs interpreted ({_taught[0]})", stacklevel=2)
+            else:
+                _taught.append("")
+        if _taught[0]:
+            raise NoCompiler(f"this version of Numba is not known: {_taught[0]}")
         return numba
 
 
-def _member(kind: Any, name: str) -> Any:
-    """The method, property or constant `name` of a NamedTuple class, or None (fields are Numba's own business)."""
-    if name in kind.fields or name in NAMEDTUPLE_OWN:
-        return None
-    return inspect.getattr_static(kind.instance_class, name, None)
+def _refused() -> Any:
+    """The error of what is not in the subset that may be compiled."""
+    return importlib.import_module("edugym.compiled.passes").Refused
 
 
-def _teach_numba(numba: Any) -> None:
-    """Look up what Numba does not know of a NamedTuple, its methods, properties and constants, in its class."""
-    types, typeof, extending = numba.types, numba.typeof, numba.extending
-    imputils: Any = importlib.import_module("numba.core.imputils")
-    templates: Any = importlib.import_module("numba.core.typing.templates")
-    tuples: Any = importlib.import_module("numba.cpython.tupleobj")
-    purpose: Any = importlib.import_module("numba.core.typing.typeof").Purpose
-
-    def part(function: FunctionType) -> Any:
-        """The type of a method or helper, compiled with the options of the build in progress."""
-        if function not in _parts:
-            _parts[function] = numba.njit(**_options)(function)
-        return types.Dispatcher(_parts[function])
-
-    def call(context: Any, builder: Any, function: FunctionType, kinds: Any, values: Any) -> Any:
-        """The machine code of a call."""
-        callee = part(function)
-        implementation = context.get_function(callee, callee.get_call_type(context.typing_context, kinds, {}))
-        context.add_linking_libs(getattr(implementation, "libs", ()))
-        return implementation(builder, values)
-
-    @cache
-    def lower_method(name: str) -> None:
-        """How any NamedTuple's method of this name is called."""
-
-        def method(context: Any, builder: Any, signature: Any, values: Any) -> Any:
-            if len(values) < len(signature.args):  # Numba leaves out a self without fields
-                values = [context.make_tuple(builder, signature.args[0], ()), *values]
-            return call(context, builder, _member(signature.args[0], name), signature.args, values)
-
-        key = (types.BaseNamedTuple, name)
-        extending.lower_builtin(key, types.BaseNamedTuple, types.VarArg(types.Any))(method)
-
-    def resolve(template: Any, kind: Any, name: str) -> Any:
-        """The type of a member, or None where there is none."""
-        member = _member(kind, name)
-        if isinstance(member, FunctionType):
-            lower_method(name)
-
-            def generic(method: Any, kinds: Any, keywords: Any) -> Any:
-                return part(member).get_call_type(method.context, (kind, *kinds), keywords).as_method()
-
-            members = {"key": (types.BaseNamedTuple, name), "generic": generic}
-            return types.BoundFunction(type("Method", (templates.AbstractTemplate,), members), kind)
-        if isinstance(member, property):
-            return part(function_of(member)).get_call_type(template.context, (kind,), {}).return_type
-        return typeof(member) if isinstance(member, bool | int | float | str | tuple) else None
-
-    def function_of(member: property) -> Any:
-        return member.fget
-
-    def read(context: Any, builder: Any, kind: Any, value: Any, name: str) -> Any:
-        """The machine code that reads a field, a property or a constant."""
-        member = _member(kind, name)
-        if member is None:
-            return tuples.namedtuple_getattr(context, builder, kind, value, name)
-        if isinstance(member, property):
-            return call(context, builder, function_of(member), (kind,), (value,))
-        return context.get_constant_generic(builder, typeof(member), member)
-
-    def helper(function: FunctionType, context: Any) -> Any:
-        """A plain function that a method calls compiles along (Numba alone asks for a decorator on it)."""
-        return part(function) if function in _helpers and context.purpose is purpose.constant else None
-
-    for kind_of_tuple in (types.NamedTuple, types.NamedUniTuple):
-        members = {"key": kind_of_tuple, "generic_resolve": resolve}
-        templates.infer_getattr(type("Members", (templates.AttributeTemplate,), members))
-        imputils.lower_getattr_generic(kind_of_tuple)(read)
-    extending.typeof_impl.register(FunctionType)(helper)
+@cache
+def _stand_ins() -> frozenset[FunctionType]:
+    """The checked functions that may stand in users' code for Python's own."""
+    arithmetic: Any = importlib.import_module("edugym.compiled.arithmetic")
+    return frozenset({*arithmetic.REPLACED.values(), *arithmetic.CALLED.values(), *arithmetic.DRAWN.values()})

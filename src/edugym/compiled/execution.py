@@ -1,26 +1,28 @@
 """Running a loop: as machine code where that pays and is possible, else interpreted, with the same results.
 
-What a student meets is ordinary Python. A mistake in a class of their own shows as an ordinary traceback at its line,
-because a few hundred steps are rehearsed interpreted before anything is compiled, and because a chunk in which machine
-code fails is played again interpreted from where it began: being the same bit for bit, it stops at the very line.
+What a student meets is ordinary Python. Code that is not the package's own is compiled only if it is in a stated subset
+(`edugym.compiled.subset`). Such code changes nothing but its arguments, so a few hundred steps can be rehearsed on
+copies, interpreted and then by machine code: both must come to the same. A mistake shows in the rehearsal, as an
+ordinary traceback at its line; a later one stops machine code, and the call is played again interpreted from where it
+began: being the same, it stops at the very line.
 """
 
-import copy
 import os
 import sys
 import warnings
 from collections.abc import Callable, Iterator
 from typing import Any
 
-import numpy as np
-
 from edugym.compiled.code import LIBRARIES, Code
-from edugym.compiled.compiler import CompilationError, NoCompiler, compiled, is_built, is_on_disk
+from edugym.compiled.compiler import CompilationError, NoCompiler, check_compiler, compiled, is_built, is_on_disk
+from edugym.compiled.copies import Snapshot, copied, difference
+from edugym.compiled.subset import refusal
 
 Loop = Callable[..., Any]
 
 COMPILE_FROM = 5_000  # steps; fewer take the interpreter some 15 ms, and compiling takes a second or more
 REHEARSED = 200  # steps
+MOST_SURPRISES = 3  # calls in which machine code fails and the interpreter does not, before machine code is given up
 _warned: set[str] = set()
 
 
@@ -40,7 +42,8 @@ def executable(
         expected: how many steps it will be asked for in all; fewer than `COMPILE_FROM` are not worth compiling.
         rehearsed: how many are rehearsed by the interpreter, on copies, before code that is not the package's is
             compiled.
-        replayed: whether a call that fails in such code is played again by the interpreter, to stop at the very line.
+        replayed: without effect: every call that fails in such code is played again by the interpreter, which stops at
+            the very line, or goes on where only machine code could not.
 
     Returns:
         A function with the arguments of `loop`: machine code, or where that does not pay or is not possible, `loop`
@@ -49,43 +52,84 @@ def executable(
     code = Code(loop, arguments)
     if expected < COMPILE_FROM and not is_built(loop, code):
         return loop
-    if code.foreign:
-        loop(rehearsed, *copy.deepcopy(arguments))
     try:
-        _announce(code)
-        fast = compiled(loop, rehearsed, *arguments, code=code)
+        check_compiler()
+        if reason := refusal(code, arguments):
+            raise CompilationError(reason)
+        return _machine_code(loop, arguments, code, rehearsed)
     except NoCompiler:
         return loop
     except CompilationError as error:
-        _warn_once(code, arguments, error)
-        return loop
-    return _replaying(fast, loop) if code.foreign and replayed else fast
+        _warn_once(code, arguments, str(error))
+    return loop
 
 
-def _replaying(fast: Loop, loop: Loop) -> Loop:
-    """Machine code that, where it fails, is played again by the interpreter from the same start."""
+def _machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, rehearsed: int) -> Loop:
+    """Machine code of the loop; that of foreign code has shown on copies that it does what the interpreter does.
+
+    Raises:
+        CompilationError: there is none, or it does not.
+    """
+    if not code.foreign:
+        _announce(code)
+        return compiled(loop, rehearsed, *arguments, code=code)
+    rehearsed = min(rehearsed, REHEARSED)
+    rehearsal, constants = copied(arguments), code.arrays()
+    as_before, before = copied(constants), Snapshot()
+    before.take(constants)
+    try:
+        result = loop(rehearsed, *rehearsal)  # a mistake in it ends here, at its line
+    finally:
+        changed = difference(constants, as_before, "an array", close=0.0)
+        before.put_back()
+    if changed:
+        raise CompilationError("it changes an array that is not its own: pass it as a field")
+    _announce(code)
+    fast = compiled(loop, rehearsed, *arguments, code=code)
+    shadow = copied(arguments)
+    try:
+        shadowed = fast(rehearsed, *shadow)
+    except Exception as error:
+        raise CompilationError(f"machine code stops where Python goes on ({_said(error)})") from error
+    found = difference((result, rehearsal), (shadowed, shadow), "the result")
+    if found:
+        raise CompilationError(f"machine code comes to something else than Python in the first steps ({found})")
+    return _guarded(fast, loop, code, rehearsed)
+
+
+def _said(error: Exception) -> str:
+    return f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
+
+
+def _guarded(fast: Loop, loop: Loop, code: Code, rehearsed: int) -> Loop:
+    """Machine code of foreign code, with the interpreter at its side.
+
+    Where machine code fails, the call is played again by the interpreter from the same start, to stop at the very line,
+    or to go on where Python does. Once code has changed, machine code of what it is now takes over.
+    """
+    before = Snapshot()
+    surprises = 0
 
     def run(*arguments: Any) -> Any:
-        before = copy.deepcopy(arguments)
+        nonlocal fast, code, surprises
+        if not code.is_current():
+            code = Code(loop, arguments[1:])
+            fast = executable(loop, arguments[1:], rehearsed=rehearsed)
+        if fast is loop:
+            return loop(*arguments)
+        before.take(arguments)
         try:
             return fast(*arguments)
-        except Exception:
-            for now, then in zip(arguments, before, strict=True):
-                _restore(now, then)
-            return loop(*arguments)
+        except Exception as error:
+            before.put_back()
+            result = loop(*arguments)  # where this is an error for Python as well, it is raised here
+            surprises += 1
+            if surprises == MOST_SURPRISES:
+                fast = loop
+                _warn_once(code, arguments, f"machine code stops where Python goes on ({_said(error)})")
+            return result
 
     return run
-
-
-def _restore(now: Any, then: Any) -> None:
-    """Put tables and random streams back in place to what they were."""
-    if isinstance(now, np.ndarray):
-        now[...] = then
-    elif isinstance(now, np.random.Generator):
-        now.bit_generator.state = then.bit_generator.state
-    elif isinstance(now, tuple):
-        for part_now, part_then in zip(now, then, strict=True):
-            _restore(part_now, part_then)
 
 
 def _announce(code: Code) -> None:
@@ -101,13 +145,14 @@ def _announce(code: Code) -> None:
     print(f"edugym: compiling {names} (once, a second or two) ...", file=out)
 
 
-def _warn_once(code: Code, arguments: tuple[Any, ...], error: CompilationError) -> None:
+def _warn_once(code: Code, arguments: tuple[Any, ...], reason: str) -> None:
     """Say once for the same classes what keeps them from being compiled."""
     plain = next(_plain_objects(arguments), None)
     names = code.names() if plain is None else type(plain).__name__
-    reason = error if plain is None else "it is no NamedTuple"
-    if f"cannot: {names}" not in _warned:
-        _warned.add(f"cannot: {names}")
+    reason = reason if plain is None else "it is no NamedTuple"
+    what = f"cannot: {names if code.foreign else reason}"
+    if what not in _warned:
+        _warned.add(what)
         message = f"{names} cannot be compiled and runs interpreted, some hundred times slower: {reason}"
         warnings.warn(message, stacklevel=4)
 
@@ -115,7 +160,7 @@ def _warn_once(code: Code, arguments: tuple[Any, ...], error: CompilationError) 
 def _plain_objects(value: Any) -> Iterator[Any]:
     """What is in a value that machine code knows nothing of: objects of ordinary classes."""
     if isinstance(value, tuple):
-        for part in value:
+        for part in tuple.__iter__(value):
             yield from _plain_objects(part)
     elif type(value).__module__.partition(".")[0] not in LIBRARIES:
         yield value

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from gymnasium.error import DependencyNotInstalled
 
-from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.adapters.gymnasium_env import MDPEnv, environment_of
 from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.registration import make_environment
 
@@ -23,8 +23,8 @@ def stable_baselines3_env(
         PPO("MlpPolicy", stable_baselines3_env("Catch", 64, rows=5)).learn(100_000)
 
     Args:
-        environment: the name or id of an environment, an environment of one's own such as `MDPEnv(Walk(7))`, or a
-            vector environment that resets its copies in the same step (`autoreset_mode="SameStep"`).
+        environment: the name or id of an environment; an environment of one's own, such as `MDPEnv(Walk(7))`, or its
+            MDP; or a vector environment that resets its copies in the same step (`autoreset_mode="SameStep"`).
         num_envs: how many copies, 1 or more; by default one, or as many as the vector environment has.
         **parameters: what the environment is made with, where it is given by its name.
 
@@ -46,15 +46,14 @@ def stable_baselines3_env(
         environment = make_environment(environment, **parameters)
     elif parameters:
         raise ValueError(f"parameters are for an environment given by its name, but are {parameters!r}")
-    if isinstance(environment, MDPEnv):
+    if not isinstance(environment, MDPVectorEnv):
+        environment = environment_of(environment)
         if not environment.only_plays_its_mdp:
             raise ValueError(
                 f"environment must do in a step what its MDP does and no more, such as waiting, but {environment!r}"
                 " does more: use Stable-Baselines3's own DummyVecEnv"
             )
         environment = MDPVectorEnv(environment, 1 if num_envs is None else num_envs, "SameStep")
-    if not isinstance(environment, MDPVectorEnv):
-        raise ValueError(f"environment must be a name, an MDPEnv or an MDPVectorEnv, but is {environment!r}")
     if num_envs not in (None, environment.num_envs):
         raise ValueError(f"num_envs must be {environment.num_envs}, as the vector environment has, but is {num_envs!r}")
     return MDPVecEnv(environment)

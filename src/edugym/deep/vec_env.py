@@ -11,7 +11,7 @@ from edugym.adapters.vector_env import MDPVectorEnv
 
 
 class MDPVecEnv(VecEnv):
-    """The copies of a vector environment as a `VecEnv`: what `DummyVecEnv` gives, from one call of machine code.
+    """The copies of a vector environment as a `VecEnv`: like `DummyVecEnv`, but stepped in one call of machine code.
 
     All copies draw from one random stream, so of the seeds that Stable-Baselines3 hands out only the first counts. A
     single copy does exactly what a `DummyVecEnv` of one environment does. `infos` say what Stable-Baselines3 asks for,
@@ -36,23 +36,24 @@ class MDPVecEnv(VecEnv):
         self.vector = vector
         self._actions: Any = None
         super().__init__(vector.num_envs, vector.single_observation_space, vector.single_action_space)
+        self.metadata = vector.metadata
 
     def reset(self) -> Any:
-        """Start an episode in every copy, and give their observations, shape (n, ...)."""
+        """Start an episode in every copy, and return their observations, shape (n, ...)."""
         observations, _ = self.vector.reset(seed=self._seeds[0])
         self._reset_seeds()
         self._reset_options()
         return observations
 
     def step_async(self, actions: Any) -> None:
-        """Take note of the actions, shape (n, ...)."""
+        """Store the actions, shape (n, ...)."""
         self._actions = actions
 
     def step_wait(self) -> tuple[Any, Any, Any, list[dict[str, Any]]]:
-        """Take one step in every copy with the actions noted.
+        """Take one step in every copy with the stored actions.
 
         Returns:
-            Observations of shape (n, ...), where an episode has ended those of the next one's start; rewards and ends
+            Observations of shape (n, ...), which are those of the next episode where one has ended; rewards and ends
             (terminated or truncated), of shape (n,); and an info for each copy.
 
         Raises:
@@ -85,7 +86,7 @@ class MDPVecEnv(VecEnv):
         return self.vector.render() or ()
 
     def get_attr(self, attr_name: str, indices: VecEnvIndices = None) -> list[Any]:
-        """An attribute of the environment, as it is for each copy: its `state`, `steps`, `mdp` and so on."""
+        """An attribute of each copy: its `state`, `steps`, `mdp`, `spec` and so on."""
         return [getattr(self.vector.showing(i), attr_name) for i in self._get_indices(indices)]
 
     def set_attr(self, attr_name: str, value: Any, indices: VecEnvIndices = None) -> None:

@@ -11,8 +11,9 @@ from edugym.rendering.icons import flag, smiley
 from edugym.rendering.palette import CRACK, GRASS, SKY, STONE, WALL
 from edugym.rendering.scene import Circle, Line, Rectangle, Scene, Shape, Text
 
-MOST_LEVELS = 12
-"""How much of a high wall the picture shows."""
+MOST_LEVELS, MOST_SHOWN = 12, 40
+"""How many heights and grips of a large wall the picture shows."""
+HIGHEST, MOST_GRIPS = 1_000_000, 1_000
 
 
 class Boulder(NamedTuple):
@@ -48,8 +49,8 @@ class Boulder(NamedTuple):
     Terminated at the top; truncated after `max_steps` steps.
 
     ## Parameters
-    - `height` (10): H, how many right grips it takes to get to the top; 1 or more.
-    - `n_grips` (2): N, how many grips there are at every height; 2 or more.
+    - `height` (10): H, how many right grips it takes to get to the top; from 1 to 1 000 000.
+    - `n_grips` (2): N, how many grips there are at every height; from 2 to 1000.
     - `max_steps` (10 * height): 1 or more.
     - `layout_seed` (0): from which the right grips are drawn, uniformly; 0 or more.
 
@@ -116,12 +117,16 @@ class Boulder(NamedTuple):
         Raises:
             ValueError: a parameter is not as the class says.
         """
-        height, n_grips = whole_number("height", height, 1), whole_number("n_grips", n_grips, 2)
-        max_steps = 10 * height if max_steps is None else max_steps
-        number_of_steps("max_steps", max_steps)
+        height, n_grips = whole_number("height", height, 1, HIGHEST), whole_number("n_grips", n_grips, 2, MOST_GRIPS)
+        max_steps = number_of_steps("max_steps", 10 * height if max_steps is None else max_steps)
         whole_number("layout_seed", layout_seed, 0)
         grips = np.random.default_rng(layout_seed).integers(0, n_grips, height)
         return Boulder(height, n_grips, grips, max_steps)
+
+    @property
+    def reward_threshold(self) -> float | None:
+        """Every episode reaches the top; None if the step limit is too low for that."""
+        return 1.0 if self.max_steps >= self.height else None
 
     @property
     def action_names(self) -> tuple[str, ...]:
@@ -135,11 +140,13 @@ class Boulder(NamedTuple):
     def scene(self, state: int) -> Scene:
         """A wall from the front: the grip that holds grey, the others black and cracked, the climber on its grip.
 
-        Of a high wall it shows the part where the climber is.
+        Of a large wall it shows the part where the climber is.
         """
-        height, n_grips, grips = self.height, self.n_grips, self.grips
+        height, n_grips, grips = self.height, min(self.n_grips, MOST_SHOWN), self.grips
         shown = min(height, MOST_LEVELS)
         first = min(max(0, state - shown // 2), height - shown)  # the lowest level that is in the picture
+        held = int(grips[max(state - 1, 0)])
+        left = min(max(0, held - n_grips // 2), self.n_grips - n_grips)  # the first grip that is in the picture
         width, top = n_grips + 3.0, 2.0
         bottom = top + shown + 0.5
         edge = top if first + shown == height else -1.0  # a wall that goes on goes on beyond the picture
@@ -152,13 +159,13 @@ class Boulder(NamedTuple):
             y = bottom - (level - first) - 0.75
             shapes.append(Text(0.5, y, str(level + 1), size=0.4))
             for grip in range(n_grips):
-                shapes += _grip(grip + 2.0, y, holds=grip == grips[level])
+                shapes += _grip(grip + 2.0, y, holds=left + grip == grips[level])
         if state == 0:
             climber = (width / 2, bottom + 0.5)
         elif state == height:
             climber = (width / 2, top - 0.45)
         else:
-            climber = (float(grips[state - 1]) + 2.0, bottom - (state - first) + 0.25)
+            climber = (held - left + 2.0, bottom - (state - first) + 0.25)
         shapes += smiley(*climber, 0.42)
         return Scene(width, bottom + 1.5, shapes, SKY, f"Boulder: {state} of {height}", columns=2 * int(width))
 

@@ -15,8 +15,12 @@ from edugym.rendering.scene import Circle, Line, Rectangle, Scene, Shape, Text
 BALL, PADDLE = rgb(YELLOW), rgb(RED)
 """Their colours in the observation type "rgb", on black."""
 
+LONGEST = 1_000
 MOST_CELLS = 50
 """On longer sides than this the lines between cells would hide the board."""
+
+MOST_COLUMNS = 120
+"""How many characters wide the picture is at most."""
 
 
 class Fall(NamedTuple):
@@ -68,7 +72,7 @@ class Catch(NamedTuple):
     Terminated when the ball is in the paddle's row, after rows - 1 steps; never truncated.
 
     ## Parameters
-    - `rows` (10): of the board, 2 or more; rows and columns set how large an observation is.
+    - `rows` (10): of the board, from 2 to 1000; rows and columns set how large an observation is.
     - `columns` (5): from 1 to 2 * rows - 1; on a wider board the paddle cannot reach every ball.
     - `observation_type` ("grid"): `"grid"`, `"default"`, `"vectorised"` or `"rgb"`.
 
@@ -138,7 +142,7 @@ class Catch(NamedTuple):
         Raises:
             ValueError: a parameter is not as the class says.
         """
-        rows, columns = whole_number("rows", rows, 2), whole_number("columns", columns, 1)
+        rows, columns = whole_number("rows", rows, 2, LONGEST), whole_number("columns", columns, 1, LONGEST)
         if columns > 2 * rows - 1:
             raise ValueError(
                 f"columns must be at most {2 * rows - 1} with {rows} rows, so that the paddle can reach every ball, "
@@ -146,6 +150,11 @@ class Catch(NamedTuple):
             )
         one_of("observation_type", observation_type, list(KINDS))
         return KINDS[observation_type](rows, columns)
+
+    @property
+    def reward_threshold(self) -> float:
+        """Every ball is caught."""
+        return 1.0
 
     @property
     def action_names(self) -> tuple[str, ...]:
@@ -181,7 +190,14 @@ class Catch(NamedTuple):
             Circle(left + ball_x + 0.5, top + ball_y + 0.36, 0.34, fill=YELLOW, glyph="o"),
             *smiley(left + paddle_x + 0.5, bottom + 0.65, 0.5, mood),
         ]
-        return Scene(width, bottom + 1.5, shapes, SKY, f"Catch: ball in row {ball_y} of {rows}", columns=int(2 * width))
+        return Scene(
+            width,
+            bottom + 1.5,
+            shapes,
+            SKY,
+            f"Catch: ball in row {ball_y} of {rows}",
+            columns=min(int(2 * width), MOST_COLUMNS),
+        )
 
 
 class CatchGrid(Catch):

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
-from edugym.checks import above, at_least, whole_number
+from edugym.checks import above, between, in_short, whole_number
 from edugym.mdp.protocol import Random
 from edugym.rendering.icons import Mood, flag, smiley
 from edugym.rendering.palette import GRASS, GREEN, SAND, WATER, WHITE, blend
@@ -15,6 +15,9 @@ from edugym.rendering.scene import Circle, Line, Rectangle, Scene, Shape, Text
 SWINGS = ("putt", "chip", "drive")
 DISTANCES = (1.0, 4.0, 10.0)
 """How far each swing aims, in cells."""
+LONGEST, MOST_HITS, WORST = 1_001, 1_000_000, 1_000
+MOST_COLUMNS = 120
+"""How many characters wide the picture is at most."""
 
 
 class Ball(NamedTuple):
@@ -61,11 +64,11 @@ class Golf(NamedTuple):
     Terminated on the green, off the course, or after `max_hits` hits, which is part of the task; never truncated.
 
     ## Parameters
-    - `width` (7): an odd number of cells, 3 or more.
-    - `length` (17): in cells, `width` or more.
+    - `width` (7): an odd number of cells, from 3 to 1001.
+    - `length` (17): in cells, from `width` to 1001.
     - `green_radius` (2.1): greater than 0, and less than the distance from the tee to the flag.
-    - `max_hits` (10): 1 or more.
-    - `stochasticity_level` (0.015): the skill of the player, 0 for a perfect one; 0 or more.
+    - `max_hits` (10): from 1 to 1 000 000.
+    - `stochasticity_level` (0.015): the skill of the player, from 0 (perfect) to 1000.
     - `observe_hits` (False): whether the agent sees the number of hits.
 
     ## Info
@@ -165,30 +168,34 @@ class Golf(NamedTuple):
         Raises:
             ValueError: a parameter is not as the class says.
         """
-        whole_number("width", width, 3)
+        width = whole_number("width", width, 3, LONGEST)
         if width % 2 == 0:
             raise ValueError(f"width must be odd, so that the flag stands in the middle of a cell, but is {width!r}")
-        whole_number("length", length, width)
+        length = whole_number("length", length, width, LONGEST)
         above("green_radius", green_radius, 0)
+        green_radius = float(green_radius)
         if green_radius >= length - width / 2:
             raise ValueError(
                 f"green_radius must be less than {length - width / 2}, so that the tee is not on the green, "
                 f"but is {green_radius!r}"
             )
-        whole_number("max_hits", max_hits, 1)
-        at_least("stochasticity_level", stochasticity_level, 0)
-        if not math.isfinite(stochasticity_level):
-            raise ValueError(f"stochasticity_level must be a finite number, but is {stochasticity_level!r}")
+        max_hits = whole_number("max_hits", max_hits, 1, MOST_HITS)
+        between("stochasticity_level", stochasticity_level, 0, WORST)
         if not isinstance(observe_hits, bool):
-            raise ValueError(f"observe_hits must be True or False, but is {observe_hits!r}")
+            raise ValueError(f"observe_hits must be True or False, but is {in_short(observe_hits)}")
         kind = GolfWithHits if observe_hits else Golf
-        golf = kind(width, length, green_radius, max_hits, stochasticity_level)
+        golf = kind(width, length, green_radius, max_hits, float(stochasticity_level))
         if stochasticity_level == 0 and not _reachable(golf):
             raise ValueError(
                 f"green_radius must be larger or max_hits higher: without noise no {max_hits!r} hits end on a green "
                 f"of radius {green_radius!r}"
             )
         return golf
+
+    @property
+    def reward_threshold(self) -> float | None:
+        """At the defaults a little less than the best return; None for other parameters."""
+        return 0.85 if tuple(self) == tuple(Golf.create()) else None
 
     @property
     def action_names(self) -> tuple[str, ...]:
@@ -222,14 +229,23 @@ class Golf(NamedTuple):
             aim = at(*golf.aim(last_state, d))
             spread = 2 * golf.stochasticity_level * d * d
             shapes.append(Line((at(last_state.x, last_state.y), aim), colour=WHITE))
-            shapes.append(Circle(*aim, spread, fill=None, outline=WHITE))
+            if spread < golf.width + height:  # a larger circle lies outside the picture
+                shapes.append(Circle(*aim, spread, fill=None, outline=WHITE))
             text = f"hit {ball.hits}: {name}"
         mood: Mood = "happy" if golf.on_green(ball) else "sad" if golf.off_course(ball) else "flat"
-        x, y = at(ball.x, ball.y)
+        far = golf.width + golf.length  # a lost ball is not drawn farther away than this, which no one sees
+        x, y = at(min(max(ball.x, -far), far), min(max(ball.y, -far), far))
         shapes.append(Circle(x, y, 0.22, fill=WHITE, glyph="o"))
         shapes += smiley(min(max(x - 0.9, 0.6), golf.width + 2 * margin - 0.6), min(y, height - 0.6), 0.5, mood)
         shapes.append(Text((golf.width + 2 * margin) / 2, 0.7, text, size=0.7))
-        return Scene(golf.width + 2 * margin, height, shapes, WATER, f"Golf: {text}", columns=2 * (golf.width + 3))
+        return Scene(
+            golf.width + 2 * margin,
+            height,
+            shapes,
+            WATER,
+            f"Golf: {text}",
+            columns=min(2 * (golf.width + 3), MOST_COLUMNS),
+        )
 
 
 class GolfWithHits(Golf):

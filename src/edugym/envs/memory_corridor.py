@@ -13,6 +13,8 @@ from edugym.rendering.scene import Rectangle, Scene, Shape, Text
 SEEDS = 2**31
 """How many corridors there are."""
 MOST_DOORS = 1_000
+MOST_SHOWN = 40
+"""How many of a long row of doors the picture shows."""
 
 
 class Corridor(NamedTuple):
@@ -149,8 +151,12 @@ class MemoryCorridor(NamedTuple):
             ValueError: a parameter is not as the class says.
         """
         num_doors = whole_number("num_doors", num_doors, 2, MOST_DOORS)
-        number_of_steps("max_steps", max_steps)
-        return MemoryCorridor(num_doors, max_steps)
+        return MemoryCorridor(num_doors, number_of_steps("max_steps", max_steps))
+
+    @property
+    def reward_threshold(self) -> float:
+        """No wrong door up to the step limit."""
+        return float(self.max_steps)
 
     @property
     def action_names(self) -> tuple[str, ...]:
@@ -163,10 +169,16 @@ class MemoryCorridor(NamedTuple):
         return {"length": int(state.length), "position": int(state.position), "right_door": int(right_door)}
 
     def scene(self, state: Corridor) -> Scene:
-        """Numbered doors with windows, a lamp over each, lit over the marked door, and the place in the corridor."""
+        """Numbered doors with windows, a lamp over each, lit over the marked door, and the place in the corridor.
+
+        Of many doors it shows those around the marked or opened one.
+        """
         seed, length, position, opened = state
-        n, marked, locked_in = self.num_doors, position == length - 1, opened != -1
+        marked, locked_in = position == length - 1, opened != -1
         right_door = self.right_door(seed, position)
+        n = min(self.num_doors, MOST_SHOWN)
+        middle = opened if locked_in else right_door if marked else 0
+        leftmost = min(max(0, middle - n // 2), self.num_doors - n)
         width = max(2.0 * n + 1.0, 7.0)
         left = (width - 2.0 * n) / 2 + 0.25
         shapes: list[Shape] = [
@@ -174,10 +186,11 @@ class MemoryCorridor(NamedTuple):
             Text(width / 2, 0.5, f"Door {position + 1} of {length}", size=0.5),
         ]
         for k in range(n):
-            x, right = left + 2.0 * k, k == right_door
+            x, number = left + 2.0 * k, leftmost + k
+            right = number == right_door
             shapes += lamp(x + 0.75, 1.15, 0.2, lit=bool(marked and right))
             pane = "?" if not marked else "!" if right else ""
-            shapes += door(x, 1.6, 1.5, 3.0, BRICK if k == opened else WALL, str(k), pane)
+            shapes += door(x, 1.6, 1.5, 3.0, BRICK if number == opened else WALL, str(number), pane)
         shown = length if length <= 24 else 24
         step = min(0.6, (width - 1.0) / shown)
         first = min(max(0, position - shown // 2), length - shown)
@@ -187,7 +200,7 @@ class MemoryCorridor(NamedTuple):
             shapes.append(Rectangle(x - 0.4 * step, 6.6, 0.8 * step, 0.5, 0.08, fill=colour))
         x = width / 2 + (position - first - (shown - 1) / 2) * step
         shapes.append(Rectangle(x - 0.4 * step, 6.6, 0.8 * step, 0.5, 0.08, fill="#ffd23f"))
-        at = left + 2.0 * opened + 0.75 if locked_in else width / 2
+        at = left + 2.0 * (opened - leftmost) + 0.75 if locked_in else width / 2
         shapes += smiley(at, 5.45, 0.6, "sad" if locked_in else "happy")
         return Scene(
             width, 7.5, shapes, title=f"MemoryCorridor: door {position + 1} of {length}", columns=int(4 * width)

@@ -10,6 +10,10 @@ from edugym.rendering.icons import Mood, sign, smiley
 from edugym.rendering.palette import GRASS, INK, ROAD, SAND, SKY, WALL, WHITE
 from edugym.rendering.scene import Circle, Line, Polygon, Rectangle, Scene, Shape, Text
 
+LONGEST = 1_000_000
+MOST_CELLS = 50
+"""How many cells the picture tells apart; a longer road is drawn in one piece."""
+
 
 class Runner(NamedTuple):
     """Where the runner is, and how fast.
@@ -61,8 +65,8 @@ class Roadrunner(NamedTuple):
     `max_steps` steps.
 
     ## Parameters
-    - `size` (10): W, the number of cells, 2 or more.
-    - `max_speed` (10): 1 or more.
+    - `size` (10): W, the number of cells, from 2 to 1 000 000.
+    - `max_speed` (10): from 1 to 1 000 000.
     - `negative_reward` (-100.0): R, from -1 000 000 to 0.
     - `stop_zone` (0): how many cells before T also end the episode, from 0 to W - 2 (the start is not one of them).
     - `max_steps` (5 * size): 1 or more.
@@ -149,13 +153,21 @@ class Roadrunner(NamedTuple):
         Raises:
             ValueError: a parameter is not as the class says.
         """
-        size = whole_number("size", size, 2)
-        whole_number("max_speed", max_speed, 1)
+        size = whole_number("size", size, 2, LONGEST)
+        max_speed = whole_number("max_speed", max_speed, 1, LONGEST)
         between("negative_reward", negative_reward, -1_000_000, 0)
-        whole_number("stop_zone", stop_zone, 0, size - 2)
-        max_steps = 5 * size if max_steps is None else max_steps
-        number_of_steps("max_steps", max_steps)
-        return Roadrunner(size, max_speed, negative_reward, stop_zone, max_steps)
+        stop_zone = whole_number("stop_zone", stop_zone, 0, size - 2)
+        max_steps = number_of_steps("max_steps", 5 * size if max_steps is None else max_steps)
+        return Roadrunner(size, max_speed, float(negative_reward), stop_zone, max_steps)
+
+    @property
+    def reward_threshold(self) -> float | None:
+        """The best return, of the fastest run to T; None with a stop zone, or if the step limit is too low."""
+        steps, reach, speed = 0, 0, 0
+        while reach < self.size - 1:
+            speed = min(speed + 1, self.max_speed)
+            steps, reach = steps + 1, reach + speed
+        return 2.0 - steps if self.stop_zone == 0 and steps <= self.max_steps else None
 
     @property
     def action_names(self) -> tuple[str, ...]:
@@ -179,11 +191,15 @@ class Roadrunner(NamedTuple):
             Rectangle(0.0, ground, edge, 0.75 * scale, fill=GRASS, glyph="░"),
             Rectangle(0.5, ground, task.size, 0.4 * scale, fill=ROAD, glyph="="),
         ]
+        zone = task.stop_zone + 1
+        parts = zone if task.size <= MOST_CELLS else 1
         shapes += [
-            Rectangle(cell + 0.5, ground, 1.0, 0.4 * scale, fill=SAND, glyph="_")
-            for cell in range(task.size - 1 - task.stop_zone, task.size)
+            Rectangle(
+                task.size - zone + 0.5 + k * zone / parts, ground, zone / parts, 0.4 * scale, fill=SAND, glyph="_"
+            )
+            for k in range(parts)
         ]
-        if task.size <= 50:
+        if task.size <= MOST_CELLS:
             marks = [((cell + 0.5, ground), (cell + 0.5, ground + 0.4 * scale)) for cell in range(1, task.size)]
             shapes += [Line(mark, colour=WHITE) for mark in marks]
         shapes += sign(edge - 0.15, ground, 2.3 * scale)

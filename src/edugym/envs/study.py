@@ -14,6 +14,7 @@ from edugym.rendering.scene import Line, Rectangle, Scene, Shape, Text
 
 STUDY, SLEEP, GO_OUT = 0, 1, 2
 MOST_ENERGY = 4
+MOST_DAYS, MOST_ACTIONS = 100_000, 1_000
 EXAM_REWARD = 10.0
 MOST_ROWS = 6
 """How much of a long calendar the picture shows."""
@@ -29,14 +30,15 @@ class Student(NamedTuple):
 
 
 class Study(NamedTuple):
-    """Pass an exam on the last day: a few right days among many that only add noise to the return.
+    """Pass an exam on the last day: a few right days among many that do not matter.
 
     ## Description
     Challenge: the depth of credit assignment. Every day a student studies, sleeps, goes out or does something else.
     Studying helps only on the days of a lecture, and the exam at the end asks for knowledge and for energy. A few days
-    decide; the others, and their noisy rewards, only blur the return. Deep back-ups (Monte Carlo) carry the exam's
-    reward to the first day at once, but with all that noise in it; one-step back-ups are slow to carry it, and filter
-    the noise out.
+    decide; the others only blur the return. Deep back-ups (Monte Carlo) carry the exam's reward to the first day at
+    once, together with all that chance did in between; one-step back-ups carry it slowly, and average chance out. At
+    the defaults chance is almost only in the actions that the agent explores; the noise of the rewards adds little
+    until `action_reward_noise_sigma` is raised.
 
     ## Observation space
     `MultiDiscrete([lecture_days + 1, 5, total_days + 1])`: knowledge, energy and day.
@@ -64,8 +66,8 @@ class Study(NamedTuple):
     Terminated after the last day, so always after `total_days` steps; never truncated.
 
     ## Parameters
-    - `total_days` (10): H, 3 or more.
-    - `n_actions` (5): 2 or more; with more, says the paper, returns vary more and deep back-ups suffer.
+    - `total_days` (10): H, from 3 to 100 000.
+    - `n_actions` (5): from 2 to 1000; with more, says the paper, returns vary more and deep back-ups suffer.
     - `lecture_days` (3): how many of the days before the exam have a lecture, from 1 to H - 1.
     - `lectures_needed` (2): from 1 to `lecture_days`.
     - `energy_needed` (1): from 0 to 3; the exam asks for more. The days before the exam must be enough:
@@ -166,8 +168,8 @@ class Study(NamedTuple):
         Raises:
             ValueError: a parameter is not as the class says.
         """
-        total_days = whole_number("total_days", total_days, 3)
-        n_actions = whole_number("n_actions", n_actions, 2)
+        total_days = whole_number("total_days", total_days, 3, MOST_DAYS)
+        n_actions = whole_number("n_actions", n_actions, 2, MOST_ACTIONS)
         lecture_days = whole_number("lecture_days", lecture_days, 1, total_days - 1)
         lectures_needed = whole_number("lectures_needed", lectures_needed, 1, lecture_days)
         energy_needed = whole_number("energy_needed", energy_needed, 0, MOST_ENERGY - 1)
@@ -178,13 +180,26 @@ class Study(NamedTuple):
             )
         between("action_reward_noise_mean", action_reward_noise_mean, 0, 1_000_000)
         between("action_reward_noise_sigma", action_reward_noise_sigma, 0, 1_000_000)
+        action_reward_noise_mean = float(action_reward_noise_mean)  # a small whole number of NumPy's has no minus
         whole_number("layout_seed", layout_seed, 0)
         rng = np.random.default_rng(layout_seed)
         lectures = np.zeros(total_days, np.int64)
         lectures[rng.permutation(total_days - 1)[:lecture_days]] = 1
         rewards = rng.uniform(-action_reward_noise_mean, 0.0, n_actions)
-        sigma = action_reward_noise_sigma
+        sigma = float(action_reward_noise_sigma)
         return Study(total_days, lectures, lectures_needed, energy_needed, rewards, sigma)
+
+    @property
+    def reward_threshold(self) -> float:
+        """The best expected return: of passing the exam, or of not trying, if that pays more.
+
+        The days that the exam does not need go to the action that pays best (to going out before any sleep).
+        """
+        best, studying, sleeping = self.action_rewards.max(), self.action_rewards[STUDY], self.action_rewards[SLEEP]
+        study_days, sleep_days = self.lectures_needed + 1, self.energy_needed + 1
+        other_days = self.total_days - study_days - sleep_days
+        passing = EXAM_REWARD + study_days * studying + sleep_days * sleeping + other_days * best
+        return float(max(passing, self.total_days * best))
 
     @property
     def action_names(self) -> tuple[str, ...]:

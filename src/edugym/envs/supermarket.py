@@ -163,8 +163,8 @@ class Supermarket(NamedTuple):
             ValueError: a parameter is not as the class says.
         """
         between("noise", noise, 0, 1_000_000)
-        number_of_steps("max_steps", max_steps)
-        whole_number("layout_seed", layout_seed, 0)
+        max_steps = number_of_steps("max_steps", max_steps)
+        layout_seed = whole_number("layout_seed", layout_seed, 0)
         meaning = {"#": WALL, "1": 4, "2": 2, "3": 1}
         cells = np.array([[meaning.get(cell, FLOOR) for cell in row] for row in MAP.split()], np.int64)
         places = MAP.replace("\n", "")
@@ -175,6 +175,11 @@ class Supermarket(NamedTuple):
         errors = np.random.default_rng(self.layout_seed).normal(0.0, self.noise, (800, 4))[list(model.states)]
         errors[model.terminal] = 0.0  # nothing can be done there
         return model._replace(rewards=model.rewards + errors[:, :, np.newaxis])
+
+    @property
+    def reward_threshold(self) -> float | None:
+        """The best return; None if the step limit is too low for it."""
+        return 95.0 if self.max_steps >= 30 else None
 
     @property
     def action_names(self) -> tuple[str, ...]:
@@ -298,6 +303,10 @@ class SupermarketEnv(MDPEnv[Supermarket]):
     def time_until_step(self) -> float:
         """How many seconds `step` would block now: time to plan."""
         return self.countdown.left()
+
+    def can_call_step(self) -> bool:
+        """Whether `step` would not block now (the name in the original EduGym)."""
+        return self.time_until_step() == 0.0
 
 
 def _bricks(x: float, y: float) -> list[Shape]:

@@ -71,8 +71,8 @@ class Tamagotchi(NamedTuple):
        H, so that a word can mean several needs.
 
     ## Reward
-    The happiness after the action, from -200 to 74. At the defaults doing what the toy says returns 6 707 (discount 1);
-    exact planning with the whole state finds nothing better.
+    The happiness after the action: above -200 and at most 70.6. At the defaults doing what the toy says returns 6 707
+    (discount 1); exact planning with the whole state finds nothing better.
 
     ## Initial state
     All variables and the hit points at 100; what the toy wants first is drawn uniformly.
@@ -99,7 +99,8 @@ class Tamagotchi(NamedTuple):
     - A message always has `max_msg_length` words. At `tau` = 0 it names the wanted action, and does not tell the four
       variables, of which the paper calls it a perfect description.
     - That all variables start at 100 is a choice. The paper gives the reward's upper end, 73.6, as 75.
-    - The end at 0 hit points carries no penalty: an unhappy life returns the more, the shorter it is.
+    - The end at 0 hit points carries no penalty of its own. An early death loses the rewards that a longer life could
+      have brought; the hit points that are lost before it show in the return.
 
     ## Algorithms
     The paper runs Q-learning with a table, with more and less noise.
@@ -209,7 +210,7 @@ class Tamagotchi(NamedTuple):
     @property
     def observation_space(self) -> spaces.MultiDiscrete:
         """The hit points, 0 to 100, and the words."""
-        return spaces.MultiDiscrete([101] + [self.vocab_size] * self.max_msg_length)
+        return spaces.MultiDiscrete(np.array([101] + [self.vocab_size] * self.max_msg_length, np.int64))
 
     @property
     def action_space(self) -> spaces.Discrete:
@@ -230,11 +231,16 @@ class Tamagotchi(NamedTuple):
             ValueError: a parameter is not as the class says.
         """
         at_least("tau", tau, 0)
-        whole_number("vocab_size", vocab_size, 1, 2**31)
-        longest = max(length for length in range(1, 57) if int(vocab_size) ** length <= 2**56)
-        whole_number("max_msg_length", max_msg_length, 1, longest)
-        number_of_steps("steps_per_episode", steps_per_episode)
-        return Tamagotchi(tau, max_msg_length, vocab_size, steps_per_episode)
+        vocab_size = whole_number("vocab_size", vocab_size, 1, 2**31)
+        longest = max(length for length in range(1, 57) if vocab_size**length <= 2**56)
+        max_msg_length = whole_number("max_msg_length", max_msg_length, 1, longest)
+        steps_per_episode = number_of_steps("steps_per_episode", steps_per_episode)
+        return Tamagotchi(float(tau), max_msg_length, vocab_size, steps_per_episode)
+
+    @property
+    def reward_threshold(self) -> float | None:
+        """At the defaults a little less than doing what it says returns; None for other parameters."""
+        return 6_600.0 if self == Tamagotchi.create() else None
 
     @property
     def action_names(self) -> tuple[str, ...]:
@@ -278,7 +284,7 @@ def urgency(variable: int) -> float:
 
 
 def happiness(variables: Variables) -> float:
-    """From -200 to 74: Σ (v - 50) u."""
+    """Σ (v - 50) u: from -200, all variables at 0, to 73.6, all at 100."""
     total = 0.0
     for variable in variables:
         total += (variable - 50) * urgency(variable)

@@ -11,6 +11,8 @@ from typing import Any, Protocol, TypeAlias, TypeVar
 import numpy as np
 from gymnasium import Space
 
+from edugym.checks import number_of_steps
+
 Integers: TypeAlias = np.ndarray[tuple[int, ...], np.dtype[np.int64]]
 Reals: TypeAlias = np.ndarray[tuple[int, ...], np.dtype[np.float64]]
 Random: TypeAlias = np.random.Generator
@@ -28,6 +30,7 @@ class MDP(Protocol[State, Observation_co]):
     An MDP may also have
 
     * `max_steps`: the step limit; without one, episodes end by themselves;
+    * `reward_threshold`: the mean return at which the task counts as solved, or None where it is not known;
     * `action_names`: what the actions 0, 1, ... are called, or a dictionary from names to actions;
     * `scene(state, ...)`: its picture (see `edugym.rendering`);
     * `info(state, ...)`: a dictionary of what a teacher may want to plot and an agent may not use;
@@ -91,9 +94,27 @@ class Agent(Actor[Observation_contra], Protocol[Observation_contra]):
 
 
 def step_limit(mdp: MDP[Any, Any]) -> int | None:
-    """The number of steps after which an episode of `mdp` is truncated, or None when there is no limit."""
-    limit = getattr(mdp, "max_steps", None)
-    return None if limit is None else int(limit)
+    """The number of steps after which an episode of `mdp` is truncated, or None when there is no limit.
+
+    Raises:
+        ValueError: `max_steps` is neither None nor a whole number of 1 or more.
+    """
+    try:
+        limit: Any = getattr(mdp, "max_steps")  # noqa: B009
+    except AttributeError:
+        if _defines(mdp, "max_steps"):  # a mistake inside the property must not mean "no limit"
+            raise
+        return None
+    if limit is None:
+        return None
+    number_of_steps("max_steps", limit)
+    return int(limit)
+
+
+def _defines(mdp: Any, name: str) -> bool:
+    """Whether the class of an MDP, or of one that it wraps, has such a member."""
+    inner = getattr(mdp, "mdp", None)
+    return hasattr(type(mdp), name) or (inner is not None and _defines(inner, name))
 
 
 def coerced(value: Any) -> Any:

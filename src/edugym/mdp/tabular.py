@@ -9,11 +9,15 @@ from gymnasium import spaces
 
 from edugym.mdp.protocol import MDP, Integers, Random
 from edugym.mdp.wrapper import wrapper
+from edugym.memory import in_digits
+
+MOST_ROWS = 2**63 - 1
+"""The largest number of rows that machine code can count."""
 
 
 @wrapper
 class Tabular(NamedTuple):
-    """An MDP whose observation (i, j, ...) is shown as its index in a table of `sizes`, the last number fastest.
+    """An MDP that shows its observation (i, j, ...) as the index in a table of `sizes`, the last number fastest.
 
     Attributes:
         mdp: the task, which observes a tuple of whole numbers.
@@ -31,7 +35,7 @@ class Tabular(NamedTuple):
         return spaces.Discrete(math.prod(self.sizes.tolist()))
 
     def observation(self, state: Any, rng: Random) -> int:
-        """The row of the table that stands for what the task shows."""
+        """The row of the table for the observation of the task."""
         parts = self.mdp.observation(state, rng)
         row = 0
         for k in range(len(self.sizes)):
@@ -43,10 +47,20 @@ class Tabular(NamedTuple):
         """The wrapper for an MDP that observes whole numbers.
 
         Raises:
-            ValueError: it observes something else.
+            ValueError: it observes something else, or numbers nested in one another, or has 2^63 different
+                observations or more.
         """
         space = mdp.observation_space
-        return cls(mdp, np.array(table_sizes(space)), np.array(table_lows(space)))
+        sizes = table_sizes(space)
+        parts = space.spaces if isinstance(space, spaces.Tuple) else ()
+        if not all(isinstance(part, spaces.Discrete) for part in parts) or len(space.shape or ()) > 1:
+            raise ValueError(f"observation_space of an MDP must be flat for a table, but is {space}")
+        if math.prod(sizes) > MOST_ROWS:
+            raise ValueError(
+                f"the rows of a table over {in_digits(math.prod(sizes))} observations do not fit 63 bits: give rows"
+                " only to those that occur (edugym.Hashed)"
+            )
+        return cls(mdp, np.array(sizes), np.array(table_lows(space)))
 
 
 def tabular_mdp(mdp: MDP[Any, Any]) -> Any:

@@ -70,7 +70,7 @@ def wrapper(kind: Kind) -> Kind:
 
 
 def _from_inside(self: Any, name: str) -> Any:
-    """What the wrapper does not define: the inner MDP's."""
+    """An attribute that the wrapper does not define: that of the inner MDP."""
     if name.startswith("_") or name == "observe_into":  # a wrapper that observes something else must not inherit this
         raise AttributeError(f"{type(self).__name__} has no attribute {name!r}")
     value = getattr(self.mdp, name)

@@ -1,4 +1,4 @@
-"""A person, or an agent, plays an environment: with keys in a terminal or a window, and kept as a film."""
+"""Play an environment, as a person with keys or as an agent, and keep the episode as a film."""
 
 from edugym.playing.films import play_episode, record
 from edugym.playing.game import Frame, Game

@@ -21,14 +21,14 @@ def play_episode(
 
     Args:
         environment: as for `Game`.
-        actor: an agent, which does what it believes best (`greedy(observation, rng)`, or `act` without it); a function
-            of the observation; or a sequence of actions or of their names.
-        seed: of the environment and of the agent.
-        max_steps: after how many steps to stop at the latest: a greedy policy may never get anywhere.
-        parameters: of the environment, where its name or id is given.
+        actor: an agent, which acts by `greedy(observation, rng)`, or by `act` if it has no `greedy`; a function of the
+            observation; or a sequence of actions or of their names.
+        seed: the seed of the environment and of the agent.
+        max_steps: the largest number of steps. A greedy policy may never reach the end of an episode.
+        parameters: parameters of an environment that is given by its name or id.
 
     Raises:
-        ValueError: as `Game`, or `max_steps` is not 1 or more, or the observations do not fit the agent's table.
+        ValueError: as for `Game`; or `max_steps` is not 1 or more; or the observations do not fit the agent's table.
     """
     whole_number("max_steps", max_steps, 1)
     env = made(environment, "rgb_array", parameters)
@@ -43,7 +43,7 @@ def play_episode(
 
 
 def _policy(actor: Any, env: gymnasium.Env[Any, Any], rng: Random) -> Callable[[Any, int], Any]:
-    """How an actor chooses from the observation and the number of the step; None where it has no more to say."""
+    """Return a function that chooses an action from the observation and the number of the step, or None to stop."""
     if hasattr(actor, "act"):
         choose = getattr(actor, "greedy", actor.act)
         table: Any = tabular(env) if getattr(actor, "tabular", True) else env
@@ -57,10 +57,10 @@ def _policy(actor: Any, env: gymnasium.Env[Any, Any], rng: Random) -> Callable[[
 
 
 def checked_path(path: str | Path) -> Path:
-    """Where a film can be written; its folder is made if need be.
+    """Refuse a path to which no film can be written, before the game; create its folder if it does not exist.
 
     Raises:
-        ValueError: it does not end in .gif.
+        ValueError: the path does not end in .gif.
         OSError: no file can be written there.
     """
     if Path(path).suffix.lower() != ".gif":
@@ -69,7 +69,7 @@ def checked_path(path: str | Path) -> Path:
 
 
 def record(frames: Iterable[Frame], path: str | Path, frames_per_second: float = 4.0) -> None:
-    """Write an episode to an animated GIF, with the score below the picture where that is a scene.
+    """Write an episode to an animated GIF. Below a scene stands the score.
 
     Args:
         frames: the episode, from `play_episode` or `Game.replay`.
@@ -77,8 +77,8 @@ def record(frames: Iterable[Frame], path: str | Path, frames_per_second: float =
         frames_per_second: how fast it plays, up to 50.
 
     Raises:
-        ValueError: there are no frames, their pictures are only characters, the speed is not as above, or the file does
-            not end in .gif.
+        ValueError: there are no frames, their pictures are only characters, the speed is not above 0 and up to 50, or
+            the file does not end in .gif.
         gymnasium.error.DependencyNotInstalled: Pillow or pygame is not installed.
         OSError: the file cannot be written.
     """

@@ -16,19 +16,21 @@ from edugym.rendering.captions import captioned
 from edugym.rendering.scene import Scene
 
 Picture: TypeAlias = Scene | np.ndarray[Any, np.dtype[np.uint8]] | str
-"""What an environment looks like: a scene, pixels of shape (height, width, 3), or characters."""
+"""A picture of an environment: a scene, pixels of shape (height, width, 3), or characters."""
 
 TERMINATED = "Terminated: the task itself has ended."
 TRUNCATED = "Truncated: the step limit cuts the episode off."
 SHOWN, BESIDE = 8, 4
-"""An observation of more numbers than `SHOWN` is not written out, one of more than `BESIDE` gets a line of its own."""
+"""An observation of more numbers than `SHOWN` is not shown; one of more than `BESIDE` gets a line of its own."""
+MOST_NAMED = 10_000
+"""The actions of an environment with more of them get no names."""
 
 
 class Frame(NamedTuple):
     """A moment of an episode.
 
     Attributes:
-        picture: what the environment looks like.
+        picture: the picture of the environment.
         line: the score (see `Game.line`).
     """
 
@@ -36,7 +38,7 @@ class Frame(NamedTuple):
     line: str
 
     def with_caption(self, *more: str) -> Scene:
-        """The picture with the score, and more lines, below it.
+        """Return the picture with the score and more lines below it.
 
         Raises:
             ValueError: the picture is not a scene.
@@ -49,25 +51,25 @@ class Frame(NamedTuple):
 
 
 class Game:
-    """An environment that is played, with its score.
+    """An environment, the episode under way, and the score.
 
     Args:
         environment: its name ("Boulder"), the id of any Gymnasium environment, an environment, or an MDP.
-        seed: of the first episode; those after it go on from there. None for other games each time.
-        picture: how a Gymnasium environment that has no scene is drawn, "rgb_array" or "ansi", if it can be.
-        parameters: of the environment, where its name or id is given.
+        seed: the seed of the first episode; the later ones go on from there. None for different games each time.
+        picture: how to draw a Gymnasium environment without a scene, "rgb_array" or "ansi", if it offers that.
+        parameters: parameters of an environment that is given by its name or id.
 
     Attributes:
         environment: the Gymnasium environment.
-        actions: the actions that there are to choose from, by name, in order.
-        observation: what the agent sees now.
+        actions: the actions by name, in order; empty if there are more than `MOST_NAMED`.
+        observation: the present observation.
         over: whether the episode has ended.
-        returns: the undiscounted return of every episode that was played to its end.
+        returns: the undiscounted return of every finished episode.
         frames: the episode up to now, one frame for the start and one for every step.
 
     Raises:
-        ValueError: there is no such environment, it has no such parameter, one is not as its class says, or its
-            actions have no names.
+        ValueError: there is no such environment, it has no such parameter, a parameter has a wrong value, or nobody
+            has named its actions.
     """
 
     def __init__(
@@ -82,12 +84,12 @@ class Game:
 
     @property
     def name(self) -> str:
-        """The id of the environment, or what the class of its task is called."""
+        """The id of the environment, or the name of its class."""
         spec, unwrapped = self.environment.spec, self.environment.unwrapped
         return spec.id if spec else type(getattr(unwrapped, "mdp", unwrapped)).__name__
 
     def reset(self, seed: int | None = None) -> None:
-        """Start an episode; the one under way, if any, does not count."""
+        """Start an episode. An unfinished one does not count."""
         self.observation, _ = self.environment.reset(seed=seed)
         self.over = False
         self._steps, self._return = 0, 0.0
@@ -121,14 +123,14 @@ class Game:
             self._last_episode = self.frames
 
     def line(self) -> str:
-        """The score: what the last step brought, and the return so far; a long observation and the end below it."""
+        """Return the score: the last step, its reward, and the return so far; then a long observation, and the end."""
         seen, own_line = _in_words(self.observation)
         parts = (self._happened, "" if own_line else seen, self._reward, f"return {self._return:.4g}")
         lines = (", ".join(filter(None, parts)), seen if own_line else "", self._end)
         return "\n".join(filter(None, lines))
 
     def history(self) -> str:
-        """The returns of the episodes that were played to their end, the last ten one by one."""
+        """Return a line about the finished episodes: their number, the last ten returns, and the mean of all."""
         if not self.returns:
             return "No episode finished yet."
         last = ", ".join(f"{value:.4g}" for value in self.returns[-10:])
@@ -136,7 +138,7 @@ class Game:
         return f"Episodes finished: {len(self.returns)}. Returns: {more}{last}. Mean: {np.mean(self.returns):.3g}."
 
     def picture(self) -> Picture:
-        """What the environment looks like now: its scene, else its pixels or characters, else what the agent sees."""
+        """Return the present picture: the scene, or else the pixels or characters, or else the observation as text."""
         unwrapped: Any = self.environment.unwrapped
         if hasattr(unwrapped, "scene"):
             scene: Scene = unwrapped.scene()
@@ -147,21 +149,21 @@ class Game:
         return f"observation {self.observation!r}"
 
     def frame(self) -> Frame:
-        """The present moment."""
+        """Return the present picture with the present score."""
         return Frame(self.picture(), self.line())
 
     def replay(self) -> list[Frame]:
-        """The last episode that was played to its end; where there is none, the one under way."""
+        """Return the last finished episode, or the unfinished one if there is none."""
         return self._last_episode or self.frames
 
     def _repr_svg_(self) -> str | None:
-        """In a notebook a game shows its picture and its score, also where no kernel runs."""
+        """Show the picture and the score in a notebook, also when no kernel runs."""
         frame = self.frame()
         return frame.with_caption()._repr_svg_() if isinstance(frame.picture, Scene) else None
 
 
 def made(environment: Any, picture: str, parameters: dict[str, Any]) -> gymnasium.Env[Any, Any]:
-    """The Gymnasium environment to play; the arguments are those of `Game`."""
+    """Return the Gymnasium environment to play; the arguments are those of `Game`."""
     one_of("picture", picture, ["rgb_array", "ansi"])
     if not isinstance(environment, str):
         if parameters:
@@ -177,19 +179,22 @@ def made(environment: Any, picture: str, parameters: dict[str, Any]) -> gymnasiu
 
 
 def named_actions(environment: gymnasium.Env[Any, Any]) -> dict[str, Any]:
-    """The actions that there are to choose from, by name.
+    """Return the actions to choose from, by name.
 
-    These are what the environment offers; else every action by its number; else, where an action is several numbers,
-    the lowest and the highest of each of them, with the others in the middle.
+    An environment may name them itself. Otherwise whole numbers go by their digits. Where an action consists of several
+    numbers, each of them can be set to its lowest and to its highest value, with the others in the middle. More than
+    `MOST_NAMED` actions get no names.
 
     Raises:
-        ValueError: the actions are something else, and the environment names none.
+        ValueError: the actions are of another kind, and the environment does not name them.
     """
     unwrapped: Any = environment.unwrapped
+    space = environment.action_space
+    if isinstance(space, spaces.Discrete) and space.n > MOST_NAMED:
+        return {}
     offered: dict[str, Any] = unwrapped.named_actions() if hasattr(unwrapped, "named_actions") else {}
     if offered:
         return offered
-    space = environment.action_space
     if isinstance(space, spaces.Discrete):
         return {str(action): action for action in range(int(space.start), int(space.start + space.n))}
     if isinstance(space, spaces.MultiDiscrete) and len(space.shape) == 1:
@@ -208,7 +213,7 @@ def named_actions(environment: gymnasium.Env[Any, Any]) -> dict[str, Any]:
 
 
 def _in_words(observation: Any) -> tuple[str, bool]:
-    """An observation, or nothing if it is not one or a few numbers; and whether it needs a line of its own."""
+    """Return an observation of a few numbers as text, else "", and whether it needs a line of its own."""
     parts = observation if isinstance(observation, tuple) else (observation,)
     arrays = [np.ravel(part) for part in parts if isinstance(part, int | np.number | np.ndarray)]
     numbers = [number for array in arrays for number in array[: SHOWN + 1]]
@@ -216,5 +221,5 @@ def _in_words(observation: Any) -> tuple[str, bool]:
 
 
 def _in_short(numbers: Iterable[Any]) -> str:
-    """Whole numbers as they are, others to three digits."""
+    """Write numbers with spaces between them: whole ones as they are, others with three digits."""
     return " ".join(f"{number:.0f}" if number.is_integer() else f"{number:.3g}" for number in map(float, numbers))

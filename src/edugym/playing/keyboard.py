@@ -22,24 +22,24 @@ from edugym.rendering.window import Window
 
 QUIT, AGAIN = "q", "r"
 SPACE, LINE_LENGTH = "   ", 62
-"""Between two choices, and how many characters fit into a line of a window."""
+"""The space between two choices, and the number of characters in a line of a window."""
 KEYS = [*string.digits, *(letter for letter in string.ascii_lowercase if letter not in (QUIT, AGAIN))]
 
 ARROWS = {"A": "up", "B": "down", "C": "right", "D": "left"}
-"""What an arrow key ends with in a terminal, after ESC [ or ESC O."""
+"""The last character of an arrow key in a terminal, after ESC [ or ESC O."""
 WINDOWS_ARROWS = {"H": "up", "P": "down", "M": "right", "K": "left"}
-"""The same in a console of Windows, after a first character."""
+"""The second character of an arrow key in a Windows console."""
 CLEAR = "\x1b[H\x1b[2J"
 
 
 class Display(Protocol):
-    """Where a game is shown, and where its keys come from."""
+    """A screen with its keys."""
 
     def show(self, game: Game, *choices: str) -> None:
-        """Show the game as it is now, with what one can press below it."""
+        """Show the present picture, the score, and the choices below them."""
 
     def key(self) -> str | None:
-        """Wait for a key: what it writes, or "up", "down", "left", "right"; None when no more can come."""
+        """Wait for a key. Return its character, or "up", "down", "left" or "right"; None at the end of the input."""
 
 
 def play(
@@ -52,27 +52,27 @@ def play(
     screen: TextIO | None = None,
     **parameters: Any,
 ) -> Game:
-    """Play with keys until q is pressed, the window is closed, the input ends, or Ctrl-C.
+    """Play with keys until you press q or Ctrl-C, close the window, or the input ends.
 
-    In a terminal each key counts at once. Where the input is no terminal (a pipe, a file), each line is a key, or the
-    name of an action.
+    In a terminal each key counts at once. In other input (a pipe, a file) each line is a key or the name of an action.
+    A terminal is left as it was, however the game ends.
 
     Args:
         environment: its name ("Boulder"), the id of any Gymnasium environment, an environment, an MDP, or a `Game`.
         render: "ansi" for characters on the screen, "human" for a window.
-        seed: of the first episode; None for another one each time.
-        gif: a file to which the last finished episode is written at the end; where none was finished, the last one.
-        keyboard: where the keys come from, in a terminal; by default the standard input.
-        screen: what the game is written to; by default the standard output.
-        parameters: of the environment, where its name or id is given.
+        seed: the seed of the first episode; None for a different game each time.
+        gif: a file for the last finished episode, or for the unfinished one if there is none, written at the end.
+        keyboard: the input in a terminal; by default the standard input.
+        screen: the output in a terminal; by default the standard output.
+        parameters: parameters of an environment that is given by its name or id.
 
     Returns:
         The game, with its score.
 
     Raises:
-        ValueError: as `Game`, `render` is neither of these, there are more actions than keys, or there is no scene for
-            a window or a GIF, or the file does not end in .gif.
-        OSError: the GIF cannot be written.
+        ValueError: as for `Game`; or `render` is neither of these; there are more actions than keys; a window or a GIF
+            needs a scene, and there is none; or the file does not end in .gif.
+        OSError: the screen or the GIF cannot be written to (a `BrokenPipeError` if the reader of a pipe has gone).
         gymnasium.error.DependencyNotInstalled: pygame is needed for a window or a GIF, or Pillow for a GIF.
     """
     one_of("render", render, ["ansi", "human"])
@@ -80,6 +80,8 @@ def play(
     if screen is None:  # Python's word for a standard output that is closed; such an input has no keys
         raise OSError("screen must be open, but the standard output is closed")
     game = environment if isinstance(environment, Game) else Game(environment, seed=seed, picture="ansi", **parameters)
+    if not game.actions:
+        raise ValueError(f"{game.name} has too many actions to be played with keys, of which there are {len(KEYS)}")
     keys = keys_of(list(game.actions))
     if (render == "human" or gif is not None) and not isinstance(game.frames[0].picture, Scene):
         raise ValueError(f"a window and a GIF need an environment that has a scene, and {game.name} has none")
@@ -104,13 +106,13 @@ def play(
 
 
 def keys_of(names: list[str]) -> dict[str, str]:
-    """The key of every action: its name where all names are single characters, else its number, and then letters.
+    """Give each action a key: its name if all names are single characters, else a digit or a letter.
 
     Args:
-        names: of the actions, in order.
+        names: the names of the actions, in order.
 
     Returns:
-        The name of the action, for each key.
+        The name of the action for each key.
 
     Raises:
         ValueError: there are more actions than keys.
@@ -122,7 +124,7 @@ def keys_of(names: list[str]) -> dict[str, str]:
 
 
 def _play(game: Game, keys: dict[str, str], display: Display) -> None:
-    """Do what the keys say, until there are no more."""
+    """Play with the keys of a display until they end."""
     actions = [f"[{key}]" if key == name else f"[{key}] {name}" for key, name in keys.items()]
     message = ""
     while True:
@@ -144,15 +146,15 @@ def _play(game: Game, keys: dict[str, str], display: Display) -> None:
 
 
 class InTerminal:
-    """A game in a terminal, as characters; what is written to a file instead comes without colours."""
+    """A game in a terminal, as characters. In a file they have no colours."""
 
     def __init__(self, presses: Iterator[str], screen: TextIO) -> None:
-        """Take the keys from `presses`."""
+        """Play with the keys `presses` on a screen."""
         self._presses = presses
         self._screen = screen
 
     def show(self, game: Game, *choices: str) -> None:
-        """Show the game in the place of the one before."""
+        """Show the game; in a terminal, clear it first."""
         live = self._screen.isatty()
         picture = game.picture()
         if isinstance(picture, Scene):
@@ -161,20 +163,20 @@ class InTerminal:
         _write(self._screen, f"{CLEAR if live else ''}{text}\n\n{game.line()}\n{SPACE.join(choices)}\n\n")
 
     def key(self) -> str | None:
-        """The next key; None at the end of the input."""
+        """Wait for the next key, and return None at the end of the input."""
         return next(self._presses, None)
 
 
 class InWindow:
-    """A game in a window, which also takes the keys."""
+    """A game in a window, with the keys that are pressed there."""
 
     def __init__(self, window: Window) -> None:
-        """Show it in `window`."""
+        """Play in a window."""
         self._window = window
         self._n_lines = 0
 
     def show(self, game: Game, *choices: str) -> None:
-        """Show the game with its score and the choices below it, on as many lines as ever so that it keeps its size."""
+        """Show the game with its score and the choices below it. The number of lines never falls, nor does the size."""
         lines = [""]
         for choice in choices:
             if len(lines[-1] + SPACE + choice) > LINE_LENGTH:
@@ -185,12 +187,12 @@ class InWindow:
         self._window.show(game.frame().with_caption(*lines), float("inf"))
 
     def key(self) -> str | None:
-        """The next key; None when the window has been closed."""
+        """Wait for the next key, and return None when the window is closed."""
         return self._window.next_key()
 
 
 def _write(screen: TextIO, text: str) -> None:
-    """Write at once, with a question mark for what the screen's encoding does not have."""
+    """Write at once, with a question mark for each character that the screen's encoding does not have."""
     encoding = screen.encoding or "utf-8"
     screen.write(text.encode(encoding, "replace").decode(encoding))
     screen.flush()
@@ -249,7 +251,7 @@ def _in_main_thread() -> bool:
 
 
 def unix_keys(file_descriptor: int) -> Iterator[str]:
-    """Yield the keys of a terminal until Ctrl-D or until it goes away; an empty one for those that write nothing."""
+    """Yield the keys of a terminal until Ctrl-D or until it closes; "" for a key without a character."""
     sequences = re.compile(r"\x1b[\[O]([A-D])|\x1b\[[0-9;]*[A-Za-z~]|\x1bO[A-Z]|(.)", flags=re.DOTALL)
     with suppress(OSError):
         while typed := os.read(file_descriptor, 1024).decode(errors="replace"):

@@ -46,6 +46,7 @@ class Curves(NamedTuple):
         smooth: the number of points to average, the point itself and those before it; None averages none. Training
             returns are weighted by their numbers of episodes.
         y_label: the label of the y axis; None describes the column.
+        y_range: both ends of the y axis, to cut off a bad start; None shows everything.
     """
 
     results: Results
@@ -57,6 +58,7 @@ class Curves(NamedTuple):
     soft_optimum: float | None = None
     smooth: int | None = None
     y_label: str | None = None
+    y_range: tuple[float, float] | None = None
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the curves on `ax`, by default in a new figure, and return the axes.
@@ -81,6 +83,8 @@ class Curves(NamedTuple):
         dress(ax, "training steps", default if self.y_label is None else self.y_label, self.title)
         if not self.results.table.empty:
             ax.set_xlim(0, self.results.table["step"].max())
+        if self.y_range is not None:
+            ax.set_ylim(self.y_range)
         format_steps(ax)
         if place.alone:
             add_legend(ax)

@@ -1,4 +1,4 @@
-"""What the loops ask of an agent, and how its methods are bound: by the names of their parameters."""
+"""How the training loops call an agent: its `learn` gets its arguments by the names of its parameters."""
 
 import copy
 import inspect
@@ -6,12 +6,12 @@ from typing import Any, NamedTuple
 
 from edugym.compiled.generated import generated_class
 
-TOLD = ("state", "action", "reward", "next_state", "next_action", "terminated", "truncated")
-"""What `learn` may take, by name."""
+LEARN_PARAMETERS = ("state", "action", "reward", "next_state", "next_action", "terminated", "truncated")
+"""The names of the parameters that `learn` may have."""
 
 
 class GreedyActor(NamedTuple):
-    """An agent as it acts when it is evaluated: by the action that it believes best."""
+    """The policy of an agent in evaluation: always its greedy action."""
 
     agent: Any
 
@@ -19,39 +19,47 @@ class GreedyActor(NamedTuple):
         """The agent's greedy action."""
         return self.agent.greedy(state, rng)
 
+    def act_into(self, state: Any, rng: Any, action: Any) -> None:
+        """Write the same into an array."""
+        self.agent.greedy_into(state, rng, action)
+
 
 def is_on_policy(agent: Any) -> bool:
-    """Whether the agent learns from the action that it will take next: its `learn` takes `next_action`."""
+    """Whether `learn` takes `next_action`, as that of SARSA does: then the next action is chosen before learning."""
     return "next_action" in learns_from(agent)
 
 
 def learns_from(agent: Any) -> tuple[str, ...]:
-    """Which of `TOLD` the agent's `learn` takes. Other parameters that have a default keep it.
+    """Which of `LEARN_PARAMETERS` the agent's `learn` takes. Other parameters need a default, which is used.
 
     Raises:
-        ValueError: `agent` is no agent, or its `learn` asks for something else.
+        ValueError: the agent has no `act` or `learn`, or `learn` has another parameter without a default.
     """
     if isinstance(agent, type) or not (hasattr(agent, "act") and hasattr(agent, "learn")):
         raise ValueError(f"agent must be a value with the methods act and learn, but is {agent!r}")
     taken = []
     for name, parameter in inspect.signature(agent.learn).parameters.items():
-        if name in TOLD and parameter.kind is not parameter.VAR_POSITIONAL:
+        if name in LEARN_PARAMETERS and parameter.kind is not parameter.VAR_POSITIONAL:
             taken.append(name)
         elif parameter.default is parameter.empty and parameter.kind is not parameter.VAR_KEYWORD:
+            allowed = ", ".join(LEARN_PARAMETERS)
             raise ValueError(
-                f"learn of {type(agent).__name__} must take some of {', '.join(TOLD)} by these names, but asks for"
-                f" {name!r}"
+                f"learn of {type(agent).__name__} may only have the parameters {allowed}, and others with a default,"
+                f" but it has {name!r}"
             )
     return tuple(taken)
 
 
 def learner(agent: Any) -> Any:
-    """The agent in the form that the loops ask for: its `learn` takes all that they tell, in their order.
+    """Wrap an agent so that its `learn` accepts all arguments of a loop, in order, and passes on those it needs.
 
-    The class is written for what the agent takes. For one that learns from `state, action, reward, terminated`:
+    Compiled code needs to know the arguments of a call beforehand, so the class of the wrapper is generated. For an
+    agent that learns from `state, action, reward, terminated` it contains:
 
         def act(self, state, rng):
             return self.agent.act(state, rng)
+        def act_into(self, state, rng, action):  # for agents that have it
+            self.agent.act_into(state, rng, action)
         def learn(self, state, action, reward, next_state, terminated, truncated):
             self.agent.learn(state=state, action=action, reward=reward, terminated=terminated)
 
@@ -59,11 +67,13 @@ def learner(agent: Any) -> Any:
         ValueError: as `learns_from`.
     """
     taken = learns_from(agent)
-    told = [name for name in TOLD if name != "next_action" or name in taken]
+    told = [name for name in LEARN_PARAMETERS if name != "next_action" or name in taken]
     lines = [
         "    agent: object",
         "    def act(self, state, rng):",
         "        return self.agent.act(state, rng)",
+        "    def act_into(self, state, rng, action):",
+        "        self.agent.act_into(state, rng, action)",
         f"    def learn(self, {', '.join(told)}):",
         f"        self.agent.learn({', '.join(f'{name}={name}' for name in taken)})",
     ]
@@ -71,5 +81,8 @@ def learner(agent: Any) -> Any:
 
 
 def actor(agent: Any) -> Any:
-    """The agent as it acts when it is evaluated. Where acting may leave traces in it, a copy acts."""
+    """The policy of an agent in evaluation: `greedy` if the agent has it, else `act` of a copy.
+
+    (`act` may change the agent, for example the step of a schedule; evaluation must not.)
+    """
     return GreedyActor(agent) if hasattr(agent, "greedy") else copy.deepcopy(agent)

@@ -3,6 +3,8 @@
 from typing import Any
 
 import gymnasium
+import numpy as np
+from gymnasium import spaces
 
 from edugym.mdp.protocol import Actor, Random
 from edugym.training.loops import Log, Moment, OnPolicyMoment
@@ -20,7 +22,7 @@ def off_policy(
     _, observation, steps, total = moment
     for _ in range(n_steps):
         action = agent.act(observation, agent_rng)
-        next_observation, reward, terminated, truncated, _ = env.step(action)
+        next_observation, reward, terminated, truncated, _ = env.step(given(action, env))
         steps += 1
         total += float(reward)
         truncated = (truncated or steps == max_steps) and not terminated
@@ -46,7 +48,7 @@ def on_policy(
     """Take `n_steps` steps, choosing the next action before learning, which uses it (SARSA, section 6.4)."""
     _, observation, action, steps, total = moment
     for _ in range(n_steps):
-        next_observation, reward, terminated, truncated, _ = env.step(action)
+        next_observation, reward, terminated, truncated, _ = env.step(given(action, env))
         next_action = agent.act(next_observation, agent_rng)
         steps += 1
         total += float(reward)
@@ -69,11 +71,17 @@ def play_episode(
     observation, _ = env.reset(seed=draw_seed(environment_rng))
     total = 0.0
     for _ in range(max_steps):
-        observation, reward, terminated, truncated, _ = env.step(actor.act(observation, actor_rng))
+        observation, reward, terminated, truncated, _ = env.step(given(actor.act(observation, actor_rng), env))
         total += float(reward)
         if terminated or truncated:
             break
     return total
+
+
+def given(action: Any, env: gymnasium.Env[Any, Any]) -> Any:
+    """An action as the environment takes it: a tuple of real numbers, or an array, becomes an array of its own."""
+    space = env.action_space
+    return np.array(action, space.dtype) if isinstance(space, spaces.Box) else action
 
 
 def draw_seed(rng: Random) -> int:

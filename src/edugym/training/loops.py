@@ -1,10 +1,10 @@
-"""The loops in which an agent meets an MDP, as in the textbook, and nothing else.
+"""The interaction loops of agent and MDP, written as in the textbook.
 
-They are plain Python that also runs as machine code, in chunks: each call takes the `moment` at which it starts and
-returns the one at which it stops, so that a thousand chunks are one run, bit for bit.
+They are plain Python and can be compiled. A long run is split into chunks: each call starts from a `moment` and returns
+the `moment` at which it stopped. The result is exactly that of one long call.
 
-Environment and agent draw from streams of their own (`environment_rng`, `agent_rng`), so what one of them draws never
-shifts what the other gets.
+Environment and agent have random streams of their own (`environment_rng`, `agent_rng`), so the random numbers of one
+never depend on how many the other has drawn.
 
 References: Sutton and Barto, 2nd edition: the boxes of sections 6.4 (SARSA) and 6.5 (Q-learning).
 """
@@ -16,7 +16,7 @@ from edugym.mdp.protocol import MDP, Actor, Integers, Observation, Random, Reals
 Moment: TypeAlias = tuple[Any, Any, int, float]
 """Between two steps: the state, its observation, the steps of this episode so far, and its return so far."""
 OnPolicyMoment: TypeAlias = tuple[Any, Any, Any, int, float]
-"""The same with the next action, which an on-policy agent has chosen already, in the third place."""
+"""Like `Moment`, with the next action, which is already chosen, as the third element."""
 
 
 class Log(NamedTuple):
@@ -40,7 +40,7 @@ def start_off_policy(mdp: MDP[State, Observation], environment_rng: Random) -> M
 def start_on_policy(
     mdp: MDP[State, Observation], agent: Actor[Any], environment_rng: Random, agent_rng: Random
 ) -> OnPolicyMoment:
-    """The moment before the first step, its action chosen."""
+    """The moment before the first step, with the first action already chosen."""
     state, observation, steps, total = start_off_policy(mdp, environment_rng)
     return state, observation, agent.act(observation, agent_rng), steps, total
 
@@ -101,9 +101,10 @@ def on_policy(
     log: Log,
     moment: OnPolicyMoment,
 ) -> OnPolicyMoment:
-    """Take `n_steps` steps, choosing the next action before learning, which uses it (SARSA, section 6.4).
+    """Take `n_steps` steps. Choose the next action first, then learn from it (SARSA, section 6.4).
 
-    Args and result are those of `off_policy`; the moment holds the next action as well.
+    An action is also chosen at the end of an episode, because `learn` takes one, but it is never executed. Arguments
+    and result are those of `off_policy`; the moment holds the next action as well.
     """
     state, observation, action, steps, total = moment
     for _ in range(n_steps):
@@ -136,7 +137,10 @@ def play_episodes(
     actor_rng: Random,
     returns: Reals,
 ) -> None:
-    """Play without learning, and write each episode's undiscounted return into `returns`, shape (n_episodes,)."""
+    """Play without learning, at most `max_steps` steps an episode, and write the undiscounted returns into `returns`.
+
+    The shape of `returns` is (n_episodes,).
+    """
     for episode in range(n_episodes):
         state = mdp.initial(environment_rng)
         total = 0.0

@@ -12,9 +12,10 @@ from typing import Any, Protocol
 
 import gymnasium
 import numpy as np
-from gymnasium.wrappers import OrderEnforcing, PassiveEnvChecker
+from gymnasium.wrappers import FlattenObservation, OrderEnforcing, PassiveEnvChecker
 
 from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.adapters.rooms import View, check_sizes, takes_vectors
 from edugym.adapters.tabular_observation import tabular
 from edugym.agents.tables import table_size
 from edugym.compiled.execution import executable
@@ -23,6 +24,7 @@ from edugym.registration import full_id
 from edugym.training import gymnasium_loops, loops
 from edugym.training.contract import actor, is_on_policy, learner
 from edugym.training.loops import Log
+from edugym.training.machine_agent import MachineAgent
 
 CALL_SECONDS = 0.02
 """About how long one call of `learn` takes: signals are looked at between two calls."""
@@ -79,12 +81,13 @@ class MDPTrainer:
         """See `trainer`; the limit is None where the task has none."""
         self.agent, self.log, self._pace = agent, new_log(), Pace()
         environment_rng, agent_rng, self._evaluation_rng, self._actor_rng = streams(seed)
-        self._mdp, self._evaluation_limit = mdp, limit or EVALUATION_LIMIT
-        learning = learner(agent)
+        self._evaluation_limit = limit or EVALUATION_LIMIT
+        training, self._playing = View(mdp, agent, is_on_policy(agent)), View(mdp, agent)
+        mdp, learning = training.mdp, training.of(learner(agent))
         loop: Callable[..., Any]
         self._moment: Any
         if is_on_policy(agent):
-            loop, self._moment = loops.on_policy, loops.start_on_policy(mdp, agent, environment_rng, agent_rng)
+            loop, self._moment = loops.on_policy, loops.start_on_policy(mdp, learning, environment_rng, agent_rng)
         else:
             loop, self._moment = loops.off_policy, loops.start_off_policy(mdp, environment_rng)
         self._rest = (mdp, learning, limit or NO_LIMIT, environment_rng, agent_rng, self.log)
@@ -107,7 +110,8 @@ class MDPTrainer:
     def _evaluation(self) -> tuple[Any, ...]:
         """Return the arguments of `play_episodes` after the number of episodes; it writes the return into the last."""
         limit, evaluation_rng, actor_rng = self._evaluation_limit, self._evaluation_rng, self._actor_rng
-        return self._mdp, actor(self.agent), limit, evaluation_rng, actor_rng, np.zeros(1)
+        playing = self._playing
+        return playing.mdp, playing.of(actor(self.agent)), limit, evaluation_rng, actor_rng, np.zeros(1)
 
 
 class GymnasiumTrainer:
@@ -120,13 +124,16 @@ class GymnasiumTrainer:
         self.agent, self.log, self._pace = agent, new_log(), Pace()
         environment_rng, self._agent_rng, self._evaluation_rng, self._actor_rng = streams(seed)
         self._evaluated = copy.deepcopy(env)  # before it draws anything that cannot be copied
-        self._env, self._learner, self._limit = env, learner(agent), limit
+        self._env, self._learner, self._actor, self._limit = env, learner(agent), None, limit
         observation, _ = env.reset(seed=gymnasium_loops.draw_seed(environment_rng))
+        if takes_vectors(agent):
+            self._learner = MachineAgent(self._learner, self._agent_rng, observation, expected)
+            self._actor = MachineAgent(actor(agent), self._actor_rng, observation, expected)
         self._moment: Any = (None, observation, 0, 0.0)
         self._loop: Callable[..., Any] = gymnasium_loops.off_policy
         if is_on_policy(agent):
             self._loop = gymnasium_loops.on_policy
-            self._moment = (None, observation, agent.act(observation, self._agent_rng), 0, 0.0)
+            self._moment = (None, observation, self._learner.act(observation, self._agent_rng), 0, 0.0)
 
     def learn(self, at_most: int) -> int:
         """Take training steps, as many as take about `CALL_SECONDS`; return their number."""
@@ -138,7 +145,9 @@ class GymnasiumTrainer:
     def play_episode(self) -> float:
         """Play an episode without learning, as the agent believes best; return its undiscounted return."""
         limit, rng = self._limit or EVALUATION_LIMIT, self._evaluation_rng
-        return gymnasium_loops.play_episode(self._evaluated, actor(self.agent), limit, rng, self._actor_rng)
+        return gymnasium_loops.play_episode(
+            self._evaluated, self._actor or actor(self.agent), limit, rng, self._actor_rng
+        )
 
 
 class Pace:
@@ -182,6 +191,9 @@ def _task(environment: Any, agent: Any) -> Any:
         inside = inside.env
     if isinstance(inside, MDPEnv) and inside.only_plays_its_mdp:
         environment = inside.mdp
+    if takes_vectors(agent):
+        check_sizes(agent, environment)
+        return FlattenObservation(environment) if isinstance(environment, gymnasium.Env) else environment
     if getattr(agent, "tabular", True) is False:
         return environment
     _check_table(agent, environment)
@@ -190,13 +202,15 @@ def _task(environment: Any, agent: Any) -> Any:
 
 def _check_table(agent: Any, environment: Any) -> None:
     """Refuse one of the package's agents that was made for another environment."""
-    Q = getattr(agent, "Q", None)
-    if type(agent).__module__.startswith("edugym.agents.") and isinstance(Q, np.ndarray):
-        shape = table_size(environment)
-        if Q.shape[-2:] != shape:
-            raise ValueError(
-                f"agent must have a table Q of shape {shape} for this environment, but its is {Q.shape[-2:]}"
-            )
+    for name in ("Q", "preferences"):
+        table = getattr(agent, name, None)
+        if type(agent).__module__.startswith("edugym.agents.") and isinstance(table, np.ndarray):
+            shape = table_size(environment)
+            if table.shape[-2:] != shape:
+                raise ValueError(
+                    f"agent must have a table {name} of shape {shape} for this environment, but its is"
+                    f" {table.shape[-2:]}"
+                )
 
 
 def _step_limit(task: Any) -> int | None:

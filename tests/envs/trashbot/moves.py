@@ -5,8 +5,9 @@ from typing import Any
 
 import numpy as np
 
+from edugym.envs.trashbot.geometry import Robot
 from edugym.envs.trashbot.planning import joint_angles
-from edugym.envs.trashbot.task import MOVING, Robot, Trashbot
+from edugym.envs.trashbot.task import MOVING, Trashbot
 
 RNG = np.random.default_rng(0)
 SCALE = math.pi / 15

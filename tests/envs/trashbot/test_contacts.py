@@ -12,8 +12,8 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from edugym.envs.trashbot import task
-from edugym.envs.trashbot.geometry import BASE, BOX, BOX_SIZE, MAGNET, SHOULDER_Y, Arm, Block, arm
-from edugym.envs.trashbot.task import COLLIDED, MOVING, STRIDE, Robot, Trashbot
+from edugym.envs.trashbot.geometry import BASE, BOX, BOX_SIZE, MAGNET, SHOULDER_Y, Arm, Block, Robot, arm
+from edugym.envs.trashbot.task import COLLIDED, MOVING, STRIDE, Trashbot
 from tests.envs.trashbot.moves import DEFAULT, RNG, robot, step, towards
 
 

@@ -11,9 +11,9 @@ from hypothesis import strategies as st
 
 from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.deep import stable_baselines3_env
-from edugym.envs.trashbot.geometry import SHOULDER_Y, arm
+from edugym.envs.trashbot.geometry import SHOULDER_Y, Robot, arm
 from edugym.envs.trashbot.planning import ScriptedController, best_plan, joint_angles
-from edugym.envs.trashbot.task import DELIVERED, MOVING, START, Robot
+from edugym.envs.trashbot.task import DELIVERED, MOVING, START
 from edugym.playing.films import play_episode
 from edugym.registration import make_environment
 from tests.envs.classes import TrashbotEnv
@@ -75,7 +75,7 @@ def test_search_interpreted() -> None:
     task = TrashbotEnv(2, container_width=1.0, action_scale=math.tau / 24).mdp
     plan = best_plan(task)
     reached = {(START, False)}
-    for n_steps in itertools.count(1):
+    for n_steps in range(1, plan.fewest_steps + 1):
         found = set()
         for ((shoulder, elbow), holding), action in itertools.product(reached, itertools.product((0, 1), repeat=2)):
             after = task.transition(Robot(shoulder, elbow, holding, 0, MOVING), action, RNG)
@@ -85,6 +85,7 @@ def test_search_interpreted() -> None:
             if after.outcome == MOVING:
                 found.add(((round(after.shoulder, 9), round(after.elbow, 9)), after.holding))
         reached = found
+    pytest.fail(f"the box cannot be delivered in {plan.fewest_steps} steps")
 
 
 def test_scripted_controller() -> None:
@@ -157,14 +158,13 @@ def returned(agent: Any, n_bins: int | None) -> float:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(3))
 @pytest.mark.parametrize(("n_bins", "n_steps", "least"), [(3, 300_000, 4.31), (5, 500_000, 4.0), (None, 500_000, 4.0)])
-def test_a_deep_agent_learns(n_bins: int | None, n_steps: int, least: float, seed: int) -> None:
+def test_a_deep_agent_learns(n_bins: int | None, n_steps: int, least: float) -> None:
     """PPO finds the best that 3 bins can do, 4.31; others get close to theirs in half of the docstring's steps."""
     torch, sb3 = pytest.importorskip("torch"), pytest.importorskip("stable_baselines3")
     torch.set_num_threads(1)
     copies = stable_baselines3_env("Trashbot", 64, n_bins=n_bins)
-    agent = sb3.PPO("MlpPolicy", copies, 1e-3, 256, 1024, gamma=0.999, seed=seed, device="cpu")
+    agent = sb3.PPO("MlpPolicy", copies, 1e-3, 256, 1024, gamma=0.999, seed=0, device="cpu")
     assert returned(agent, n_bins) <= 1  # before it learns it does not deliver it at all
     assert returned(agent.learn(n_steps), n_bins) > least
 

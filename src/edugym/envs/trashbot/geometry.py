@@ -103,3 +103,21 @@ def arm(shoulder: float, elbow: float) -> Arm:
         elbow_x + FOREARM * math.cos(shoulder + elbow),
         elbow_y + FOREARM * math.sin(shoulder + elbow),
     )
+
+
+class Robot(NamedTuple):
+    """How the arm stands, and how the episode stands.
+
+    Attributes:
+        shoulder: the angle of that joint, in radians, as `arm` takes it.
+        elbow: the angle of the other, likewise.
+        holding: whether the box hangs from the magnet.
+        steps: how many steps this episode has taken.
+        outcome: `MOVING`, `DELIVERED`, `COLLIDED` or `LATE` (of `task.py`).
+    """
+
+    shoulder: float
+    elbow: float
+    holding: bool
+    steps: int
+    outcome: int

@@ -1,6 +1,6 @@
 """The picture of Trashbot."""
 
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 from edugym.envs.trashbot.geometry import (
     BASE,
@@ -12,14 +12,12 @@ from edugym.envs.trashbot.geometry import (
     STAND,
     Arm,
     Block,
+    Robot,
     arm,
 )
 from edugym.rendering.icons import Mood, smiley
 from edugym.rendering.palette import BLUE, GRASS, GREEN, RED, ROAD, SKY, STONE, WALL, blend
 from edugym.rendering.scene import Circle, Line, Point, Polygon, Rectangle, Scene, Shape, Text
-
-if TYPE_CHECKING:
-    from edugym.envs.trashbot.task import Robot, Trashbot
 
 FRAME, TOP = 2.2, 2.7
 """Half the width of the picture, and how much of it is above the ground."""
@@ -27,7 +25,26 @@ MOST_DOTS = 15
 """Of more bins than this the next positions would be too many to tell apart."""
 
 
-def picture(task: "Trashbot", robot: "Robot", outcome: str) -> Scene:
+class Task(Protocol):
+    """What the picture needs to know of the task, an MDP of the class `Trashbot`."""
+
+    @property
+    def action_scale(self) -> float:
+        """Radians for an action of 1."""
+
+    @property
+    def n_bins(self) -> int:
+        """The number of values for each joint, 0 for continuous actions."""
+
+    @property
+    def obstacles(self) -> tuple[Block, Block, Block, Block]:
+        """The base, the stand and the two walls of the container."""
+
+    def centring(self, state: Robot) -> float:
+        """The reward for centring the box, from 0 to 2."""
+
+
+def picture(task: Task, robot: Robot, outcome: str) -> Scene:
     """The arm on its base between box and container, and where the magnet can be after the next step.
 
     Args:
@@ -66,7 +83,7 @@ def picture(task: "Trashbot", robot: "Robot", outcome: str) -> Scene:
     return Scene(2 * FRAME, TOP + 0.3, shapes, SKY, f"Trashbot: {text}", columns=72)
 
 
-def _next_positions(task: "Trashbot", robot: "Robot") -> list[Shape]:
+def _next_positions(task: Task, robot: Robot) -> list[Shape]:
     """A dot for each place at which the magnet can be after the next step, or a line around them."""
     n, few = task.n_bins, 0 < task.n_bins <= MOST_DOTS
     values = [2 * k / (n - 1) - 1 for k in range(n)] if few else [k / 4 - 1 for k in range(9)]

@@ -16,8 +16,9 @@ from edugym.envs.trashbot.geometry import (
     RIM_Y,
     SHOULDER_Y,
     UPPER_ARM,
+    Robot,
 )
-from edugym.envs.trashbot.task import COLLIDED, DELIVERED, LATE, MOVING, Robot, Trashbot
+from edugym.envs.trashbot.task import COLLIDED, DELIVERED, LATE, MOVING, Trashbot
 from edugym.mdp.protocol import Integers, Random
 
 CLEARANCE = 0.01

@@ -21,6 +21,7 @@ from edugym.envs.trashbot.geometry import (
     WALL,
     Arm,
     Block,
+    Robot,
     arm,
 )
 from edugym.envs.trashbot.picture import picture
@@ -37,24 +38,6 @@ TURNING = 2.5
 """Radians by which each joint must have time to turn: a little more than the delivery takes."""
 MOVING, DELIVERED, COLLIDED, LATE = range(4)
 OUTCOMES = ("moving", "delivered", "collided", "late")
-
-
-class Robot(NamedTuple):
-    """How the arm stands, and how the episode stands.
-
-    Attributes:
-        shoulder: the angle of that joint, in radians, as `trashbot_geometry.arm` takes it.
-        elbow: the angle of the other, likewise.
-        holding: whether the box hangs from the magnet.
-        steps: how many steps this episode has taken.
-        outcome: `MOVING`, `DELIVERED`, `COLLIDED` or `LATE`.
-    """
-
-    shoulder: float
-    elbow: float
-    holding: bool
-    steps: int
-    outcome: int
 
 
 class Trashbot(NamedTuple):
@@ -83,8 +66,8 @@ class Trashbot(NamedTuple):
 
     ## Action space
     Continuous: `Box(-1, 1, (2,), float32)`: how far to turn the shoulder and the elbow, counterclockwise, as shares of
-    `action_scale`. With `n_bins`: `MultiDiscrete([n_bins, n_bins])`: bin k of n means 2k/(n-1) - 1, from -1 to 1, ends
-    included. An even number of bins has no bin for 0: neither joint can rest.
+    `action_scale`; what is beyond -1 or 1 is clipped. With `n_bins`: `MultiDiscrete([n_bins, n_bins])`: bin k of n
+    means 2k/(n-1) - 1, from -1 to 1, ends included. An even number of bins has no bin for 0: neither joint can rest.
 
     ## State
     The angles of both joints, whether the box is held, the number of steps, and the outcome: moving, delivered,
@@ -272,10 +255,10 @@ class Trashbot(NamedTuple):
             ValueError: a parameter is not as the class says.
         """
         if n_bins is not None:
-            whole_number("n_bins", n_bins, 2, 2**31)
+            n_bins = whole_number("n_bins", n_bins, 2, 2**31)
         above("container_width", container_width, BOX_SIZE, WIDEST)
         between("action_scale", action_scale, *SCALES)
-        number_of_steps("max_steps", max_steps)
+        max_steps = number_of_steps("max_steps", max_steps)
         fewest = math.ceil(TURNING / action_scale)
         if max_steps < fewest:
             raise ValueError(
@@ -283,7 +266,12 @@ class Trashbot(NamedTuple):
                 f"action_scale of {action_scale!r}, but is {max_steps!r}"
             )
         kind = Trashbot if n_bins is None else TrashbotInBins
-        return kind(container_width, action_scale, max_steps, n_bins or 0)
+        return kind(float(container_width), float(action_scale), max_steps, n_bins or 0)
+
+    @property
+    def reward_threshold(self) -> float:
+        """The box is delivered, wherever between the walls."""
+        return 3.0
 
     @property
     def action_names(self) -> dict[str, Any]:
@@ -327,7 +315,7 @@ class TrashbotInBins(Trashbot):
     @property
     def action_space(self) -> spaces.Space[Any]:
         """The bin for the shoulder and the bin for the elbow: 0 is -1, `n_bins` - 1 is 1."""
-        return spaces.MultiDiscrete([self.n_bins, self.n_bins])
+        return spaces.MultiDiscrete(np.array([self.n_bins, self.n_bins], np.int64))
 
 
 def _moves(one: str, other: str, *moves: tuple[float, float]) -> dict[str, tuple[float, float]]:

@@ -1,0 +1,174 @@
+"""Running the loops over copies: as machine code, and interpreted where that would not give the same results."""
+
+import copy
+import warnings
+from collections.abc import Callable
+from importlib.util import find_spec
+from types import CodeType
+from typing import Any
+
+import numpy as np
+
+from edugym.adapters.columns import Listed, as_sampled, copy_of, head, loose
+from edugym.adapters.copies import STATE_LOST, Batch
+from edugym.compiled.code import Code, package
+from edugym.compiled.execution import executable
+
+Loop = Callable[..., Any]
+REHEARSED = 100  # copies
+
+
+class Runner:
+    """Runs loops over the copies of an MDP, whose states it keeps.
+
+    Before a call of machine code made from a student's classes it keeps a copy of what the call changes. If the call
+    raises an error, or a state does not fit its storage, it is repeated interpreted, and the copies stay interpreted
+    from then on: an error then shows the student's line, and no digit is lost.
+
+    Args:
+        mdp: the task.
+        n: how many copies there are.
+        states: storage for their states.
+        sample: a state, whose numbers are of the types that the MDP uses.
+
+    Attributes:
+        states: the storage.
+    """
+
+    def __init__(self, mdp: Any, n: int, states: Any, sample: Any) -> None:
+        """See the class."""
+        self.states = states
+        self._mdp, self._n, self._sample = mdp, n, sample
+        self._code: dict[Loop, Loop] = {}
+        self._watched: list[Watched] = []
+        self._foreign = False
+        self._interpreted = _is_loose(states)
+        if self._interpreted and find_spec("numba"):
+            warnings.warn(
+                f"{type(mdp).__name__} cannot be compiled and runs interpreted, some hundred times slower: its states"
+                " must be numbers, or tuples of numbers and arrays, always of the same types",
+                stacklevel=4,
+            )
+
+    @property
+    def is_compiled(self) -> bool:
+        """Whether the loops run as machine code."""
+        return not self._interpreted
+
+    def state(self, i: int, storage: Any = None) -> Any:
+        """The i-th state; of another storage, if one is given."""
+        storage = self.states if storage is None else storage
+        return storage.load(i) if isinstance(storage, Listed) else as_sampled(storage.load(i), self._sample)
+
+    def run(
+        self, loop: Loop, rng: np.random.Generator, batch: Batch, few: Callable[[int], Batch], *arguments: Any
+    ) -> int:
+        """Run a loop over all copies.
+
+        Args:
+            loop: `reset_copies` or `step_copies`.
+            rng: the random stream of all.
+            batch: what the loop reads and writes besides the states.
+            few: makes the same for some copies, to rehearse with.
+            *arguments: what the loop takes between the random stream and the states. Those that are arrays have a place
+                for each copy.
+        """
+        if self._foreign and any(watched.has_changed() for watched in self._watched):
+            self._code.clear()
+            self._watched.clear()
+        if loop not in self._code:
+            self._prepare(loop, rng, few, arguments)
+        fast = loop if self._interpreted else self._code[loop]
+        if self._interpreted or not self._foreign:
+            done: int = fast(self._n, self._mdp, rng, *arguments, self.states, batch)
+            if done == STATE_LOST:
+                raise TypeError(f"states of {type(self._mdp).__name__} do not fit the storage that was made for them")
+            return done
+        kept = copy_of(self.states), rng.bit_generator.state, batch.steps.copy(), batch.over.copy()
+        try:
+            done = fast(self._n, self._mdp, rng, *arguments, self.states, batch)
+            if done != STATE_LOST:
+                return done
+        except Exception:  # the interpreter shows it, at the student's line
+            pass
+        self.states, rng.bit_generator.state, batch.steps[:], batch.over[:] = kept
+        self._interpret()
+        done = loop(self._n, self._mdp, rng, *arguments, self.states, batch)
+        warnings.warn(
+            f"{type(self._mdp).__name__} runs interpreted from here on, some hundred times slower: its states have"
+            " changed their type",
+            stacklevel=3,
+        )
+        return done
+
+    def _prepare(
+        self, loop: Loop, rng: np.random.Generator, few: Callable[[int], Batch], arguments: tuple[Any, ...]
+    ) -> None:
+        """Find the fastest safe way to run a loop, from a few of the copies."""
+        n = min(self._n, REHEARSED)
+        batch = few(n)
+        some = [part[:n] if isinstance(part, np.ndarray) else part for part in arguments]
+        states = head(self.states, n)
+        code = Code(loop, (self._mdp, rng, *some, states, batch))
+        self._foreign = code.foreign
+        if code.foreign:
+            self._watched.append(Watched(code))
+        if not self._interpreted:
+            try:
+                values = (self._mdp, copy.deepcopy(rng), *some, states, batch)
+                self._code[loop] = executable(loop, values, rehearsed=n, replayed=False)
+            except Exception:  # a student's mistake, which the interpreter will meet again and show
+                self._code[loop] = loop
+        if self._interpreted or self._code[loop] is loop:
+            self._code[loop] = loop
+            self._interpret()
+
+    def _interpret(self) -> None:
+        """Run interpreted from here on, with the states as the MDP makes them."""
+        self._interpreted = True
+        if not _is_loose(self.states):
+            self.states = loose([self.state(i) for i in range(self._n)])
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Everything but the machine code, to be pickled or copied."""
+        return {**self.__dict__, "_code": {}, "_watched": []}
+
+
+class Watched:
+    """What a loop can reach of a student's code, to notice when a method or a global name is given another value.
+
+    Args:
+        code: what the loop can reach.
+    """
+
+    def __init__(self, code: Code) -> None:
+        """See the class."""
+        self._places: list[tuple[Any, str, Any]] = []
+        for kind in code.classes:
+            for base in kind.__mro__:
+                if base not in (object, tuple) and package(base) != "edugym":
+                    self._places += [(vars(base), name, value) for name, value in vars(base).items()]
+        self._functions = [
+            (function, function.__code__) for function in code.functions if package(function) != "edugym"
+        ]
+        for function, inside in self._functions:
+            known = function.__globals__
+            self._places += [(known, name, known[name]) for name in _names(inside) & known.keys()]
+
+    def has_changed(self) -> bool:
+        """Whether something else stands in one of the places."""
+        for function, inside in self._functions:
+            if function.__code__ is not inside:
+                return True
+        missing = self
+        return any(place.get(name, missing) is not value for place, name, value in self._places)
+
+
+def _names(code: CodeType) -> set[str]:
+    """The names that a function uses, inner functions included."""
+    inner = [_names(part) for part in code.co_consts if isinstance(part, CodeType)]
+    return set(code.co_names).union(*inner)
+
+
+def _is_loose(states: Any) -> bool:
+    return isinstance(states, Listed) and isinstance(states.values, np.ndarray)

@@ -1,0 +1,123 @@
+"""n-step SARSA, from SARSA (n = 1) to Monte Carlo (n = ∞)."""
+
+import math
+from typing import Annotated, Any, NamedTuple
+
+from edugym.agents.settings import ActionValues, Counter, Discount, LearningRate, Range, Table, new, shows_settings
+from edugym.agents.strategies import EpsilonGreedy, Exploration
+from edugym.agents.tables import greedy_action
+from edugym.checks import whole_number
+from edugym.mdp.protocol import Integers, Random, Reals
+
+
+class Steps(NamedTuple):
+    """The last steps of the episode under way: step t is at index t mod (length of the array).
+
+    Attributes:
+        t: shape (1,): how many steps this episode has taken.
+        states: shape (n + 1,): the states, the one reached last included.
+        actions: shape (n + 1,): the actions in them.
+        rewards: shape (n,): the reward after each.
+        returns: shape (n,): the return of each, from its reward to the last.
+    """
+
+    t: Counter
+    states: Annotated[Integers, Table(("n + 1",))]
+    actions: Annotated[Integers, Table(("n + 1",))]
+    rewards: Annotated[Reals, Table(("n",))]
+    returns: Annotated[Reals, Table(("n",))]
+
+
+@shows_settings
+class NStepSARSA(NamedTuple):
+    """On-policy control with n rewards in the target.
+
+        G = R_τ+1 + γ R_τ+2 + ... + γⁿ⁻¹ R_τ+n + γⁿ Q(S_τ+n, A_τ+n)
+        Q(S_τ, A_τ) <- Q(S_τ, A_τ) + α [G - Q(S_τ, A_τ)]                with τ = t - n + 1
+
+    Every step updates the pair of n steps before. When the episode ends, the last n pairs are updated in their order,
+    with the rewards that there are. After a terminal state nothing is added to these; where a step limit has cut the
+    episode off, the value of the next state and action is. With n = `math.inf` nothing is learned before the end of the
+    episode, which makes it Monte Carlo (every visit, constant α).
+
+    Attributes:
+        Q: shape (n_states, n_actions): the action values.
+        steps: the steps that are still needed.
+        n: how many rewards, a whole number of 1 or more, or infinity.
+        learning_rate: α, greater than 0 and up to 1.
+        discount: γ, from 0 to 1.
+        exploration: how actions are chosen.
+
+    References: Sutton and Barto, 2nd edition, equations 7.4 and 7.5 and the box of section 7.2.
+    """
+
+    Q: ActionValues
+    steps: Steps
+    n: Annotated[float, Range(1, math.inf)] = 4.0
+    learning_rate: LearningRate = 0.1
+    discount: Discount = 0.99
+    exploration: Exploration = EpsilonGreedy(0.1)
+
+    def learn(
+        self,
+        state: int,
+        action: int,
+        reward: float,
+        next_state: int,
+        next_action: int,
+        terminated: bool,
+        truncated: bool,
+    ) -> None:
+        """Store the step, and update the pair whose n rewards are complete; at the end, all that are left."""
+        n = len(self.steps.rewards)
+        t = self.remember(state, action, reward, next_state, next_action)
+        ended = terminated or truncated
+        if ended or t + 1 >= n:
+            first = max(t - n + 1, 0)
+            G = 0.0 if terminated else float(self.Q[next_state, next_action])
+            for k in range(t, first - 1, -1):
+                G = self.steps.rewards[k % n] + self.discount * G
+                self.steps.returns[k % n] = G
+            for tau in range(first, t + 1 if ended else first + 1):
+                s, a = self.steps.states[tau % (n + 1)], self.steps.actions[tau % (n + 1)]
+                self.Q[s, a] += self.learning_rate * (self.steps.returns[tau % n] - self.Q[s, a])
+        self.steps.t[0] = 0 if ended else t + 1
+
+    def remember(self, state: int, action: int, reward: float, next_state: int, next_action: int) -> int:
+        """Store a step, and return its number in the episode."""
+        n = len(self.steps.rewards)
+        t = int(self.steps.t[0])
+        if self.steps.states[t % (n + 1)] != state:
+            t = 0  # training was stopped within an episode, and this is another one
+        self.steps.states[t % (n + 1)] = state
+        self.steps.actions[t % (n + 1)] = action
+        self.steps.rewards[t % n] = reward
+        self.steps.states[(t + 1) % (n + 1)] = next_state
+        self.steps.actions[(t + 1) % (n + 1)] = next_action
+        return t
+
+    def act(self, state: int, rng: Random) -> int:
+        """Choose an action by the exploration strategy."""
+        return self.exploration.choose(self.Q, state, rng)
+
+    def greedy(self, state: int, rng: Random) -> int:
+        """The action with the highest value."""
+        return greedy_action(self.Q, state, rng)
+
+    @classmethod
+    def create(cls, environment: Any, *, n: float = 4, longest: int = 10_000, **settings: Any) -> "NStepSARSA":
+        """A new agent for an environment (or the shape of a table).
+
+        Args:
+            environment: an MDP or Gymnasium environment, or the shape (n_states, n_actions).
+            n: how many rewards the target has: a whole number of 1 or more, or `math.inf` for Monte Carlo.
+            longest: how many steps are remembered at most, 1 or more: an n above this acts as this one.
+            **settings: see the class, and `initial_value`.
+
+        Raises:
+            ValueError: a setting is not as the class says, or the environment does not fit a table.
+        """
+        most = whole_number("longest", longest, 1)
+        if n != math.inf:
+            most = min(most, whole_number("n", n, 1))
+        return new(cls, environment, {**settings, "n": n}, **{"n": most, "n + 1": most + 1})

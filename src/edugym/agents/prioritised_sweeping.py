@@ -1,0 +1,134 @@
+"""Prioritised sweeping: planning backwards from where values change."""
+
+from typing import Annotated, Any, NamedTuple
+
+from edugym.agents.heap import Heap
+from edugym.agents.planning import Planning, budget
+from edugym.agents.settings import ActionValues, Discount, LearningRate, Range, new, shows_settings
+from edugym.agents.strategies import EpsilonGreedy, Exploration
+from edugym.agents.tables import greedy_action, table_size
+from edugym.agents.tabular_model import TabularModel, empty_model, given_model
+from edugym.exact.tables import FiniteModel
+from edugym.mdp.protocol import Random
+
+
+@shows_settings
+class PrioritisedSweeping(NamedTuple):
+    """Plan first where an update changes most, and then for what leads there.
+
+        Model(S, A) <- R, S'
+        P = |R + γ max_a Q(S', a) - Q(S, A)|;  if P > θ, put (S, A) into the queue with priority P
+        and n times, while the queue is not empty:
+            S, A <- the first of the queue;  R, S' <- Model(S, A)
+            Q(S, A) <- Q(S, A) + α [R + γ max_a Q(S', a) - Q(S, A)]
+            for all that lead to S, as far as known: the same P, and the same queue
+
+    All learning is by planning. Where an action has had several outcomes, P and the update are those of their mean
+    (the box is for one outcome, and its section says so for several). With `expected_updates` off, the update samples
+    one, and P is of the outcome that was met or that leads to S.
+
+    Planning takes place when the agent acts, before it chooses; that is the order of the box. With a given model all
+    pairs are looked at first.
+
+    Attributes:
+        Q: shape (n_states, n_actions): the action values.
+        model: what follows on each action in each state.
+        queue: the pairs to update; (s, a) is the number s n_actions + a.
+        planning: n, or the time there is.
+        learning_rate: α, greater than 0 and up to 1.
+        discount: γ, from 0 to 1.
+        exploration: how actions are chosen.
+        threshold: θ, 0 or more.
+        expected_updates: whether planning uses the probabilities of the model (descriptive) or samples (generative).
+
+    References: Moore and Atkeson (1993); Peng and Williams (1993); Sutton and Barto, 2nd edition, the box of section
+    8.4.
+    """
+
+    Q: ActionValues
+    model: TabularModel
+    queue: Heap
+    planning: Planning
+    learning_rate: LearningRate = 0.1
+    discount: Discount = 0.99
+    exploration: Exploration = EpsilonGreedy(0.1)
+    threshold: Annotated[float, Range(0)] = 1e-3
+    expected_updates: bool = True
+
+    def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool) -> None:
+        """Let the model learn, and put the pair into the queue if it is surprising."""
+        outcome = self.model.observe(state, action, reward, next_state, terminated)
+        if outcome >= 0:
+            self.consider(outcome)
+
+    def consider(self, outcome: int) -> None:
+        """Put the pair of an outcome into the queue if its update would be large enough."""
+        s, a = self.model.states[outcome], self.model.actions[outcome]
+        if self.expected_updates:
+            target = self.model.expected_target(s, a, self.Q, self.discount)
+        else:
+            target = self.model.target_of(outcome, self.Q, self.discount)
+        P = abs(target - self.Q[s, a])
+        if self.threshold < P:
+            self.queue.push(s * self.Q.shape[1] + a, P)
+
+    def plan(self, rng: Random) -> None:
+        """Update the first pairs of the queue, and consider what leads to them."""
+        done = 0
+        began = self.planning.start()
+        while self.queue.size[0] > 0 and self.planning.lasts(done, began):
+            pair = self.queue.pop()
+            s, a = pair // self.Q.shape[1], pair % self.Q.shape[1]
+            if self.expected_updates:
+                target = self.model.expected_target(s, a, self.Q, self.discount)
+            else:
+                target = self.model.target_of(self.model.sample(s, a, rng), self.Q, self.discount)
+            self.Q[s, a] += self.learning_rate * (target - self.Q[s, a])
+            outcome = self.model.first_into[s]
+            while outcome >= 0:
+                self.consider(outcome)
+                outcome = self.model.following_into[outcome]
+            done += 1
+
+    def act(self, state: int, rng: Random) -> int:
+        """Plan, then choose an action by the exploration strategy."""
+        self.plan(rng)
+        return self.exploration.choose(self.Q, state, rng)
+
+    def greedy(self, state: int, rng: Random) -> int:
+        """The action with the highest value."""
+        return greedy_action(self.Q, state, rng)
+
+    @classmethod
+    def create(
+        cls,
+        environment: Any,
+        *,
+        planning_steps: float = 10,
+        planning_seconds: float | None = None,
+        model: FiniteModel | None = None,
+        memory: int | None = None,
+        **settings: Any,
+    ) -> "PrioritisedSweeping":
+        """A new agent for an environment (or the shape of a table).
+
+        Args:
+            environment: an MDP or Gymnasium environment, or the shape (n_states, n_actions).
+            planning_steps: n, the number of planning updates a step, 0 or more; `math.inf` for all in the queue.
+            planning_seconds: plan for so long at each step instead; the agent then runs interpreted.
+            model: an exact model to plan with, instead of a learned one.
+            memory: how many different transitions a learned model can hold; see `empty_model` for the default.
+            **settings: see the class, and `initial_value`.
+
+        Raises:
+            ValueError: a setting is not as the class says, or the environment does not fit a table.
+        """
+        known = empty_model(environment, memory) if model is None else given_model(environment, model)
+        n_states, n_actions = table_size(environment)
+        pairs = n_states * n_actions
+        parts = {"model": known, "planning": budget(planning_steps, planning_seconds)}
+        agent = new(cls, environment, settings, parts, **{"items": pairs, "items + 1": pairs + 1})
+        if model is not None:
+            for outcome in range(int(known.n_outcomes[0])):
+                agent.consider(outcome)
+        return agent

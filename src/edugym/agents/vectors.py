@@ -1,0 +1,69 @@
+"""Observations as vectors of numbers, for agents without a table: how long they are, and how large their numbers.
+
+An array is taken row after row. A whole number becomes a 1 among zeros, as Gymnasium's `FlattenObservation` has it, so
+that no number counts as larger than another; several whole numbers become one such part after the other.
+"""
+
+import math
+from typing import Any
+
+import numpy as np
+from gymnasium import spaces
+
+from edugym.agents.tables import check_shape
+from edugym.mdp.protocol import Reals
+from edugym.mdp.tabular import table_sizes
+
+
+def vector_size(environment: Any, actions: type[spaces.Space[Any]] = spaces.Discrete) -> tuple[int, int]:
+    """How many numbers an agent sees in an environment, and how many actions (or, of reals, numbers in one) it has.
+
+    Args:
+        environment: an MDP, a Gymnasium environment, or (n_inputs, n_actions) itself.
+        actions: the kind of actions that the agent can take: `Discrete` or `Box`.
+
+    Raises:
+        ValueError: it is no environment, its observations are not numbers, or its actions are of another kind.
+    """
+    if isinstance(environment, tuple) and not hasattr(environment, "_fields"):
+        return check_shape(environment, "(n_inputs, n_actions)")
+    if not hasattr(environment, "action_space"):
+        raise ValueError(f"environment must be an MDP, a Gymnasium environment or a shape, but is {environment!r}")
+    space = environment.action_space
+    if isinstance(space, actions):
+        if isinstance(space, spaces.Discrete) and space.start == 0:
+            return vector_length(environment.observation_space), int(space.n)
+        if isinstance(space, spaces.Box) and len(space.shape) == 1:
+            return vector_length(environment.observation_space), space.shape[0]
+    needed = "the actions 0, 1, ..." if actions is spaces.Discrete else "actions that are vectors of real numbers"
+    raise ValueError(f"this agent needs {needed}, but the action space is {space}")
+
+
+def vector_length(space: spaces.Space[Any]) -> int:
+    """How many numbers an observation is as a vector.
+
+    Raises:
+        ValueError: it is none.
+    """
+    if isinstance(space, spaces.Box):
+        return math.prod(space.shape)
+    try:
+        if isinstance(space, spaces.MultiBinary):
+            raise ValueError
+        return sum(table_sizes(space))
+    except ValueError:
+        raise ValueError(
+            f"a vector needs observations that are numbers, but the observation space is {space}"
+        ) from None
+
+
+def vector_bounds(environment: Any) -> tuple[Reals, Reals]:
+    """The lowest and highest values of the numbers that an agent sees, shape (n_inputs,) each; they may be infinite.
+
+    Those of whole numbers, which become ones and zeros, and of a mere shape are 0 and 1.
+    """
+    space = getattr(environment, "observation_space", None)
+    if isinstance(space, spaces.Box):
+        return np.ravel(space.low).astype(float), np.ravel(space.high).astype(float)
+    n_inputs, _ = environment if isinstance(environment, tuple) and space is None else (vector_length(space), 0)  # type: ignore[arg-type]
+    return np.zeros(n_inputs), np.ones(n_inputs)

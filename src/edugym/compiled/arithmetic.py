@@ -1,0 +1,261 @@
+"""Arithmetic as Python does it, or an error: what users' code uses in place of the machine's own, once compiled.
+
+Where Python raises an error, or goes on with larger numbers than 64 bits hold, these raise one. The chunk of steps is
+then played again by the interpreter, which knows what to do.
+
+`REPLACED` are ordinary functions, put in place of `math.exp` and the like by their names. `CHECKED` are operations on
+whole numbers, powers, and comparisons of whole with real numbers, put in place of the operators where both types are
+known. Comparisons with real numbers ask for whole numbers up to 2^53, which are real numbers as well.
+"""
+
+import builtins
+import ctypes
+import ctypes.util
+import importlib
+import math
+import operator
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+types: Any = importlib.import_module("numba.core.types")
+extending: Any = importlib.import_module("numba.extending")
+cgutils: Any = importlib.import_module("numba.core.cgutils")
+llvm: Any = importlib.import_module("llvmlite.ir")
+binding: Any = importlib.import_module("llvmlite.binding")
+Function = Callable[..., Any]
+EXACT = 2**53  # up to here every whole number is a real number of 64 bits
+TINY, BELOW_ONE, LARGEST = 5e-324, math.nextafter(1.0, 0.0), 1.7976931348623157e308
+
+
+def _within(function: Function, lowest: float, highest: float) -> Function:
+    """A function of `math` that is defined from `lowest` to `highest`."""
+
+    def checked(x: Any) -> Any:
+        if x < lowest or x > highest:
+            raise ValueError("math domain error")
+        return function(x)
+
+    return checked
+
+
+def _finite(function: Function) -> Function:
+    """A function of `math` whose value may be too large."""
+
+    def checked(x: Any) -> Any:
+        y = function(x)
+        if math.isinf(y) and not math.isinf(x):
+            raise OverflowError("math range error")
+        return y
+
+    return checked
+
+
+def _whole(function: Function) -> Function:
+    """A function that makes whole numbers of real ones."""
+
+    def checked(x: Any) -> Any:
+        if not -9223372036854775808.0 <= x < 9223372036854775808.0:
+            raise OverflowError("too large for a whole number")
+        return function(x)
+
+    return checked
+
+
+def _sum(values: Any, start: Any = 0) -> Any:
+    for value in values:
+        start = start + value
+    return start
+
+
+def _pow(base: Any, exponent: Any) -> Any:
+    return base**exponent
+
+
+def normal(rng: Any, loc: Any = 0.0, scale: Any = 1.0) -> Any:
+    """`rng.normal(loc, scale)`."""
+    if scale < 0:
+        raise ValueError("scale < 0")
+    return rng.normal(loc, scale)
+
+
+def exponential(rng: Any, scale: Any = 1.0) -> Any:
+    """`rng.exponential(scale)`."""
+    if scale < 0:
+        raise ValueError("scale < 0")
+    return rng.exponential(scale)
+
+
+REPLACED: dict[Any, Function] = {
+    **{function: _within(function, -LARGEST, LARGEST) for function in (math.sin, math.cos, math.tan)},
+    **{function: _within(function, TINY, math.inf) for function in (math.log, math.log2, math.log10)},
+    **{function: _within(function, -1.0, 1.0) for function in (math.acos, math.asin)},
+    math.sqrt: _within(math.sqrt, 0.0, math.inf),
+    math.log1p: _within(math.log1p, -BELOW_ONE, math.inf),
+    math.atanh: _within(math.atanh, -BELOW_ONE, BELOW_ONE),
+    math.acosh: _within(math.acosh, 1.0, math.inf),
+    **{function: _finite(function) for function in (math.exp, math.expm1, math.cosh, math.sinh)},
+    **{function: _whole(function) for function in (math.floor, math.ceil, math.trunc)},
+}
+"""What stands for functions of `math`."""
+CALLED: dict[Any, Function] = {
+    builtins.int: _whole(int),
+    builtins.round: _whole(round),
+    builtins.sum: _sum,
+    builtins.pow: _pow,
+}
+"""What stands for builtins where they are called (`int` may also be the type of an array)."""
+DRAWN: dict[str, Function] = {"normal": normal, "exponential": exponential}
+"""What stands for methods of `rng`."""
+
+
+class Operation(NamedTuple):
+    """What stands for an operator.
+
+    Attributes:
+        function: the name by which Numba knows it.
+        kinds: the types that it takes.
+        result: the type that it gives.
+    """
+
+    function: Function
+    kinds: tuple[Any, Any]
+    result: Any
+
+
+def _operation(kinds: tuple[Any, Any], result: Any, implementation: Function) -> Operation:
+    """A new operation that machine code can call: `implementation(context, builder, signature, values)` writes it."""
+
+    def operation(x: Any, y: Any) -> Any:
+        raise NotImplementedError
+
+    def typer(context: Any) -> Function:
+        return lambda x, y: result if (x, y) == kinds else None
+
+    extending.type_callable(operation)(typer)
+    extending.lower_builtin(operation, *kinds)(implementation)
+    return Operation(operation, kinds, result)
+
+
+def _whole_operation(name: str) -> Operation:
+    """Addition, subtraction or multiplication that raises an error where the result has more than 64 bits."""
+
+    def implementation(context: Any, builder: Any, signature: Any, values: Any) -> Any:
+        both = getattr(builder, name)(*values)
+        with builder.if_then(builder.extract_value(both, 1), likely=False):
+            context.call_conv.return_user_exc(builder, OverflowError, ("more than 64 bits",))
+        return builder.extract_value(both, 0)
+
+    return _operation((types.int64, types.int64), types.int64, implementation)
+
+
+def _written(function: Function, kinds: tuple[Any, Any], result: Any) -> Operation:
+    """An operation written in Python."""
+
+    def implementation(context: Any, builder: Any, signature: Any, values: Any) -> Any:
+        return context.compile_internal(builder, function, signature, values)
+
+    return _operation(kinds, result, implementation)
+
+
+def _whole_power(base: int, exponent: int) -> int:
+    if exponent < 0:
+        raise ValueError("a whole number to a negative power is a fraction")
+    if base == 0 or base == 1:
+        return base if exponent > 0 else 1
+    if base == -1:
+        return 1 - 2 * (exponent & 1)
+    limit = 9223372036854775807 // abs(base)
+    power = 1
+    for _ in range(exponent):
+        if power > limit or power < -limit:
+            raise OverflowError("more than 64 bits")
+        power *= base
+    return power
+
+
+def _pow_of_libm() -> Function:
+    """C's `pow`, as Python calls it: left to itself the compiler makes `x * x` of it where it can, which may differ."""
+
+    def libms(base: Any, exponent: Any) -> Any:
+        raise NotImplementedError
+
+    def implementation(context: Any, builder: Any, signature: Any, values: Any) -> Any:
+        kind = llvm.FunctionType(llvm.DoubleType(), [llvm.DoubleType()] * 2)
+        name = "edugym_pow" if found else "pow"
+        return builder.call(cgutils.get_or_insert_function(builder.module, kind, name), values)
+
+    try:
+        library: Any = ctypes.CDLL(ctypes.util.find_library("m"))
+        found = ctypes.cast(library.pow, ctypes.c_void_p).value
+    except (OSError, AttributeError):  # another system keeps it elsewhere
+        found = None
+    if found:
+        binding.add_symbol("edugym_pow", found)
+    extending.type_callable(libms)(lambda context: lambda x, y: types.float64)
+    extending.lower_builtin(libms, types.float64, types.float64)(implementation)
+    return libms
+
+
+_libms = _pow_of_libm()
+
+
+def _power(base: Any, exponent: Any) -> Any:
+    if base == 0.0 and exponent < 0.0:
+        raise ZeroDivisionError("zero to a negative power")
+    if base < 0.0 and exponent != math.floor(exponent) and not math.isinf(exponent):
+        raise ValueError("a power that is a complex number")
+    power = _libms(base, exponent)
+    if math.isinf(power) and not math.isinf(base) and not math.isinf(exponent):
+        raise OverflowError("a power that is too large")
+    return power
+
+
+def _divided(x: int, y: int) -> float:
+    if max(abs(x), abs(y)) > EXACT:
+        raise OverflowError("whole numbers too large for an exact division")
+    return x / y
+
+
+def _left(x: int, y: int) -> int:
+    if y < 0 or y > 62 or (x << y) >> y != x:
+        raise OverflowError("more than 64 bits")
+    return x << y
+
+
+def _right(x: int, y: int) -> int:
+    if y < 0:
+        raise ValueError("negative shift count")
+    return x >> min(y, 63)
+
+
+def _comparison(compare: Function, *, whole_first: bool) -> Operation:
+    """A comparison of a whole and a real number."""
+
+    def compared(x: Any, y: Any) -> Any:
+        whole = x if whole_first else y
+        if whole > EXACT or whole < -EXACT:
+            raise OverflowError("a whole number too large to be compared with a real one")
+        return compare(float(x), float(y))
+
+    kinds = (types.int64, types.float64) if whole_first else (types.float64, types.int64)
+    return _written(compared, kinds, types.boolean)
+
+
+INT, REAL = types.int64, types.float64
+POWER = _written(_power, (REAL, REAL), REAL)
+CHECKED: dict[tuple[Any, Any, Any], Operation] = {
+    (operator.add, INT, INT): _whole_operation("sadd_with_overflow"),
+    (operator.sub, INT, INT): _whole_operation("ssub_with_overflow"),
+    (operator.mul, INT, INT): _whole_operation("smul_with_overflow"),
+    (operator.pow, INT, INT): _written(_whole_power, (INT, INT), INT),
+    (operator.truediv, INT, INT): _written(_divided, (INT, INT), REAL),
+    (operator.lshift, INT, INT): _written(_left, (INT, INT), INT),
+    (operator.rshift, INT, INT): _written(_right, (INT, INT), INT),
+    **{(operator.pow, *kinds): POWER for kinds in ((REAL, REAL), (REAL, INT), (INT, REAL))},
+    **{
+        (compare, *((INT, REAL) if first else (REAL, INT))): _comparison(compare, whole_first=first)
+        for compare in (operator.lt, operator.le, operator.gt, operator.ge, operator.eq, operator.ne)
+        for first in (True, False)
+    },
+}
+"""What stands for an operator between two types of numbers."""

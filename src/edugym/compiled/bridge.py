@@ -1,0 +1,114 @@
+"""What Numba learns about NamedTuples: their methods, properties and constants are looked up in their classes.
+
+Numba compiles functions of NamedTuples but does not know their methods. `teach` adds that, once, for *any* NamedTuple
+class, so a class from a notebook cell works as the package's own do, and plain helper functions compile along.
+"""
+
+import importlib
+import inspect
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import cache
+from types import FunctionType
+from typing import Any
+
+from edugym.compiled.code import NAMEDTUPLE_OWN, is_foreign
+
+# Of the build in progress, of which there is one at a time: Numba's options, the plain functions that may be compiled
+# along, and those that were so far.
+_options: dict[str, Any] = {}
+_helpers: set[FunctionType] = set()
+_parts: dict[FunctionType, Any] = {}
+
+
+@contextmanager
+def building(options: dict[str, Any], functions: set[FunctionType]) -> Iterator[None]:
+    """Let these functions be compiled along, with these options, wherever a method or function calls them."""
+    _options.update(options)
+    _helpers.update(functions)
+    try:
+        yield
+    finally:
+        _options.clear()
+        _helpers.clear()
+        _parts.clear()  # the globals that it read may have changed by the next build
+
+
+def _member(kind: Any, name: str) -> Any:
+    """The method, property or constant `name` of a NamedTuple class, or None (fields are Numba's own business)."""
+    if name in kind.fields or name in NAMEDTUPLE_OWN:
+        return None
+    return inspect.getattr_static(kind.instance_class, name, None)
+
+
+def teach(numba: Any, passes: Any) -> None:
+    """Look up what Numba does not know of a NamedTuple in its class; compile that by the pipelines of `passes`."""
+    types, typeof, extending = numba.types, numba.typeof, numba.extending
+    imputils: Any = importlib.import_module("numba.core.imputils")
+    templates: Any = importlib.import_module("numba.core.typing.templates")
+    tuples: Any = importlib.import_module("numba.cpython.tupleobj")
+    purpose: Any = importlib.import_module("numba.core.typing.typeof").Purpose
+
+    def part(function: FunctionType) -> Any:
+        """The type of a method or helper, compiled with the options of the build in progress."""
+        if function not in _parts:
+            pipeline = passes.JudgedPart if is_foreign(function) else passes.Part
+            _parts[function] = numba.njit(pipeline_class=pipeline, **_options)(function)
+        return types.Dispatcher(_parts[function])
+
+    def call(context: Any, builder: Any, function: FunctionType, kinds: Any, values: Any) -> Any:
+        """The machine code of a call."""
+        callee = part(function)
+        implementation = context.get_function(callee, callee.get_call_type(context.typing_context, kinds, {}))
+        context.add_linking_libs(getattr(implementation, "libs", ()))
+        return implementation(builder, values)
+
+    @cache
+    def lower_method(name: str) -> None:
+        """How any NamedTuple's method of this name is called."""
+
+        def method(context: Any, builder: Any, signature: Any, values: Any) -> Any:
+            if len(values) < len(signature.args):  # Numba leaves out a self without fields
+                values = [context.make_tuple(builder, signature.args[0], ()), *values]
+            return call(context, builder, _member(signature.args[0], name), signature.args, values)
+
+        key = (types.BaseNamedTuple, name)
+        extending.lower_builtin(key, types.BaseNamedTuple, types.VarArg(types.Any))(method)
+
+    def resolve(template: Any, kind: Any, name: str) -> Any:
+        """The type of a member, or None where there is none."""
+        member = _member(kind, name)
+        if isinstance(member, FunctionType):
+            lower_method(name)
+
+            def generic(method: Any, kinds: Any, keywords: Any) -> Any:
+                now = _member(kind, name)  # Numba may remember this template for a method that was replaced since
+                return part(now).get_call_type(method.context, (kind, *kinds), keywords).as_method()
+
+            members = {"key": (types.BaseNamedTuple, name), "generic": generic}
+            return types.BoundFunction(type("Method", (templates.AbstractTemplate,), members), kind)
+        if isinstance(member, property):
+            return part(function_of(member)).get_call_type(template.context, (kind,), {}).return_type
+        return typeof(member) if isinstance(member, bool | int | float | str | tuple) else None
+
+    def function_of(member: property) -> Any:
+        return member.fget
+
+    def read(context: Any, builder: Any, kind: Any, value: Any, name: str) -> Any:
+        """The machine code that reads a field, a property or a constant."""
+        member = _member(kind, name)
+        if member is None:
+            return tuples.namedtuple_getattr(context, builder, kind, value, name)
+        if isinstance(member, property):
+            return call(context, builder, function_of(member), (kind,), (value,))
+        return context.get_constant_generic(builder, typeof(member), member)
+
+    def helper(function: FunctionType, context: Any) -> Any:
+        """A plain function that a method calls compiles along (Numba alone asks for a decorator on it)."""
+        return part(function) if function in _helpers and context.purpose is purpose.constant else None
+
+    for kind_of_tuple in (types.NamedTuple, types.NamedUniTuple):
+        members = {"key": kind_of_tuple, "generic_resolve": resolve}
+        templates.infer_getattr(type("Members", (templates.AttributeTemplate,), members))
+        imputils.lower_getattr_generic(kind_of_tuple)(read)
+    extending.typeof_impl.register(FunctionType)(helper)

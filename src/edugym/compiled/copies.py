@@ -1,0 +1,152 @@
+"""Copies of what a loop is called with: to play steps twice, to put tables back as they were, and to compare."""
+
+import copy
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+CLOSE = 1e-12
+"""How much real numbers may differ, as a share: sums, powers and exp are rounded differently in the last digits."""
+
+
+def copied(value: Any, known: dict[int, Any] | None = None) -> Any:
+    """A copy that shares nothing with the value; what is shared within the value is shared within the copy.
+
+    Arrays that are views of one another stay so, and a random generator met twice is one generator.
+    """
+    known = {} if known is None else known
+    if id(value) in known:
+        return known[id(value)][0]
+    made: Any
+    if isinstance(value, np.ndarray):
+        made = _copied_array(value, known)
+    elif isinstance(value, np.random.Generator):
+        made = np.random.Generator(copied(value.bit_generator, known))
+    elif isinstance(value, tuple):
+        parts = [copied(part, known) for part in tuple.__iter__(value)]
+        made = tuple.__new__(type(value), parts)
+    elif type(value).__module__.startswith("numba.typed"):
+        made = type(value)([copied(part, known) for part in value])
+    else:
+        made = copy.deepcopy(value)
+    known[id(value)] = made, value  # kept, so that its id stays its own
+    return made
+
+
+def _pairs(one: tuple[Any, ...], other: tuple[Any, ...]) -> Iterator[tuple[Any, Any]]:
+    """The parts of two tuples, whatever their classes make of `for`."""
+    return zip(tuple.__iter__(one), tuple.__iter__(other), strict=True)
+
+
+def _copied_array(array: Any, known: dict[int, Any]) -> Any:
+    owner = array
+    while isinstance(owner.base, np.ndarray):
+        owner = owner.base
+    if array.dtype.hasobject or not (owner.flags.c_contiguous or owner.flags.f_contiguous):
+        return copy.deepcopy(array)
+    if id(owner) not in known or owner is array:
+        memory = owner.ravel(order="K").copy()
+        known.setdefault(-id(owner), (memory, owner))
+    memory = known[-id(owner)][0]
+    offset = array.__array_interface__["data"][0] - owner.__array_interface__["data"][0]
+    made = np.ndarray(array.shape, array.dtype, memory, offset, array.strides)
+    made.flags.writeable = array.flags.writeable
+    return made
+
+
+class Snapshot:
+    """What a call may change of its arguments, tables and random streams, as it was; its memory is used again."""
+
+    def __init__(self) -> None:
+        """Of nothing yet."""
+        self._leaves: list[Any] = []
+        self._kept: list[Any] = []
+
+    def take(self, values: tuple[Any, ...]) -> None:
+        """Note how everything in these values is now."""
+        leaves: list[Any] = []
+        _collect(values, leaves)
+        old = self._kept if len(self._kept) == len(leaves) else [None] * len(leaves)
+        self._leaves, self._kept = leaves, list(map(_noted, leaves, old))
+
+    def put_back(self) -> None:
+        """Let everything be as it was, but for what cannot be written to."""
+        for leaf, kept in zip(self._leaves, self._kept, strict=True):
+            if isinstance(leaf, np.random.Generator):
+                leaf.bit_generator.state = kept
+            elif not isinstance(leaf, np.ndarray):
+                for k, part in enumerate(kept):
+                    leaf[k] = part
+            elif leaf.flags.writeable:
+                np.copyto(leaf, kept)
+
+
+PLAIN = frozenset({int, float, bool, str, type(None)})
+
+
+def _collect(values: tuple[Any, ...], leaves: list[Any]) -> None:
+    for value in tuple.__iter__(values):
+        kind = type(value)
+        if kind is np.ndarray or kind is np.random.Generator:
+            leaves.append(value)
+        elif isinstance(value, tuple):
+            _collect(value, leaves)
+        elif kind not in PLAIN and (isinstance(value, np.ndarray) or kind.__module__.startswith("numba.typed")):
+            leaves.append(value)
+
+
+def _noted(leaf: Any, old: Any) -> Any:
+    if isinstance(leaf, np.random.Generator):
+        return leaf.bit_generator.state
+    fits = isinstance(leaf, np.ndarray) and isinstance(old, np.ndarray) and old.shape == leaf.shape
+    if not (fits and old.dtype == leaf.dtype):
+        return leaf.copy()
+    np.copyto(old, leaf)
+    return old
+
+
+def difference(one: Any, other: Any, name: str, close: float = CLOSE) -> str | None:
+    """What differs between two values, by more than the last digits of real numbers; None if nothing does.
+
+    Args:
+        one: a value.
+        other: another.
+        name: what to call it.
+        close: how much real numbers may differ, as a share.
+    """
+    if isinstance(one, tuple) and isinstance(other, tuple):
+        if tuple.__len__(one) != tuple.__len__(other):
+            return name
+        fields = getattr(one, "_fields", None)
+        for k, (part, other_part) in enumerate(_pairs(one, other)):
+            part_name = f"{name}[{k}]" if fields is None else fields[k]
+            if found := difference(part, other_part, part_name, close):
+                return found
+        return None
+    if isinstance(one, np.random.Generator):
+        return None if str(one.bit_generator.state) == str(other.bit_generator.state) else "a random stream"
+    if type(one).__module__.startswith("numba.typed"):
+        one, other = tuple(one), tuple(other)
+        return difference(one, other, name, close)
+    try:
+        first, second = np.asarray(one), np.asarray(other)
+        same = first.shape == second.shape and _same(first, second, close)
+    except (TypeError, ValueError):
+        same = False
+    return None if same else name
+
+
+def _same(one: np.ndarray[Any, Any], other: np.ndarray[Any, Any], close: float) -> bool:
+    if one.dtype.kind in "biu" and other.dtype.kind in "biu":
+        return bool(np.array_equal(one, other))
+    if one.dtype.kind in "biuf" and other.dtype.kind in "biuf":
+        with np.errstate(all="ignore"):
+            finite = np.abs(one[np.isfinite(one)])
+            largest = float(finite.max()) if finite.size else 0.0
+            return bool(np.allclose(one, other, rtol=close, atol=close * largest, equal_nan=True))
+    if one.dtype.kind == "O":
+        if one.ndim == 0:  # None, for one
+            return bool(one.item() == other.item())
+        return all(difference(a, b, "", close) is None for a, b in zip(one.flat, other.flat, strict=True))
+    return bool(np.all(one == other))

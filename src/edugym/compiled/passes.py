@@ -1,0 +1,364 @@
+"""What Numba does besides with code that is not the package's own: judge it, and put checked arithmetic into it.
+
+Two passes in Numba's pipeline. Before types are known: every variable must have a value wherever it is used, and
+functions of `math` and the like are replaced. Afterwards: every value must be of a type, and every operation of a kind,
+that machine code treats as Python does, and operators of whole numbers are replaced. See `edugym.compiled.subset` and
+`edugym.compiled.arithmetic`.
+"""
+
+import importlib
+import math
+import operator
+from collections.abc import Callable, Iterator
+from types import ModuleType
+from typing import Any
+
+from edugym.compiled.arithmetic import CALLED, CHECKED, DRAWN, REPLACED
+from edugym.compiled.subset import place, words
+
+ir: Any = importlib.import_module("numba.core.ir")
+types: Any = importlib.import_module("numba.core.types")
+typing: Any = importlib.import_module("numba.core.typing")
+analysis: Any = importlib.import_module("numba.core.analysis")
+compiler: Any = importlib.import_module("numba.core.compiler")
+machinery: Any = importlib.import_module("numba.core.compiler_machinery")
+ir_utils: Any = importlib.import_module("numba.core.ir_utils")
+untyped_passes: Any = importlib.import_module("numba.core.untyped_passes")
+typed_passes: Any = importlib.import_module("numba.core.typed_passes")
+
+
+class Refused(Exception):
+    """Something is not in the subset that may be compiled: `str(error)` says what, and where."""
+
+
+ARRAY = words(
+    "T all any argmax argmin copy cumsum dot fill flatten max mean min ndim prod ravel reshape shape size std"
+)
+ARRAY |= words("sum var")
+DRAWS = words("exponential integers normal permutation random shuffle standard_exponential standard_normal uniform")
+MEMBERS = ((types.Array, ARRAY, "an array's"), (types.NumPyRandomGeneratorType, DRAWS, "rng's"))
+"""What may be asked of arrays and generators."""
+FITTING = (
+    types.Array | types.BoundFunction | types.Callable | types.DType | types.EllipsisType | types.EnumClass
+    | types.EnumMember | types.ExceptionClass | types.ExceptionInstance | types.IteratorType | types.Module
+    | types.NoneType | types.NumberClass | types.NumPyRandomGeneratorType | types.RangeType | types.SliceType
+    | types.UnicodeType | types.Omitted | types.Phantom
+)  # fmt: skip
+"""Types that will do; those of numbers and of what holds other values are looked at closer."""
+BOOLEANS: set[Any] = {
+    operator.add,
+    operator.sub,
+    operator.mul,
+    operator.truediv,
+    operator.floordiv,
+    operator.mod,
+    operator.pow,
+}
+BOOLEANS |= {operator.lshift, operator.rshift, operator.invert, operator.neg, operator.pos}
+"""Operations with which Python's and NumPy's booleans do different things."""
+
+
+def _refuse(found: str, loc: Any) -> None:
+    raise Refused(f"{found} ({place(loc.filename, loc.line)})")
+
+
+def _statements(func_ir: Any) -> Iterator[tuple[Any, Any]]:
+    for block in func_ir.blocks.values():
+        for statement in list(block.body):
+            yield block, statement
+
+
+def _before_typing(state: Any) -> bool:
+    """Refuse variables without a value, and replace functions."""
+    _all_assigned(state.func_ir)
+    for block, statement in _statements(state.func_ir):
+        value = getattr(statement, "value", None)
+        if isinstance(statement, ir.Assign) and isinstance(value, ir.Expr):
+            if value.op == "make_function":
+                _refuse("it has a function inside a function", statement.loc)
+            if value.op == "getattr" and _global(state.func_ir, value.value) is math:
+                _stand_in(statement, getattr(math, value.attr, None))
+            elif value.op == "call":
+                _replace_called(state.func_ir, block, statement)
+        elif isinstance(value, ir.Global | ir.FreeVar):
+            _stand_in(statement, value.value)
+    return True
+
+
+def _global(func_ir: Any, variable: Any) -> Any:
+    definition = ir_utils.guard(ir_utils.get_definition, func_ir, variable)
+    return definition.value if isinstance(definition, ir.Global | ir.FreeVar) else None
+
+
+def _stand_in(statement: Any, value: Any) -> None:
+    if not isinstance(value, ModuleType | list | dict | set) and (function := _entry(REPLACED, value)):
+        statement.value = ir.Global(function.__name__, function, statement.loc)
+
+
+def _entry(table: dict[Any, Any], value: Any) -> Any:
+    try:
+        return table.get(value)
+    except TypeError:  # it has no hash
+        return None
+
+
+def _replace_called(func_ir: Any, block: Any, statement: Any) -> None:
+    """Let a call of `int`, or of `rng.normal`, be a call of what stands for it."""
+    call = statement.value
+    definition = ir_utils.guard(ir_utils.get_definition, func_ir, call.func)
+    if isinstance(definition, ir.Expr) and definition.op == "getattr" and definition.attr in DRAWN:
+        function, before = DRAWN[definition.attr], [definition.value]
+    elif isinstance(definition, ir.Global | ir.FreeVar) and (function := _entry(CALLED, definition.value)):
+        before = []
+        if definition.value is round and len(call.args) + len(call.kws) > 1:
+            _refuse("it rounds to decimals", statement.loc)
+        if definition.value is int and not call.args:
+            return
+    else:
+        return
+    name = ir.Var(block.scope, ir_utils.mk_unique_var("$checked"), statement.loc)
+    assign = ir.Assign(ir.Global(function.__name__, function, statement.loc), name, statement.loc)
+    block.body.insert(block.body.index(statement), assign)
+    func_ir._definitions[name.name].append(assign.value)
+    call.func, call.args = name, [*before, *call.args]
+
+
+def _all_assigned(func_ir: Any) -> None:
+    """Refuse a variable that has no value on some way to where it is used."""
+    blocks = func_ir.blocks
+    graph = analysis.compute_cfg_from_blocks(blocks)
+    everything = {s.target.name for _, s in _statements(func_ir) if isinstance(s, ir.Assign)}
+    after: dict[Any, set[str]] = {}
+
+    def before(label: Any) -> set[str]:
+        incoming = [after.get(source, everything) for source, _ in graph.predecessors(label)]
+        return set.intersection(*incoming) if incoming and label != graph.entry_point() else set()
+
+    changed = True
+    while changed:
+        changed = False
+        for label in graph.topo_order():
+            assigned = before(label) | {s.target.name for s in blocks[label].body if isinstance(s, ir.Assign)}
+            if after.get(label) != assigned:
+                after[label], changed = assigned, True
+    for label in graph.topo_order():
+        assigned = set(before(label))
+        for statement in blocks[label].body:
+            if not isinstance(statement, ir.Del):
+                used = statement.value if isinstance(statement, ir.Assign) else statement
+                variables = (
+                    [used] if isinstance(used, ir.Var) else used.list_vars() if hasattr(used, "list_vars") else []
+                )
+                for variable in variables:
+                    if variable.name in everything and variable.name not in assigned and not variable.is_temp:
+                        _refuse(f"the variable {variable.unversioned_name} may have no value", statement.loc)
+            if isinstance(statement, ir.Assign):
+                assigned.add(statement.target.name)
+
+
+def _after_typing(state: Any) -> bool:
+    """Refuse types and operations, and replace operators."""
+    kinds = state.typemap
+    for _, statement in _statements(state.func_ir):
+        if isinstance(statement, ir.Assign):
+            _judge_type(kinds[statement.target.name], statement.loc)
+            if isinstance(statement.value, ir.Expr):
+                _judge(statement.value, kinds, state.calltypes, statement)
+        elif isinstance(statement, ir.SetItem | ir.StaticSetItem):
+            index = getattr(statement, "index_var", None) or statement.index
+            _judge_index(kinds[index.name] if isinstance(index, ir.Var) else None, statement.loc)
+            target, value = kinds[statement.target.name], kinds[statement.value.name]
+            if isinstance(target, types.Array):
+                _judge_stored(target, value, statement.loc)
+    return True
+
+
+def _judge_type(kind: Any, loc: Any) -> None:
+    kind = types.unliteral(kind)
+    if isinstance(kind, types.Optional):
+        return _judge_type(kind.type, loc)
+    if isinstance(kind, types.RecursiveCall):
+        return _refuse("it calls itself", loc)
+    if isinstance(kind, types.Pair):
+        return _judge_type(kind.first_type, loc)
+    if isinstance(kind, types.BaseTuple):
+        for part in kind:
+            _judge_type(part, loc)
+        return None
+    if isinstance(kind, types.Number | types.Boolean):
+        if kind not in (types.int64, types.intp, types.float64, types.boolean):
+            _refuse(f"it computes with numbers of type {kind}", loc)
+        return None
+    if isinstance(kind, types.Array):
+        if not isinstance(kind.dtype, types.Number | types.Boolean) or isinstance(kind.dtype, types.Complex):
+            _refuse(f"it has an array of {kind.dtype}", loc)
+        return None
+    if isinstance(kind, types.List):
+        if not isinstance(kind.dtype, types.Number | types.Boolean):
+            _refuse("it makes a list of other things than numbers", loc)
+        return _judge_type(kind.dtype, loc)
+    if isinstance(kind, types.NumpyFlatType) or not isinstance(kind, FITTING):
+        _refuse("it uses .flat" if isinstance(kind, types.NumpyFlatType) else f"it makes a value of type {kind}", loc)
+    return None
+
+
+def _narrow(kind: Any) -> bool:
+    """Whether it is an array of other numbers than those of 64 bits: to be filled and passed on, but not computed with.
+
+    (Numba and NumPy do not agree on what such numbers become when they meet others.)
+    """
+    return isinstance(kind, types.Array) and kind.dtype not in (types.int64, types.float64, types.boolean)
+
+
+def _judge_stored(target: Any, value: Any, loc: Any) -> None:
+    """Look at what is put into an array."""
+    if _real(value) and not _real(target):
+        _refuse("it puts a real number in an array of whole numbers", loc)
+    if _narrow(target) and not _real(target) and getattr(value, "dtype", None) != target.dtype:
+        known = value.literal_value if isinstance(value, types.IntegerLiteral) else -1
+        if not 0 <= known < 128:  # which fits in all of them; of others some raise an error and some do not
+            _refuse(f"it puts a number that may not fit in an array of {target.dtype}", loc)
+
+
+def _real(kind: Any) -> bool:
+    return isinstance(kind, types.Float) or (isinstance(kind, types.Array) and isinstance(kind.dtype, types.Float))
+
+
+def _judge_index(kind: Any, loc: Any) -> None:
+    for part in kind if isinstance(kind, types.BaseTuple) else [kind]:
+        if isinstance(part, types.Array | types.List):
+            _refuse("it picks by an array, or list, of indices or booleans", loc)
+
+
+def _judge(expr: Any, kinds: Any, calltypes: Any, statement: Any) -> None:
+    """Look at one operation, and replace its operator where there is something to check."""
+    loc, result = statement.loc, kinds[statement.target.name]
+    if isinstance(result, types.UnicodeType) and expr.op not in ("getattr", "static_getitem", "getitem", "cast", "phi"):
+        _refuse("it makes text", loc)
+    _judge_narrow(expr, kinds, loc)
+    if expr.op in ("getitem", "static_getitem"):
+        _judge_index(kinds[expr.index.name] if expr.op == "getitem" else None, loc)
+    elif expr.op == "getattr":
+        for kind, members, whose in MEMBERS:
+            if isinstance(kinds[expr.value.name], kind) and expr.attr not in members:
+                _refuse(f"it uses {whose} {expr.attr}", loc)
+    elif expr.op == "call":
+        function = kinds[expr.func.name]
+        to_whole = isinstance(function, types.NumberClass) and isinstance(function.dtype, types.Integer)
+        if to_whole and any(_real(kinds[part.name]) for part in expr.args):
+            _refuse("it makes a real number a whole one: use int()", loc)
+    elif expr.op == "unary":
+        if expr.fn in BOOLEANS and isinstance(types.unliteral(kinds[expr.value.name]), types.Boolean):
+            _refuse("it computes with True and False as if they were numbers", loc)
+    elif expr.op in ("binop", "inplace_binop"):
+        _judge_operator(expr, kinds, calltypes, loc)
+
+
+def _judge_narrow(expr: Any, kinds: Any, loc: Any) -> None:
+    """Refuse to compute with arrays of other numbers than those of 64 bits."""
+    if expr.op in ("getattr", "getitem", "static_getitem", "build_tuple", "cast", "phi"):
+        return  # single numbers are refused by their type
+    called = kinds[expr.func.name] if expr.op == "call" else None
+    own = isinstance(called, types.Dispatcher) or isinstance(getattr(called, "this", None), types.BaseTuple)
+    if own or getattr(called, "typing_key", None) is len:
+        return  # a function or method of the author's, or one that asks for no number
+    for variable in expr.list_vars():
+        kind = kinds[variable.name]
+        if _narrow(kind) or _narrow(getattr(kind, "this", None)):
+            _refuse(f"it computes with numbers of type {getattr(kind, 'this', kind).dtype}", loc)
+
+
+def _judge_operator(expr: Any, kinds: Any, calltypes: Any, loc: Any) -> None:
+    function = expr.fn if expr.op == "binop" else expr.immutable_fn
+    both = [types.unliteral(kinds[side.name]) for side in (expr.lhs, expr.rhs)]
+    plain = [kind.dtype if isinstance(kind, types.Array) else kind for kind in both]
+    if function in BOOLEANS and all(isinstance(kind, types.Boolean) for kind in plain):
+        _refuse("it computes with True and False as if they were numbers", loc)
+    if function in (operator.is_, operator.is_not) and not any(isinstance(kind, types.NoneType) for kind in both):
+        _refuse("it compares with 'is'", loc)
+    if isinstance(both[0], types.Array) and expr.op == "inplace_binop":
+        if isinstance(both[1], types.Array | types.BaseTuple | types.List):
+            _refuse("it changes an array in place by another array: write a loop", loc)
+        if not isinstance(plain[0], types.Float) and (_real(both[1]) or function in (operator.truediv, operator.pow)):
+            _refuse("it changes an array of whole numbers in place by real ones", loc)
+    operation = CHECKED.get((function, *both))
+    if operation:
+        if expr.op == "binop":
+            expr.fn = operation.function
+        else:
+            expr.immutable_fn = operation.function
+        del calltypes[expr]
+        calltypes[expr] = typing.signature(operation.result, *operation.kinds)
+
+
+def _pass(name: str, work: Callable[[Any], bool], kind: str = "FunctionPass") -> Any:
+    """A pass as Numba has them."""
+    base = getattr(machinery, kind)
+    members = {
+        "_name": name,
+        "__init__": lambda self: base.__init__(self),
+        "run_pass": lambda self, state: work(state),
+    }
+    return machinery.register_pass(mutates_CFG=False, analysis_only=kind == "AnalysisPass")(
+        type(name, (base,), members)
+    )
+
+
+class _Unlinked:
+    """Numba's code generator for a part of a build, which goes into the whole and is never run by itself."""
+
+    def __init__(self, codegen: Any) -> None:
+        self._codegen = codegen
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._codegen, name)
+
+    def _add_module(self, module: Any) -> None:
+        """Nothing: only the whole is made machine code of."""
+
+
+def _before_lowering(state: Any) -> bool:
+    """Make machine code of the part only within the whole: by itself it would cost time, and 0.7 MB for ever."""
+    flags = state.flags
+    flags.no_compile = flags.no_cpython_wrapper = flags.no_cfunc_wrapper = True
+    codegen = state.targetctx.codegen()
+    library = state.library = codegen.create_library(state.func_id.func_qualname)
+    library._codegen = _Unlinked(codegen)
+    library._finalize_specific = lambda: None
+    library._optimize_functions = lambda module: None
+    library._optimize_final_module = lambda: None
+    return False
+
+
+def _after_lowering(state: Any) -> bool:
+    lowered = state["cr"]
+    entry: Any = [].append  # by which Numba knows the part, in place of its address: some builtin that is like no other
+    state.targetctx.insert_user_function(entry, lowered.fndesc, [state.library])
+    state["cr"] = lowered._replace(cfunc=entry)
+    return False
+
+
+BEFORE_LOWERING = _pass("edugym_before_lowering", _before_lowering, "AnalysisPass")
+AFTER_LOWERING = _pass("edugym_after_lowering", _after_lowering, "AnalysisPass")
+BEFORE = _pass("edugym_before_typing", _before_typing)
+AFTER = _pass("edugym_after_typing", _after_typing)
+
+
+def _part(judged: bool) -> Any:
+    """Numba's pipeline for a part of a build, a method or a helper."""
+
+    def define_pipelines(self: Any) -> list[Any]:
+        manager = compiler.DefaultPassBuilder.define_nopython_pipeline(self.state)
+        if judged:
+            manager.add_pass_after(BEFORE, untyped_passes.InlineClosureLikes)
+            manager.add_pass_after(AFTER, typed_passes.NopythonTypeInference)
+        manager.add_pass_after(BEFORE_LOWERING, typed_passes.AnnotateTypes)
+        manager.add_pass_after(AFTER_LOWERING, typed_passes.NativeLowering)
+        manager.finalize()
+        return [manager]
+
+    return type("Part", (compiler.CompilerBase,), {"define_pipelines": define_pipelines})
+
+
+Part, JudgedPart = _part(judged=False), _part(judged=True)
+"""The pipelines for the package's own functions, and for those of others."""

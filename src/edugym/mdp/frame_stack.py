@@ -1,0 +1,136 @@
+"""The last few observations as one: a window of memory for tasks that hide their state."""
+
+import math
+from typing import Any, NamedTuple
+
+from gymnasium import spaces
+
+from edugym.checks import whole_number
+from edugym.mdp.protocol import Random
+from edugym.mdp.tabular import MOST_ROWS, table_sizes, tabular_mdp
+from edugym.mdp.wrapper import wrapper
+
+
+class Stacked(NamedTuple):
+    """A state of the task, and what the agent remembers of the way to it.
+
+    Attributes:
+        inner: the state of the task.
+        row: the last k observations (and the actions between them), as digits of one whole number, the latest last.
+    """
+
+    inner: Any
+    row: int
+
+
+@wrapper
+class FrameStack(NamedTuple):
+    """An MDP that shows its last k observations, as the row of a table; with the actions between them if wanted.
+
+    With n observations and m actions the table has n^k rows, and with actions n^k m^(k-1). An episode starts with k
+    copies of its first observation (and action 0 between them).
+
+    Make one with `FrameStack.create(mdp, k, actions=False)`.
+
+    Attributes:
+        mdp: the task, which observes 0, 1, ..., n - 1.
+        k: how many observations are shown, 1 or more.
+        n_observations: n.
+        n_actions: m, or 1 where actions are not shown.
+        n_recent: how many rows there would be without the oldest observation (and the action after it).
+
+    References: Sutton and Barto, 2nd edition, section 17.3 (there called a kth-order history).
+    """
+
+    mdp: Any
+    k: int
+    n_observations: int
+    n_actions: int
+    n_recent: int
+
+    @property
+    def observation_space(self) -> spaces.Discrete:
+        """The rows of the table."""
+        return spaces.Discrete(stack_size(self.n_observations, self.k, self.n_actions))
+
+    def initial(self, rng: Random) -> Stacked:
+        """The first observation, k times."""
+        state = self.mdp.initial(rng)
+        first = int(self.mdp.observation(state, rng))
+        row = first
+        for _ in range(self.k - 1):
+            row = row * self.n_actions * self.n_observations + first
+        return Stacked(state, row)
+
+    def transition(self, state: Stacked, action: int, rng: Random) -> Stacked:
+        """The oldest observation goes, the new one comes."""
+        next_state = self.mdp.transition(state.inner, action, rng)
+        row = state.row % self.n_recent
+        if self.n_actions > 1:
+            row = row * self.n_actions + int(action)
+        return Stacked(next_state, row * self.n_observations + int(self.mdp.observation(next_state, rng)))
+
+    def reward(self, state: Stacked, action: int, next_state: Stacked, rng: Random) -> float:
+        """The reward of the task."""
+        reward: float = self.mdp.reward(state.inner, action, next_state.inner, rng)
+        return reward
+
+    def terminal(self, state: Stacked) -> bool:
+        """Whether the task ends."""
+        terminal: bool = self.mdp.terminal(state.inner)
+        return terminal
+
+    def observation(self, state: Stacked, rng: Random) -> int:
+        """The row of what the agent remembers."""
+        return state.row
+
+    def inside(self, state: Stacked) -> Any:
+        """The state of the task."""
+        return state.inner
+
+    @classmethod
+    def create(cls, mdp: Any, k: int, actions: bool = False) -> "FrameStack":
+        """The wrapper for an MDP that observes whole numbers.
+
+        Args:
+            mdp: the task.
+            k: how many observations to show, 1 or more.
+            actions: whether to show the actions between them as well.
+
+        Raises:
+            ValueError: the task observes something else, its actions are not 0, 1, ..., or there are 2^63 different
+                stacks or more.
+        """
+        k = whole_number("k", k, 1)
+        mdp = tabular_mdp(mdp)
+        n_actions, n = 1, math.prod(table_sizes(mdp.observation_space))
+        if actions and k > 1:
+            if not isinstance(mdp.action_space, spaces.Discrete):
+                raise ValueError(f"actions must be False for a task without the actions 0, 1, ...: {mdp.action_space}")
+            n_actions = int(mdp.action_space.n)
+        most = longest_stack(n, n_actions)
+        if most is not None and k > most:
+            shown = f"{n} observations" if n_actions == 1 else f"{n} observations and {n_actions} actions"
+            raise ValueError(
+                f"k must be at most {most} for {shown}, since the rows of a longer stack do not fit 63 bits, but is {k}"
+            )
+        return cls(mdp, k, n, n_actions, stack_size(n, k - 1, n_actions) if k > 1 else 1)
+
+
+def stack_size(n_observations: int, k: int, n_actions: int = 1) -> int:
+    """How many different stacks of k observations there are, with the actions between them: n^k m^(k-1).
+
+    It is computed with Python's whole numbers, so `k` may be as large as you like.
+    """
+    size: int = n_observations**k * n_actions ** (k - 1)
+    return size
+
+
+def longest_stack(n_observations: int, n_actions: int = 1) -> int | None:
+    """The largest k for which the rows of a stack fit 63 bits; None where every k does."""
+    if n_observations * n_actions == 1:
+        return None
+    k = 0
+    while stack_size(n_observations, k + 1, n_actions) <= MOST_ROWS:
+        k += 1
+    return k

@@ -1,0 +1,201 @@
+"""DQN: its network against differences and torch's, its memory and targets by hand, and Catch."""
+
+import math
+from typing import Any
+
+import gymnasium
+import numpy as np
+import pytest
+
+from edugym import DQN, EpsilonGreedy, make_mdp, train
+from edugym.agents.dqn import adam, backward, forward, slope_of_loss
+from edugym.mdp.protocol import Reals
+from tests.agents.case import Case, same
+
+
+def small(environment: Any, **settings: Any) -> DQN:
+    """Five hidden units, and learning from the start."""
+    few = {"hidden": 5, "memory_size": 64, "batch_size": 4, "learn_from": 8, "copy_every": 3}
+    return DQN.create(environment, **{**few, **settings})
+
+
+CASES = {"DQN": Case(DQN, small)}
+
+
+def random_agent(seed: int = 0) -> DQN:
+    """With weights, biases and a memory of random numbers."""
+    agent, rng = small((6, 3)), np.random.default_rng(seed)
+    for layers in (agent.weights, agent.target):
+        for layer in layers:
+            layer[:] = rng.normal(size=layer.shape)
+    agent.memory.states[:] = rng.normal(size=(64, 6)) * (rng.random((64, 6)) < 0.6)  # some inputs are 0
+    agent.memory.next_states[:] = rng.normal(size=(64, 6))
+    agent.memory.actions[:] = rng.integers(3, size=64)
+    agent.memory.rewards[:] = rng.normal(size=64)
+    agent.memory.terminated[:] = rng.random(64) < 0.3
+    return agent
+
+
+def loss(agent: DQN, rows: list[int]) -> float:
+    """The mean of Huber's loss over some rows of the memory, with NumPy."""
+
+    def network(layers: Any, x: Reals) -> Any:
+        hidden = np.maximum(0, x @ layers.first[:-1] + layers.first[-1])
+        return hidden @ layers.second[:-1] + layers.second[-1]
+
+    total = 0.0
+    for row in rows:
+        best = network(agent.target, agent.memory.next_states[row]).max()
+        target = agent.memory.rewards[row] + agent.discount * best * (agent.memory.terminated[row] == 0)
+        error = abs(network(agent.weights, agent.memory.states[row])[agent.memory.actions[row]] - target)
+        total += error**2 / 2 if error <= 1 else error - 1 / 2
+    return total / len(rows)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_the_gradient_is_that_of_the_loss(seed: int) -> None:
+    """Every one of its numbers, biases included, against (L(θ + h) - L(θ - h)) / 2h over a batch of four."""
+    agent, rows, h = random_agent(seed), [3, 14, 15, 9], 1e-6
+    for row in rows:
+        agent.add_gradient(row)
+    for layer, gradient in zip(agent.weights, agent.gradient, strict=True):
+        for place in np.ndindex(layer.shape):
+            kept, around = layer[place], []
+            for moved in (kept + h, kept - h):
+                layer[place] = moved
+                around.append(loss(agent, rows))
+            layer[place] = kept
+            assert gradient[place] == pytest.approx((around[0] - around[1]) / (2 * h), abs=1e-7)
+
+
+def test_forward_by_hand() -> None:
+    """Two inputs, two hidden units of which one is cut off at 0, two actions: x = (1, 2).
+
+    h = max(0, (1·1 + 2·0 + 1, 1·-1 + 2·-1 + 0)) = (2, 0); Q = (2·3 + 0.5, 2·-1 - 0.5) = (6.5, -2.5).
+    """
+    agent = small((2, 2), hidden=2)
+    agent.weights.first[:] = [[1, -1], [0, -1], [1, 0]]
+    agent.weights.second[:] = np.array([[3, -1], [9, 9], [0.5, -0.5]])
+    forward(agent.weights, np.array([1.0, 2.0]), agent.h, agent.Q)
+    assert agent.h.tolist() == [2, 0]
+    assert agent.Q.tolist() == [[6.5, -2.5]]
+    backward(agent.weights, agent.gradient, np.array([1.0, 2.0]), agent.h, np.array([2.0, 0.0]), agent.dh)
+    assert agent.gradient.second.tolist() == [[4, 0], [0, 0], [2, 0]]
+    assert agent.gradient.first.tolist() == [[6, 0], [12, 0], [6, 0]]  # the unit that is cut off passes nothing on
+
+
+def test_the_loss_is_hubers() -> None:
+    """The error itself, from -1 to 1."""
+    assert [slope_of_loss(error) for error in (-7.0, -1.0, -0.3, 0.0, 0.5, 2.0)] == [-1, -1, -0.3, 0, 0.5, 1]
+
+
+def test_adam_by_hand() -> None:
+    """From averages of 0 and with its correction, the first step is the learning rate, whatever the gradient.
+
+    The second, after gradients 2 and 1: m = 0.9·0.2 + 0.1 = 0.28, v = 0.999·0.004 + 0.001 = 0.004996.
+    """
+    agent = small((1, 1), learning_rate=0.01)
+    weights, mean, square = np.array([[5.0]]), np.zeros((1, 1)), np.zeros((1, 1))
+    agent.updates[0] = 1
+    adam(weights, np.array([[2.0]]), mean, square, agent.adam_rate)
+    assert weights[0, 0] == pytest.approx(5 - 0.01)
+    agent.updates[0] = 2
+    gradient = np.array([[1.0]])
+    adam(weights, gradient, mean, square, agent.adam_rate)
+    step = 0.01 * (0.28 / (1 - 0.9**2)) / math.sqrt(0.004996 / (1 - 0.999**2))
+    assert weights[0, 0] == pytest.approx(4.99 - step)
+    assert (mean[0, 0], square[0, 0]) == pytest.approx((0.28, 0.004996))
+    assert gradient[0, 0] == 0.0
+
+
+def test_the_memory_keeps_the_latest() -> None:
+    """Seven transitions in a memory of four: the first three are gone."""
+    agent = small((1, 2), memory_size=4)
+    for t in range(7):
+        agent.learn(np.array([t / 10]), t % 2, float(t), np.array([t / 10 + 0.1]), t == 5)
+    assert agent.memory.rewards.tolist() == [4, 5, 6, 3]
+    assert agent.memory.states[:, 0] == pytest.approx([0.4, 0.5, 0.6, 0.3])
+    assert agent.memory.next_states[:, 0] == pytest.approx([0.5, 0.6, 0.7, 0.4])
+    assert agent.memory.actions.tolist() == [0, 1, 0, 1]
+    assert agent.memory.terminated.tolist() == [0, 1, 0, 0]
+
+
+def test_when_it_learns_and_copies() -> None:
+    """From step 8 on every 4 steps; every third update is copied to the target network."""
+    agent, rng, copied = small((2, 2)), np.random.default_rng(0), []
+    for t in range(1, 33):
+        state = rng.random(2)
+        agent.learn(state, agent.act(state, rng), 1.0, rng.random(2), False)
+        assert agent.updates[0] == max(0, t // 4 - 1)
+        copied.append(same(agent.weights, agent.target))
+    assert [t + 1 for t, equal in enumerate(copied) if equal] == [1, 2, 3, 4, 5, 6, 7, 16, 17, 18, 19, 28, 29, 30, 31]
+
+
+def test_batches_are_drawn_from_what_is_in_memory() -> None:
+    """Evenly from the rows that are filled: with 12 of 64, each about as often."""
+    agent, rng = small((1, 2), batch_size=3_000, learn_from=12), np.random.default_rng(3)
+    for _ in range(11):
+        agent.learn(np.zeros(1), 0, 0.0, np.zeros(1), False)
+    agent.act(np.zeros(1), rng)
+    counts = np.bincount(agent.batch, minlength=11)
+    assert len(counts) == 11
+    assert np.abs(counts - 3_000 / 11).max() < 4 * math.sqrt(3_000 / 11)
+
+
+def test_every_seed_has_its_own_first_weights() -> None:
+    """They come from the agent's random stream, evenly from ±√(6/n), and the target network is a copy."""
+    first = []
+    for seed in (0, 0, 1):
+        agent = DQN.create((50, 3))
+        agent.act(np.zeros(50), np.random.default_rng(seed))
+        first.append(agent.weights)
+        assert same(agent.weights, agent.target)
+        for layer in agent.weights:
+            n = len(layer) - 1
+            assert not layer[n].any()
+            assert np.abs(layer[:n]).max() == pytest.approx(math.sqrt(6 / n), rel=0.05)
+            assert layer[:n].std() == pytest.approx(math.sqrt(2 / n), rel=0.1)
+    assert same(first[0], first[1])
+    assert not same(first[0], first[2])
+
+
+def test_inputs_are_scaled_by_the_bounds_of_the_observation_space() -> None:
+    """Colours by 255, CartPole's position by 4.8 and its speeds, which have no bounds, not at all."""
+    assert pytest.approx(1 / 255) == DQN.create(make_mdp("Catch", observation_type="rgb")).scale
+    scale = DQN.create(gymnasium.make("CartPole-v1")).scale
+    assert scale == pytest.approx([1 / 4.8, 1, 1 / 0.41887903, 1])
+    assert (DQN.create(make_mdp("Boulder")).scale == 1).all()
+
+
+@pytest.mark.parametrize("setting", ["hidden", "memory_size", "batch_size", "learn_every", "learn_from", "copy_every"])
+def test_sizes_and_times_out_of_range_are_refused(setting: str) -> None:
+    """They are whole numbers of 1 or more."""
+    values: tuple[Any, ...] = (0, 2.5, "8")
+    for value in values:
+        with pytest.raises(ValueError, match=f"{setting} must be (a whole number, )?1 or more, but is {value!r}"):
+            DQN.create((4, 2), **{setting: value})
+
+
+def catch(learning_rate: float, seed: int) -> float:
+    """The mean return in Catch, seen as a grid, after 15 000 steps."""
+    mdp = make_mdp("Catch")
+    agent = DQN.create(mdp, learning_rate=learning_rate)
+    return float(train(mdp, agent, 15_000, seed=seed, evaluate_every=15_000, evaluation_episodes=50).returns[-1])
+
+
+def test_it_learns_catch_from_the_grid() -> None:
+    """Nearly every ball, from 50 numbers; without learning, few."""
+    assert min(catch(1e-3, seed) for seed in range(5)) > 0.9
+    assert catch(5e-324, 0) < 0.5
+
+
+@pytest.mark.slow
+def test_it_learns_cart_pole() -> None:
+    """To 400 of 500 in 50 000 steps, in an environment of Gymnasium's."""
+    env = gymnasium.make("CartPole-v1", disable_env_checker=True)
+    settings: dict[str, Any] = {"learn_every": 1, "copy_every": 500, "exploration": EpsilonGreedy(0.05)}
+    runs = [
+        train(env, DQN.create(env, **settings), 50_000, seed=seed, evaluate_every=5_000, evaluation_episodes=5)
+        for seed in range(2)
+    ]
+    assert min(run.returns.max() for run in runs) > 400

@@ -1,0 +1,142 @@
+"""Q-learning on features: its update by hand, where it is a table, where it diverges, and what it learns."""
+
+from typing import Any, NamedTuple
+
+import gymnasium
+import numpy as np
+import pytest
+from gymnasium import spaces
+
+from edugym import EpsilonGreedy, Identity, LinearQLearning, QLearning, TileCoding, make_mdp, train
+from edugym.mdp.protocol import Random, Reals
+from tests.agents.case import Case, same
+
+CASES = {
+    "LinearQLearning": Case(LinearQLearning, LinearQLearning.create),
+}
+
+
+@pytest.mark.parametrize(
+    ("terminated", "error"),
+    [
+        (False, 1 + 0.5 * (3 * 4 + 20) - (2 * 1 + 10)),  # = 5: the best next action counts
+        (True, 1 - (2 * 1 + 10)),  # = -11
+    ],
+)
+def test_update(terminated: bool, error: float) -> None:
+    """Weights as below, S = (2, 0), S' = (0, 3), and a constant of 1; A = 0, R = 1, α = 0.1, γ = 0.5."""
+    agent = LinearQLearning.create((2, 2), learning_rate=0.1, discount=0.5)
+    agent.weights[:] = [[1, 2], [3, 4], [10, 20]]
+    agent.learn(np.array([2.0, 0.0]), 0, 1.0, np.array([0.0, 3.0]), terminated)
+    assert agent.weights == pytest.approx(np.array([[1 + 0.1 * error * 2, 2], [3, 4], [10 + 0.1 * error, 20]]))
+
+
+@pytest.mark.parametrize("n_steps", [1_000, 20_000])
+def test_on_whole_numbers_it_is_a_table(n_steps: int) -> None:
+    """A 1 in the place of each number and no constant: Q-learning with a table, bit for bit."""
+    mdp = make_mdp("Boulder")
+    table = QLearning.create(mdp, learning_rate=0.2)
+    features = Identity.create(mdp, constant=0.0)
+    linear = LinearQLearning.create(mdp, features=features, learning_rate=0.2)
+    runs = [train(mdp, agent, n_steps, seed=4) for agent in (table, linear)]
+    assert same(linear.weights[:-1], table.Q)
+    assert same(runs[0].returns, runs[1].returns)
+
+
+class Baird(NamedTuple):
+    """Baird's counterexample (Sutton and Barto, figure 11.1), observed as its features: no reward, so all values are 0.
+
+    Action 0 (dashed) leads to any of the states 0 to 5, action 1 (solid) to state 6.
+    """
+
+    max_steps: int = 1_000
+
+    def initial(self, rng: Random) -> int:
+        """Any state."""
+        return int(rng.random() * 7)
+
+    def transition(self, state: int, action: int, rng: Random) -> int:
+        """As the action says, wherever it starts."""
+        return 6 if action == 1 else int(rng.random() * 6)
+
+    def reward(self, state: int, action: int, next_state: int, rng: Random) -> float:
+        """Always 0."""
+        return 0.0
+
+    def terminal(self, state: int) -> bool:
+        """Never."""
+        return False
+
+    def observation(self, state: int, rng: Random) -> Any:
+        """2w_i + w_8 for the states 0 to 5, w_7 + 2w_8 for state 6."""
+        x = np.zeros(8)
+        x[state] = 1.0 if state == 6 else 2.0
+        x[7] = 2.0 if state == 6 else 1.0
+        return x
+
+    @property
+    def observation_space(self) -> spaces.Box:
+        """Eight features."""
+        return spaces.Box(0.0, 2.0, (8,), np.float64)
+
+    @property
+    def action_space(self) -> spaces.Discrete:
+        """Dashed and solid."""
+        return spaces.Discrete(2)
+
+
+class DashedMostly(NamedTuple):
+    """Baird's behaviour: dashed with probability 6/7, solid with 1/7."""
+
+    def choose(self, Q: Reals, state: int, rng: Random) -> int:
+        """Whatever the values are."""
+        return 0 if rng.random() < 6 / 7 else 1
+
+
+def growth(exploration: Any, seed: int) -> float:
+    """How many times as large the largest weight is after 5 000 steps, from (1, 1, 1, 1, 1, 1, 10, 1) for solid."""
+    agent = LinearQLearning.create(
+        Baird(), features=Identity.create(Baird(), 0.0), learning_rate=0.05, discount=0.99, exploration=exploration
+    )
+    agent.weights[:8, 1] = [1, 1, 1, 1, 1, 1, 10, 1]
+    train(Baird(), agent, 5_000, seed=seed, evaluate_every=5_000)
+    return float(np.abs(agent.weights).max() / 10)
+
+
+def test_the_deadly_triad_diverges() -> None:
+    """Features, bootstrapping and a behaviour that is not what is learned: weights grow without bound.
+
+    Without the third, always the greedy action, they do not.
+    """
+    assert min(growth(DashedMostly(), seed) for seed in range(5)) > 10
+    assert max(growth(EpsilonGreedy(0.0), seed) for seed in range(5)) <= 1
+
+
+def mountain_car(learning_rate: float, seed: int) -> float:
+    """The mean return in MountainCar after 30 000 steps, with 8 tilings of 8 by 8."""
+    env = gymnasium.make("MountainCar-v0", disable_env_checker=True)
+    settings = {"learning_rate": learning_rate, "discount": 1.0, "exploration": EpsilonGreedy(0.0)}
+    agent = LinearQLearning.create(env, features=TileCoding.create(env), **settings)
+    return float(train(env, agent, 30_000, seed=seed, evaluate_every=30_000, evaluation_episodes=10).returns[-1])
+
+
+def test_it_learns_mountain_car_with_tiles() -> None:
+    """To under 150 steps (figure 10.2 has some 130 to 150 then); without learning it never gets out of the valley."""
+    assert np.mean([mountain_car(0.5, seed) for seed in range(3)]) > -150
+    assert mountain_car(5e-324, 0) == -200
+
+
+def cart_pole(learning_rate: float, seed: int) -> float:
+    """The mean return in CartPole after 60 000 steps; its bounds are where an episode ends, and a guess for speeds."""
+    env = gymnasium.make("CartPole-v1", disable_env_checker=True)
+    low = [-2.4, -3.0, -0.21, -3.0]
+    features = TileCoding.create(env, [4, 4, 6, 6], 16, low, [-x for x in low])
+    agent = LinearQLearning.create(env, features=features, learning_rate=learning_rate, exploration=EpsilonGreedy(0.05))
+    return float(train(env, agent, 60_000, seed=seed, evaluate_every=60_000, evaluation_episodes=20).returns[-1])
+
+
+@pytest.mark.slow
+def test_it_learns_cart_pole_with_tiles() -> None:
+    """To 475 of 500, where Gymnasium counts it as solved; without learning it is at some 20."""
+    assert np.mean([cart_pole(0.2, seed) for seed in range(3)]) > 475
+    assert cart_pole(5e-324, 0) < 50

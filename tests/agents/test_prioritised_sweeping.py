@@ -1,0 +1,142 @@
+"""Prioritised sweeping: what it updates and in which order, its fixed point, and what it is worth."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from edugym import DynaQ, EpsilonGreedy, PrioritisedSweeping, QLearning, finite_model, make_mdp, mean_interval, train
+from tests.agents.case import Case
+from tests.agents.walk import Walk, exact_values
+
+RNG = np.random.default_rng(0)
+CASES = {
+    "PrioritisedSweeping": Case(PrioritisedSweeping, PrioritisedSweeping.create),
+    "PrioritisedSweeping, sampled": Case(
+        PrioritisedSweeping, lambda env: PrioritisedSweeping.create(env, expected_updates=False, planning_steps=3)
+    ),
+}
+
+
+def on_a_chain(planning_steps: int, **settings: Any) -> PrioritisedSweeping:
+    """An agent that has walked 0 → 1 → 2 → 3, the end, where it was paid 8; α = 1, γ = 1/2."""
+    agent = PrioritisedSweeping.create((4, 1), planning_steps=planning_steps, learning_rate=1, discount=0.5, **settings)
+    for state in (0, 1, 2):
+        agent.learn(state, 0, 8.0 if state == 2 else 0.0, state + 1, state == 2)
+    return agent
+
+
+@pytest.mark.parametrize("expected_updates", [True, False])
+@pytest.mark.parametrize(
+    ("planning_steps", "values"), [(0, [0, 0, 0, 0]), (1, [0, 0, 8, 0]), (2, [0, 4, 8, 0]), (9, [2, 4, 8, 0])]
+)
+def test_one_walk_is_enough(planning_steps: int, values: list[float], expected_updates: bool) -> None:
+    """The reward goes back one state with every update."""
+    agent = on_a_chain(planning_steps, expected_updates=expected_updates)
+    agent.act(0, RNG)
+    assert agent.Q[:, 0].tolist() == values
+
+
+def test_what_changes_little_is_left_alone() -> None:
+    """P = 8, then 4 for what leads there, then 2: with θ = 3 the last is not updated."""
+    agent = on_a_chain(9, threshold=3)
+    assert agent.queue.size[0] == 1
+    agent.act(0, RNG)
+    assert agent.Q[:, 0].tolist() == [0, 4, 8, 0]
+    assert agent.queue.size[0] == 0
+
+
+def test_the_largest_change_comes_first() -> None:
+    """Three ends that pay 1, 5 and -9: one update a time."""
+    agent = PrioritisedSweeping.create((4, 1), planning_steps=1, learning_rate=1)
+    for state, reward in ((0, 1.0), (1, 5.0), (2, -9.0)):
+        agent.learn(state, 0, reward, 3, True)
+    order = []
+    for _ in range(3):
+        before = agent.Q.copy()
+        agent.act(0, RNG)
+        order.append(int(np.flatnonzero(before != agent.Q)[0]))
+    assert order == [2, 1, 0]
+
+
+def test_an_action_with_two_outcomes_counts_with_their_mean() -> None:
+    """Pays 2 and 4 by turns: Q = 3 at α = 1."""
+    agent = PrioritisedSweeping.create((2, 1), learning_rate=1)
+    for reward, end in ((2.0, 0), (4.0, 1)):
+        agent.learn(0, 0, reward, end, True)
+    agent.act(0, RNG)
+    assert agent.Q[0, 0] == 3.0
+
+
+@pytest.mark.parametrize("slip", [0.0, 0.25])
+def test_with_the_exact_model_it_finds_the_optimum(slip: float) -> None:
+    """Until the queue is empty, in one act, without a step."""
+    mdp = Walk(slip=slip)
+    agent = PrioritisedSweeping.create(
+        mdp, model=finite_model(mdp), planning_steps=np.inf, discount=0.9, learning_rate=1, threshold=1e-12
+    )
+    agent.act(1, RNG)
+    assert agent.queue.size[0] == 0
+    assert pytest.approx(exact_values(mdp, 0.9), abs=1e-9) == agent.Q
+
+
+def test_with_the_exact_model_it_shops_perfectly_without_a_step() -> None:
+    """The optimum of Supermarket, 95, and with noise in the model something less."""
+    returns = []
+    for noise in (0.0, 20.0):
+        mdp = make_mdp("Supermarket", noise=noise)
+        agent = PrioritisedSweeping.create(
+            mdp, model=mdp.distorted(finite_model(mdp)), planning_steps=np.inf, learning_rate=1, discount=0.95
+        )
+        agent.act(mdp.initial(RNG), RNG)
+        returns.append(float(train(mdp, agent, 1, evaluate_every=1).returns[0]))
+    assert returns[0] == 95
+    assert returns[1] < 95
+
+
+def test_it_learns_in_fewer_steps_than_dyna_and_q_learning() -> None:
+    """Supermarket after 500 steps, with ten updates a step, over seeds; without planning it has learned nothing."""
+    mdp = make_mdp("Supermarket")
+
+    def returns(make: Any) -> list[float]:
+        return [float(train(mdp, make(), 5_000, seed=seed, evaluate_every=500).returns[1]) for seed in range(10)]
+
+    sweeping = np.array(returns(lambda: PrioritisedSweeping.create(mdp, learning_rate=1)))
+    dyna = np.array(returns(lambda: DynaQ.create(mdp, learning_rate=1)))
+    plain = np.array(returns(lambda: QLearning.create(mdp, learning_rate=1)))
+    idle = np.array(returns(lambda: PrioritisedSweeping.create(mdp, learning_rate=1, planning_steps=0)))
+    assert mean_interval(list(sweeping - dyna)).low > 0
+    assert mean_interval(list(sweeping - plain)).low > 0
+    assert idle.max() < sweeping.mean()
+
+
+def test_planning_faster_ends_worse() -> None:
+    """Supermarket after 10 000 steps: it is content with what it found first; more exploring mends that."""
+    mdp = make_mdp("Supermarket")
+
+    def last(epsilon: float) -> list[float]:
+        runs = []
+        for seed in range(40):
+            agent = PrioritisedSweeping.create(mdp, learning_rate=1, exploration=EpsilonGreedy(epsilon))
+            runs.append(float(train(mdp, agent, 10_000, seed=seed, evaluate_every=10_000).returns[-1]))
+        return runs
+
+    assert mean_interval(last(0.1)).high < 88
+    assert mean_interval(last(0.5)).low > 88
+
+
+@pytest.mark.parametrize(
+    ("setting", "value", "allowed"),
+    [
+        ("planning_steps", -1, "0 or more"),
+        ("planning_steps", 2.5, "a whole number"),
+        ("planning_seconds", -1.0, "greater than 0"),
+        ("threshold", -1, "0 or more"),
+        ("memory", 0, "1 or more"),
+        ("expected_updates", "yes", "True or False"),
+    ],
+)
+def test_settings_out_of_range_are_refused(setting: str, value: Any, allowed: str) -> None:
+    """The message names the parameter, its value and what is allowed."""
+    with pytest.raises(ValueError, match=rf"{setting} must be .*{allowed}.*, but is {value!r}"):
+        PrioritisedSweeping.create((4, 2), **{setting: value})

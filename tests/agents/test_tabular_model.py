@@ -1,0 +1,156 @@
+"""The model of the planning agents: counts, chains, means, draws; learned and given."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from edugym import finite_model, make_mdp
+from edugym.agents.tabular_model import TabularModel, empty_model, given_model
+from edugym.mdp.protocol import Random
+from tests.agents.walk import Walk, exact_values
+
+
+def chain(model: TabularModel, first: int, following: Any) -> list[tuple[int, int, int, bool, float, float]]:
+    """The outcomes of a chain."""
+    found = []
+    while first >= 0:
+        k = int(first)
+        found.append(
+            (
+                int(model.states[k]),
+                int(model.actions[k]),
+                int(model.next_states[k]),
+                bool(model.ends[k]),
+                float(model.weights[k]),
+                float(model.rewards[k]),
+            )
+        )
+        first = following[k]
+    return sorted(found)
+
+
+def learned() -> TabularModel:
+    """A model of six steps."""
+    model = empty_model((4, 2))
+    for step in ((0, 1, 1.0, 1), (0, 1, 3.0, 1), (0, 1, 5.0, 2), (2, 0, 0.0, 1), (0, 1, 2.0, 1)):
+        model.observe(*step, False)
+    model.observe(0, 1, 7.0, 1, True)
+    return model
+
+
+def test_it_counts() -> None:
+    """Every outcome with how often it came and its mean reward; the same next state as an end is another outcome."""
+    model = learned()
+    assert chain(model, model.first[0, 1], model.following) == [
+        (0, 1, 1, False, 3.0, 2.0),
+        (0, 1, 1, True, 1.0, 7.0),
+        (0, 1, 2, False, 1.0, 5.0),
+    ]
+    assert chain(model, model.first[0, 0], model.following) == []
+    assert model.visits.tolist() == [[0, 5], [0, 0], [1, 0], [0, 0]]
+    assert model.last_visit.tolist() == [[0, 6], [0, 0], [4, 0], [0, 0]]
+    assert model.n_tried.tolist() == [1, 0, 1, 0]
+    assert model.known_states[: model.n_known[0]].tolist() == [0, 2]
+
+
+def test_it_knows_what_leads_to_a_state() -> None:
+    """Ends are not among them: the value there does not count."""
+    model = learned()
+    into = chain(model, model.first_into[1], model.following_into)
+    assert into == [(0, 1, 1, False, 3.0, 2.0), (2, 0, 1, False, 1.0, 0.0)]
+    assert chain(model, model.first_into[3], model.following_into) == []
+
+
+def test_the_expected_target_by_hand() -> None:
+    """With γ = 1/2 and max Q = 8 in 1, 4 in 2: (3 (2 + 4) + 7 + (5 + 2))/5 = 32/5."""
+    Q = np.array([[0.0, 0.0], [8.0, 1.0], [-9.0, 4.0], [0.0, 0.0]])
+    assert learned().expected_target(0, 1, Q, 0.5) == pytest.approx(32 / 5, rel=1e-15)
+
+
+def test_draws_come_by_their_weights() -> None:
+    """Three, one and one in five."""
+    model, rng, n = learned(), np.random.default_rng(0), 5_000
+    drawn = [model.sample(0, 1, rng) for _ in range(n)]
+    shares = {(int(model.next_states[k]), int(model.ends[k])): drawn.count(k) / n for k in set(drawn)}
+    assert shares == pytest.approx({(1, 0): 0.6, (1, 1): 0.2, (2, 0): 0.2}, abs=0.03)
+
+
+def test_states_and_tried_actions_are_drawn_evenly() -> None:
+    """Only those that were met."""
+    model, rng = empty_model((5, 4)), np.random.default_rng(0)
+    for action in (1, 3):
+        model.observe(2, action, 0.0, 0, False)
+    for _ in range(7):
+        model.observe(4, 0, 0.0, 0, False)
+    states = [model.random_state(rng) for _ in range(2_000)]
+    assert set(states) == {2, 4}
+    assert states.count(2) / 2_000 == pytest.approx(0.5, abs=0.05)
+    actions = [model.random_tried_action(2, rng) for _ in range(2_000)]
+    assert set(actions) == {1, 3}
+    assert actions.count(1) / 2_000 == pytest.approx(0.5, abs=0.05)
+
+
+def test_what_no_longer_fits_is_not_remembered() -> None:
+    """The outcomes that are known go on counting."""
+    model = empty_model((4, 2), memory=1)
+    assert [model.observe(0, 0, 1.0, n, False) for n in (1, 2, 1)] == [0, -1, 0]
+    assert chain(model, model.first[0, 0], model.following) == [(0, 0, 1, False, 2.0, 1.0)]
+
+
+@pytest.mark.parametrize("name", ["Roadrunner", "Supermarket", "Walk"])
+def test_a_given_model_has_the_exact_backups(name: str) -> None:
+    """At the optimal values the expected target of every pair is its value; states may be tuples."""
+    mdp = Walk() if name == "Walk" else make_mdp(name)
+    exact = finite_model(mdp)
+    model = given_model(mdp, exact)
+    if name == "Walk":
+        Q = exact_values(mdp, 0.9)
+        for s in (1, 2, 3):
+            assert [model.expected_target(s, a, Q, 0.9) for a in (0, 1)] == pytest.approx(Q[s].tolist(), abs=1e-8)
+    assert model.n_outcomes[0] == np.count_nonzero(exact.probabilities[~exact.terminal])
+    assert model.n_known[0] == np.count_nonzero(~exact.terminal)
+
+
+def test_a_given_model_does_not_learn() -> None:
+    """It says which of its outcomes a step is, if it has it."""
+    model = given_model(Walk(), finite_model(Walk()))
+    before = model.weights.copy()
+    k = model.observe(1, 0, 123.0, 0, True)
+    assert (model.states[k], model.actions[k], model.next_states[k]) == (1, 0, 0)
+    assert model.observe(1, 0, 0.0, 3, False) == -1
+    assert np.array_equal(model.weights, before)
+
+
+def test_noise_in_a_given_model_is_planned_with() -> None:
+    """Supermarket's noise is in the rewards of the model that its class distorts."""
+    mdp = make_mdp("Supermarket", noise=1.0)
+    exact = finite_model(mdp)
+    model = given_model(mdp, mdp.distorted(exact))
+    assert model.rewards[: model.n_outcomes[0]].std() > given_model(mdp, exact).rewards.std() + 0.1
+
+
+class Blind(Walk):
+    """Sees nothing."""
+
+    __slots__ = ()
+
+    def observation(self, state: int, rng: Random) -> int:
+        """Always the same."""
+        return 0
+
+
+@pytest.mark.parametrize(
+    ("environment", "model", "message"),
+    [
+        ((5, 2), "exact", r"model must be a FiniteModel, .* but is str"),
+        (Blind(), finite_model(Walk()), r"model must have states that the agent can tell apart"),
+        ((4, 2), finite_model(Walk()), r"model must be one of this environment, which has 4 states and 2 actions"),
+        ((5, 3), finite_model(Walk()), r"model must be one of this environment, .*, but has 5 and 2"),
+        ((5, 2), finite_model(make_mdp("Roadrunner")), r"model must have states that are whole numbers"),
+    ],
+)
+def test_what_does_not_fit_is_refused(environment: Any, model: Any, message: str) -> None:
+    """The message says what is wrong with it."""
+    with pytest.raises(ValueError, match=message):
+        given_model(environment, model)

@@ -1,0 +1,73 @@
+"""What became of a program: run it interpreted and as `executable` runs it, and compare every bit.
+
+    python -m tests.compiled.oracle < programs.json
+
+reads a list of programs (source, name of the class's instance is `thing`) and writes one line of JSON for each, as soon
+as it is known, so that a process that dies shows at which it did.
+"""
+
+import json
+import sys
+import traceback
+import warnings
+from typing import Any
+
+import numpy as np
+
+from edugym.compiled import execution
+from edugym.compiled.copies import difference
+from edugym.compiled.execution import executable
+from tests.compiled.cells import cell
+
+CALLS, STEPS = 5, 300
+
+
+def loop(n: int, thing: Any, rng: np.random.Generator, out: Any, moment: Any) -> Any:
+    """Call a method n times with what it gave before; `out` holds the sum of the numbers."""
+    for _ in range(n):
+        moment = thing.f(moment, rng)
+        out[0] += 1
+    return moment
+
+
+def played(source: str, *, fast: bool) -> dict[str, Any]:
+    """What a program comes to: its last value, tables and random stream, or its error, and what was said of it."""
+    notebook = cell(source)
+    thing, start = notebook["thing"], notebook.get("start", 0.0)
+    rng, out = np.random.default_rng(3), np.zeros(1)
+    found: dict[str, Any] = {"error": None, "line": None, "said": "", "printed": notebook.get("printed")}
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        execution._warned.clear()
+        try:
+            run = executable(loop, (thing, rng, out, start)) if fast else loop
+            found["compiled"] = run is not loop
+            moment = start
+            for _ in range(CALLS):
+                moment = run(STEPS, thing, rng, out, moment)
+            found["result"] = (moment, thing, rng, out)
+        except Exception as error:
+            found["error"] = type(error).__name__
+            found["line"] = traceback.extract_tb(error.__traceback__)[-1].line
+            found["result"] = ()
+    found["said"] = " ".join(str(w.message) for w in caught if "runs interpreted" in str(w.message))
+    return found
+
+
+def verdict(source: str) -> dict[str, Any]:
+    """Whether both ways came to the same, how the fast one was run, and what was said."""
+    slow, fast = played(source, fast=False), played(source, fast=True)
+    same = slow["error"] == fast["error"] and slow["line"] == fast["line"] and slow["printed"] == fast["printed"]
+    found = None if not same else difference(slow["result"], fast["result"], "the result")
+    return {
+        "same": same and found is None,
+        "compiled": fast.get("compiled", False) and not fast["said"],
+        "said": fast["said"],
+        "error": fast["error"],
+        "seen": repr((slow, fast)) if not same or found else "",
+    }
+
+
+if __name__ == "__main__":
+    for program in json.load(sys.stdin):
+        print(json.dumps(verdict(program)), flush=True)

@@ -1,0 +1,192 @@
+# ruff: noqa: E501 (a table, with a program in each line)
+"""Programs as students write them, each of which does something that compilers do in a way of their own."""
+
+
+def program(body: str, fields: str = "", values: str = "", before: str = "", start: str = "0.0", more: str = "") -> str:
+    """A program: a class with a method `f(self, s, rng)` and an instance of it."""
+    lines = "\n        ".join(body.split("\n"))
+    members = "\n    ".join(more.split("\n"))
+    return (
+        f"{before}\nclass T(NamedTuple):\n    {fields or 'x: float'}\n    {members}\n    def f(self, s, rng):\n"
+        f"        {lines}\nthing = T({values or '1.5'})\nstart = {start}\n"
+    )
+
+
+Q = {"fields": "Q: np.ndarray", "values": "np.zeros((9, 2))"}
+N = {"fields": "N: np.ndarray", "values": "np.zeros(9, np.int64)"}
+
+COMPILED = {
+    "plain": program("return 0.5 * s + self.x * rng.random()"),
+    "table": program("i = int(rng.random() * 9)\nself.Q[i, 0] += 0.1 * (s - self.Q[i, 0])\nreturn self.Q[i, 0] + 1", **Q),
+    "power of a number below one": program("return self.x * 0.999 ** int(s) + s", values="0.5"),
+    "whole power": program("return s + 3 ** int(rng.random() * 30) % 7"),
+    "cube": program("return self.x * (s - 0.4375) ** 3 % 10 - 4.5"),
+    "square": program("return (s + 1.25) ** 2 % 10"),
+    "fine domain": program("return math.sqrt(abs(s)) + math.log(1 + abs(s)) + math.exp(-abs(s)) + math.floor(s)"),
+    "ties": program(
+        "best = [a for a in range(2) if self.Q[0, a] == max(self.Q[0, 0], self.Q[0, 1])]\n"
+        "a = best[int(rng.random() * len(best))]\nself.Q[0, a] += rng.random()\nreturn a", start="0", **Q),
+    "counts": program("i = int(rng.integers(0, 9))\nself.N[i] += 1\nreturn s + self.N[i] / 3", **N),
+    "array functions": program("self.Q[:, 0] = self.Q[:, 1] + rng.random()\nreturn self.Q.max() + np.argmax(self.Q[0])", **Q),
+    "softmax": program("p = np.exp(self.Q[0] - np.max(self.Q[0]))\np = p / np.sum(p)\nself.Q[0, 0] += p[0] - s\nreturn p[1]", **Q),
+    "row in place": program("self.Q[0] *= 0.5\nself.Q[:] += 0.25\nreturn self.Q.sum()", **Q),
+    "normal": program("return rng.normal(0.5 * s, 2.0) + rng.exponential(3.0) + rng.normal()"),
+    "picture": program(
+        "picture = np.zeros((3, 3), np.float32)\npicture[1] = 0.3\npicture[0, 1] = s\nself.Q[0] = s\nreturn self.g(picture) + s * 0.5",
+        more="def g(self, picture):\n    return len(picture) + picture.shape[1]", **Q),
+    "picture of bytes": program("picture = np.zeros((3, 3), np.uint8)\npicture[1, 2] = 100\nreturn len(picture) + s * 0.5"),
+    "tuple": program("x, k = s\nreturn (x + rng.random(), k + 1)", start="(0.0, 0)"),
+    "default omitted": program(
+        "return self.g(s, terminated=True) + self.g(s=s, terminated=False, beta=2.0)",
+        more="def g(self, s, terminated, alpha=0.5, beta=1.0):\n    return 0.0 if terminated else alpha * s / (1 + s * beta) + beta"),
+    "closure": program("return g(s)", before="def make(k):\n    def g(x): return 0.5 * x + k\n    return g\ng = make(2)"),
+    "closure as a method": program(
+        "return self.g(s)",
+        before="def make(k):\n    def g(self, x): return 0.5 * x + k + self.x\n    return g",
+    ).replace("thing =", "T.g = make(3)\nthing ="),
+    "made by exec": program("return self.g(s)").replace(
+        "thing =", "made = {}\nexec('def g(self, x): return 0.25 * x + self.x', made)\nT.g = made['g']\nthing ="),
+    "max of whole and real": program("return max(int(s), 0.5, s) + min(1, rng.random())"),
+    "unset in no way": program("if s > 5:\n    y = 1.0\nelse:\n    y = 2.0\nreturn (s + y) % 9"),
+    "modulo": program("return (-7 + int(s)) // 3 + (-7 - int(s)) % 3 + (s + 1) % 5"),
+}  # fmt: skip
+"""Programs that are to compile, and to be the same."""
+
+RAISE = {
+    "exp": program("self.Q[0, 0] += 1.0\nreturn math.exp(self.Q[0, 0])", **Q),
+    "late exp": program("return s + math.exp(s * 0.1) if s < 0 else s + 1 + 0 * math.exp(s * 0.9)"),
+    "sqrt": program("return math.sqrt(700 - s) * 0 + s + 1"),
+    "log": program("return math.log(700 - s) * 0 + s + 1"),
+    "acos": program("return math.acos(s / 700) * 0 + s + 1"),
+    "sin of inf": program("return math.sin(s * 1e306) * 0 + s + 1"),
+    "int of nan": program("return int(s + 1 if s < 700 else s * math.nan) + 0.0"),
+    "int of inf": program("return int(s + 1 if s < 700 else s * math.inf) + 0.0"),
+    "floor": program("return s + 1 + 0 * math.floor(s if s < 700 else math.inf)"),
+    "round": program("return s + 1 + 0 * round(s if s < 700 else math.nan)"),
+    "normal": program("return s + 1 + 0 * rng.normal(0.0, 700 - s)"),
+    "exponential": program("return s + 1 + 0 * rng.exponential(700 - s)"),
+    "integers": program("return s + 1 + 0 * rng.integers(0, 700 - int(s))"),
+    "division by zero": program("return s + 1 + 0 * 1 / (700 - s)"),
+    "modulo of zero": program("return s + 1 + 0 * (5 % (700 - int(s)))"),
+    "zero to a negative power": program("return s + 1 + 0 * (700 - s) ** -1"),
+    "power too large": program("return s + 1 + 0 * 10.0 ** s"),
+    "negative shift": program("return s + 1 + 0 * (1 << (40 - int(s) if s > 20 else 1))"),
+    "index": program("self.Q[int(s / 70), 0] += 1\nreturn s + 1", **Q),
+    "second index": program("self.Q[0, int(s / 350)] += 1\nreturn s + 1", **Q),
+    "row index": program("q = self.Q[3]\nq[int(s / 350)] += 1\nreturn s + 1", **Q),
+    "assertion": program("assert s < 700, 'too late'\nreturn s + 1"),
+    "error of the author": program("if s > 700: raise ValueError('late')\nreturn s + 1"),
+    "list index": program("a = [1.0, 2.0]\nreturn s + a[int(s / 350)]"),
+    "tuple index": program("return s + (1, 2)[int(s / 350)]"),
+    "argmax of nothing": program("return s + 1 + np.argmax(self.Q[int(s / 70):, 0])", **Q),
+    "of another shape": program("a = np.zeros(3)\nb = np.zeros(2 + int(s < 700))\nreturn s + 1 + (a + b)[0]"),
+    "misspelt": program("return s + self.y"),
+    "unknown name": program("return s + unknown"),
+}
+"""Programs that end with an error, soon or late."""
+
+SURPRISES = {
+    "whole to a negative power": program("k = int(s)\nreturn 10 ** -k + s + 1"),
+    "negative one": program("i = int(s)\nreturn (i + 2) ** -1 + s"),
+    "three to 101": program("return 3 ** (101 + int(s) * 0) % 7 + s"),
+    "large power late": program("return 3 ** int(s / 10) % 7 + s + 1"),
+    "sum": program("return s + 9007199254740993", start="2**62"),
+    "product": program("return s * 3 + 1 if s < 10 ** 400 else 1", start="1"),
+    "generator of numbers": program("return (s * 6364136223846793005 + 1442695040888963407) % 2 ** 64", start="1"),
+    "shift": program("return s + (1 << 64) % 3 if s > 2 else s + 1", start="0"),
+    "shift late": program("return s + 1 + (1 << (s // 10)) % 7", start="0"),
+    "int of a large number": program("return int(1e19 + s) % 7 + s"),
+    "whole against real": program("x = 2.0 ** 53\nreturn s + 1 if s + 9007199254740000 > x + 1 else s + 2", start="0"),
+    "large division": program("return (s + 2 ** 60) / 3 % 7", start="1")
+    .replace("% 7", "% 7 // 1")
+    .replace("return (", "return int((")
+    .replace("// 1", "// 1)"),
+    "complex": program("x = (-5.0 - s) ** 0.5\nreturn s + 1"),
+    "numpy's zero": program("return s + 1 + 0 * (self.Q[0, 0] / self.Q[0, 1] > 1)", **Q),
+    "sum of whole numbers": program("return sum([2 ** 62 + s, 2 ** 62 + s]) % 7 + s", start="0"),
+    "sum in an array": program("self.N[0] += 2 ** 61\nreturn self.N[0] % 7 + 0 * s", **N),
+}
+"""Programs in which Python goes on where machine code cannot."""
+
+REFUSED = {
+    "nested list": (program("self.Q[0][0] += 1.0\nreturn self.Q[0][0]", "Q: list", "[[0., 0.] for _ in range(9)]"), "a list"),
+    "maze": (program("return s + self.cells[1][0]", "cells: list", "[[0, 0], [1, 0]]"), "a list"),
+    "flat list": (program("self.Q[0] += 1.0\nreturn self.Q[0]", "Q: list", "[0., 0.]"), "a list"),
+    "appended list": (program("self.h.append(s)\nreturn s + len(self.h)", "h: list", "[0.0]"), "a list"),
+    "set": (program("self.h.add(int(s))\nreturn s + len(self.h)", "h: set", "{0}"), "a set"),
+    "dict": (program("self.h[int(s)] = s\nreturn s + len(self.h)", "h: dict", "{0: 1.0}"), "a dict"),
+    "list as state": (program("s[0] += 1\nreturn s", start="[0.0]"), "a list"),
+    "list in a state": (program("s[0][0] += 1\nreturn s", start="([0.0], 1)"), "a list"),
+    "state becomes a list": (program("return [s[0] + 1, s[1]]", start="(0, 1)"), ""),
+    "unset on a rare path": (program("if s > 290: y = 1.0\nif s < 600: y = 2.0\nreturn s + y"), "y"),
+    "unset at first": (program("if rng.random() < 0.99: y = 1.0\nreturn s + y"), "y"),
+    "unset after a loop": (program("for i in range(int(s)): pass\nreturn s + 1 + i"), "i"),
+    "equality": (program("return s + 1 if self == self else s", more="def __eq__(self, other): return False"), "__eq__"),
+    "truth": (program("return s + 1 if self else s", more="def __bool__(self): return False"), "__bool__"),
+    "length": (program("return s + len(self)", more="def __len__(self): return 7"), "__len__"),
+    "iteration": (program("return s + sum([k for k in self])", more="def __iter__(self): return iter((1, 2))"), "__iter__"),
+    "containment": (program("return s + (1.5 in self)", more="def __contains__(self, x): return False"), "__contains__"),
+    "items": (program("return s + self[0]", more="def __getitem__(self, k): return 5.0"), "__getitem__"),
+    "creation": (
+        program("return s + U(1.0).x").replace("thing =", "class U(T):\n    def __new__(cls, x): return T.__new__(cls, 2 * x)\nthing ="), "__new__"),
+    "overridden field": (program("return s + self.x").replace("thing = T", "class H(T):\n    __slots__ = ()\n    x = 5.0\nthing = H"), "x"),
+    "field as a property": (program("return s + self.x").replace("thing = T", "class H(T):\n    x = property(lambda self: 5.0)\nthing = H"), "x"),
+    "attribute of an instance": (program("return s + self.k", more="k = 1.0").replace("thing = T(1.5)", "class H(T): pass\nthing = H(1.5)\nthing.k = 7.0"), "k"),
+    "float32": (program("return float(self.Q[0] * 0.3 + s * 0.5)", "Q: np.ndarray", "np.full(1, 0.1, np.float32)"), "float32"),
+    "float16": (program("return float(self.Q[0] * 0.3 + s * 0.5)", "Q: np.ndarray", "np.full(1, 0.1, np.float16)"), "float16"),
+    "uint8": (program("return s + float(self.Q[0] - self.Q[1])", "Q: np.ndarray", "np.array([3, 250], np.uint8)"), "uint8"),
+    "int8": (program("self.Q[0] += 1\nreturn s + self.Q[0]", "Q: np.ndarray", "np.array([3, 50], np.int8)"), "int8"),
+    "small number": (program("return s + self.x", "x: float", "np.float32(0.1)"), "float32"),
+    "float32 array computed with": (program("a = np.ones(2, np.float32)\nb = a * 0.1\nself.Q[0, 0] = 1.0\nreturn s + b.sum()", **Q), "float32"),
+    "float32 summed": (program("a = np.full(2, 0.1, np.float32)\nreturn s + a.sum()"), "float32"),
+    "float32 by function": (program("a = np.full(2, 0.1, np.float32)\nreturn s + np.max(a)"), "float32"),
+    "too large for a byte": (program("a = np.zeros(2, np.uint8)\na[0] = int(s) % 300\nreturn s + 1"), "uint8"),
+    "negative byte": (program("a = np.zeros(2, np.uint8)\na[0] = -1 if s > 700 else 1\nreturn s + 1"), "uint8"),
+    "float32 made": (program("a = np.zeros(2, np.float32)\na[0] = 0.1 + s\nreturn float(a[0])"), "float32"),
+    "flat": (program("self.Q.flat[3] = 1.0\nreturn s + self.Q.flat[2]", **Q), "flat"),
+    "mask": (program("m = self.Q[:, 0] > 1\nreturn s + self.Q[m].sum()", **Q), "picks"),
+    "short mask": (program("m = np.array([True, False])\nself.N[m] = 1\nreturn s + self.N[0]", **N), "picks"),
+    "array of another shape in place": (program("x = np.zeros(3)\nx += np.ones((3, 3))\nreturn s + x[0]"), "place"),
+    "overlap": (program("self.N[1:] += self.N[:-1] + 1\nreturn s + self.N[8]", **N), "place"),
+    "not of a boolean": (program("flag = s > 3\nreturn s + 1 if ~flag else s + 2"), "True and False"),
+    "sum of booleans": (program("a = np.array([True, True])\nreturn s + (a[0] + a[1])"), "True and False"),
+    "is True": (program("return s + 1 if (self.Q[0, 0] > -1) is True else s + 2", **Q), "is"),
+    "round to decimals": (program("return round(s + 0.15, 1)"), "decimals"),
+    "text of a number": (program("return s + len(str(s))"), "text"),
+    "formatted": (program("return s + len(f'{s}')"), "text"),
+    "order of ties": (program("return s + np.argsort(np.array([2., 1., 1., 1.] * 9))[0]"), "argsort"),
+    "recursion": (program("return g(int(s) % 40) + s + 1", before="def g(n): return 0 if n == 0 else 1 + g(n - 1)"), ""),
+    "deep recursion": (program("return g(10 ** 6)", before="def g(n):\n    if n == 0:\n        return 0\n    return 1 + g(n - 1)"), ""),
+    "recursive method": (program("return self.g(int(s) % 40) + s + 1", more="def g(self, n): return 0 if n == 0 else 1 + self.g(n - 1)"), ""),
+    "two that call each other": (
+        program("return g(int(s) % 9) + s + 1", before="def g(n): return 0 if n == 0 else h(n - 1)\ndef h(n): return 1 if n == 0 else g(n - 1)"), ""),
+    "np.random": (program("return s + np.random.random()", before="np.random.seed(1)"), "draw from rng"),
+    "random": (program("return s + random.random()", before="import random\nrandom.seed(1)"), "draw from rng"),
+    "random imported": (program("return s + random()", before="import random as r\nr.seed(1)\nfrom random import random"), "draw from rng"),
+    "np.random imported": (program("return s + rand()", before="np.random.seed(1)\nfrom numpy.random import rand"), "draw from rng"),
+    "print": (program("print(end='')\nreturn s + 1"), "prints"),
+    "global list": (program("h.append(s)\nreturn s + len(h)", before="h = []"), "a list"),
+    "count in a global": (program("global k\nk += 1\nreturn s + k", before="k = 0"), "global"),
+    "count in a class": (program("T.k += 1\nreturn s + T.k", more="k = 0"), "attribute k"),
+    "list of a class": (program("self.h.append(s)\nreturn s + len(self.h)", more="h = []"), "a list"),
+    "list as default": (program("return self.g(s)", more="def g(self, s, h=[]):\n    h.append(s)\n    return s + len(h)"), "a list"),
+    "global array written": (program("A[0] += 1\nreturn s + A[0]", before="A = np.zeros(2)"), ""),
+    "try": (program("try:\n    x = 1 / (700 - s)\nexcept ZeroDivisionError:\n    x = 5.0\nreturn s + 1 + 0 * x"), "try"),
+    "type": (program("return s + 1 if isinstance(s, float) else s + 2", start="0"), "type"),
+    "large number": (program("return (s + self.x) % 7", "x: int", "10 ** 30", start="0"), "64 bits"),
+    "generator as a field": (program("return s + self.g.random()", "g: object", "np.random.default_rng(1)"), "rng"),
+    "function as a field": (program("return s + self.g(1.0)", "g: object", "math.sin"), "function"),
+    "list of an outer function": (program("return g(s)", before="def make(h):\n    def g(x):\n        h.append(x)\n        return x + len(h)\n    return g\ng = make([])"), "a list"),
+    "count in an outer function": (
+        program("return g(s)", before="def make(k):\n    def g(x):\n        nonlocal k\n        k += 1\n        return x + k\n    return g\ng = make(0)"), "around"),
+    "array of an outer function": (
+        program("return g(s)", before="def make(h):\n    def g(x):\n        h[0] += 1\n        return x + h[0]\n    return g\ng = make(np.zeros(1))"), ""),
+    "plain object": (program("return s + self.o.k", "o: object", "O()", before="class O:\n    k = 1\n    def __eq__(self, other): return True"), "NamedTuple"),
+    "real in an array of whole numbers": (program("self.N[0] += 0.5\nreturn s + self.N[0]", **N), "whole"),
+    "set made": (program("return s + len({1, 2, int(s)})"), "set"),
+    "dict made": (program("d = {1: s}\nreturn s + d[1] + 1"), "dict"),
+    "nested function": (program("def g(x): return x + 1\nk = g\nreturn k(s)"), None),
+    "kept in a name": (program("f = math.exp\nreturn f(900) if s > 700 else s + 1"), None),
+    "date": (program("return s + T.__doc__.count('x')"), ""),
+}  # fmt: skip
+"""Programs that are not to be compiled, and a word of the sentence that says why."""

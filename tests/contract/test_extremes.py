@@ -1,0 +1,94 @@
+"""Whatever the parameters, an environment is made and drawn in a moment, or refuses them by name."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from edugym.registration import Entry, make_environment, parameters_of
+from edugym.rendering.ansi import to_text
+from edugym.rendering.palette import STONE
+from edugym.rendering.scene import Circle
+from tests.contract.play import every_environment
+
+LARGEST: list[tuple[str, dict[str, Any]]] = [
+    ("Boulder", {"height": 10**6, "n_grips": 1000}),
+    ("Roadrunner", {"size": 10**6, "stop_zone": 10**6 - 2}),
+    ("Roadrunner", {"size": 50, "stop_zone": 48}),
+    ("Study", {"total_days": 10**5, "lecture_days": 50_000, "n_actions": 1000}),
+    ("Catch", {"rows": 1000, "columns": 1000}),
+    ("MemoryCorridor", {"num_doors": 1000, "max_steps": 2**62}),
+    ("Tamagotchi", {"max_msg_length": 56, "vocab_size": 2}),
+    ("Tamagotchi", {"vocab_size": 2**31}),
+    ("Trashbot", {"n_bins": 2**31}),
+    ("Trashbot", {"n_bins": 100}),
+    ("Golf", {"width": 1001, "length": 1001}),
+    ("Golf", {"stochasticity_level": 1000}),
+    ("Golf", {"stochasticity_level": 1000, "width": 3, "length": 1001, "max_hits": 10**6}),
+]
+MOST_SHAPES, MOST_CHARACTERS = 2_000, 50_000
+
+
+@pytest.mark.parametrize(("name", "parameters"), LARGEST, ids=str)
+def test_pictures_of_large_tasks(name: str, parameters: dict[str, Any]) -> None:
+    """They have few enough shapes and characters to be drawn in much less than a second."""
+    env = make_environment(name, **parameters)
+    env.action_space.seed(0)
+    env.reset(seed=0)
+    for _ in range(5):
+        scene = env.scene()
+        assert len(scene.shapes) <= MOST_SHAPES
+        assert len(to_text(scene)) <= MOST_CHARACTERS
+        *_, terminated, truncated, _ = env.step(env.action_space.sample())
+        if terminated or truncated:
+            env.reset()
+
+
+def test_boulder_shows_the_climber_among_many_grips() -> None:
+    """The window of grips moves with the climber: the grip that it holds is in the picture."""
+    env = make_environment("Boulder", height=30, n_grips=1000)
+    env.reset(seed=0)
+    for _ in range(29):
+        env.step(env.info()["right_grip"])
+        scene = env.scene()
+        held = [shape for shape in scene.shapes if isinstance(shape, Circle) and shape.fill == STONE]
+        assert held
+        assert len(scene.shapes) < 2000
+
+
+@every_environment
+def test_huge_numbers(entry: Entry) -> None:
+    """A number of 5 000 digits is refused with a sentence that names the parameter; only seeds may be so large."""
+    for name in parameters_of(entry.load()):
+        if name != "layout_seed":
+            for huge in (10**5000, -(10**5000)):
+                with pytest.raises(ValueError, match=f"^{name} must be .*, but is (a whole number of .* bits|-?inf)"):
+                    entry.load()(**{name: huge})
+    if "layout_seed" in parameters_of(entry.load()):
+        assert entry.load()(layout_seed=10**5000)
+
+
+@every_environment
+def test_small_types(entry: Entry) -> None:
+    """NumPy's small types make the same task as Python's numbers."""
+    for name, default in parameters_of(entry.load()).items():
+        if type(default) is int and 0 < default <= 127:
+            kinds: tuple[Any, ...] = (np.int8, np.uint8, np.int64)
+        elif type(default) is float and default > 0:
+            kinds = (np.float64,)
+        else:
+            continue
+        plain = entry.load()(**{name: default}).mdp
+        for kind in kinds:
+            assert repr(entry.load()(**{name: kind(default)}).mdp) == repr(plain), name
+
+
+def test_whole_numbers_for_the_noise_of_study() -> None:
+    """A small unsigned number has no minus: the rewards are still from -5 to 0."""
+    rewards = make_environment("Study", action_reward_noise_mean=np.uint8(5), layout_seed=1).mdp.action_rewards
+    assert (rewards < 0).all()
+    assert (rewards >= -5).all()
+    assert (
+        rewards.tolist()
+        == make_environment("Study", action_reward_noise_mean=5, layout_seed=1).mdp.action_rewards.tolist()
+    )

@@ -1,0 +1,75 @@
+"""Observations written into an array, whatever form the task gives them."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+from gymnasium import spaces
+
+from edugym import make_mdp
+from edugym.envs.catch import CatchGrid
+from edugym.mdp.in_place import blank, in_place, writes_in_place
+
+TASKS: list[tuple[Any, Any]] = [
+    (make_mdp("Boulder"), np.int64),
+    (make_mdp("Golf"), np.int64),
+    (make_mdp("Trashbot"), np.float64),
+    (make_mdp("Catch"), np.float64),
+    (make_mdp("Catch", observation_type="rgb"), np.int64),
+]
+
+
+class Darker(CatchGrid):
+    """Overrides `observation` alone, so the inherited `observe_into` would show something else."""
+
+    __slots__ = ()
+
+    def observation(self, state: Any, rng: Any) -> Any:
+        """Half as bright."""
+        return super().observation(state, rng) / 2
+
+
+class Pair(NamedTuple):
+    """Observes two numbers as gymnasium's Tuple."""
+
+    observation_space: spaces.Space[Any] = spaces.Tuple((spaces.Discrete(3, start=1), spaces.Discrete(2)))
+
+    def initial(self, rng: Any) -> int:
+        """The only state."""
+        return 0
+
+    def observation(self, state: int, rng: Any) -> tuple[int, int]:
+        """The second of the first, the first of the second."""
+        return 2, 0
+
+
+@pytest.mark.parametrize(("mdp", "kind"), TASKS, ids=lambda part: getattr(part, "__name__", type(part).__name__))
+def test_what_is_written_is_what_is_observed(mdp: Any, kind: Any) -> None:
+    """In the right shape and kind of numbers, over what was there before."""
+    task, rng = in_place(mdp), np.random.default_rng(0)
+    out = blank(task)
+    assert out.dtype == kind
+    state = mdp.initial(rng)
+    for _ in range(3):
+        out[...] = 77
+        task.observe_into(state, rng, out)
+        assert np.array_equal(np.ravel(out), np.ravel(mdp.observation(state, rng)))
+        state = mdp.transition(state, mdp.action_space.sample(), rng)
+
+
+def test_a_subclass_that_overrides_observation_alone() -> None:
+    """What it observes is written, not what its parent does."""
+    darker: Any = Darker(4, 3)
+    assert writes_in_place(CatchGrid(4, 3))
+    assert not writes_in_place(darker)
+    task, out = in_place(darker), np.zeros((4, 3))
+    task.observe_into(darker.initial(np.random.default_rng(0)), None, out)
+    assert out.max() == 0.5
+
+
+def test_a_tuple_space_is_one_row() -> None:
+    """As in `Tabular`."""
+    task: Any = Pair()
+    out = blank(in_place(task))
+    in_place(task).observe_into(0, None, out)
+    assert out.tolist() == [2]
