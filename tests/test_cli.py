@@ -16,13 +16,13 @@ import pandas as pd
 import pytest
 from typer.testing import CliRunner, Result
 
-from edugym import Results
 from edugym.cli import app
 from edugym.plotting import Lines, Sheet
 from edugym.plotting.report import Report
 from edugym.registration import ENVIRONMENTS
 from edugym.results.claims import Above, Claim
 from edugym.results.statistics import Interval
+from edugym.training.checkpoints import CHECKPOINTS
 
 
 def run(*arguments: str) -> Result:
@@ -72,7 +72,8 @@ def test_reproduce_writes_and_says_what_holds(lesson: dict[str, Any], tmp_path: 
     result = run("reproduce", "made_up", "--output", str(tmp_path), "--repetitions", "7", "--seed", "3", "--jobs", "1")
     assert result.exit_code == 0, result.output
     assert (lesson["repetitions"], lesson["seed"], lesson["jobs"]) == (7, 3, 1)
-    assert lesson["folder"] == tmp_path / "made_up"
+    assert lesson["folder"] == tmp_path / "made_up.unfinished"
+    assert [path.name for path in tmp_path.iterdir()] == ["made_up"]
     assert sorted(path.name for path in (tmp_path / "made_up").iterdir()) == [
         "claims.csv",
         "picture.png",
@@ -128,22 +129,49 @@ def test_an_unwritable_folder_is_status_2(lesson: dict[str, Any], tmp_path: Path
     assert "folder" not in lesson
 
 
-def test_ctrl_c_is_status_130(lesson: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Whether the experiments heard of it, or it came between them."""
+def test_ctrl_c_is_status_130(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """No lesson follows the one that was interrupted."""
+    asked = []
 
-    def interrupted(**how: Any) -> Report:
-        how["stop"].set()
-        return Report([], [])
-
-    def between(**how: Any) -> Report:
+    def report(**how: Any) -> Report:
+        asked.append(how)
         raise KeyboardInterrupt
 
-    for report in (interrupted, between):
-        module = SimpleNamespace(report=report)
-        monkeypatch.setattr("edugym.cli.load_experiments", lambda name, module=module: module)
-        result = run("reproduce", "made_up", "--output", str(tmp_path))
-        assert result.exit_code == 130
-        assert f"interrupted; the data so far is in {tmp_path}" in result.output
+    monkeypatch.setattr("edugym.cli.load_experiments", lambda name: SimpleNamespace(report=report))
+    monkeypatch.setattr("edugym.cli.lesson_names", lambda: ["one", "two"])
+    result = run("reproduce", "--output", str(tmp_path))
+    assert result.exit_code == 130
+    assert f"interrupted; what is done is kept in {tmp_path}" in result.output
+    assert len(asked) == 1
+
+
+def test_an_unfinished_rerun_leaves_complete_results_as_they_are(
+    lesson: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It works in a folder of its own, in which only finished runs outlast it; a complete rerun takes the place."""
+
+    def contents() -> dict[str, bytes]:
+        return {path.name: path.read_bytes() for path in (tmp_path / "made_up").iterdir()}
+
+    arguments = ("reproduce", "made_up", "--output", str(tmp_path))
+    assert run(*arguments).exit_code == 0
+    complete, unfinished = contents(), tmp_path / "made_up.unfinished"
+
+    def full_disk(figure: Any, path: Path) -> None:
+        path.write_text("half a figure")
+        (unfinished / CHECKPOINTS).mkdir()
+        raise OSError("no space left")
+
+    lesson["shares"] = (0.95,)
+    with monkeypatch.context() as patched:
+        patched.setattr("edugym.plotting.save_figure", full_disk)
+        assert run(*arguments).exit_code != 0
+    assert contents() == complete
+    assert sorted(path.name for path in unfinished.iterdir()) == [CHECKPOINTS, "picture"]
+    assert run(*arguments).exit_code == 0
+    assert contents().keys() == complete.keys()
+    assert contents() != complete
+    assert not unfinished.exists()
 
 
 def test_a_parameter_is_set_once() -> None:
@@ -197,21 +225,40 @@ def test_without_ipywidgets_notebooks_say_what_to_install() -> None:
 
 
 @pytest.mark.slow
-def test_ctrl_c_writes_what_is_done(tmp_path: Path) -> None:
-    """The command itself, interrupted when its first file is there: it keeps that file, and says where it is."""
-    command = [sys.executable, "-c", "import signal; signal.signal(signal.SIGINT, signal.default_int_handler); "
-               "from edugym.cli import main; main()", "reproduce", "exploration", "--repetitions", "300"]  # fmt: skip
-    with subprocess.Popen(
-        [*command, "--output", str(tmp_path)], stderr=subprocess.PIPE, text=True, start_new_session=True
-    ) as child:
-        try:
-            first = tmp_path / "exploration" / "height_10.csv"
-            while not first.exists() and child.poll() is None:
-                threading.Event().wait(0.05)
-            os.killpg(child.pid, signal.SIGINT)
-            _, said = child.communicate(timeout=60)
-        finally:
-            child.kill()
-    assert child.returncode == 130, said
-    assert f"interrupted; the data so far is in {tmp_path}" in said
-    assert Results.load(first).complete
+def test_the_same_command_goes_on(tmp_path: Path) -> None:
+    """Interrupted, killed, and then left to its end, it writes the files of one that was never disturbed."""
+    code = """
+import signal
+from edugym.cli import main
+from edugym.lessons import exploration
+
+exploration.HEIGHTS, exploration.N_STEPS, exploration.RANDOM_SEARCH = (3, 4), 2_000, ((2, 4),)
+exploration.compare.__kwdefaults__["n_steps"] = 2_000
+signal.signal(signal.SIGINT, signal.default_int_handler)
+main()
+"""
+
+    def command(output: str) -> subprocess.Popen[str]:
+        arguments = ["reproduce", "exploration", "--repetitions", "8", "--output", str(tmp_path / output)]
+        return subprocess.Popen([sys.executable, "-c", code, *arguments], stderr=subprocess.PIPE, text=True)
+
+    unfinished = tmp_path / "b" / "exploration.unfinished"
+    for number, runs in ((signal.SIGINT, 5), (signal.SIGKILL, 30)):
+        with command("b") as child:
+            while len(list(unfinished.glob("checkpoints/*.run"))) < runs and child.poll() is None:
+                threading.Event().wait(0.01)
+            child.send_signal(number)
+            assert child.stderr is not None
+            said = child.stderr.read()
+        if number == signal.SIGINT:
+            assert child.returncode == 130, said
+            assert f"interrupted; what is done is kept in {tmp_path / 'b'}" in said
+    for output in ("a", "b"):
+        with command(output) as child:
+            child.communicate(timeout=120)
+        assert child.returncode in (0, 1)
+        assert [path.name for path in (tmp_path / output).iterdir()] == ["exploration"]
+    one, other = (
+        {path.name: path.read_bytes() for path in (tmp_path / output / "exploration").iterdir()} for output in "ab"
+    )
+    assert one == other

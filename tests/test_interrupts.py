@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from edugym.interrupts import Interrupted, Stopped, Work, interruptibly
+from edugym.interrupts import Interrupted, Stopped, Work, held, interruptibly
 
 SCRIPT = """
 import os, signal, sys, threading
@@ -123,6 +123,19 @@ def test_it_comes_at_the_end_at_the_latest(came: list[int]) -> None:
     with pytest.raises(OSError, match="on the way"):
         fail()
     assert came == [signal.SIGINT]
+
+
+def test_it_waits_for_a_block_of_machine_code(came: list[int]) -> None:
+    """Inside a work it comes when the work looks; without one nothing waits."""
+    with Work() as work:
+        with held():
+            ctrl_c()
+        assert came == []
+        work.stopped()
+        assert came == [signal.SIGINT]
+    with held():
+        ctrl_c()
+        assert came == [signal.SIGINT] * 2
 
 
 def test_it_comes_at_once_in_python(came: list[int]) -> None:
@@ -239,13 +252,7 @@ def test_what_cannot_be_interrupted_is_waited_for_interruptibly() -> None:
 
 def test_a_notebook_shows_one_line() -> None:
     """In place of a traceback; what is done is collected when somebody asks."""
-    collected: list[int] = []
-
-    def collect() -> int:
-        collected.append(1)
-        return 5
-
-    interrupted = Interrupted("after 3 of 7 steps", collect)
+    numbers = iter((5, 6))
+    interrupted = Interrupted("after 3 of 7 steps", lambda: next(numbers))
     assert interrupted._render_traceback_() == ["Interrupted: after 3 of 7 steps"]
-    assert not collected
-    assert (interrupted.partial, interrupted.partial, collected) == (5, 5, [1])
+    assert (interrupted.partial, interrupted.partial, next(numbers)) == (5, 5, 6)

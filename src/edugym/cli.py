@@ -175,7 +175,8 @@ def _reproduce(lesson: str, folder: Path, how: dict[str, Any], work: Work) -> bo
         KeyboardInterrupt: Ctrl-C was pressed.
     """
     unfinished = folder.with_name(f"{folder.name}.unfinished")
-    _remove(unfinished, keep=CHECKPOINTS)
+    unfinished.mkdir(parents=True, exist_ok=True)
+    _clear(unfinished, keep=CHECKPOINTS)
     experiments = interruptibly(load_experiments, lesson)
     with warnings.catch_warnings(record=True) as warned:
         warnings.simplefilter("always")
@@ -198,9 +199,9 @@ def _reproduce(lesson: str, folder: Path, how: dict[str, Any], work: Work) -> bo
     return all(claim.holds for claim in report.claims)
 
 
-def _remove(folder: Path, keep: str) -> None:
+def _clear(folder: Path, keep: str) -> None:
     """Remove what an unfinished command has left, except one folder."""
-    for path in folder.iterdir() if folder.exists() else ():
+    for path in folder.iterdir():
         if path.name == keep:
             continue
         if path.is_dir() and not path.is_symlink():

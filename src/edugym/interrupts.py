@@ -224,6 +224,24 @@ def _press() -> None:
         press()
 
 
+@contextmanager
+def held() -> Iterator[None]:
+    """Let signals wait while machine code runs in this block, if a work is under way in this thread.
+
+    They wait until the work asks `stopped` or ends: an error that a handler raises is none of the machine code's.
+    """
+    work: Work | None = getattr(_current, "work", None)
+    if work is None:
+        yield
+        return
+    before = work._held
+    work.hold(machine_code=True)
+    try:
+        yield
+    finally:
+        work.hold(before)
+
+
 def interruptibly(function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
     """Call a function in a thread, and wait for it such that a signal handler or an order to stop ends the waiting.
 

@@ -17,6 +17,7 @@ from edugym.compiled.code import LIBRARIES, Code
 from edugym.compiled.compiler import CompilationError, NoCompiler, check_compiler, compiled, is_built, is_on_disk
 from edugym.compiled.copies import Snapshot, copied, difference
 from edugym.compiled.subset import refusal
+from edugym.interrupts import held
 
 Loop = Callable[..., Any]
 
@@ -88,7 +89,8 @@ def _machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, rehearsed:
     fast = compiled(loop, rehearsed, *arguments, code=code)
     shadow = copied(arguments)
     try:
-        shadowed = fast(rehearsed, *shadow)
+        with held():
+            shadowed = fast(rehearsed, *shadow)
     except Exception as error:
         raise CompilationError(f"machine code stops where Python goes on ({_said(error)})") from error
     found = difference((result, rehearsal), (shadowed, shadow), "the result")

@@ -6,7 +6,7 @@ from typing import Any
 
 
 class NoBar:
-    """What takes the place of a progress bar that is not shown."""
+    """A progress bar that is not shown."""
 
     def update(self, n: int) -> None:
         """Do nothing."""
@@ -14,7 +14,7 @@ class NoBar:
 
 @contextmanager
 def progress_bar(total: int, unit: str, *, shown: bool) -> Iterator[Any]:
-    """A tqdm bar with `update(n)`, in the terminal or the notebook; closed at the end.
+    """Yield a tqdm bar with `update(n)`, in the terminal or the notebook, and close it at the end.
 
     Raises:
         ModuleNotFoundError: tqdm is not installed.

@@ -85,15 +85,15 @@ def repeat(
             `lambda environment: QLearning.create(environment, discount=0.9)`. Each run gets a copy, so that runs share
             nothing.
         n_steps: the training steps of each run, 1 or more.
-        repetitions: how many runs each method gets, 1 or more.
-        seed: from which the seeds of all repetitions are spawned, 0 or more.
+        repetitions: the number of runs of each method, 1 or more.
+        seed: the number from which the seeds of all repetitions are spawned, 0 or more.
         parameters: those of an environment that is given by name.
-        max_steps: after how many steps an episode is truncated, as in `train`.
-        evaluate_every: steps between two points of the curve, as in `train`.
-        evaluation_episodes: episodes a point, as in `train`.
-        jobs: how many runs at a time, at most 1000, in threads, which machine code keeps busy; -1 is one for each core,
-            and None is what `joblib.parallel_config` says. That function also chooses other back ends: processes for
-            tasks that run in the interpreter, `joblib.parallel_config(backend="loky")`, or a cluster: see
+        max_steps: the step at which an episode is truncated, as in `train`.
+        evaluate_every: the steps between two points of the curve, as in `train`.
+        evaluation_episodes: the episodes of each point, as in `train`.
+        jobs: the number of runs at a time, 1 to 1000, in threads, which machine code keeps busy; -1 is one for each
+            core, and None is what `joblib.parallel_config` says. That function also chooses other back ends: processes
+            for tasks that run in the interpreter, `joblib.parallel_config(backend="loky")`, or a cluster: see
             docs/clusters.md.
         progress: whether to show a progress bar, which moves when a run is done.
         save_to: a CSV file for the results. It is written, with a JSON file beside it (see `Results.save`), when all

@@ -20,15 +20,15 @@ class Run:
     """What one training run produced.
 
     Attributes:
-        steps: shape (n_points,): after how many training steps each point of the curve was measured, the first at 0.
+        steps: shape (n_points,): the training steps before each point of the curve; the first is 0.
         returns: shape (n_points,): the mean undiscounted return of the evaluation episodes, played without exploring.
         training_returns: shape (n_points,): the mean undiscounted return of the training episodes that ended since the
             point before, exploring steps included; NaN where none ended.
-        episodes: shape (n_points,): how many training episodes ended since the point before.
-        agent: the trained agent: the one that was given, whose tables have changed in place.
+        episodes: shape (n_points,): the number of training episodes that ended since the point before.
+        agent: the agent that was given; training changed its tables in place.
         seed: the seed from which every random stream of this run comes.
-        seconds: how long it took.
-        complete: False when it was stopped before its last step.
+        seconds: the time it took.
+        complete: False if it was stopped before its last point.
     """
 
     steps: Integers
@@ -64,12 +64,12 @@ def train(
     Args:
         environment: an MDP, a Gymnasium environment, or the name or id of one.
         agent: an agent for it; its tables are changed in place.
-        n_steps: how many training steps to take, 1 or more.
-        max_steps: after how many steps an episode is truncated; by default the environment's own limit, if it has one.
-        evaluate_every: steps between two points of the curve; by default a hundredth of `n_steps`.
-        evaluation_episodes: how many episodes each point averages, played with `agent.greedy` (or `act` without one) on
-            random streams of their own, so that evaluating changes nothing in the training.
-        seed: the same seed gives the same run, bit for bit.
+        n_steps: the number of training steps, 1 or more.
+        max_steps: the step at which an episode is truncated; by default the environment's own limit, if it has one.
+        evaluate_every: the steps between two points of the curve; by default a hundredth of `n_steps`.
+        evaluation_episodes: the number of episodes that each point averages. They are played with `agent.greedy` (or
+            `act` without one) on random streams of their own, so that evaluating changes nothing in the training.
+        seed: the seed of all random streams: the same one gives the same run, bit for bit.
         progress: whether to show a progress bar.
         stop: a `threading.Event`. When it is set, the run ends and what is done is returned.
 

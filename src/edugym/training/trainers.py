@@ -32,7 +32,7 @@ FIRST_STEPS = 50
 """How many steps the first call takes, when it is not known how long a step takes."""
 NO_LIMIT = 2**62
 EVALUATION_LIMIT = 1_000
-"""How long an evaluation episode may take where the task has no step limit: a greedy policy may never get anywhere."""
+"""The step limit of an evaluation episode where the task has none: a greedy policy may never get anywhere."""
 
 
 class Trainer(Protocol):
@@ -52,21 +52,21 @@ class Trainer(Protocol):
         """Take training steps, as many as take about `CALL_SECONDS`; return their number."""
 
     def play_episode(self) -> float:
-        """Play an episode without learning, as the agent believes best; its undiscounted return."""
+        """Play an episode without learning, as the agent believes best; return its undiscounted return."""
 
 
 def trainer(environment: Any, agent: Any, seed: int, max_steps: int | None, expected: int) -> Trainer:
-    """The trainer for an environment and an agent.
+    """Return the trainer for an environment and an agent.
 
     Args:
         environment: an MDP, a Gymnasium environment, or the name or id of one.
         agent: an agent for it.
         seed: from which the random streams of environment, agent and evaluation are spawned.
-        max_steps: after how many steps an episode is truncated; None for the environment's own limit.
-        expected: how many steps there will be in all: fewer than some thousands are not worth compiling.
+        max_steps: the step at which an episode is truncated; None for the environment's own limit.
+        expected: the number of steps in all; fewer than some thousands are not worth compiling.
 
     Raises:
-        ValueError: the environment or the agent is none, or they do not fit each other.
+        ValueError: one is no environment or no agent, or they do not fit each other.
     """
     agent = coerced(agent)
     task = coerced(_task(environment, agent))
@@ -102,13 +102,13 @@ class MDPTrainer:
         return n_steps
 
     def play_episode(self) -> float:
-        """Play an episode without learning, as the agent believes best; its undiscounted return."""
+        """Play an episode without learning, as the agent believes best; return its undiscounted return."""
         evaluation = self._evaluation()
         self._play(1, *evaluation)
         return float(evaluation[-1][0])
 
     def _evaluation(self) -> tuple[Any, ...]:
-        """What `play_episodes` takes, less the number of episodes; the last is where it writes the return."""
+        """Return the arguments of `play_episodes` after the number of episodes; it writes the return into the last."""
         limit, evaluation_rng, actor_rng = self._evaluation_limit, self._evaluation_rng, self._actor_rng
         playing = self._playing
         return playing.mdp, playing.of(actor(self.agent)), limit, evaluation_rng, actor_rng, np.zeros(1)
@@ -143,7 +143,7 @@ class GymnasiumTrainer:
         return n_steps
 
     def play_episode(self) -> float:
-        """Play an episode without learning, as the agent believes best; its undiscounted return."""
+        """Play an episode without learning, as the agent believes best; return its undiscounted return."""
         limit, rng = self._limit or EVALUATION_LIMIT, self._evaluation_rng
         return gymnasium_loops.play_episode(
             self._evaluated, self._actor or actor(self.agent), limit, rng, self._actor_rng
@@ -170,17 +170,17 @@ class Pace:
 
 
 def streams(seed: int) -> list[np.random.Generator]:
-    """The random streams of environment, agent, evaluation and the agent while it is evaluated."""
+    """Return the random streams of environment, agent, evaluation, and of the agent while it is evaluated."""
     return [np.random.default_rng(child) for child in np.random.SeedSequence(seed).spawn(4)]
 
 
 def new_log() -> Log:
-    """A log of no episodes."""
+    """Return a log of no episodes."""
     return Log(np.zeros(1), np.zeros(1, np.int64))
 
 
 def _task(environment: Any, agent: Any) -> Any:
-    """The MDP behind an environment, if there is one and nothing changes it; else the Gymnasium environment."""
+    """Return the MDP behind an environment, if there is one and no wrapper changes it; else the environment."""
     if isinstance(environment, str):
         environment = gymnasium.make(full_id(environment))
     if isinstance(environment, type) or not hasattr(environment, "observation_space"):
@@ -214,7 +214,7 @@ def _check_table(agent: Any, environment: Any) -> None:
 
 
 def _step_limit(task: Any) -> int | None:
-    """The step limit of an MDP or Gymnasium environment, as far as it is known."""
+    """Return the step limit of an MDP or Gymnasium environment, or None if it is unknown or there is none."""
     if not isinstance(task, gymnasium.Env):
         return step_limit(task)
     if isinstance(task.unwrapped, MDPEnv):
