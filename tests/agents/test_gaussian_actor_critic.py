@@ -26,7 +26,7 @@ CASES = {"GaussianActorCritic": Case(GaussianActorCritic, small, real_actions=Tr
 def test_update(terminated: bool, error: float) -> None:
     """W = (1, 2, 1), S = (2, 0), S' = (0, 3), a constant of 1; μ(S) = (0.5, 0), drawn (0.9, -0.2), σ = 0.4."""
     agent = GaussianActorCritic.create(
-        (2, 2), features=Identity.create((2, 2)), learning_rate=0.1, value_learning_rate=0.2, discount=0.5
+        (2, 2), features=Identity.create((2, 2)), learning_rate=0.1, value_learning_rate=0.2, discount=0.5, spread=0.4
     )
     agent.value_weights[:, 0] = [1, 2, 1]
     agent.weights[:, 0] = [0.25, 7, 0]
@@ -90,6 +90,6 @@ def returns_in_trashbot(learning_rate: float, seed: int) -> float:
 
 
 def test_it_learns_continuous_trashbot() -> None:
-    """It delivers the box (3 or more) in most runs; without learning it never does."""
+    """It delivers the box (3 or more) in at least 8 of 10 runs (20 of 20 in a trial); without learning it never does."""
     assert sum(returns_in_trashbot(0.01, seed) > 3 for seed in range(10)) >= 8
     assert max(returns_in_trashbot(5e-324, seed) for seed in range(3)) < 3

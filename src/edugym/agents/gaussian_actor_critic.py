@@ -24,7 +24,7 @@ class GaussianActorCritic(NamedTuple):
         θ_k <- θ_k + α^θ δ (A_k - μ_k(S)) / σ² x(S)
 
     The environment gets the action cut off at the bounds of the action space; the agent learns from what it drew. (For
-    a task with actions from -1 to 1, σ = 0.4 is a wide spread.)
+    a task with actions from -1 to 1, σ = 0.5 is a wide spread.)
 
     Attributes:
         weights: shape (n_features, n_actions): θ, the actor.
@@ -52,10 +52,10 @@ class GaussianActorCritic(NamedTuple):
     low: Annotated[Reals, Table(("actions",), fill=-1.0)]
     high: Annotated[Reals, Table(("actions",), fill=1.0)]
     features: Features
-    learning_rate: LearningRate = 0.02
+    learning_rate: LearningRate = 0.01
     value_learning_rate: LearningRate = 0.2
     discount: Discount = 0.99
-    spread: Annotated[float, Range(0, open=True)] = 0.4
+    spread: Annotated[float, Range(0, open=True)] = 0.5
 
     def learn(self, state: Any, reward: float, next_state: Any, terminated: bool) -> None:
         """Judge the step, and move the mean towards the action drawn, or away from it."""

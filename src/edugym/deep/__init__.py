@@ -3,6 +3,7 @@
 They come with the extra `deep`: `pip install "edugym[deep]"`.
 """
 
+import importlib
 from typing import TYPE_CHECKING, Any
 
 from gymnasium.error import DependencyNotInstalled
@@ -12,6 +13,8 @@ from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.registration import make_environment
 
 if TYPE_CHECKING:
+    from edugym.deep.baselines import stable_baselines3_run as stable_baselines3_run
+    from edugym.deep.ppo import PPO as PPO
     from edugym.deep.vec_env import MDPVecEnv
 
 
@@ -57,3 +60,14 @@ def stable_baselines3_env(
     if num_envs not in (None, environment.num_envs):
         raise ValueError(f"num_envs must be {environment.num_envs}, as the vector environment has, but is {num_envs!r}")
     return MDPVecEnv(environment)
+
+
+def __getattr__(name: str) -> Any:
+    """Load what needs torch when it is first used."""
+    homes = {"PPO": "edugym.deep.ppo", "stable_baselines3_run": "edugym.deep.baselines"}
+    if name not in homes:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    try:
+        return getattr(importlib.import_module(homes[name]), name)
+    except ImportError as error:
+        raise DependencyNotInstalled('Stable-Baselines3 or torch is missing: pip install "edugym[deep]"') from error

@@ -1,0 +1,109 @@
+"""Agents of Stable-Baselines3 on our vector environments, with the learning curve that `edugym.train` gives."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import stable_baselines3
+from stable_baselines3.common.callbacks import BaseCallback
+
+from edugym.checks import one_of, whole_number
+from edugym.deep import stable_baselines3_env
+from edugym.deep.curves import Curve, Policy, one_thread
+from edugym.training.train import Run
+
+ALGORITHMS = ("DQN", "PPO", "A2C", "RecurrentPPO")
+
+
+def stable_baselines3_run(
+    environment: Any,
+    algorithm: str,
+    n_steps: int,
+    /,
+    *,
+    num_envs: int = 8,
+    policy: str | None = None,
+    parameters: Mapping[str, Any] | None = None,
+    evaluate_every: int | None = None,
+    evaluation_episodes: int = 100,
+    seed: int = 0,
+    **settings: Any,
+) -> Run:
+    """Train an agent of Stable-Baselines3 (or sb3-contrib), in one thread of torch.
+
+        stable_baselines3_run("Catch", "PPO", 20_000, num_envs=64, n_steps=32, batch_size=512, learning_rate=2e-3)
+
+    Args:
+        environment: the name or id of one of our environments, or an `MDPEnv`.
+        algorithm: "DQN", "PPO", "A2C", or "RecurrentPPO", which remembers what it has seen.
+        n_steps: how many steps to take in all copies together; algorithms that play whole rounds complete the last one.
+            (A setting `n_steps` of the algorithm, the length of such a round, can be given by its name.)
+        num_envs: how many copies play, 1 or more.
+        policy: by default "MlpPolicy", or "MlpLstmPolicy" for "RecurrentPPO".
+        parameters: those of an environment that is given by name.
+        evaluate_every: steps between two points of the curve; by default a tenth of `n_steps`.
+        evaluation_episodes: how many episodes each point averages, played by the likeliest actions.
+        seed: the same seed gives the same run.
+        **settings: those of the algorithm.
+
+    Returns:
+        As `edugym.train`; its `agent` is the one of Stable-Baselines3.
+
+    Raises:
+        ValueError: a parameter is not as above.
+        gymnasium.error.DependencyNotInstalled: sb3-contrib is missing.
+    """
+    one_of("algorithm", algorithm, ALGORITHMS)
+    whole_number("n_steps", n_steps, 1)
+    whole_number("seed", seed, 0)
+    recurrent = algorithm == "RecurrentPPO"
+    with one_thread():
+        envs = stable_baselines3_env(environment, num_envs, **(parameters or {}))
+        model = _class(algorithm)(
+            policy or ("MlpLstmPolicy" if recurrent else "MlpPolicy"), envs, seed=seed, device="cpu", **settings
+        )
+        every = evaluate_every or max(1, n_steps // 10)
+        curve = Curve(
+            environment, parameters or {}, lambda: _policy(model, recurrent), every, evaluation_episodes, seed
+        )
+        curve.measure(0)
+        model.learn(n_steps, callback=_Watch(curve))
+        return curve.run(model, model.num_timesteps, seed)
+
+
+def _class(algorithm: str) -> Any:
+    """The class of an algorithm."""
+    if algorithm != "RecurrentPPO":
+        return getattr(stable_baselines3, algorithm)
+    from edugym.extras import require
+
+    require("deep", "sb3_contrib")
+    import sb3_contrib
+
+    return sb3_contrib.RecurrentPPO
+
+
+def _policy(model: Any, recurrent: bool) -> Policy:
+    """What the model does, with a memory that starts empty."""
+    memory = None
+
+    def policy(observations: Any, first: Any) -> Any:
+        nonlocal memory
+        if not recurrent:
+            return model.predict(observations, deterministic=True)[0]
+        actions, memory = model.predict(observations, state=memory, episode_start=first, deterministic=True)
+        return actions
+
+    return policy
+
+
+class _Watch(BaseCallback):
+    """Takes note of every step for the curve."""
+
+    def __init__(self, curve: Curve) -> None:
+        super().__init__()
+        self._curve = curve
+
+    def _on_step(self) -> bool:
+        self._curve.add(self.num_timesteps, np.asarray(self.locals["rewards"], float), np.asarray(self.locals["dones"]))
+        return True

@@ -1,0 +1,57 @@
+"""Agents of Stable-Baselines3 with our learning curves."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+import torch
+
+from edugym.deep import stable_baselines3_run
+from edugym.training.train import Run
+
+FEW: dict[str, dict[str, Any]] = {
+    "DQN": {"learning_starts": 10, "buffer_size": 100},
+    "PPO": {"n_steps": 8, "batch_size": 16, "n_epochs": 1},
+    "A2C": {"n_steps": 4},
+    "RecurrentPPO": {"n_steps": 8, "batch_size": 16, "n_epochs": 1, "policy_kwargs": {"lstm_hidden_size": 8}},
+}
+
+
+@pytest.mark.parametrize("algorithm", FEW)
+def test_every_algorithm_gives_a_run(algorithm: str) -> None:
+    """With points where they are due, and again with the same seed; torch has the threads that it had."""
+    threads = torch.get_num_threads()
+    arguments: dict[str, Any] = {"num_envs": 4, "evaluate_every": 32, "evaluation_episodes": 3, **FEW[algorithm]}
+    runs = [stable_baselines3_run("Catch", algorithm, 96, seed=seed, **arguments) for seed in (3, 3)]
+    assert isinstance(runs[0], Run)
+    assert runs[0].steps.tolist() == [0, 32, 64, 96]
+    assert runs[0].complete
+    assert runs[0].episodes.sum() == 96 // 9 // 4 * 4  # an episode in each of four copies takes nine steps
+    assert np.array_equal(runs[0].returns, runs[1].returns)
+    assert np.array_equal(runs[0].training_returns, runs[1].training_returns, equal_nan=True)
+    assert set(np.unique(runs[0].returns * 3)) <= {-3.0, -1.0, 1.0, 3.0}
+    assert torch.get_num_threads() == threads
+
+
+def test_parameters_and_own_policies() -> None:
+    """Those of the environment reach training and evaluation."""
+    run = stable_baselines3_run(
+        "Trashbot", "A2C", 8, num_envs=2, parameters={"n_bins": 3}, evaluation_episodes=1, policy="MlpPolicy"
+    )
+    assert run.agent.action_space.nvec.tolist() == [3, 3]
+
+
+def test_what_is_wrong_is_refused() -> None:
+    """Other algorithms, no steps."""
+    with pytest.raises(ValueError, match="algorithm must be one of 'DQN', 'PPO', 'A2C', 'RecurrentPPO', but is 'SAC'"):
+        stable_baselines3_run("Catch", "SAC", 100)
+    with pytest.raises(ValueError, match="n_steps must be 1 or more, but is 0"):
+        stable_baselines3_run("Catch", "PPO", 0)
+
+
+def test_it_learns_catch() -> None:
+    """PPO, nearly every ball in 20 000 steps; with hardly any learning, few."""
+    settings: dict[str, Any] = {"num_envs": 64, "n_steps": 32, "batch_size": 512}
+    run = stable_baselines3_run("Catch", "PPO", 20_000, learning_rate=2e-3, **settings)
+    assert run.returns.max() > 0.95
+    assert stable_baselines3_run("Catch", "PPO", 4_000, learning_rate=1e-12, **settings).returns[-1] < 0.5

@@ -1,0 +1,169 @@
+"""PPO: its estimates and objective by hand, every kind of space, and what it learns."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+import torch
+from gymnasium import spaces
+from torch import Tensor
+
+from edugym import make_environment
+from edugym.deep import PPO
+from edugym.deep.ppo import ActorCritic, advantages_of, clipped_gain, normalised
+
+
+def test_advantages_by_hand() -> None:
+    """Two copies, three steps, γ = 1/2, λ = 1/2; the second copy's episode ends with the second step.
+
+    First copy, V = (1, 2, 4, 8), R = (1, 0, 2): δ = (1 + 1 - 1, 0 + 2 - 2, 2 + 4 - 4) = (1, 0, 2), and Â = (1 + Â₁/4,
+    0 + 2/4, 2) = (1.125, 0.5, 2). Second, the same numbers: δ₁ = 0 - 2 = -2 and nothing comes after: Â = (0.5, -2, 2).
+    """
+    V = torch.tensor([[1.0, 1], [2, 2], [4, 4], [8, 8]])
+    rewards = torch.tensor([[1.0, 1], [0, 0], [2, 2]])
+    going_on = torch.tensor([[1.0, 1], [1, 0], [1, 1]])
+    assert advantages_of(rewards, going_on, V, 0.5, 0.5).T.tolist() == [[1.125, 0.5, 2.0], [0.5, -2.0, 2.0]]
+
+
+@pytest.mark.parametrize(
+    ("ratio", "advantage", "gain", "slope"),
+    [
+        (1.1, 2.0, 2.2, 2.0),
+        (1.5, 2.0, 2.4, 0.0),  # good and likelier already: cut off at 1.2, nothing more to gain
+        (0.5, 2.0, 1.0, 2.0),
+        (0.5, -2.0, -1.6, 0.0),  # bad and rarer already
+        (1.5, -2.0, -3.0, -2.0),
+    ],
+)
+def test_the_objective_by_hand(ratio: float, advantage: float, gain: float, slope: float) -> None:
+    """Equation 7 with ε = 0.2, and its derivative by the ratio: figure 1 of the paper."""
+    r = torch.tensor(ratio, requires_grad=True)
+    value = clipped_gain(r, torch.tensor(advantage), 0.2)
+    value.backward()  # type: ignore[no-untyped-call]
+    assert float(value.detach()) == pytest.approx(gain)
+    assert isinstance(r.grad, Tensor)
+    assert float(r.grad) == pytest.approx(slope)
+
+
+def test_normalised() -> None:
+    """(1, 3) have mean 2 and deviation 1; equal numbers become 0."""
+    assert normalised(torch.tensor([1.0, 3.0])).tolist() == pytest.approx([-1.0, 1.0])
+    assert normalised(torch.tensor([5.0, 5.0])).tolist() == [0.0, 0.0]
+
+
+def test_what_it_sees() -> None:
+    """Whole numbers as ones and zeros, one after the other; colours as shares of 255; unbounded numbers as they are."""
+    discrete = spaces.Discrete(2)
+    several = ActorCritic(spaces.MultiDiscrete([2, 3]), discrete, 4)
+    assert several.numbers(np.array([[0, 2], [1, 0]])).tolist() == [[1, 0, 0, 0, 1], [0, 1, 1, 0, 0]]
+    assert ActorCritic(spaces.Discrete(3, start=5), discrete, 4).numbers(np.array([6])).tolist() == [[0, 1, 0]]
+    image = ActorCritic(spaces.Box(0, 255, (1, 2), np.uint8), discrete, 4)
+    assert image.numbers(np.array([[[255, 51]]], np.uint8)).tolist() == [pytest.approx([1.0, 0.2])]
+    wide = ActorCritic(spaces.Box(-np.inf, np.inf, (1,), np.float32), discrete, 4)
+    assert wide.numbers(np.array([[3.0]], np.float32)).tolist() == [[3.0]]
+
+
+@pytest.mark.parametrize(
+    "actions",
+    [
+        spaces.Discrete(3, start=2),
+        spaces.MultiDiscrete([2, 4]),
+        spaces.Box(np.array([-1, 0], np.float32), np.array([1, 5], np.float32)),
+    ],
+)
+def test_every_kind_of_action(actions: spaces.Space[Any]) -> None:
+    """Samples are in the space once they are given, and the logarithm of a probability has one number for each."""
+    torch.manual_seed(0)
+    net = ActorCritic(spaces.Discrete(2), actions, 4)
+    policy = net.policy(net.numbers(np.zeros(50, np.int64)))
+    drawn = policy.sample()
+    assert policy.log_prob(drawn).shape == policy.entropy().shape == (50,)
+    given = net.given(drawn)
+    assert all(actions.contains(action) for action in given)
+    if not isinstance(actions, spaces.Box):
+        assert len({str(action) for action in given}) == (3 if isinstance(actions, spaces.Discrete) else 8)
+
+
+def test_actions_of_another_kind_are_refused() -> None:
+    """The message names the space."""
+    with pytest.raises(
+        ValueError, match="PPO needs actions that are whole numbers or vectors, but the action space is"
+    ):
+        ActorCritic(spaces.Discrete(2), spaces.MultiBinary(3), 4)
+
+
+def test_a_truncated_episode_is_worth_its_last_state() -> None:
+    """Boulder is cut off after 3 steps: their advantages are those of going on, since V of the last state is added."""
+    ppo = PPO.create("Boulder", {"height": 30, "max_steps": 3}, num_envs=2, length=3, discount=0.5, trace_decay=0.0)
+    from edugym.deep.curves import Curve, copies
+
+    env = copies("Boulder", 2, ppo.parameters)
+    net = ActorCritic(env.single_observation_space, env.single_action_space, 4)
+    with torch.no_grad():
+        for weights in net.critic.parameters():
+            weights.zero_()
+        net.critic[-1].bias.fill_(4.0)  # V is 4 everywhere
+    curve = Curve("Boulder", ppo.parameters, lambda: net.greedy, 100, 1, 0)
+    curve.measure(0)
+    data, _ = ppo.play(env, net, env.reset(seed=0)[0], curve, 0)
+    advantages = data[3].reshape(3, 2)
+    assert advantages.flatten().tolist() == [-2.0] * 6  # 0 + 4/2 - 4, also at the cut
+
+
+@pytest.mark.parametrize("name", ["Catch", "Trashbot", "Boulder", "Tamagotchi", "Pendulum-v1"])
+def test_it_runs_everywhere_and_repeats(name: str) -> None:
+    """Every kind of observation and action: the same seed gives the same run, another one another."""
+    ppo = PPO.create(name, num_envs=4, length=8, hidden=8, epochs=2)
+    runs = [ppo.train(96, seed=seed, evaluate_every=32, evaluation_episodes=2) for seed in (1, 1, 2)]
+    assert runs[0].steps.tolist() == [0, 32, 64, 96]
+    weights = [run.agent.actor[0].weight for run in runs]
+    assert torch.equal(weights[0], weights[1])
+    assert not torch.equal(weights[0], weights[2])
+    assert np.array_equal(runs[0].returns, runs[1].returns)
+    assert torch.get_num_threads() >= 1
+
+
+@pytest.mark.parametrize(
+    ("setting", "value"),
+    [("num_envs", 0), ("epochs", 1.5), ("learning_rate", 0), ("discount", 1.1), ("clip", 0), ("entropy_bonus", -1)],
+)
+def test_settings_out_of_range_are_refused(setting: str, value: float) -> None:
+    """The message names them."""
+    with pytest.raises(ValueError, match=f"{setting} must be .*, but is {value!r}"):
+        PPO.create("Catch", **{setting: value})
+
+
+def test_other_wrong_arguments_are_refused() -> None:
+    """Too few steps for an update, and no environment."""
+    with pytest.raises(ValueError, match="n_steps must be 2048 or more, but is 100"):
+        PPO.create("Catch").train(100)
+    with pytest.raises(ValueError, match="environment must be"):
+        PPO.create(None)
+    with pytest.raises(ValueError, match="has no parameter 'colour'"):
+        PPO.create("Catch", {"colour": "red"})
+
+
+def test_it_learns_catch() -> None:
+    """Nearly every ball, from the grid, in 30 000 steps; with hardly any learning, few."""
+    assert min(PPO.create("Catch").train(30_000, seed=seed).returns[-1] for seed in range(3)) > 0.95
+    assert PPO.create("Catch", learning_rate=1e-12).train(10_000).returns[-1] < 0.5
+
+
+@pytest.mark.slow
+def test_it_learns_cart_pole() -> None:
+    """To 475 of 500 in 100 000 steps, in an environment of Gymnasium's."""
+    run = PPO.create("CartPole-v1", num_envs=8, length=128).train(100_000, evaluation_episodes=20)
+    assert run.returns.max() > 475
+
+
+@pytest.mark.slow
+def test_it_learns_trashbot_in_bins() -> None:
+    """Two whole numbers at a time: with 3 bins it delivers the box (a return of 3 or more)."""
+    ppo = PPO.create("Trashbot", {"n_bins": 3}, num_envs=256, length=64, minibatches=8, epochs=6, discount=0.999)
+    assert ppo.train(400_000, evaluation_episodes=1).returns.max() > 3
+
+
+def test_an_environment_of_ones_own() -> None:
+    """An `MDPEnv` will do as well as a name."""
+    ppo = PPO.create(make_environment("Catch", rows=5), num_envs=4, length=8)
+    assert ppo.train(32, evaluate_every=20, evaluation_episodes=2).steps.tolist() == [0, 20, 32]
