@@ -1,0 +1,469 @@
+"""The amount of signal (lesson 6): what a toy says about its need, and how much of it players and Q-learning use.
+
+On Tamagotchi, Q-learning trains with learning rate 0.02, discount 0.5 and ε-greedy exploration with ε = 0.1 for 400 000
+steps, and for 3 million where messages have four words. 10 repetitions; the seeds are the same in every
+condition. Each point of a learning curve is the mean of 20 greedy evaluation episodes. Players without a table are
+evaluated for 200 episodes a repetition. Returns are undiscounted.
+
+The dashed line is the optimum of 6706.85, which planning with the whole state gives (as a test of the environment
+shows); the states with their messages are too many for `finite_model`. No policy that sees only the message can do
+better, and with noise none can do as well.
+"""
+
+import math
+import threading
+from collections.abc import Mapping
+from functools import partial
+from itertools import combinations_with_replacement
+from pathlib import Path
+from typing import Annotated, Any, NamedTuple
+
+import numpy as np
+
+from edugym.agents.q_learning import QLearning
+from edugym.agents.settings import Counter, Table, new
+from edugym.agents.strategies import EpsilonGreedy
+from edugym.agents.tables import greedy_action
+from edugym.envs.tamagotchi import Tamagotchi
+from edugym.mdp.frame_stack import FrameStack
+from edugym.mdp.protocol import Random, Reals
+from edugym.plotting.curves import Curves
+from edugym.plotting.lines import Lines
+from edugym.plotting.report import Report
+from edugym.plotting.sheet import Sheet
+from edugym.results.claims import Above, Below, Claim, Within
+from edugym.results.statistics import Interval, mean_interval, paired_difference
+from edugym.results.tables import Results
+from edugym.training.repeat import repeat
+
+N_STEPS = 400_000
+LONG = 3_000_000
+REPETITIONS = 10
+LEARNING_RATE = 0.02
+DISCOUNT = 0.5
+EPSILON = 0.1
+
+OPTIMUM, RANDOM_PLAY = 6706.85, -676.0
+"""The expected returns of the best policy, and of random actions (see `Tamagotchi`)."""
+TAUS = (0.0, 0.02, 0.05, 0.1, math.inf)
+NOISY = 0.1
+"""The τ at which messages of different lengths are compared."""
+VOCABULARIES = (4, 16, 64, 2)
+LENGTHS = (1, 4, 8, 16, 28)
+"""The lengths of messages for players without a table. 28 is the most that Tamagotchi allows."""
+FOUR = 4
+"""The length of messages for Q-learning."""
+
+
+class Voter(NamedTuple):
+    """A player that does what most of the first words name; ties are broken at random. It learns nothing.
+
+    Attributes:
+        votes: shape (1, 4): the number of words for each need in the present message.
+        heard: the number of words that count; 1 obeys the first word.
+        tabular: False, since it reads the words themselves, not the row of a table.
+    """
+
+    votes: Annotated[Reals, Table((1, 4))]
+    heard: int = 1
+    tabular: bool = False
+
+    def act(self, state: Any, rng: Random) -> int:
+        """Count the words, of which word k names need k mod 4, and take the need with the most."""
+        self.votes[:] = 0.0
+        for k in range(self.heard):
+            self.votes[0, int(state[1 + k]) % 4] += 1.0
+        return greedy_action(self.votes, 0, rng)
+
+    def learn(self, reward: float) -> None:
+        """Learn nothing."""
+
+    @classmethod
+    def create(cls, environment: Any, heard: int = 1) -> "Voter":
+        """Create a player that counts the first `heard` words."""
+        return new(cls, None, {"heard": heard})
+
+
+class RoundRobin(NamedTuple):
+    """A player that takes the actions in turn and looks at nothing. It learns nothing.
+
+    Attributes:
+        last: shape (1,): the last action.
+    """
+
+    last: Counter
+
+    def act(self, state: int, rng: Random) -> int:
+        """Take the action after the last one."""
+        self.last[0] = (self.last[0] + 1) % 4
+        return int(self.last[0])
+
+    def learn(self, reward: float) -> None:
+        """Learn nothing."""
+
+    @classmethod
+    def create(cls, environment: Any) -> "RoundRobin":
+        """Create a player that has done nothing yet."""
+        return new(cls, None, {})
+
+
+def learn(
+    *,
+    n_steps: int = N_STEPS,
+    learning_rate: float = LEARNING_RATE,
+    discount: float = DISCOUNT,
+    epsilon: float = EPSILON,
+    environment: Any = "Tamagotchi",
+    **how: Any,
+) -> Results:
+    """Train Q-learning.
+
+    Args:
+        n_steps: the training steps of each run.
+        learning_rate: α.
+        discount: γ.
+        epsilon: ε of ε-greedy exploration.
+        environment: the task.
+        **how: more arguments of `edugym.training.repeat`, such as `parameters`, `repetitions`, `seed` and `jobs`.
+    """
+    make = partial(QLearning.create, learning_rate=learning_rate, discount=discount, exploration=EpsilonGreedy(epsilon))
+    curve: dict[str, Any] = {"evaluate_every": n_steps // 20, "evaluation_episodes": 20}
+    return repeat(environment, {"Q-learning": make}, n_steps, **curve, **how)
+
+
+def learn_with_memory(**how: Any) -> Results:
+    """Train Q-learning on a toy that always says the same word, with the last two observations and the action between.
+
+    All it can use is its hit points and its own last action. Arguments as in `learn`.
+    """
+    return learn(environment=FrameStack.create(Tamagotchi.create(vocab_size=1), 2, actions=True), **how)
+
+
+def play(maker: Any, **how: Any) -> Reals:
+    """Return the mean return of a player without a table in each repetition, shape (n_repetitions,)."""
+    n_steps = 5_000  # of no use to it, but fewer would not be worth compiling
+    results = repeat("Tamagotchi", {"player": maker}, n_steps, evaluate_every=n_steps, evaluation_episodes=200, **how)
+    return results.final("player")
+
+
+def vote(tau: float, length: int, heard: int, **how: Any) -> Reals:
+    """Return the mean return of a voter in each repetition: `heard` words of messages of `length` words count."""
+    parameters = {"tau": tau, "max_msg_length": length}
+    return play(partial(Voter.create, heard=heard), parameters=parameters, **how)
+
+
+def conditions(results: Mapping[str, Results]) -> Results:
+    """Join the results of one method under several conditions, with the conditions as methods."""
+    import pandas
+
+    tables = [part.table.assign(method=label) for label, part in results.items()]
+    agents = {label: next(iter(part.agents.values())) for label, part in results.items()}
+    return Results(pandas.concat(tables, ignore_index=True), agents)
+
+
+def information(tau: float, length: int = 1, vocab_size: int = 4) -> float:
+    """Return I(message; need), the information in a message about the wanted action, in bits (2 tell it exactly).
+
+    The states are those of a toy that is always given what it wants. Given the state, the words are independent, so
+    their order tells nothing, and the numbers of words of each kind have a multinomial distribution. Synonyms tell
+    nothing more, so that a larger vocabulary has the information of four words.
+
+    Args:
+        tau: the noise.
+        length: the number of words in a message.
+        vocab_size: the number of different words.
+    """
+    toy = Tamagotchi.create(tau)
+    states = states_in_care(toy)
+    kinds = min(vocab_size, 4)
+    counts = np.array(
+        [np.bincount(words, minlength=kinds) for words in combinations_with_replacement(range(kinds), length)]
+    )
+    ways = math.lgamma(length + 1) - np.vectorize(math.lgamma)(counts + 1.0).sum(axis=1)
+    joint = np.zeros((4, len(counts)))
+    for (variables, wanted), share in states.items():
+        weights = np.array([toy.weight(variables, need, wanted) for need in range(4)])
+        word = np.bincount(np.arange(4) % kinds, weights / weights.sum(), kinds)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            logarithms = np.where(counts > 0, counts * np.log(word), 0.0)
+        joint[wanted] += share * np.exp(ways + logarithms.sum(axis=1))
+    independent = joint.sum(axis=1, keepdims=True) * joint.sum(axis=0)
+    possible = joint > 0
+    return float((joint[possible] * np.log2(joint[possible] / independent[possible])).sum())
+
+
+def states_in_care(toy: Tamagotchi, episodes: int = 20) -> dict[tuple[Any, int], float]:
+    """Return the (variables, wanted action) of a toy that is always given what it wants, with their frequencies."""
+    rng = np.random.default_rng(0)
+    seen: dict[tuple[Any, int], float] = {}
+    for _ in range(episodes):
+        state = toy.initial(rng)
+        for _ in range(toy.max_steps):
+            key = (state.variables, state.wanted)
+            seen[key] = seen.get(key, 0.0) + 1 / (episodes * toy.max_steps)
+            state = toy.transition(state, state.wanted, rng)
+    return seen
+
+
+def time_below(results: Results, method: str, threshold: float) -> Reals:
+    """Return the share of evaluations in the second half of training below a threshold, shape (n_repetitions,)."""
+    returns = results.curves(method).to_numpy(float)
+    share: Reals = (returns[len(returns) // 2 :] < threshold).mean(axis=0)
+    return share
+
+
+def rows_of_table(length: int, vocab_size: int = 4) -> int:
+    """Return the number of rows of Q for messages of this length: 101 hit points, and H^length messages with each."""
+    rows: int = 101 * vocab_size**length
+    return rows
+
+
+def report(
+    *,
+    repetitions: int = REPETITIONS,
+    seed: int = 0,
+    jobs: int | None = -1,
+    progress: bool = False,
+    stop: threading.Event | None = None,
+    folder: Path | None = None,
+) -> Report:
+    """Run the experiments of the lesson; see `edugym.experiments.Experiments` for the arguments."""
+    how: dict[str, Any] = {"repetitions": repetitions, "seed": seed, "jobs": jobs, "progress": progress}
+    how["stop"] = stop = stop or threading.Event()
+
+    def saved(name: str) -> dict[str, Any]:
+        return {**how, "save_to": folder and folder / f"{name}.csv"}
+
+    noise = conditions({noise_label(tau): learn(parameters={"tau": tau}, **saved(f"tau_{tau}")) for tau in TAUS})
+    words = conditions(
+        {f"{size} words": learn(parameters={"vocab_size": size}, **saved(f"words_{size}")) for size in VOCABULARIES}
+    )
+    four = learn(n_steps=LONG, parameters={"tau": NOISY, "max_msg_length": FOUR}, **saved("four"))
+    steady = learn(discount=0.9, parameters={"tau": 0.02}, **how)
+    hasty = learn(discount=0.9, learning_rate=0.1, parameters={"tau": 0.02}, **how)
+    memory = conditions(
+        {
+            "with its last action": learn_with_memory(**saved("memory")),
+            "without": learn(parameters={"vocab_size": 1}, **saved("no_memory")),
+        }
+    )
+    in_turn = play(RoundRobin.create, parameters={"tau": math.inf}, **how)
+    obeyed = {tau: vote(tau, 1, 1, **how) for tau in TAUS}
+    voted = {length: vote(NOISY, length, length, **how) for length in LENGTHS}
+    claims = [
+        *noise_claims(obeyed, noise),
+        rate_claim(hasty, steady),
+        *vocabulary_claims(words),
+        *message_claims(voted, four, noise),
+        *memory_claims(in_turn, memory),
+    ]
+    return Report(claims, [] if stop.is_set() else figures(noise, words, four, memory, obeyed, voted))
+
+
+def noise_label(tau: float) -> str:
+    """Return the label of a τ."""
+    return "τ = ∞" if tau == math.inf else f"τ = {tau:g}"
+
+
+def noise_claims(obeyed: Mapping[float, Reals], noise: Results) -> list[Claim]:
+    """Return the claims on the fall of the return with the noise."""
+    expected = {0.0: (6700, 6710), 0.02: (5900, 6100), 0.05: (3150, 3450), 0.1: (0, 250), math.inf: (-700, -650)}
+    learned = {0.0: (6700, 6710), 0.02: (5800, 6200), 0.05: (2600, 3700), 0.1: (-400, 400), math.inf: (-800, -550)}
+    why = {0.0: "this is the optimum", math.inf: f"a word tells nothing; random actions return {RANDOM_PLAY:g}"}
+    return [
+        Claim(
+            f"{player} returns {low} to {high} at {noise_label(tau)}",
+            "return",
+            measured[tau],
+            Within(low, high),
+            why.get(tau, ""),
+        )
+        for player, bounds, measured in (
+            ("Doing what the toy says", expected, {tau: mean_interval(obeyed[tau]) for tau in TAUS}),
+            ("Q-learning", learned, {tau: noise.mean(noise_label(tau)) for tau in TAUS}),
+        )
+        for tau, (low, high) in bounds.items()
+    ]
+
+
+def rate_claim(hasty: Results, steady: Results) -> Claim:
+    """Return the claim on the learning rate, at discount 0.9 and τ = 0.02."""
+    label = "Q-learning"
+    return Claim(
+        "With learning rate 0.1 good policies come and go at τ = 0.02, with 0.02 they stay (discount 0.9)",
+        "share of evaluations below 5000 in the second half of training, rate 0.1 less rate 0.02",
+        paired_difference(time_below(hasty, label, 5_000), time_below(steady, label, 5_000)),
+        Above(0.0),
+        "runs that end at such a moment seem to have failed, so that final returns fall into two groups",
+    )
+
+
+def vocabulary_claims(words: Results) -> list[Claim]:
+    """Return the claims on synonyms and ambiguous words, at τ = 0."""
+    return [
+        *(
+            Claim(
+                f"Synonyms slow learning: {few} words are learned faster than {many}",
+                f"return averaged over training, {many} words less {few}",
+                words.difference(f"{many} words", f"{few} words", over="training"),
+                Below(0.0),
+                "a synonym is learned from nothing, since a table does not generalise",
+            )
+            for few, many in ((4, 16), (16, 64))
+        ),
+        Claim(
+            "They only slow it: with 16 words Q-learning still reaches the optimum",
+            f"return / {OPTIMUM:.0f}",
+            mean_interval(words.final("16 words") / OPTIMUM),
+            Within(0.99, 1.001),
+        ),
+        Claim(
+            "Two ambiguous words carry one bit, and Q-learning without memory does no better than random play with it",
+            "return",
+            words.mean("2 words"),
+            Within(-800, -600),
+            "each word means two needs, and the action that is not wanted harms all four variables",
+        ),
+    ]
+
+
+def message_claims(voted: Mapping[int, Reals], four: Results, noise: Results) -> list[Claim]:
+    """Return the claims on the length of messages, at τ = 0.1: what they carry, and what is made of it."""
+    curve = four.curves("Q-learning").reindex([N_STEPS, LONG]).reindex(columns=range(len(voted[1]))).to_numpy(float)
+    early, late = curve if len(curve) == 2 else np.full((2, 0), np.nan)
+    one_word = noise.final(noise_label(NOISY))
+    bits = information(NOISY)
+    return [
+        Claim(
+            "28 words at τ = 0.1 carry as much information as one word at τ = 0.02",
+            "ratio of I(message; need), computed",
+            exact(information(NOISY, 28) / information(0.02)),
+            Within(0.9, 1.1),
+            f"one word carries {bits:.3f} bit at τ = 0.1 and {information(0.02):.2f} at 0.02; 2 bits tell the need",
+        ),
+        *(
+            Claim(
+                f"A majority vote over {length} words returns {low} to {high} at τ = 0.1",
+                "return",
+                mean_interval(voted[length]),
+                Within(low, high),
+                f"they carry {information(NOISY, length):.2f} bit",
+            )
+            for length, low, high in ((4, 1700, 2050), (28, 5500, 5800))
+        ),
+        Claim(
+            f"With four words, after {N_STEPS} steps Q-learning gets less than with one, although they carry more",
+            "return with four words less that with one",
+            paired_difference(early, one_word),
+            Below(0.0),
+            f"its table has {rows_of_table(FOUR)} rows instead of {rows_of_table(1)}, each visited less often",
+        ),
+        Claim(
+            f"After {LONG // 1_000_000} million steps it gets more than with one word",
+            f"return with four words less that with one after {N_STEPS}",
+            paired_difference(late, one_word),
+            Above(0.0),
+        ),
+        Claim(
+            "and still less than the vote, which has nothing to learn",
+            "return of Q-learning less that of the vote, four words",
+            paired_difference(late, voted[FOUR]),
+            Below(0.0),
+            "information, and being able to use it, are two things",
+        ),
+    ]
+
+
+def memory_claims(in_turn: Reals, memory: Results) -> list[Claim]:
+    """Return the claims on memory in place of a signal."""
+    return [
+        Claim(
+            "A blind player that takes the four actions in turn gets 99 % of the optimum",
+            f"return / {OPTIMUM:.0f}, τ = ∞",
+            mean_interval(in_turn / OPTIMUM),
+            Within(0.985, 0.995),
+            "it remembers its last action and needs no message",
+        ),
+        Claim(
+            "Q-learning that observes its last action learns this without a message",
+            f"share of runs that return {0.98 * OPTIMUM:.0f} or more, one word in all",
+            memory.share("with its last action", at_least=0.98 * OPTIMUM),
+            Above(0.5),
+        ),
+        Claim(
+            "Negative control: without its last action it does no better than random play",
+            "return, one word in all",
+            memory.mean("without"),
+            Below(RANDOM_PLAY),
+            "a greedy policy without signal and memory repeats one action",
+        ),
+    ]
+
+
+def exact(value: float) -> Interval:
+    """Return a computed value as an interval, which is a point."""
+    return Interval(value, value, value, 1)
+
+
+def figures(
+    noise: Results,
+    words: Results,
+    four: Results,
+    memory: Results,
+    obeyed: Mapping[float, Reals],
+    voted: Mapping[int, Reals],
+) -> list[Sheet]:
+    """Return the figures: learning curves, and returns against information."""
+    return [
+        Sheet("noise", [[Curves(noise, "noise of one word", optimum=OPTIMUM)]]),
+        Sheet(
+            "vocabulary",
+            [[Curves(words, "words to say it, τ = 0", methods=["4 words", "16 words", "64 words", "2 words"])]],
+        ),
+        Sheet("memory", [[Curves(memory, "a toy with one word", optimum=OPTIMUM)]]),
+        Sheet("information", [information_panels(noise, four, obeyed, voted)]),
+    ]
+
+
+def information_panels(
+    noise: Results, four: Results, obeyed: Mapping[float, Reals], voted: Mapping[int, Reals]
+) -> tuple[Lines, Lines]:
+    """Return what a single word and what long messages carry, against the returns of obeying, voting and learning."""
+    curve = four.curves("Q-learning").mean(axis=1)
+    one_word = noise.mean(noise_label(NOISY)).estimate
+    unknown = np.full(len(LENGTHS), np.nan)
+
+    def learned(steps: int) -> Reals:
+        return np.array([one_word, curve[steps], *unknown[2:]])
+
+    players = "obey the first word", "majority vote", f"Q-learning, {N_STEPS} steps", f"Q-learning, {LONG} steps"
+    taus = sorted(TAUS, reverse=True)  # from the least information
+    single = (
+        np.array([obeyed[tau].mean() for tau in taus]),
+        unknown[: len(taus)],
+        np.array([noise.mean(noise_label(tau)).estimate for tau in taus]),
+        unknown[: len(taus)],
+    )
+    several = (
+        np.full(len(LENGTHS), obeyed[NOISY].mean()),
+        np.array([voted[length].mean() for length in LENGTHS]),
+        learned(N_STEPS),
+        learned(LONG),
+    )
+    x_label, y_label = "I(message; need) in bits", "return"
+    return (
+        Lines(
+            np.array([information(tau) for tau in taus]),
+            dict(zip(players, single, strict=True)),
+            "one word, τ from ∞ to 0",
+            x_label,
+            y_label,
+        ),
+        Lines(
+            np.array([information(NOISY, length) for length in LENGTHS]),
+            dict(zip(players, several, strict=True)),
+            "1 to 28 words, τ = 0.1",
+            x_label,
+            y_label,
+        ),
+    )
