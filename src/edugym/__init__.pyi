@@ -39,7 +39,6 @@ from edugym.agents.traces import Dutch as Dutch
 from edugym.agents.traces import Replacing as Replacing
 from edugym.agents.tree_backup import TreeBackup as TreeBackup
 from edugym.exact.finite_horizon import finite_horizon as finite_horizon
-from edugym.exact.model import FiniteModel as FiniteModel
 from edugym.exact.model import finite_model as finite_model
 from edugym.exact.policies import policy_of as policy_of
 from edugym.exact.policy_evaluation import policy_evaluation as policy_evaluation
