@@ -190,6 +190,18 @@ class Liar(NamedTuple):
         """The only state."""
         return 0
 
+    def transition(self, state: int, action: int, rng: Any) -> int:
+        """It stays."""
+        return state
+
+    def reward(self, state: int, action: int, next_state: int, rng: Any) -> float:
+        """None."""
+        return 0.0
+
+    def terminal(self, state: int) -> bool:
+        """Never."""
+        return False
+
     def observation(self, state: int, rng: Any) -> Any:
         """Whatever."""
         return self.shown

@@ -6,7 +6,22 @@ import numpy as np
 import pytest
 from gymnasium import spaces
 
-from edugym import MDPEnv, MDPVectorEnv, QLearning, finite_model, make_mdp, train, value_iteration, wrapper
+from edugym import (
+    Brightness,
+    DiscreteActions,
+    Discretised,
+    FrameStack,
+    Hashed,
+    MDPEnv,
+    MDPVectorEnv,
+    NoisyObservation,
+    QLearning,
+    finite_model,
+    make_mdp,
+    train,
+    value_iteration,
+    wrapper,
+)
 from edugym.adapters.tabular_observation import tabular
 from edugym.mdp.protocol import named_actions, step_limit
 from edugym.rendering.ansi import to_text
@@ -151,3 +166,11 @@ def test_a_wrapper_needs_a_field_mdp() -> None:
         wrapper(Wrong)
     with pytest.raises(TypeError, match="must be a NamedTuple with a field mdp"):
         wrapper(int)
+
+
+@pytest.mark.parametrize("kind", [FrameStack, Hashed, Discretised, DiscreteActions, NoisyObservation, Brightness])
+def test_wrappers_ask_for_an_mdp(kind: Any) -> None:
+    """A name, a class or a Gymnasium environment in its place is answered with one sentence."""
+    for wrong in ("Catch", type(WALL), MDPEnv(WALL)):
+        with pytest.raises(ValueError, match="mdp must be"):
+            kind.create(wrong, 3)

@@ -50,9 +50,9 @@ class Brightness(NamedTuple):
         Raises:
             ValueError: the task observes something else, or a number is not as said.
         """
+        darkest, _ = bounds(mdp)
         between("low", low, 0, 1)
         between("high", high, low, 1)
-        darkest, _ = bounds(mdp)
         if darkest != 0.0:
             raise ValueError(f"the numbers that mdp observes must begin at 0, but are {mdp.observation_space}")
         mdp = in_place(mdp)

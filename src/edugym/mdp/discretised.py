@@ -8,6 +8,7 @@ import numpy as np
 from gymnasium import spaces
 
 from edugym.checks import whole_number
+from edugym.mdp.checking import require_mdp
 from edugym.mdp.in_place import blank, in_place, written
 from edugym.mdp.protocol import Integers, Random, Reals
 from edugym.mdp.wrapper import wrapper
@@ -82,6 +83,7 @@ class Discretised(NamedTuple):
         Raises:
             ValueError: the task observes something else, or a number is not as said.
         """
+        require_mdp(mdp)
         space = mdp.observation_space
         if not isinstance(space, spaces.Box):
             raise ValueError(f"mdp must observe real numbers (a Box), but its observation space is {space}")
@@ -141,6 +143,7 @@ class DiscreteActions(NamedTuple):
         Raises:
             ValueError: the actions are something else, a number is not as said, or there are more than 100 000 actions.
         """
+        require_mdp(mdp)
         space = mdp.action_space
         if not isinstance(space, spaces.Box) or len(space.shape) != 1 or not space.is_bounded():
             raise ValueError(f"the actions of mdp must be a Box of one axis with finite bounds, but are {space}")

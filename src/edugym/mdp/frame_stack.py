@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 from gymnasium import spaces
 
 from edugym.checks import whole_number
+from edugym.mdp.checking import require_mdp
 from edugym.mdp.protocol import Random
 from edugym.mdp.tabular import MOST_ROWS, table_sizes, tabular_mdp
 from edugym.mdp.wrapper import wrapper
@@ -101,6 +102,7 @@ class FrameStack(NamedTuple):
             ValueError: the task observes something else, its actions are not 0, 1, ..., or there are 2^63 different
                 stacks or more.
         """
+        require_mdp(mdp)
         k = whole_number("k", k, 1)
         mdp = tabular_mdp(mdp)
         n_actions, n = 1, math.prod(table_sizes(mdp.observation_space))

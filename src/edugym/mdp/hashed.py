@@ -4,6 +4,7 @@ from typing import Any, NamedTuple
 
 from gymnasium import spaces
 
+from edugym.mdp.checking import require_mdp
 from edugym.mdp.hashed_table import HashedTable
 from edugym.mdp.in_place import blank, in_place
 from edugym.mdp.protocol import Random
@@ -71,6 +72,7 @@ class Hashed(NamedTuple):
         Raises:
             ValueError: the task does not observe numbers, or the capacity is not as said.
         """
+        require_mdp(mdp)
         mdp = in_place(mdp)
         key = blank(mdp)
         return cls(mdp, HashedTable.create(key, capacity, overflow), key)

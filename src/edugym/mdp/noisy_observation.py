@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 from gymnasium import spaces
 
 from edugym.checks import a_number, at_least, whole_number
+from edugym.mdp.checking import require_mdp
 from edugym.mdp.in_place import blank, in_place, written
 from edugym.mdp.protocol import Random
 from edugym.mdp.wrapper import wrapper
@@ -75,6 +76,7 @@ def bounds(mdp: Any) -> tuple[float, float]:
     Raises:
         ValueError: it does not observe an array, or one without bounds, or with different ones.
     """
+    require_mdp(mdp)
     space = mdp.observation_space
     if not isinstance(space, spaces.Box):
         raise ValueError(f"mdp must observe an array (a Box), but its observation space is {space}")
