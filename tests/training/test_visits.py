@@ -53,7 +53,7 @@ def test_compiled_counts_are_interpreted_counts(make: Any, monkeypatch: pytest.M
     """The recorder is plain Python that is compiled, too."""
     compiled, interpreted = (record_visits(make(WALL), WALL, 6_000) for _ in range(2))
     train(WALL, compiled, 6_000, seed=1)
-    monkeypatch.setattr("edugym.training.train.executable", lambda loop, *_, **__: loop)
+    monkeypatch.setattr("edugym.training.trainers.executable", lambda loop, *_, **__: loop)
     train(WALL, interpreted, 6_000, seed=1)
     assert (compiled.visits == interpreted.visits).all()
 
