@@ -157,8 +157,9 @@ def empty_model(environment: Any, memory: int | None = None) -> TabularModel:
 
     Args:
         environment: an MDP or Gymnasium environment, or the shape (n_states, n_actions).
-        memory: how many outcomes it can hold, 1 or more; by default 8 for each pair, but at least 1 000 and, where two
-            for each pair are fewer, at most 100 000. What no longer fits is not remembered.
+        memory: how many outcomes it can hold, 1 or more; by default 8 for each pair of state and action, or
+            100 000 if that is less, but never fewer than 1 000 or two for each pair. What no longer fits is not
+            remembered.
 
     Raises:
         ValueError: the memory is not as above, or the environment does not fit a table.
