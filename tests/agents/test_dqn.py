@@ -15,7 +15,7 @@ from tests.agents.case import Case, same
 
 def small(environment: Any, **settings: Any) -> DQN:
     """Five hidden units, and learning from the start."""
-    few = {"hidden": 5, "memory_size": 64, "batch_size": 4, "learn_from": 8, "copy_every": 3}
+    few: dict[str, Any] = {"hidden": 5, "memory_size": 64, "batch_size": 4, "learn_from": 8, "copy_every": 3}
     return DQN.create(environment, **{**few, **settings})
 
 
@@ -58,14 +58,15 @@ def test_the_gradient_is_that_of_the_loss(seed: int) -> None:
     agent, rows, h = random_agent(seed), [3, 14, 15, 9], 1e-6
     for row in rows:
         agent.add_gradient(row)
-    for layer, gradient in zip(agent.weights, agent.gradient, strict=True):
+    for layer, gradient in ((agent.weights.first, agent.gradient.first), (agent.weights.second, agent.gradient.second)):
         for place in np.ndindex(layer.shape):
-            kept, around = layer[place], []
-            for moved in (kept + h, kept - h):
-                layer[place] = moved
-                around.append(loss(agent, rows))
+            kept = float(layer[place])
+            layer[place] = kept + h
+            above = loss(agent, rows)
+            layer[place] = kept - h
+            below = loss(agent, rows)
             layer[place] = kept
-            assert gradient[place] == pytest.approx((around[0] - around[1]) / (2 * h), abs=1e-7)
+            assert gradient[place] == pytest.approx((above - below) / (2 * h), abs=1e-7)
 
 
 def test_forward_by_hand() -> None:
@@ -171,8 +172,9 @@ def test_inputs_are_scaled_by_the_bounds_of_the_observation_space() -> None:
 def test_sizes_and_times_out_of_range_are_refused(setting: str) -> None:
     """They are whole numbers of 1 or more."""
     for value in (0, 2.5, "8"):
+        settings: dict[str, Any] = {setting: value}
         with pytest.raises(ValueError, match=f"{setting} must be (a whole number, )?1 or more, but is {value!r}"):
-            DQN.create((4, 2), **{setting: value})
+            DQN.create((4, 2), **settings)
 
 
 def catch(learning_rate: float, seed: int) -> float:
@@ -192,7 +194,7 @@ def test_it_learns_catch_from_the_grid() -> None:
 def test_it_learns_cart_pole() -> None:
     """To 400 of 500 in 50 000 steps, in an environment of Gymnasium's."""
     env = gymnasium.make("CartPole-v1", disable_env_checker=True)
-    settings = {"learn_every": 1, "copy_every": 500, "exploration": EpsilonGreedy(0.05)}
+    settings: dict[str, Any] = {"learn_every": 1, "copy_every": 500, "exploration": EpsilonGreedy(0.05)}
     runs = [
         train(env, DQN.create(env, **settings), 50_000, seed=seed, evaluate_every=5_000, evaluation_episodes=5)
         for seed in range(2)
