@@ -76,7 +76,7 @@ def test_forward_by_hand() -> None:
     """
     agent = small((2, 2), hidden=2)
     agent.weights.first[:] = [[1, -1], [0, -1], [1, 0]]
-    agent.weights.second[:] = [[3, -1], [9, 9], [0.5, -0.5]]
+    agent.weights.second[:] = [[3.0, -1.0], [9.0, 9.0], [0.5, -0.5]]
     forward(agent.weights, np.array([1.0, 2.0]), agent.h, agent.Q)
     assert agent.h.tolist() == [2, 0]
     assert agent.Q.tolist() == [[6.5, -2.5]]
