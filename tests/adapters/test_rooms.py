@@ -152,3 +152,39 @@ class _Texts(NamedTuple):
     def action_space(self) -> spaces.Discrete:
         """Two actions."""
         return spaces.Discrete(2)
+
+
+class Forgetful(NamedTuple):
+    """Observes something else than it says.
+
+    Attributes:
+        seen: what it observes.
+    """
+
+    seen: Any
+
+    def initial(self, rng: Random) -> int:
+        """The only state."""
+        return 0
+
+    def observation(self, state: int, rng: Random) -> Any:
+        """What was forgotten: a `return`, or a number."""
+        return self.seen
+
+    @property
+    def observation_space(self) -> spaces.Box:
+        """Two numbers."""
+        return spaces.Box(-1.0, 1.0, (2,), np.float32)
+
+    @property
+    def action_space(self) -> spaces.Discrete:
+        """Two actions."""
+        return spaces.Discrete(2)
+
+
+@pytest.mark.parametrize("seen", [None, 0.5, (0.5,), (0.5, 0.5, 0.5), np.zeros((2, 1))])
+def test_an_observation_of_another_shape_is_refused(seen: Any) -> None:
+    """It would be stretched to fit, or become NaN."""
+    mdp = Forgetful(seen)
+    with pytest.raises(ValueError, match="observation of Forgetful must give what its observation_space says, Box"):
+        train(mdp, LinearQLearning.create(mdp), 10)
