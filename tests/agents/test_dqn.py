@@ -15,7 +15,7 @@ from tests.agents.case import Case, same
 
 def small(environment: Any, **settings: Any) -> DQN:
     """Five hidden units, and learning from the start."""
-    few = {"hidden": 5, "memory_size": 64, "batch_size": 4, "learn_from": 8, "copy_every": 3}
+    few: dict[str, Any] = {"hidden": 5, "memory_size": 64, "batch_size": 4, "learn_from": 8, "copy_every": 3}
     return DQN.create(environment, **{**few, **settings})
 
 
@@ -58,14 +58,15 @@ def test_the_gradient_is_that_of_the_loss(seed: int) -> None:
     agent, rows, h = random_agent(seed), [3, 14, 15, 9], 1e-6
     for row in rows:
         agent.add_gradient(row)
-    for layer, gradient in zip(agent.weights, agent.gradient, strict=True):
+    for layer, gradient in ((agent.weights.first, agent.gradient.first), (agent.weights.second, agent.gradient.second)):
         for place in np.ndindex(layer.shape):
-            kept, around = layer[place], []
-            for moved in (kept + h, kept - h):
-                layer[place] = moved
-                around.append(loss(agent, rows))
+            kept = float(layer[place])
+            layer[place] = kept + h
+            above = loss(agent, rows)
+            layer[place] = kept - h
+            below = loss(agent, rows)
             layer[place] = kept
-            assert gradient[place] == pytest.approx((around[0] - around[1]) / (2 * h), abs=1e-7)
+            assert gradient[place] == pytest.approx((above - below) / (2 * h), abs=1e-7)
 
 
 def test_forward_by_hand() -> None:
@@ -75,7 +76,7 @@ def test_forward_by_hand() -> None:
     """
     agent = small((2, 2), hidden=2)
     agent.weights.first[:] = [[1, -1], [0, -1], [1, 0]]
-    agent.weights.second[:] = np.array([[3, -1], [9, 9], [0.5, -0.5]])
+    agent.weights.second[:] = [[3.0, -1.0], [9.0, 9.0], [0.5, -0.5]]
     forward(agent.weights, np.array([1.0, 2.0]), agent.h, agent.Q)
     assert agent.h.tolist() == [2, 0]
     assert agent.Q.tolist() == [[6.5, -2.5]]
@@ -170,10 +171,10 @@ def test_inputs_are_scaled_by_the_bounds_of_the_observation_space() -> None:
 @pytest.mark.parametrize("setting", ["hidden", "memory_size", "batch_size", "learn_every", "learn_from", "copy_every"])
 def test_sizes_and_times_out_of_range_are_refused(setting: str) -> None:
     """They are whole numbers of 1 or more."""
-    values: tuple[Any, ...] = (0, 2.5, "8")
-    for value in values:
+    for value in (0, 2.5, "8"):
+        settings: dict[str, Any] = {setting: value}
         with pytest.raises(ValueError, match=f"{setting} must be (a whole number, )?1 or more, but is {value!r}"):
-            DQN.create((4, 2), **{setting: value})
+            DQN.create((4, 2), **settings)
 
 
 def catch(learning_rate: float, seed: int) -> float:

@@ -83,7 +83,9 @@ def test_nearer_states_share_more_tiles() -> None:
         ({"low": [0.0]}, "low must have 7 numbers, as an observation has"),
         ({"high": [-1.0] * 7}, "low and high must be the bounds .* number 0 is from -1.0 to -1.0"),
         ({"high": [math.inf] * 7}, r"number 0 is from -1.0 to inf: give low=\[...\] and high=\[...\]"),
-        ({"tiles": 9}, "tiles must make 10000000 tiles at most, but make 80000000"),
+        ({"tiles": 9}, r"tiles must make 10,000,000 tiles at most, but make 8e\+07: leave numbers out by 1"),
+        ({"tiles": "8"}, "tiles must be a whole number, 1 or more, but is '8'"),
+        ({"tiles": 8.0}, "tiles must be a whole number, 1 or more, but is 8.0"),
     ],
 )
 def test_what_makes_no_sense_is_refused(settings: dict[str, Any], message: str) -> None:

@@ -100,9 +100,10 @@ def test_a_truncated_episode_is_worth_its_last_state() -> None:
     env = copies("Boulder", 2, ppo.parameters)
     net = ActorCritic(env.single_observation_space, env.single_action_space, 4)
     with torch.no_grad():
+        *_, bias = net.critic.parameters()
         for weights in net.critic.parameters():
             weights.zero_()
-        torch.nn.init.constant_(list(net.critic.parameters())[-1], 4.0)  # V is 4 everywhere
+        bias.fill_(4.0)  # V is 4 everywhere
     curve = Curve("Boulder", ppo.parameters, lambda: net.greedy, 100, 1, 0)
     curve.measure(0)
     data, _ = ppo.play(env, net, env.reset(seed=0)[0], curve, 0)
@@ -127,10 +128,11 @@ def test_it_runs_everywhere_and_repeats(name: str) -> None:
     ("setting", "value"),
     [("num_envs", 0), ("epochs", 1.5), ("learning_rate", 0), ("discount", 1.1), ("clip", 0), ("entropy_bonus", -1)],
 )
-def test_settings_out_of_range_are_refused(setting: str, value: Any) -> None:
+def test_settings_out_of_range_are_refused(setting: str, value: float) -> None:
     """The message names them."""
+    settings: dict[str, Any] = {setting: value}
     with pytest.raises(ValueError, match=f"{setting} must be .*, but is {value!r}"):
-        PPO.create("Catch", **{setting: value})
+        PPO.create("Catch", **settings)
 
 
 def test_other_wrong_arguments_are_refused() -> None:

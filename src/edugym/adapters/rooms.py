@@ -225,12 +225,21 @@ def check_sizes(agent: Any, environment: Any) -> None:
 
 
 def _vector_rows(mdp: Any) -> Any:
-    """Two rows for the observations of an MDP as vectors."""
-    space = mdp.observation_space
+    """Two rows for the observations of an MDP as vectors.
+
+    Raises:
+        ValueError: it does not observe what it says.
+    """
+    space, rng = mdp.observation_space, np.random.default_rng(0)
     n = vector_length(space)
+    sample = mdp.observation(mdp.initial(rng), rng)
+    shape = () if isinstance(space, spaces.Discrete) else space.shape or (len(table_sizes(space)),)
+    if sample is None or np.shape(sample) != shape:
+        raise ValueError(
+            f"observation of {type(mdp).__name__} must give what its observation_space says, {space}, but gave"
+            f" {sample!r}"
+        )
     if isinstance(space, spaces.Box):
-        rng = np.random.default_rng(0)
-        sample = mdp.observation(mdp.initial(rng), rng)
         return observation_rows(mdp, sample)(np.zeros((2, *(space.shape or (1,))), space.dtype))
     if isinstance(space, spaces.Discrete):
         return OneHotRow(np.zeros((2, n)), int(space.start))

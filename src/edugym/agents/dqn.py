@@ -25,7 +25,7 @@ class Layers(NamedTuple):
     second: Annotated[Reals, Table(("hidden + 1", "actions"))]
 
 
-class Memory(NamedTuple):
+class ReplayMemory(NamedTuple):
     """The latest transitions, a row each; a new one takes the place of the oldest.
 
     Attributes:
@@ -94,7 +94,7 @@ class DQN(NamedTuple):
     gradient: Layers
     mean: Layers
     square: Layers
-    memory: Memory
+    memory: ReplayMemory
     scale: Annotated[Reals, Table(("inputs",), fill=1.0)]
     x: Annotated[Reals, Table(("inputs",))]
     h: Annotated[Reals, Table(("hidden",))]

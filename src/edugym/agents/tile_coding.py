@@ -108,7 +108,7 @@ class TileCoding(NamedTuple):
         lows, highs = vector_bounds(environment)
         lows = lows if low is None else _numbers("low", low, n_inputs)
         highs = highs if high is None else _numbers("high", high, n_inputs)
-        counts = [tiles] * n_inputs if isinstance(tiles, int) else list(tiles)
+        counts: list[Any] = list(tiles) if isinstance(tiles, list | tuple | np.ndarray) else [tiles] * n_inputs
         if len(counts) != n_inputs:
             raise ValueError(f"tiles must have a number for each of {n_inputs}, but has {len(counts)}")
         for count in counts:
@@ -123,7 +123,7 @@ class TileCoding(NamedTuple):
         n_tiles = tilings * math.prod(count + 1 for count in counts if count > 1)
         if n_tiles > MOST_FEATURES:
             raise ValueError(
-                f"tiles must make {MOST_FEATURES} tiles at most, but make {n_tiles}: leave numbers out by 1"
+                f"tiles must make {MOST_FEATURES:,} tiles at most, but make {n_tiles:.3g}: leave numbers out by 1"
             )
         lows, highs = (np.where(np.array(counts) > 1, bounds, 0.0) for bounds in (lows, highs))
         made = cls(np.zeros(tilings, np.int64), np.ones(tilings), lows, highs, np.array(counts, np.int64))

@@ -85,7 +85,7 @@ class PPO(NamedTuple):
             torch.manual_seed(whole_number("seed", seed, 0))
             env = copies(self.environment, self.num_envs, self.parameters)
             net = ActorCritic(env.single_observation_space, env.single_action_space, self.hidden)
-            optimizer = torch.optim.Adam(net.parameters(), self.learning_rate, eps=1e-5)
+            optimizer = torch.optim.Adam(net.parameters(), self.learning_rate, eps=1e-5, fused=True)
             every = evaluate_every or max(1, n_steps // 10)
             curve = Curve(self.environment, self.parameters, lambda: net.greedy, every, evaluation_episodes, seed)
             curve.measure(0)
