@@ -1,0 +1,468 @@
+"""The depth of credit assignment (lesson 3): n-step SARSA from one step to Monte Carlo.
+
+On Study, n-step SARSA with n = 1, 3, 5 and ∞ (Monte Carlo) trains for 4 000 episodes of ten days, with learning rate
+0.1, ε = 0.1 and discount 1, at standard deviations σ of the reward noise of 0, 0.2 and 1. 40 repetitions, each with its
+own layout (lecture days and action rewards), which is the same for every method and every σ.
+
+"Final" returns are the exact expected returns of the final greedy policies: the dynamics are deterministic, so a greedy
+policy has one path. Learning curves show the mean of 3 greedy evaluation episodes. The optimum and the best ε-soft
+policy come from the exact model, as means over the layouts.
+"""
+
+import math
+import threading
+from collections.abc import Mapping, Sequence
+from functools import partial
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from edugym.agents.n_step_sarsa import NStepSARSA
+from edugym.agents.strategies import EpsilonGreedy
+from edugym.envs.study import Study
+from edugym.exact.model import finite_model
+from edugym.exact.policy_evaluation import policy_evaluation
+from edugym.exact.tables import FiniteModel
+from edugym.exact.value_iteration import value_iteration
+from edugym.mdp.protocol import Reals
+from edugym.plotting.curves import Curves
+from edugym.plotting.lines import Lines
+from edugym.plotting.report import Report
+from edugym.plotting.sheet import Sheet
+from edugym.results.claims import Above, Below, Claim, Within
+from edugym.results.statistics import Interval, paired_difference
+from edugym.results.tables import Results
+from edugym.training.repeat import repeat
+
+DAYS = 10
+N_STEPS = 40_000
+EARLY = 2_500
+"""The steps, 250 episodes, after which methods are compared early in training."""
+SHORT = 5_000
+"""The training steps for the comparison of learning rates."""
+REPETITIONS = 40
+LEARNING_RATE = 0.1
+DISCOUNT = 1.0
+EPSILON = 0.1
+DEPTHS = (1, 3, 5, math.inf)
+SIGMAS = (0.0, 0.2, 1.0)
+RATES = (0.01, 0.03, 0.1, 0.3, 1.0)
+PASSING = 5.0
+"""A policy that passes the exam returns more than this, and one that fails returns less than 0."""
+
+
+def label(n: float) -> str:
+    """Return the label of a depth."""
+    return "Monte Carlo" if n == math.inf else f"n = {n:g}"
+
+
+ONE_STEP, MONTE_CARLO = label(1), label(math.inf)
+
+
+def compare(
+    *,
+    depths: Sequence[float] = DEPTHS,
+    learning_rate: float = LEARNING_RATE,
+    epsilon: float = EPSILON,
+    n_steps: int = N_STEPS,
+    sigma: float = 0.2,
+    n_actions: int = 5,
+    **how: Any,
+) -> Results:
+    """Train n-step SARSA with several n: one panel of the figure.
+
+    Args:
+        depths: the values of n.
+        learning_rate: α of all.
+        epsilon: ε of all.
+        n_steps: the training steps of each run; an episode takes ten.
+        sigma: the standard deviation of the reward noise.
+        n_actions: the number of actions.
+        **how: more arguments of `edugym.training.repeat`, such as `repetitions`, `seed` and `jobs`.
+    """
+    exploration = EpsilonGreedy(epsilon)
+    settings: dict[str, Any] = {
+        "learning_rate": learning_rate,
+        "discount": DISCOUNT,
+        "exploration": exploration,
+        "longest": DAYS,
+    }
+    methods = {label(n): partial(NStepSARSA.create, n=n, **settings) for n in depths}
+    parameters = {"action_reward_noise_sigma": sigma, "n_actions": n_actions, "total_days": DAYS}
+    every = max(n_steps // 16, DAYS)
+    return repeat("Study", methods, n_steps, parameters=parameters, evaluate_every=every, evaluation_episodes=3, **how)
+
+
+def layouts(results: Results) -> dict[int, Study]:
+    """Return the task of each repetition of an experiment, which differ in their layouts."""
+    if results.table.empty:
+        return {}
+    first = results.table.iloc[0]
+    n_actions = int(first["environment.n_actions"])
+    seeds = results.table.groupby("repetition")["layout_seed"].first()
+    return {i: Study.create(DAYS, n_actions, layout_seed=int(seeds.loc[i])) for i in seeds.index.tolist()}
+
+
+def expected_returns(results: Results, method: str) -> Reals:
+    """Return the exact return of the final greedy policy of every complete run, shape (n_repetitions,); else NaN."""
+    returns = np.full(len(results.final(method)), np.nan)
+    tasks = layouts(results)
+    for repetition, agent in results.complete_agents(method).items():
+        returns[repetition] = greedy_return(tasks[repetition], agent)
+    return returns
+
+
+def greedy_return(task: Study, agent: Any) -> float:
+    """Return the expected return of an agent's greedy policy: the rewards along its path, without their noise."""
+    quiet = task._replace(sigma=0.0)
+    rng = np.random.default_rng(0)  # for ties
+    state, total = quiet.initial(rng), 0.0
+    sizes = [int(size) for size in quiet.observation_space.nvec]
+    while not quiet.terminal(state):
+        row = int(np.ravel_multi_index(quiet.observation(state, rng), sizes))
+        action = agent.greedy(row, rng)
+        next_state = quiet.transition(state, action, rng)
+        total += quiet.reward(state, action, next_state, rng)
+        state = next_state
+    return total
+
+
+def final_difference(results: Results, method: str, other: str) -> Interval:
+    """Return the exact final return of a method less that of another, paired by repetition."""
+    return paired_difference(expected_returns(results, method), expected_returns(results, other))
+
+
+def passes(results: Results, method: str) -> Reals:
+    """Return for every complete run whether its final greedy policy passes the exam: 1, 0 or NaN."""
+    returns = expected_returns(results, method)
+    return np.where(np.isnan(returns), np.nan, returns > PASSING)
+
+
+def early_difference(results: Results, method: str, other: str) -> Interval:
+    """Return the evaluation return of a method less that of another after `EARLY` steps, paired by repetition."""
+    curves = [results.curves(one).reindex([EARLY]).to_numpy(float)[0] for one in (method, other)]
+    shortest = min(map(len, curves))  # after an interruption
+    return paired_difference(curves[0][:shortest], curves[1][:shortest])
+
+
+def difference_where_both_pass(results: Results, method: str, other: str) -> Interval:
+    """Return the exact final return of a method less that of another, where both pass the exam."""
+    returns = [expected_returns(results, one) for one in (method, other)]
+    both = (returns[0] > PASSING) & (returns[1] > PASSING)
+    return paired_difference(returns[0][both], returns[1][both])
+
+
+class Target(NamedTuple):
+    """The n-step target of the start of an episode, exactly, under a policy.
+
+    Attributes:
+        mean: its expected value.
+        noise: the part of its variance that comes from the noise of rewards.
+        exploration: the part that comes from the choice of actions.
+    """
+
+    mean: float
+    noise: float
+    exploration: float
+
+
+def soft_policy(model: FiniteModel, epsilon: float) -> Reals:
+    """Return the best policy among those that act at random with probability ε, shape (S, A)."""
+    greedy = value_iteration(model, DISCOUNT, epsilon=epsilon).greedy_policy()
+    policy: Reals = (1 - epsilon) * greedy + epsilon / greedy.shape[1]
+    return policy
+
+
+def target(model: FiniteModel, policy: Reals, V: Reals, n: int, sigma: float) -> Target:
+    """Return mean and variance of R_1 + ... + R_n + V(S_n), from the start (discount 1; equation 7.1).
+
+    Both moments are computed backwards: M_k = E[(R + G_(k-1))²] = E[R² + 2 R m_(k-1) + M_(k-1)]. Given the actions, the
+    noise of the n rewards is independent and adds n σ².
+
+    Args:
+        model: the exact model.
+        policy: the probabilities of actions, shape (S, A).
+        V: the value of each state by the rows of the model, shape (S,), from which the target bootstraps.
+        n: the number of rewards, up to the length of an episode.
+        sigma: the standard deviation of the noise of a reward.
+    """
+    mean, square = V * ~model.terminal, (V * ~model.terminal) ** 2
+    ways = policy[:, :, None] * model.probabilities
+    for _ in range(n):
+        ahead = mean[model.successors]
+        square = (ways * (model.rewards**2 + 2 * model.rewards * ahead + square[model.successors])).sum(axis=(1, 2))
+        mean = (ways * (model.rewards + ahead)).sum(axis=(1, 2))
+    first, second = float(model.initial @ mean), float(model.initial @ square)
+    return Target(first, n * sigma**2, second - first**2)
+
+
+def noise_share(sigma: float, layout_seed: int = 0) -> float:
+    """Return the share of reward noise in the variance of the return of the best ε-soft policy."""
+    model = finite_model(Study.create(layout_seed=layout_seed))
+    whole = target(model, soft_policy(model, EPSILON), np.zeros(len(model.states)), DAYS, sigma)
+    return whole.noise / (whole.noise + whole.exploration)
+
+
+def best_returns(tasks: Mapping[int, Study], epsilon: float) -> float:
+    """Return the best expected return with random actions with probability ε, a mean over layouts."""
+    return float(np.mean([value_iteration(finite_model(task), epsilon=epsilon).start for task in tasks.values()]))
+
+
+def tune(*, rates: Sequence[float] = RATES, **how: Any) -> dict[float, Results]:
+    """Train every n with several learning rates, for a short time; arguments as in `compare`."""
+    return {rate: compare(learning_rate=rate, n_steps=SHORT, **how) for rate in rates}
+
+
+def report(
+    *,
+    repetitions: int = REPETITIONS,
+    seed: int = 0,
+    jobs: int | None = -1,
+    progress: bool = False,
+    stop: threading.Event | None = None,
+    folder: Path | None = None,
+) -> Report:
+    """Run the experiments of the lesson; see `edugym.experiments.Experiments` for the arguments."""
+    how: dict[str, Any] = {"repetitions": repetitions, "seed": seed, "jobs": jobs, "progress": progress}
+    how["stop"] = stop = stop or threading.Event()
+
+    def saved(name: str) -> dict[str, Any]:
+        return {**how, "save_to": folder and folder / f"{name}.csv"}
+
+    by_sigma = {sigma: compare(sigma=sigma, **saved(f"sigma_{sigma:g}")) for sigma in SIGMAS}
+    many = compare(n_actions=10, **saved("ten_actions"))
+    by_rate = tune(**how)
+    claims = [
+        *early_claims(by_sigma),
+        *late_claims(by_sigma),
+        *action_claims(by_sigma[0.2], many),
+        *rate_claims(by_rate),
+        *target_claims(),
+    ]
+    return Report(claims, [] if stop.is_set() else figures(by_sigma, many, by_rate))
+
+
+def early_claims(by_sigma: Mapping[float, Results]) -> list[Claim]:
+    """Return the claims on the first episodes."""
+    return [
+        Claim(
+            f"Early on {label(n)} is ahead of n = 1 (σ = {sigma:g})",
+            f"return after {EARLY // DAYS} episodes less that of n = 1",
+            early_difference(results, label(n), ONE_STEP),
+            Above(0.0),
+            "one-step updates carry the exam's reward back by one day an episode",
+        )
+        for sigma, results in by_sigma.items()
+        for n in DEPTHS[1:]
+        if sigma == 0.2 or n == math.inf
+    ]
+
+
+def late_claims(by_sigma: Mapping[float, Results]) -> list[Claim]:
+    """Return the claims on the end of training, and on the noise of rewards."""
+    return [
+        *(
+            Claim(
+                f"Late n = 1 is ahead of Monte Carlo, on layouts where both pass the exam (σ = {sigma:g})",
+                "final return of Monte Carlo less that of n = 1",
+                difference_where_both_pass(results, MONTE_CARLO, ONE_STEP),
+                Below(0.0),
+                "what is left to learn then is which free days are cheap",
+            )
+            for sigma, results in by_sigma.items()
+        ),
+        Claim(
+            "Over all layouts this late lead is not seen without much noise: the two are within 2 (σ = 0.2)",
+            "final return of Monte Carlo less that of n = 1",
+            final_difference(by_sigma[0.2], MONTE_CARLO, ONE_STEP),
+            Within(-2.0, 2.0),
+            "the few runs that never pass the exam, worth 10 each, hide the small difference",
+        ),
+        Claim(
+            "Noise also explores: with σ = 1 one-step SARSA passes the exam on more layouts than without noise",
+            "share of runs that pass, σ = 1 less σ = 0",
+            paired_difference(passes(by_sigma[1.0], ONE_STEP), passes(by_sigma[0.0], ONE_STEP)),
+            Above(0.0),
+            "noisy values change the order of the actions early on, and so each is tried more often",
+        ),
+        Claim(
+            "So more reward noise does not simply make Monte Carlo suffer: it ends no worse at σ = 1 than at 0",
+            "final return of Monte Carlo at σ = 1 less that at σ = 0",
+            paired_difference(
+                expected_returns(by_sigma[1.0], MONTE_CARLO), expected_returns(by_sigma[0.0], MONTE_CARLO)
+            ),
+            Above(0.0),
+            "the paper expects the opposite",
+        ),
+    ]
+
+
+def action_claims(few: Results, many: Results) -> list[Claim]:
+    """Return the claims on more actions without a use."""
+    return [
+        Claim(
+            f"With ten actions {label(n)} ends far behind n = 1",
+            "final return less that of n = 1",
+            final_difference(many, label(n), ONE_STEP),
+            Below(0.0),
+            "every exploring step of the ten days changes the whole return, and now it is rarely a useful one",
+        )
+        for n in DEPTHS[1:]
+    ] + [
+        Claim(
+            "Going from five to ten actions costs Monte Carlo more than n = 1",
+            "loss of Monte Carlo less that of n = 1",
+            paired_difference(
+                expected_returns(few, MONTE_CARLO) - expected_returns(many, MONTE_CARLO),
+                expected_returns(few, ONE_STEP) - expected_returns(many, ONE_STEP),
+            ),
+            Above(0.0),
+        )
+    ]
+
+
+def rate_claims(by_rate: Mapping[float, Results]) -> list[Claim]:
+    """Return the claims on learning rates, for 500 episodes."""
+    slow, quick, fastest = by_rate[0.01], by_rate[0.3], by_rate[1.0]
+
+    def averages(results: Results, method: str) -> Reals:
+        return results.average(method)
+
+    return [
+        Claim(
+            "n = 1 learns faster with rate 0.3 than with 0.01",
+            "return averaged over 500 episodes, rate 0.3 less 0.01",
+            paired_difference(averages(quick, ONE_STEP), averages(slow, ONE_STEP)),
+            Above(0.0),
+            "its targets vary little, but must be handed back day by day",
+        ),
+        Claim(
+            "Monte Carlo learns faster with rate 0.01 than with 0.3: the best rate falls as n grows",
+            "return averaged over 500 episodes, rate 0.3 less 0.01",
+            paired_difference(averages(quick, MONTE_CARLO), averages(slow, MONTE_CARLO)),
+            Below(0.0),
+            "its targets vary much, and a small rate averages them",
+        ),
+        Claim(
+            "Each with a suitable rate, Monte Carlo (0.01) is ahead of n = 1 (0.3) over the first 500 episodes",
+            "return averaged over 500 episodes, less that of n = 1",
+            paired_difference(averages(slow, MONTE_CARLO), averages(quick, ONE_STEP)),
+            Above(0.0),
+        ),
+        Claim(
+            "Negative control: with rate 1, which keeps only the last target, Monte Carlo loses to n = 1",
+            "return averaged over 500 episodes, less that of n = 1, both with rate 1",
+            paired_difference(averages(fastest, MONTE_CARLO), averages(fastest, ONE_STEP)),
+            Below(0.0),
+        ),
+    ]
+
+
+def target_claims() -> list[Claim]:
+    """Return the claims on the target of the first day, computed exactly for the best ε-soft policy."""
+    model = finite_model(Study.create())
+    policy = soft_policy(model, EPSILON)
+    V = policy_evaluation(model, policy).V
+    one, whole = (target(model, policy, V, n, 0.05) for n in (1, DAYS))
+    unlearned = target(model, policy, np.zeros(len(V)), 1, 0.05)
+    return [
+        Claim(
+            "At the defaults reward noise is less than 1 % of the variance of the return; exploration is the rest",
+            "share of reward noise, σ = 0.05, computed",
+            exact(noise_share(0.05)),
+            Below(0.01),
+            f"an exploring step can cost the exam, 10; at σ = 1 noise is {noise_share(1.0):.0%}",
+        ),
+        Claim(
+            "Once the values are learned, the one-step target varies much less than the Monte Carlo target",
+            "variance of the target of the first day, n = 1 / Monte Carlo, computed",
+            exact((one.noise + one.exploration) / (whole.noise + whole.exploration)),
+            Below(0.2),
+        ),
+        Claim(
+            "and is no more biased",
+            "mean of the one-step target less that of the return, computed",
+            exact(one.mean - whole.mean),
+            Within(-1e-6, 1e-6),
+            "at the fixed point every n has the same mean",
+        ),
+        Claim(
+            "Before anything is learned, the one-step target misses nearly the whole return",
+            "mean of the one-step target with V = 0 / mean return, computed",
+            exact(unlearned.mean / whole.mean),
+            Within(-0.1, 0.1),
+        ),
+    ]
+
+
+def exact(value: float) -> Interval:
+    """Return a computed value as an interval, which is a point."""
+    return Interval(value, value, value, 1)
+
+
+def figures(by_sigma: Mapping[float, Results], many: Results, by_rate: Mapping[float, Results]) -> list[Sheet]:
+    """Return the figures: learning curves, the learning rates, and the target by n."""
+    tasks = layouts(by_sigma[0.2])
+    optimum, soft = (best_returns(tasks, epsilon) for epsilon in (0.0, EPSILON))
+    ten = best_returns(layouts(many), 0.0)
+    greedy = [Curves(results, f"σ = {sigma:g}", optimum=optimum) for sigma, results in by_sigma.items()]
+    exploring = [
+        Curves(results, f"exploring, σ = {sigma:g}", column="training_return", soft_optimum=soft)
+        for sigma, results in by_sigma.items()
+    ]
+    return [
+        Sheet("depth", [greedy, exploring]),
+        Sheet("ten_actions", [[Curves(many, "ten actions, σ = 0.2", optimum=ten)]]),
+        Sheet("rates", [[rate_lines(by_rate)]]),
+        *(Sheet(name, [[lines]]) for name, lines in zip(("variance", "bias"), target_lines(), strict=True)),
+    ]
+
+
+def rate_lines(by_rate: Mapping[float, Results]) -> Lines:
+    """Return how fast each n learns, against the learning rate."""
+    return Lines(
+        np.log10(list(by_rate)),
+        {
+            label(n): np.array([results.mean(label(n), over="training").estimate for results in by_rate.values()])
+            for n in DEPTHS
+        },
+        "the first 500 episodes",
+        "learning rate, as a power of ten",
+        "return (greedy), mean over training",
+    )
+
+
+def target_lines() -> list[Lines]:
+    """Return variance and bias of the target of the first day against n, exactly."""
+    model = finite_model(Study.create())
+    policy = soft_policy(model, EPSILON)
+    V = policy_evaluation(model, policy).V
+    depths = range(1, DAYS + 1)
+    learned = {sigma: [target(model, policy, V, n, sigma) for n in depths] for sigma in (0.2, 1.0)}
+    early = [target(model, policy, np.zeros(len(V)), n, 0.0) for n in depths]
+    return [
+        Lines(
+            np.array(depths, float),
+            {
+                "exploration": np.array([one.exploration for one in learned[0.2]]),
+                **{
+                    f"reward noise, σ = {sigma:g}": np.array([one.noise for one in targets])
+                    for sigma, targets in learned.items()
+                },
+            },
+            "variance of the target, values learned",
+            "n",
+            "variance",
+        ),
+        Lines(
+            np.array(depths, float),
+            {
+                "values still 0": np.array([one.mean for one in early]) - early[-1].mean,
+                "values learned": np.array([one.mean for one in learned[0.2]]) - early[-1].mean,
+            },
+            "bias of the target",
+            "n",
+            "bias",
+        ),
+    ]
