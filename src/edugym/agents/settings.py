@@ -1,13 +1,13 @@
-"""Fields of agents and strategies that know what they may hold, and `new`, which fills them.
+"""Annotations for the allowed values of the fields of agents and strategies, and `new`, which creates agents from them.
 
-A range or a shape is said once, at the field:
+Each range or shape is declared once, in the annotation of the field:
 
     class QLearning(NamedTuple):
         Q: ActionValues                      # a table of shape (n_states, n_actions)
         learning_rate: LearningRate = 0.1    # above 0 and up to 1
 
-`new(QLearning, environment, {"discount": 0.9})` makes the tables, takes the other settings from their defaults, and
-refuses what a field may not hold.
+`new(QLearning, environment, {"discount": 0.9})` creates the tables, uses the defaults of the other settings, and
+raises ValueError for a value that is not allowed.
 """
 
 import inspect
@@ -26,12 +26,12 @@ Made = TypeVar("Made")
 
 
 class Range(NamedTuple):
-    """The numbers that a field may hold.
+    """The range of a number.
 
     Attributes:
         low: the lowest.
-        high: the highest; None for any finite number from `low` on, `math.inf` if infinity is allowed too.
-        open: whether `low` itself is left out.
+        high: the highest; with None any finite number is allowed, with `math.inf` infinity too.
+        open: whether `low` itself is excluded.
     """
 
     low: float
@@ -39,10 +39,10 @@ class Range(NamedTuple):
     open: bool = False
 
     def check(self, name: str, value: Any) -> None:
-        """Refuse a value outside the range.
+        """Check that a value is in the range.
 
         Raises:
-            ValueError: it is outside, or no number.
+            ValueError: the value is outside the range or is not a number.
         """
         if self.open:
             above(name, value, self.low, self.high)
@@ -54,11 +54,11 @@ class Range(NamedTuple):
 
 
 class Table(NamedTuple):
-    """An array that a new agent starts with.
+    """An array of a new agent.
 
     Attributes:
-        axes: the length of each axis: a number, or the name of one that `new` is told ("states", "actions", ...).
-        fill: what every entry starts from: a number, or the name of a setting.
+        axes: the length of each axis: a number, or a name ("states", "actions", ...) whose length `new` is passed.
+        fill: the first value of every entry: a number, or the name of a setting.
     """
 
     axes: tuple[int | str, ...]
@@ -66,7 +66,7 @@ class Table(NamedTuple):
 
 
 class Part(NamedTuple):
-    """Marks a field that `create` fills itself: it is no setting."""
+    """Marks a field that is not a setting, because `create` fills it."""
 
 
 LearningRate = Annotated[float, Range(0, 1, open=True)]
@@ -76,7 +76,7 @@ ActionValues = Annotated[Reals, Table(("states", "actions"), fill="initial_value
 """Q, shape (n_states, n_actions). Agents that have it take the setting `initial_value` (0): high values are optimistic
 and make an agent explore (Sutton and Barto, section 2.6)."""
 Counter = Annotated[Integers, Table((1,))]
-"""A whole number that changes, shape (1,): the fields of an agent are fixed, the entries of an array are not."""
+"""A whole number that changes during learning: an array of shape (1,), since fields of a NamedTuple are fixed."""
 
 
 def new(
@@ -87,18 +87,18 @@ def new(
     /,
     **sizes: int,
 ) -> Made:
-    """A new agent (or strategy): its tables made for an environment, its settings checked.
+    """Create an agent or a strategy: make its tables for an environment, and check its settings.
 
     Args:
         kind: its class, a NamedTuple whose fields are annotated as in this file.
-        environment: an MDP or Gymnasium environment with whole numbers for observations and actions, or the shape
-            (n_states, n_actions) of a table; None if no table needs it.
-        settings: values for the fields that are no tables; the others keep their defaults.
-        parts: fields that are made already, by name.
-        **sizes: lengths of axes that the environment does not give, by name.
+        environment: an MDP or Gymnasium environment whose actions and observations are whole numbers (or tuples of
+            them), or the shape (n_states, n_actions) of a table; None if no table depends on it.
+        settings: values for the fields that are not tables, and `initial_value`; the others keep their defaults.
+        parts: values for the fields that the caller has made, by name.
+        **sizes: lengths of axes that do not follow from the environment, by name.
 
     Raises:
-        ValueError: there is no such setting, or a value is not one that its field may hold.
+        ValueError: a setting is unknown, or a value is not allowed.
     """
     if environment is not None:
         sizes["states"], sizes["actions"] = table_size(environment)
@@ -119,7 +119,8 @@ def new(
 
 
 def settings_of(kind: type) -> dict[str, Any]:
-    """The settings that `new` takes for a class, with their defaults (`inspect.Parameter.empty` for none)."""
+    """The settings that `new` takes for a class, with their defaults (`inspect.Parameter.empty` if a setting has
+    none); `initial_value` comes last."""
     defaults = getattr(kind, "_field_defaults", {})
     settings: dict[str, Any] = {}
     for name, hint in _hints(kind).items():
@@ -133,10 +134,12 @@ def settings_of(kind: type) -> dict[str, Any]:
 
 
 def check(value: Any) -> None:
-    """Refuse an agent or strategy that holds what its fields may not, in the strategies inside it as well.
+    """Check every field of an agent or strategy, and of the strategies inside it.
 
     Raises:
-        ValueError: a number is outside its range, or an array has another kind of numbers or number of axes.
+        ValueError: a number is outside its range, an array has the wrong dtype or number of axes, or a field has a
+        value
+            of the wrong class.
     """
     for name, hint in _hints(type(value)).items():
         part = getattr(value, name)
@@ -163,7 +166,7 @@ def check(value: Any) -> None:
 
 
 def shows_settings(kind: type[Made]) -> type[Made]:
-    """Class decorator for agents: `create` shows the settings of the class, in help and for completion."""
+    """Class decorator for agents: add the settings to the signature of `create`, for help and completion."""
     create = inspect.getattr_static(kind, "create").__func__
     signature = inspect.signature(create)
     named = [part for part in signature.parameters.values() if part.kind is not part.VAR_KEYWORD]
@@ -175,10 +178,10 @@ def shows_settings(kind: type[Made]) -> type[Made]:
 
 
 def _hints(kind: type) -> dict[str, Any]:
-    """The annotated types of the fields of a NamedTuple class, in their order; Any for a field without one."""
+    """The annotated types of the fields of a NamedTuple class, in order; `Any` for a field without annotation."""
     try:
         hints = get_type_hints(kind, include_extras=True)
-    except NameError:  # a class of a user's own, annotated with names that only its function knows
+    except NameError:  # a user's class inside a function, whose annotations use local names
         hints = {}
     return {name: hints.get(name, Any) for name in getattr(kind, "_fields", ())}
 

@@ -37,10 +37,11 @@ class Boulder(NamedTuple):
     so near the step limit the observation is not Markov (an agent that bootstraps at truncation need not mind).
 
     ## Dynamics
-    The grip that holds leads one up; any other leads to the ground, which does not end the episode.
+    The grip that holds moves the climber up by one. Any other sends it to the ground, without ending the episode.
 
     ## Reward
-    1 for reaching the top, else 0. The best return is 1, after `height` steps (discount 1).
+    1 for reaching the top, else 0. The best return is 1, after `height` steps (discount 1); it is 0 if `max_steps` is
+    smaller than `height`.
 
     ## Initial state
     The ground.
@@ -49,18 +50,20 @@ class Boulder(NamedTuple):
     Terminated at the top; truncated after `max_steps` steps.
 
     ## Parameters
-    - `height` (10): H, how many right grips it takes to get to the top; from 1 to 1 000 000.
+    - `height` (10): H, the height of the wall: the number of right grips in a row that lead to the top; from 1 to 1 000
+    000.
     - `n_grips` (2): N, how many grips there are at every height; from 2 to 1000.
     - `max_steps` (10 * height): 1 or more.
-    - `layout_seed` (0): from which the right grips are drawn, uniformly; 0 or more.
+    - `layout_seed` (0): the seed from which the right grips are drawn, uniformly; 0 or more.
 
     ## Info
-    - `right_grip`: the grip that holds at the present height; -1 at the top.
+    - `right_grip`: the grip that holds at the present position; -1 at the top.
 
     ## Choices
     - The paper gives N^H as the number of steps that a random climber needs; that counts attempts. The number of steps
       is (N^(H+1) - N)/(N - 1).
-    - The paper's state space is `Discrete(H)`; here the top is a position of its own, since it is observed at the end.
+    - The paper's state space is `Discrete(H)`; here the top is a position too, because the agent
+      observes it when the episode ends.
 
     ## Algorithms
     The paper compares Q-learning with ε-greedy, Q-learning with a count-based intrinsic reward, and Go-Explore.
@@ -79,7 +82,7 @@ class Boulder(NamedTuple):
         return 0
 
     def transition(self, state: int, action: int, rng: Random) -> int:
-        """The right grip leads one up; any other lets the climber fall to the ground, which is no end."""
+        """The right grip moves the climber up by one; any other sends it to the ground, without ending the episode."""
         return state + 1 if action == self.grips[state] else 0
 
     def reward(self, state: int, action: int, next_state: int, rng: Random) -> float:
@@ -87,7 +90,7 @@ class Boulder(NamedTuple):
         return 1.0 if next_state == self.height else 0.0
 
     def terminal(self, state: int) -> bool:
-        """The top is the end."""
+        """Whether the climber is at the top."""
         return state == self.height
 
     def observation(self, state: int, rng: Random) -> int:
@@ -121,7 +124,7 @@ class Boulder(NamedTuple):
         max_steps = number_of_steps("max_steps", 10 * height if max_steps is None else max_steps)
         whole_number("layout_seed", layout_seed, 0)
         grips = np.random.default_rng(layout_seed).integers(0, n_grips, height)
-        return Boulder(height, n_grips, grips, max_steps)
+        return cls(height, n_grips, grips, max_steps)
 
     @property
     def reward_threshold(self) -> float | None:

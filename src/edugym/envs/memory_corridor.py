@@ -11,20 +11,20 @@ from edugym.rendering.palette import BRICK, ROAD, SHADE, WALL, blend
 from edugym.rendering.scene import Rectangle, Scene, Shape, Text
 
 SEEDS = 2**31
-"""How many corridors there are."""
+"""The number of different seeds, and so of sequences of doors."""
 MOST_DOORS = 1_000
 MOST_SHOWN = 40
 """How many of a long row of doors the picture shows."""
 
 
 class Corridor(NamedTuple):
-    """Where the agent is, and what it must remember.
+    """The right doors, the length of the corridor, and where the agent is.
 
     Attributes:
-        seed: from which the right doors of this episode follow (see `MemoryCorridor.right_door`).
-        length: of the corridor; one more whenever it has been solved.
-        position: at which place the agent stands, from 0.
-        opened: the wrong door that it has opened, or -1.
+        seed: determines the right doors of this episode (see `MemoryCorridor.right_door`).
+        length: of the corridor; it grows by one each time the agent reaches the end.
+        position: the index of the agent's place, from 0.
+        opened: the wrong door that was opened, or -1.
     """
 
     seed: int
@@ -34,7 +34,7 @@ class Corridor(NamedTuple):
 
 
 class MemoryCorridor(NamedTuple):
-    """Walk through a corridor of doors that grows by one each time; only the last right door is marked.
+    """Walk through a corridor that gets one place longer each time; only at the last place is the right door marked.
 
     ## Description
     Challenge: partial observability. At every place of the corridor there are `num_doors` doors, one of them unlocked.
@@ -54,7 +54,7 @@ class MemoryCorridor(NamedTuple):
     observation is not Markov: that is the challenge.
 
     ## Dynamics
-    The right door leads to the next place, the last one to the start of a corridor that is one door longer. Doors are
+    The right door leads to the next place. After the last place the corridor starts again, one place longer. Doors are
     drawn independently and uniformly from the environment's random stream, new ones in every episode (fixed ones could
     be learned by heart).
 
@@ -79,7 +79,7 @@ class MemoryCorridor(NamedTuple):
 
     ## Choices
     - The paper has no step limit; without one perfect play would never end.
-    - After a wrong door the agent stays where it was, and so does its observation.
+    - After a wrong door the position and the observation do not change.
 
     ## Algorithms
     The paper compares Q-learning with a table and deep Q-learning (Stable-Baselines3), both with stacked frames, and
@@ -97,7 +97,7 @@ class MemoryCorridor(NamedTuple):
         return Corridor(int(rng.random() * SEEDS), 1, 0, -1)
 
     def transition(self, state: Corridor, action: int, rng: Random) -> Corridor:
-        """The right door leads on; behind the last one the corridor starts again, one door longer."""
+        """The right door leads to the next place; after the last place the corridor starts again, one place longer."""
         if action != self.right_door(state.seed, state.position):
             return Corridor(state.seed, state.length, state.position, action)
         if state.position < state.length - 1:
@@ -105,10 +105,10 @@ class MemoryCorridor(NamedTuple):
         return Corridor(state.seed, state.length + 1, 0, -1)
 
     def right_door(self, seed: int, place: int) -> int:
-        """The unlocked door at a place: as good as drawn uniformly and independently, but nothing has to be stored.
+        """The unlocked door at a place, computed by a hash, so that no list of doors must be stored.
 
-        The seed and the place are scrambled by the finalizer of a hash function (multiply, shift, exclusive or), in 31
-        bits, so that no product exceeds 62.
+        It behaves like independent uniform draws. The seed and the place are mixed as in the last step of a hash
+        function (multiply, shift, exclusive or), in numbers of 31 bits, so that every product fits in 62 bits.
         """
         bits = (seed + place * 0x1E3779B9) % SEEDS
         bits = (bits ^ (bits >> 15)) * 0x2C1B3C6D % SEEDS
@@ -120,7 +120,7 @@ class MemoryCorridor(NamedTuple):
         return 1.0 if next_state.opened == -1 else 0.0
 
     def terminal(self, state: Corridor) -> bool:
-        """A wrong door is the end."""
+        """Whether a wrong door was opened."""
         return state.opened != -1
 
     def observation(self, state: Corridor, rng: Random) -> int:

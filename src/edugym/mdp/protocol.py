@@ -1,7 +1,8 @@
-"""What an MDP and an agent are: small immutable values with pure functions.
+"""The interfaces of MDPs and agents.
 
-Nothing inherits from these protocols at run time. A `typing.NamedTuple` with the right methods *is* an MDP or an agent,
-also when a student writes it in a notebook cell; the protocols say so to the type checker and to the reader.
+An MDP is an immutable value. An agent is one too, and changes only the arrays in its fields. You do not inherit from
+these protocols: every `typing.NamedTuple` with the right methods is an MDP or an agent, also in a notebook cell. The
+protocols are there for type checkers and readers.
 """
 
 import inspect
@@ -24,19 +25,20 @@ Observation_contra = TypeVar("Observation_contra", contravariant=True)
 
 
 class MDP(Protocol[State, Observation_co]):
-    """A Markov decision process (S, A, p, r) with actions 0, 1, ..., and what the agent sees of its state.
+    """A Markov decision process (S, A, p, r), and the observation that the agent gets of a state.
 
-    Every method is a pure function: all randomness comes from `rng`, and a `state` passed in is never written to.
-    An MDP may also have
+    Where the observation does not tell the state, it is partially observable (a POMDP). Actions are usually 0, 1, ...
+    Methods have no side effects except on `rng`, the only source of randomness. They never modify `state`. An MDP may
+    also have
 
-    * `max_steps`: the step limit; without one, episodes end by themselves;
+    * `max_steps`: the step limit; without it, an episode ends only in a terminal state;
     * `reward_threshold`: the mean return at which the task counts as solved, or None where it is not known;
-    * `action_names`: what the actions 0, 1, ... are called, or a dictionary from names to actions;
+    * `action_names`: the names of the actions 0, 1, ..., or a dictionary from names to actions;
     * `scene(state, ...)`: its picture (see `edugym.rendering`);
-    * `info(state, ...)`: a dictionary of what a teacher may want to plot and an agent may not use;
+    * `info(state, ...)`: a dictionary with extra information for plots; agents must not use it;
     * `observe_into(state, rng, out)`: for observations that are arrays, write into `out` what `observation` returns;
-      the vector environment then makes no array for each copy;
-    * `create(**parameters)`, a class method: check the parameters and make the MDP, layout included.
+      the vector environment then allocates no array for each copy;
+    * `create(**parameters)`, a class method: check the parameters, draw the layout and return the MDP.
 
     After the state, `scene` and `info` may take any of `last_state`, `last_action`, `actions` (all of this episode, in
     order) and `steps`. These are passed by name; at the start of an episode the first two are None.
@@ -67,30 +69,29 @@ class MDP(Protocol[State, Observation_co]):
 
 
 class Actor(Protocol[Observation_contra]):
-    """Something that chooses actions: a policy."""
+    """A policy: it chooses actions."""
 
     def act(self, state: Observation_contra, rng: Random) -> int:
-        """Choose an action in `state`, which is what the agent observes of the environment's state."""
+        """Choose an action. `state` is the observation, which the agent treats as the state."""
 
 
 class Agent(Actor[Observation_contra], Protocol[Observation_contra]):
-    """An agent that learns from single transitions, after each of them.
+    """An agent. Its method `learn` is called after every step.
 
-    Its method `learn` takes any of these, by name (see `edugym.training.contract`):
+    `learn` may have any of these parameters, which are passed by name (see `edugym.training.contract`):
 
     * `state`, `action`, `reward`, `next_state`: the transition, as the agent observes it;
-    * `terminated`: whether the task has ended, so that no reward follows;
+    * `terminated`: whether `next_state` is terminal;
     * `truncated`: whether a step limit has ended the episode; the agent still bootstraps from `next_state`;
-    * `next_action`: the action that it will take next. Taking it makes an agent on-policy (SARSA): the next action is
-      chosen before learning, and otherwise (Q-learning) after it.
+    * `next_action`: the next action, for on-policy agents such as SARSA. If `learn` has this parameter, the next action
+      is chosen before learning; if not, after learning, as in Q-learning.
 
-    It may have a method `greedy(state, rng)`: the action that it believes best, by which it is evaluated. Without one
-    it is evaluated by `act`.
+    Optional: `greedy(state, rng)` returns the greedy action, for evaluation. Without it, `act` is used.
     """
 
     @property
     def learn(self) -> Callable[..., None]:
-        """Learn from one transition."""
+        """Learn from the last step. (A property here, since agents differ in the parameters that they need.)"""
 
 
 def step_limit(mdp: MDP[Any, Any]) -> int | None:
@@ -118,10 +119,10 @@ def _defines(mdp: Any, name: str) -> bool:
 
 
 def coerced(value: Any) -> Any:
-    """The same MDP or agent with every field of the type that its class declares (an `int` for a `float` becomes one).
+    """A copy of an MDP or agent in which fields declared `float` or `int` have exactly that type: 1 becomes 1.0.
 
-    Machine code is made for types, so without this `learning_rate=1` and `learning_rate=0.1` would be compiled twice;
-    and small whole numbers of NumPy's would overflow.
+    Numba compiles once for each combination of types, so without this `learning_rate=1` and `learning_rate=0.1` would
+    be compiled twice. Small integer types of NumPy, such as int8, could overflow.
     """
     if not (isinstance(value, tuple) and hasattr(value, "_fields")):
         return value
@@ -130,8 +131,8 @@ def coerced(value: Any) -> Any:
         kinds |= inspect.get_annotations(base)
     fields = {}
     for name, field in zip(value._fields, value, strict=True):
-        kind = getattr(kinds.get(name), "__forward_arg__", kinds.get(name))  # as text, if it was written so
-        kind = getattr(kind, "__origin__", kind)  # of what is annotated with a range
+        kind = getattr(kinds.get(name), "__forward_arg__", kinds.get(name))  # a string annotation
+        kind = getattr(kind, "__origin__", kind)  # Annotated[float, ...] becomes float
         if kind in (float, "float") and isinstance(field, int | np.number):
             fields[name] = float(field)
         elif kind in (int, "int") and isinstance(field, np.integer):
@@ -142,16 +143,16 @@ def coerced(value: Any) -> Any:
 
 
 HISTORY = ("last_state", "last_action", "actions", "steps")
-"""What `scene` and `info` of an MDP may take besides the state."""
+"""The parameters that `scene` and `info` of an MDP may have besides the state."""
 
 
 def history_wanted(method: Callable[..., Any]) -> tuple[str, ...]:
-    """Which of `HISTORY` a method `scene` or `info` takes."""
+    """The names in `HISTORY` that a method `scene` or `info` takes."""
     parameters = inspect.signature(method).parameters
     return tuple(name for name in HISTORY if name in parameters)
 
 
 def named_actions(mdp: MDP[Any, Any]) -> dict[str, Any]:
-    """The actions of an MDP by what they are called; empty where they have no names."""
+    """A dictionary from names to actions; empty if the actions have no names."""
     names = getattr(mdp, "action_names", ())
     return dict(names) if isinstance(names, Mapping) else {name: action for action, name in enumerate(names)}

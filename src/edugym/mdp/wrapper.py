@@ -1,4 +1,7 @@
-"""Wrappers of MDPs: a class says what it changes, and `@wrapper` passes on the rest."""
+"""Wrappers of MDPs: a class defines the methods that it changes.
+
+`@wrapper` adds the others, which call the inner MDP.
+"""
 
 from collections.abc import Callable
 from functools import wraps
@@ -36,11 +39,14 @@ PASSED_ON = {
     "terminal": _terminal,
     "observation": _observation,
 }
-"""The methods that every MDP has. (Machine code finds methods in the class, so `__getattr__` alone would not do.)"""
+"""The five methods of an MDP, as calls of the inner one. (Machine code looks for methods in the class, so
+`__getattr__` alone is not enough.)"""
 
 
 def wrapper(kind: Kind) -> Kind:
-    """Class decorator: a NamedTuple with a field `mdp` becomes an MDP that differs from it in what the class defines.
+    """Class decorator: make an MDP of a NamedTuple with a field `mdp`, the inner MDP.
+
+    It behaves like the inner MDP, except for the methods and properties that the class defines:
 
         @wrapper
         class Noisy(NamedTuple):
@@ -52,26 +58,27 @@ def wrapper(kind: Kind) -> Kind:
             def reward(self, state, action, next_state, rng):
                 return self.mdp.reward(state, action, next_state, rng) + rng.normal(0.0, self.sigma)
 
-    Spaces, step limit, names of actions, picture and info are those of the inner MDP, unless the class defines them. A
-    wrapper with states of its own defines `inside(state)`: the state of the inner MDP that belongs to one of its own.
+    Spaces, step limit, names of actions, picture and info are those of the inner MDP, unless the class defines them. If
+    the wrapper has other states, it defines `inside(state)`, which returns the corresponding state of the inner MDP.
 
     Raises:
         TypeError: the class has no field `mdp`.
     """
     if "mdp" not in getattr(kind, "_fields", ()):
         raise TypeError(f"{kind.__name__} must be a NamedTuple with a field mdp, the MDP that it wraps")
-    own = vars(kind)
     for name, method in PASSED_ON.items():
-        if name not in own:
+        if not hasattr(kind, name):
             setattr(kind, name, method)
-    if "__getattr__" not in own:
+    if not hasattr(kind, "__getattr__"):
         setattr(kind, "__getattr__", _from_inside)  # noqa: B010
     return kind
 
 
 def _from_inside(self: Any, name: str) -> Any:
     """An attribute that the wrapper does not define: that of the inner MDP."""
-    if name.startswith("_") or name == "observe_into":  # a wrapper that observes something else must not inherit this
+    if (
+        name.startswith("_") or name == "observe_into"
+    ):  # never inherited: wrong for a wrapper that changes the observation
         raise AttributeError(f"{type(self).__name__} has no attribute {name!r}")
     value = getattr(self.mdp, name)
     if name in ("scene", "info") and hasattr(type(self), "inside"):
@@ -80,7 +87,7 @@ def _from_inside(self: Any, name: str) -> Any:
 
 
 def _of_inner_states(self: Any, method: Callable[..., Any]) -> Callable[..., Any]:
-    """`scene` or `info` of the inner MDP, for the states of the wrapper."""
+    """Adapt `scene` or `info` of the inner MDP to the states of the wrapper, keeping its signature."""
 
     @wraps(method)
     def of_wrapped(state: Any, *arguments: Any, **named: Any) -> Any:
