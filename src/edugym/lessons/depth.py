@@ -234,6 +234,8 @@ def report(
     by_sigma = {sigma: compare(sigma=sigma, **saved(f"sigma_{sigma:g}")) for sigma in SIGMAS}
     many = compare(n_actions=10, **saved("ten_actions"))
     by_rate = tune(**{**how, "repetitions": max(repetitions // 2, 2)})  # many runs; their differences are large
+    if stop.is_set():
+        return Report([], [])  # comparisons of incomplete results mean nothing
     claims = [
         *early_claims(by_sigma),
         *late_claims(by_sigma),
@@ -241,7 +243,7 @@ def report(
         *rate_claims(by_rate),
         *target_claims(),
     ]
-    return Report(claims, [] if stop.is_set() else figures(by_sigma, many, by_rate))
+    return Report(claims, figures(by_sigma, many, by_rate))
 
 
 def early_claims(by_sigma: Mapping[float, Results]) -> list[Claim]:

@@ -271,6 +271,8 @@ def report(
     in_turn = play(RoundRobin.create, parameters={"tau": math.inf}, **how)
     obeyed = {tau: vote(tau, 1, 1, **how) for tau in TAUS}
     voted = {length: vote(NOISY, length, length, **how) for length in LENGTHS}
+    if stop.is_set():
+        return Report([], [])  # comparisons of incomplete results mean nothing
     claims = [
         *noise_claims(obeyed, noise),
         rate_claim(hasty, steady),
@@ -278,7 +280,7 @@ def report(
         *message_claims(voted, four, noise),
         *memory_claims(in_turn, memory),
     ]
-    return Report(claims, [] if stop.is_set() else figures(noise, words, four, memory, obeyed, voted))
+    return Report(claims, figures(noise, words, four, memory, obeyed, voted))
 
 
 def noise_label(tau: float) -> str:
