@@ -1,5 +1,7 @@
 """The depth of credit assignment on Study: the claims hold with other seeds than those the lesson shows."""
 
+import threading
+
 import numpy as np
 import pytest
 
@@ -67,6 +69,13 @@ def test_expected_returns_are_within_the_optimum() -> None:
     for repetition, task in tasks.items():
         assert returns[repetition] <= best_returns({0: task}, 0.0) + 1e-9
     assert best_returns(tasks, 0.1) < best_returns(tasks, 0.0)
+
+
+def test_an_interrupted_lesson_reports_nothing() -> None:
+    """With the event set, nothing is measured, claimed or drawn."""
+    stop = threading.Event()
+    stop.set()
+    assert report(repetitions=2, stop=stop) == ([], [])
 
 
 @pytest.mark.slow

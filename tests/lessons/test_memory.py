@@ -1,5 +1,7 @@
 """Partial observability in MemoryCorridor: the claims hold with other seeds than those the lesson shows."""
 
+import threading
+
 import numpy as np
 import pytest
 
@@ -55,6 +57,13 @@ def test_a_window_that_is_enough_is_learned() -> None:
     """Two frames with the action between get through corridor 2, which one frame does not."""
     short, long = (learn(k, actions=True, n_steps=50_000, repetitions=3).final(name(k)).mean() for k in (1, 2))
     assert long > 3.0 > short
+
+
+def test_an_interrupted_lesson_reports_nothing() -> None:
+    """With the event set, nothing is measured, claimed or drawn."""
+    stop = threading.Event()
+    stop.set()
+    assert report(repetitions=2, stop=stop) == ([], [])
 
 
 @pytest.mark.slow

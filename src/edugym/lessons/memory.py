@@ -199,6 +199,8 @@ def report(
     with_actions = {k: learn(k, actions=True, **saved(f"frames_and_actions_{k}")) for k in WITH_ACTIONS}
     both = joined({1: one, **with_actions})  # one frame has no actions between
     quick = joined({k: learn(k, actions=True, n_steps=SHORT, **how) for k in (3, 5)})
+    if stop.is_set():
+        return Report([], [])  # comparisons of incomplete results mean nothing
     claims = [
         *window_claims(),
         *frame_claims(frames),
@@ -206,7 +208,7 @@ def report(
         notes_claim(remember(**how)),
         size_claim(),
     ]
-    return Report(claims, [] if stop.is_set() else figures(frames, both))
+    return Report(claims, figures(frames, both))
 
 
 def window_claims() -> list[Claim]:
