@@ -190,7 +190,7 @@ class Work:
         """Press Ctrl-C again where the order to stop was not enough."""
         with self._lock:
             if self._order is not None:
-                _thread.interrupt_main()
+                _press_ctrl_c()
 
     def _swallowed(self, unraisable: Any) -> None:
         """Press Ctrl-C again where Python ignored it."""
@@ -201,7 +201,7 @@ class Work:
 
     def _raise_again(self) -> None:
         if self._raised is not None:
-            _thread.interrupt_main()
+            _press_ctrl_c()
 
 
 _current = threading.local()  # its `work` is the innermost one of a thread
@@ -215,6 +215,15 @@ def _start_watch() -> None:
     if _watch is None or not _watch.is_alive():  # a forked process has no threads
         _watch = threading.Thread(target=_press, name="edugym-ctrl-c", daemon=True)
         _watch.start()
+
+
+def _press_ctrl_c() -> None:
+    """Send SIGINT to the main thread. A real signal, where there is one, also ends a wait for a lock."""
+    main = threading.main_thread().ident
+    if hasattr(signal, "pthread_kill") and main is not None:
+        signal.pthread_kill(main, signal.SIGINT)
+    else:
+        _thread.interrupt_main()
 
 
 def _press() -> None:

@@ -190,10 +190,10 @@ assert signal.getsignal(signal.SIGQUIT) is signal.SIG_DFL
 
 def test_an_error_leaves_the_terminal_as_it_was() -> None:
     """An error of the environment is shown as it is."""
-    task = "from tests.playing.tasks import Walk; from edugym.playing import play; Walk.reward = lambda *a: 1 / 0; play(Walk())"
-    terminal = Terminal(task)
+    task = "from tests.playing.tasks import Walk; from edugym.playing import play; Walk.reward = lambda *_: 1 / 0"
+    terminal = Terminal(f"{task}; play(Walk())")
     terminal.type("", until="[q] quit")
-    terminal.type("1", until="TypeError")
+    terminal.type("1", until="ZeroDivisionError")
     assert terminal.end() == 1
 
 

@@ -119,8 +119,10 @@ def new(
 
 
 def settings_of(kind: type) -> dict[str, Any]:
-    """The settings that `new` takes for a class, with their defaults (`inspect.Parameter.empty` if a setting has
-    none); `initial_value` comes last."""
+    """The settings that `new` takes for a class, with their defaults; `initial_value` comes last.
+
+    The default is `inspect.Parameter.empty` if a setting has none.
+    """
     defaults = getattr(kind, "_field_defaults", {})
     settings: dict[str, Any] = {}
     for name, hint in _hints(kind).items():

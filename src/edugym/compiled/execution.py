@@ -43,8 +43,8 @@ def executable(
         expected: how many steps it will be asked for in all; fewer than `COMPILE_FROM` are not worth compiling.
         rehearsed: how many are rehearsed by the interpreter, on copies, before code that is not the package's is
             compiled.
-        replayed: without effect: every call that fails in such code is played again by the interpreter, which stops at
-            the very line, or goes on where only machine code could not.
+        replayed: whether a call that fails in such code is played again by the interpreter, which stops at the very
+            line, or goes on where only machine code could not. Without it the caller sees to that, and to changed code.
 
     Returns:
         A function with the arguments of `loop`: machine code, or where that does not pay or is not possible, `loop`
@@ -57,7 +57,7 @@ def executable(
         check_compiler()
         if reason := refusal(code, arguments):
             raise CompilationError(reason)
-        return _machine_code(loop, arguments, code, rehearsed)
+        return _machine_code(loop, arguments, code, rehearsed, replayed)
     except NoCompiler:
         return loop
     except CompilationError as error:
@@ -65,7 +65,7 @@ def executable(
     return loop
 
 
-def _machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, rehearsed: int) -> Loop:
+def _machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, rehearsed: int, replayed: bool) -> Loop:
     """Machine code of the loop; that of foreign code has shown on copies that it does what the interpreter does.
 
     Raises:
@@ -96,7 +96,7 @@ def _machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, rehearsed:
     found = difference((result, rehearsal), (shadowed, shadow), "the result")
     if found:
         raise CompilationError(f"machine code comes to something else than Python in the first steps ({found})")
-    return _guarded(fast, loop, code, rehearsed)
+    return _guarded(fast, loop, code, rehearsed) if replayed else fast
 
 
 def _said(error: Exception) -> str:

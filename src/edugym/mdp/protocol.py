@@ -91,7 +91,7 @@ class Agent(Actor[Observation_contra], Protocol[Observation_contra]):
 
     @property
     def learn(self) -> Callable[..., None]:
-        """Learn from the last step. (A property here, since agents differ in the parameters that they need.)"""
+        """Learn from the last step; a property here, since agents differ in the parameters that they need."""
 
 
 def step_limit(mdp: MDP[Any, Any]) -> int | None:
