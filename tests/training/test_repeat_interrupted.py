@@ -85,7 +85,9 @@ def test_a_run_that_does_not_listen_is_left() -> None:
         go_on.wait(60)
 
     try:
-        with pytest.raises(Interrupted, match="of 4 runs [0-3] are complete"):  # the other thread may finish some first
+        with pytest.raises(
+            Interrupted, match=r"of 4 runs [0-3] are complete"
+        ):  # the other thread may finish some first
             repeat("Boulder", {"Q": stopping(1, stuck_in_a_thread)}, 200, repetitions=4, jobs=2)
     finally:
         go_on.set()

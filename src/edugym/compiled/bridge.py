@@ -53,7 +53,7 @@ def teach(numba: Any, passes: Any) -> None:
         """The type of a method or helper, compiled with the options of the build in progress."""
         if function not in _parts:
             pipeline = passes.JudgedPart if is_foreign(function) else passes.Part
-            _parts[function] = numba.njit(pipeline_class=pipeline, **_options)(function)
+            _parts[function] = numba.njit(pipeline_class=pipeline, forceinline=True, **_options)(function)
         return types.Dispatcher(_parts[function])
 
     def call(context: Any, builder: Any, function: FunctionType, kinds: Any, values: Any) -> Any:
