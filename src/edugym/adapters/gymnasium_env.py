@@ -169,11 +169,9 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         """What a teacher may want to plot and an agent may not use: a new dictionary at every call."""
         if self._info is None:
             return {}
-        told: dict[str, Any]
         if self.info_takes:
-            told = self._info(self.state, **self._history(self.info_takes))
-        else:  # in nearly all tasks; an empty dictionary of arguments would cost a tenth of a step
-            told = self._info(self.state)
+            return dict(self._info(self.state, **self._history(self.info_takes)))
+        told: dict[str, Any] = self._info(self.state)  # an empty dictionary of arguments would cost a tenth of a step
         return told
 
     def named_actions(self) -> dict[str, Any]:
