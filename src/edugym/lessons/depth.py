@@ -32,7 +32,7 @@ from edugym.plotting.lines import Lines
 from edugym.plotting.report import Report
 from edugym.plotting.sheet import Sheet
 from edugym.results.claims import Above, Below, Claim, Within
-from edugym.results.statistics import Interval, paired_difference
+from edugym.results.statistics import Interval, exactly, paired_difference
 from edugym.results.tables import Results
 from edugym.training.repeat import repeat
 
@@ -373,35 +373,30 @@ def target_claims() -> list[Claim]:
         Claim(
             "At the defaults reward noise is less than 1 % of the variance of the return; exploration is the rest",
             "share of reward noise, σ = 0.05, computed",
-            exact(noise_share(0.05)),
+            exactly(noise_share(0.05)),
             Below(0.01),
             f"an exploring step can cost the exam, 10; at σ = 1 noise is {noise_share(1.0):.0%}",
         ),
         Claim(
             "Once the values are learned, the one-step target varies much less than the Monte Carlo target",
             "variance of the target of the first day, n = 1 / Monte Carlo, computed",
-            exact((one.noise + one.exploration) / (whole.noise + whole.exploration)),
+            exactly((one.noise + one.exploration) / (whole.noise + whole.exploration)),
             Below(0.2),
         ),
         Claim(
             "and is no more biased",
             "mean of the one-step target less that of the return, computed",
-            exact(one.mean - whole.mean),
+            exactly(one.mean - whole.mean),
             Within(-1e-6, 1e-6),
             "at the fixed point every n has the same mean",
         ),
         Claim(
             "Before anything is learned, the one-step target misses nearly the whole return",
             "mean of the one-step target with V = 0 / mean return, computed",
-            exact(unlearned.mean / whole.mean),
+            exactly(unlearned.mean / whole.mean),
             Within(-0.1, 0.1),
         ),
     ]
-
-
-def exact(value: float) -> Interval:
-    """Return a computed value as an interval, which is a point."""
-    return Interval(value, value, value, 1)
 
 
 def figures(by_sigma: Mapping[float, Results], many: Results, by_rate: Mapping[float, Results]) -> list[Sheet]:

@@ -29,7 +29,7 @@ from edugym.plotting.lines import Lines
 from edugym.plotting.report import Report
 from edugym.plotting.sheet import Sheet
 from edugym.results.claims import Above, Below, Claim, Within
-from edugym.results.statistics import Interval, mean_interval, paired_difference
+from edugym.results.statistics import exactly, mean_interval, paired_difference
 from edugym.results.tables import Results
 from edugym.training.repeat import repeat
 
@@ -218,14 +218,14 @@ def window_claims() -> list[Claim]:
         Claim(
             "Frames alone: perfect play through corridor L needs a window of L(L-1)/2 + 1",
             f"largest deviation for L = 1 to {longest}",
-            exact(max(abs(smallest_window(length) - window_law(length)) for length in LENGTHS)),
+            exactly(max(abs(smallest_window(length) - window_law(length)) for length in LENGTHS)),
             Within(0, 0),
             "the mark of the first door was seen once, at the very start",
         ),
         Claim(
             "With the actions in the window, the larger of L and 2L - 3 is enough: linear in place of quadratic",
             f"largest deviation for L = 1 to {longest}",
-            exact(max(abs(smallest_window(length, actions=True) - action_law(length)) for length in LENGTHS)),
+            exactly(max(abs(smallest_window(length, actions=True) - action_law(length)) for length in LENGTHS)),
             Within(0, 0),
             "the door was opened L - 1 steps ago; two marks in the window tell how long the corridor is (section 17.3)",
         ),
@@ -306,7 +306,7 @@ def size_claim() -> Claim:
     return Claim(
         "A dense table over stacks of 25 frames needs 27 petabytes",
         "petabytes, computed",
-        exact(dense_table(25) / 1e15),
+        exactly(dense_table(25) / 1e15),
         Within(26.5, 27.5),
         f"25 frames are perfect play up to corridor {max(n for n in range(1, 25) if window_law(n) <= 25)}",
     )
@@ -322,11 +322,6 @@ def at(results: Results, k: int, step: int) -> Any:
     """Return the evaluation after a number of steps of every run with a stack of k, shape (n_repetitions,)."""
     columns = range(len(results.final(name(k))))
     return results.curves(name(k)).reindex([step]).reindex(columns=columns).to_numpy(float)[0]
-
-
-def exact(value: float) -> Interval:
-    """Return a computed value as an interval, which is a point."""
-    return Interval(value, value, value, 1)
 
 
 def figures(frames: Results, both: Results) -> list[Sheet]:

@@ -30,7 +30,7 @@ from edugym.plotting.lines import Lines
 from edugym.plotting.report import Report
 from edugym.plotting.sheet import Sheet
 from edugym.results.claims import Above, Below, Claim, Within
-from edugym.results.statistics import Interval, mean_interval, paired_difference, share_interval
+from edugym.results.statistics import Interval, exactly, mean_interval, paired_difference, share_interval
 from edugym.results.tables import Results
 from edugym.training.repeat import repeat
 
@@ -291,7 +291,7 @@ def switch_claim() -> Claim:
     return Claim(
         "The best ε-soft run changes from the fast to the safe one between ε = 0.03 and 0.05",
         "ε on the exact model",
-        Interval(epsilon, epsilon, epsilon, 1),
+        exactly(epsilon),
         Within(0.03, 0.05),
     )
 

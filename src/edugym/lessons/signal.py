@@ -32,7 +32,7 @@ from edugym.plotting.lines import Lines
 from edugym.plotting.report import Report
 from edugym.plotting.sheet import Sheet
 from edugym.results.claims import Above, Below, Claim, Within
-from edugym.results.statistics import Interval, mean_interval, paired_difference
+from edugym.results.statistics import exactly, mean_interval, paired_difference
 from edugym.results.tables import Results
 from edugym.training.repeat import repeat
 
@@ -360,7 +360,7 @@ def message_claims(voted: Mapping[int, Reals], four: Results, noise: Results) ->
         Claim(
             "28 words at τ = 0.1 carry as much information as one word at τ = 0.02",
             "ratio of I(message; need), computed",
-            exact(information(NOISY, 28) / information(0.02)),
+            exactly(information(NOISY, 28) / information(0.02)),
             Within(0.9, 1.1),
             f"one word carries {bits:.3f} bit at τ = 0.1 and {information(0.02):.2f} at 0.02; 2 bits tell the need",
         ),
@@ -421,11 +421,6 @@ def memory_claims(in_turn: Reals, memory: Results) -> list[Claim]:
             "a greedy policy without signal and memory repeats one action",
         ),
     ]
-
-
-def exact(value: float) -> Interval:
-    """Return a computed value as an interval, which is a point."""
-    return Interval(value, value, value, 1)
 
 
 def figures(

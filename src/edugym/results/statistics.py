@@ -52,6 +52,11 @@ class Interval(NamedTuple):
         return f"{in_short(self.estimate)} [{in_short(self.low)}, {in_short(self.high)}]"
 
 
+def exactly(value: float) -> Interval:
+    """The interval of a value that is computed and not estimated: a point."""
+    return Interval(value, value, value, 1)
+
+
 def in_short(number: float) -> str:
     """Format a number with three significant digits, or a large one as a whole number."""
     return f"{number:.3g}" if abs(number) < 1_000 or math.isinf(number) else f"{number:.0f}"
