@@ -57,10 +57,10 @@ class CountBased(NamedTuple):
 
     @classmethod
     def create(cls, environment: Any, **settings: Any) -> "CountBased":
-        """Create an agent with new tables for an environment, or for the shape (n_states, n_actions) of a table.
+        """Create an agent with new tables; `environment` is an environment, or the shape of Q, (n_states, n_actions).
 
-        The settings are the fields of the class that have a default, and `initial_value`, the first value of every
-        entry of Q (0).
+        Settings: every field that has a default, and `initial_value`. Every entry of Q starts at `initial_value`, by
+        default 0.
 
         Raises:
             ValueError: a setting is unknown or out of range, or the environment is not tabular.

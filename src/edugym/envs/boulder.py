@@ -17,7 +17,7 @@ HIGHEST, MOST_GRIPS = 1_000_000, 1_000
 
 
 class Boulder(NamedTuple):
-    """Climb a wall on which only one grip holds at every height.
+    """Climb a wall. At each height exactly one grip holds.
 
     ## Description
     Challenge: exploration under sparse reward. A climber stands before a wall. At every height there are `n_grips`
@@ -33,8 +33,9 @@ class Boulder(NamedTuple):
     `Discrete(n_grips)`: the grip to jump to.
 
     ## State
-    The position, and the number of steps that this episode has taken. The position is observed; the step count is not,
-    so near the step limit the observation is not Markov (an agent that bootstraps at truncation need not mind).
+    The position, and because of the step limit the number of steps of this episode. The environment counts the steps;
+    the agent does not observe them, so near the limit the observation is not Markov. (That is no problem for an agent
+    that still uses the value of the next state when an episode is truncated.)
 
     ## Dynamics
     The grip that holds moves the climber up by one. Any other sends it to the ground, without ending the episode.
@@ -60,8 +61,8 @@ class Boulder(NamedTuple):
     - `right_grip`: the grip that holds at the present position; -1 at the top.
 
     ## Choices
-    - The paper gives N^H as the number of steps that a random climber needs; that counts attempts. The number of steps
-      is (N^(H+1) - N)/(N - 1).
+    - The paper says that a random climber needs N^H steps. But N^H is the number of attempts (climbs from the ground)
+      on average; the number of steps is (N^(H+1) - N)/(N - 1).
     - The paper's state space is `Discrete(H)`; here the top is a position too, because the agent
       observes it when the episode ends.
 
@@ -94,7 +95,7 @@ class Boulder(NamedTuple):
         return state == self.height
 
     def observation(self, state: int, rng: Random) -> int:
-        """The position on the wall: everything there is to know."""
+        """The position on the wall."""
         return state
 
     @property
@@ -128,7 +129,10 @@ class Boulder(NamedTuple):
 
     @property
     def reward_threshold(self) -> float | None:
-        """Every episode reaches the top; None if the step limit is too low for that."""
+        """The return at which the task counts as solved: 1, if every episode reaches the top.
+
+        None if the step limit is too low to reach it.
+        """
         return 1.0 if self.max_steps >= self.height else None
 
     @property
@@ -141,7 +145,7 @@ class Boulder(NamedTuple):
         return {"right_grip": int(self.grips[state]) if state < self.height else -1}
 
     def scene(self, state: int) -> Scene:
-        """A wall from the front: the grip that holds grey, the others black and cracked, the climber on its grip.
+        """A wall from the front. The grip that holds is grey; the others are black and cracked.
 
         Of a large wall it shows the part where the climber is.
         """
@@ -152,7 +156,9 @@ class Boulder(NamedTuple):
         left = min(max(0, held - n_grips // 2), self.n_grips - n_grips)  # the first grip that is in the picture
         width, top = n_grips + 3.0, 2.0
         bottom = top + shown + 0.5
-        edge = top if first + shown == height else -1.0  # a wall that goes on goes on beyond the picture
+        edge = (
+            top if first + shown == height else -1.0
+        )  # if there are more levels above, draw the wall past the upper edge
         shapes: list[Shape] = [Rectangle(1.0, edge, n_grips + 1.0, bottom + 3.0 - edge, 0.3, fill=WALL)]
         if first == 0:
             shapes.append(Rectangle(0.0, bottom, width, 1.5, fill=GRASS, glyph="░"))

@@ -39,12 +39,12 @@ PASSED_ON = {
     "terminal": _terminal,
     "observation": _observation,
 }
-"""The five methods of an MDP, as calls of the inner one. (Machine code looks for methods in the class, so
+"""The five methods of an MDP, as calls of the inner one. (The compiler finds only methods of the class itself, so
 `__getattr__` alone is not enough.)"""
 
 
 def wrapper(kind: Kind) -> Kind:
-    """Class decorator: make an MDP of a NamedTuple with a field `mdp`, the inner MDP.
+    """Class decorator: turn a NamedTuple into an MDP; its field `mdp` is the inner MDP.
 
     It behaves like the inner MDP, except for the methods and properties that the class defines:
 
@@ -59,7 +59,8 @@ def wrapper(kind: Kind) -> Kind:
                 return self.mdp.reward(state, action, next_state, rng) + rng.normal(0.0, self.sigma)
 
     Spaces, step limit, names of actions, picture and info are those of the inner MDP, unless the class defines them. If
-    the wrapper has other states, it defines `inside(state)`, which returns the corresponding state of the inner MDP.
+    the states of the wrapper differ from those of the inner MDP, it defines `inside(state)`, which returns the
+    corresponding state of the inner MDP.
 
     Raises:
         TypeError: the class has no field `mdp`.
@@ -78,7 +79,7 @@ def _from_inside(self: Any, name: str) -> Any:
     """An attribute that the wrapper does not define: that of the inner MDP."""
     if (
         name.startswith("_") or name == "observe_into"
-    ):  # never inherited: wrong for a wrapper that changes the observation
+    ):  # private names, and `observe_into`, which would show the inner observation
         raise AttributeError(f"{type(self).__name__} has no attribute {name!r}")
     value = getattr(self.mdp, name)
     if name in ("scene", "info") and hasattr(type(self), "inside"):

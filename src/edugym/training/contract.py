@@ -1,4 +1,4 @@
-"""How the training loops call an agent: its `learn` gets its arguments by the names of its parameters."""
+"""How the training loops call an agent: the names of the parameters of `learn` decide which arguments it gets."""
 
 import copy
 import inspect
@@ -51,14 +51,16 @@ def learns_from(agent: Any) -> tuple[str, ...]:
 
 
 def learner(agent: Any) -> Any:
-    """Wrap an agent so that its `learn` accepts all arguments of a loop, in order, and passes on those it needs.
+    """Wrap an agent. The wrapper's `learn` accepts all arguments of a loop, in order.
+
+    It passes to the agent's `learn` only those that it takes.
 
     Compiled code needs to know the arguments of a call beforehand, so the class of the wrapper is generated. For an
     agent that learns from `state, action, reward, terminated` it contains:
 
         def act(self, state, rng):
             return self.agent.act(state, rng)
-        def act_into(self, state, rng, action):  # for agents that have it
+        def act_into(self, state, rng, action):  # always generated; it works only if the agent has it
             self.agent.act_into(state, rng, action)
         def learn(self, state, action, reward, next_state, terminated, truncated):
             self.agent.learn(state=state, action=action, reward=reward, terminated=terminated)
@@ -83,6 +85,6 @@ def learner(agent: Any) -> Any:
 def actor(agent: Any) -> Any:
     """The policy of an agent in evaluation: `greedy` if the agent has it, else `act` of a copy.
 
-    (`act` may change the agent, for example the step of a schedule; evaluation must not.)
+    (`act` may change the agent, for example count a step of a schedule. Evaluation must not change it.)
     """
     return GreedyActor(agent) if hasattr(agent, "greedy") else copy.deepcopy(agent)

@@ -103,8 +103,8 @@ def on_policy(
 ) -> OnPolicyMoment:
     """Take `n_steps` steps. Choose the next action first, then learn from it (SARSA, section 6.4).
 
-    An action is also chosen at the end of an episode, because `learn` takes one, but it is never executed. Arguments
-    and result are those of `off_policy`; the moment holds the next action as well.
+    `learn` needs a next action after the last step of an episode too. One is chosen there, but never executed.
+    Arguments and result are those of `off_policy`; the moment holds the next action as well.
     """
     state, observation, action, steps, total = moment
     for _ in range(n_steps):
