@@ -88,7 +88,8 @@ def train(
     began, done, curve, interrupted = time.perf_counter(), 0, _Curve(), False
     try:
         with Work(stop) as work, progress_bar(n_steps, "steps", shown=progress) as bar:
-            training = trainer(environment, agent, seed, max_steps, expected=n_steps)
+            expected = 0 if stop is not None and stop.is_set() else n_steps  # nothing to compile for
+            training = trainer(environment, agent, seed, max_steps, expected)
             agent = training.agent
             work.hold(training.is_compiled)
             curve.measure(done, training, evaluation_episodes, work.stopped)
