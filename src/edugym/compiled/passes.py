@@ -325,7 +325,6 @@ def _before_lowering(state: Any) -> bool:
     library = state.library = codegen.create_library(state.func_id.func_qualname)
     library._codegen = _Unlinked(codegen)
     library._finalize_specific = lambda: None
-    library._optimize_final_module = lambda: None
     return False
 
 
