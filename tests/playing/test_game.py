@@ -8,9 +8,9 @@ import pytest
 from gymnasium import spaces
 from gymnasium.error import ResetNeeded
 
+from edugym.adapters.keys import MOST_NAMED, keys_of, named_actions
 from edugym.playing import Game, play
-from edugym.playing.game import MOST_NAMED, TERMINATED, TRUNCATED, named_actions
-from edugym.playing.keyboard import keys_of
+from edugym.playing.game import TERMINATED, TRUNCATED
 from edugym.registration import ENVIRONMENTS
 from tests.playing.tasks import Still, Walk
 

@@ -19,10 +19,11 @@ from gymnasium.error import DependencyNotInstalled
 from PIL import Image
 from typer.testing import CliRunner, Result
 
+from edugym.adapters.keys import keys_of
 from edugym.cli import app
 from edugym.playing import play
 from edugym.playing.game import TERMINATED
-from edugym.playing.keyboard import CLEAR, key_presses, keys_of, windows_keys
+from edugym.playing.keyboard import CLEAR, key_presses, windows_keys
 from edugym.registration import ENVIRONMENTS
 from edugym.rendering.scene import Scene, Text
 from edugym.rendering.window import Window

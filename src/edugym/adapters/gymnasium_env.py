@@ -13,6 +13,7 @@ from gymnasium.envs.registration import EnvSpec
 from gymnasium.error import ResetNeeded
 from gymnasium.wrappers import OrderEnforcing, PassiveEnvChecker
 
+from edugym.adapters import keys
 from edugym.adapters.actions import checked_action
 from edugym.adapters.specification import filled
 from edugym.checks import one_of
@@ -187,11 +188,8 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         Raises:
             ValueError: there are more actions than keys, or actions that are not named are real numbers.
         """
-        from edugym.playing.game import named_actions as all_named
-        from edugym.playing.keyboard import keys_of
-
-        actions = all_named(self)
-        return {key: actions[name] for key, name in keys_of(list(actions)).items()}
+        actions = keys.named_actions(self)
+        return {key: actions[name] for key, name in keys.keys_of(list(actions)).items()}
 
     def scene(self) -> "Scene":
         """The picture of the present state, or of an initial one before the first `reset`.

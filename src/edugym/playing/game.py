@@ -7,9 +7,9 @@ from typing import Any, NamedTuple, TypeAlias
 
 import gymnasium
 import numpy as np
-from gymnasium import spaces
 
 from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.adapters.keys import named_actions
 from edugym.checks import one_of
 from edugym.registration import specification
 from edugym.rendering.captions import captioned
@@ -22,8 +22,6 @@ TERMINATED = "Terminated: the task itself has ended."
 TRUNCATED = "Truncated: the step limit cuts the episode off."
 SHOWN, BESIDE = 8, 4
 """An observation of more numbers than `SHOWN` is not shown; one of more than `BESIDE` gets a line of its own."""
-MOST_NAMED = 10_000
-"""The actions of an environment with more of them get no names."""
 
 
 class Frame(NamedTuple):
@@ -176,40 +174,6 @@ def made(environment: Any, picture: str, parameters: dict[str, Any]) -> gymnasiu
             os.environ.setdefault("SDL_VIDEODRIVER", "dummy")  # else pygame complains that there is no screen
         env = gymnasium.make(spec.id, render_mode=picture, **parameters)
     return env
-
-
-def named_actions(environment: gymnasium.Env[Any, Any]) -> dict[str, Any]:
-    """Return the actions to choose from, by name.
-
-    An environment may name them itself. Otherwise whole numbers go by their digits. Where an action consists of several
-    numbers, each of them can be set to its lowest and to its highest value, with the others in the middle. More than
-    `MOST_NAMED` actions get no names.
-
-    Raises:
-        ValueError: the actions are of another kind, and the environment does not name them.
-    """
-    unwrapped: Any = environment.unwrapped
-    space = environment.action_space
-    if isinstance(space, spaces.Discrete) and space.n > MOST_NAMED:
-        return {}
-    offered: dict[str, Any] = unwrapped.named_actions() if hasattr(unwrapped, "named_actions") else {}
-    if offered:
-        return offered
-    if isinstance(space, spaces.Discrete):
-        return {str(action): action for action in range(int(space.start), int(space.start + space.n))}
-    if isinstance(space, spaces.MultiDiscrete) and len(space.shape) == 1:
-        low, high = space.start, space.start + space.nvec - 1
-        middle = (low + high) // 2
-    elif isinstance(space, spaces.Box) and len(space.shape) == 1 and space.is_bounded():
-        low, high = space.low, space.high
-        middle = (low + high) / 2
-    else:
-        raise ValueError(f"the actions of {space} have no names: give the environment a method named_actions")
-    actions = {"middle": middle.astype(space.dtype)}
-    for k in range(len(middle)):
-        for name, end in (("low", low), ("high", high)):
-            actions[f"{k} {name}"] = np.where(np.arange(len(middle)) == k, end, middle).astype(space.dtype)
-    return actions
 
 
 def _in_words(observation: Any) -> tuple[str, bool]:

@@ -4,7 +4,6 @@ import io
 import os
 import re
 import signal
-import string
 import sys
 import threading
 from collections.abc import Callable, Iterator
@@ -12,6 +11,7 @@ from contextlib import closing, contextmanager, suppress
 from pathlib import Path
 from typing import Any, Protocol, TextIO
 
+from edugym.adapters.keys import AGAIN, KEYS, QUIT, keys_of
 from edugym.checks import one_of
 from edugym.extras import require
 from edugym.playing.films import checked_path, record
@@ -20,10 +20,8 @@ from edugym.rendering.ansi import to_text
 from edugym.rendering.scene import Scene
 from edugym.rendering.window import Window
 
-QUIT, AGAIN = "q", "r"
 SPACE, LINE_LENGTH = "   ", 62
 """The space between two choices, and the number of characters in a line of a window."""
-KEYS = [*string.digits, *(letter for letter in string.ascii_lowercase if letter not in (QUIT, AGAIN))]
 
 ARROWS = {"A": "up", "B": "down", "C": "right", "D": "left"}
 """The last character of an arrow key in a terminal, after ESC [ or ESC O."""
@@ -103,24 +101,6 @@ def play(
     if gif is not None:
         _write(screen, f"The last episode is in {gif}\n")
     return game
-
-
-def keys_of(names: list[str]) -> dict[str, str]:
-    """Give each action a key: its name if all names are single characters, else a digit or a letter.
-
-    Args:
-        names: the names of the actions, in order.
-
-    Returns:
-        The name of the action for each key.
-
-    Raises:
-        ValueError: there are more actions than keys.
-    """
-    if len(names) > len(KEYS):
-        raise ValueError(f"actions must be at most {len(KEYS)} to be played by keys, but are {len(names)}")
-    single = all(name in KEYS for name in names)
-    return {name if single else key: name for key, name in zip(KEYS, names, strict=False)}
 
 
 def _play(game: Game, keys: dict[str, str], display: Display) -> None:
