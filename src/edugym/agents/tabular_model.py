@@ -5,12 +5,12 @@ from typing import Annotated, Any, NamedTuple
 import gymnasium
 import numpy as np
 
-from edugym.adapters.tabular_observation import tabular
 from edugym.agents.settings import Counter, Table, new
 from edugym.agents.tables import best_value, one_step_target, random_action, table_size
 from edugym.checks import whole_number
 from edugym.exact.tables import FiniteModel
 from edugym.mdp.protocol import Integers, Random, Reals
+from edugym.mdp.tabular import tabular_mdp
 
 
 class TabularModel(NamedTuple):
@@ -207,7 +207,7 @@ def _observed(environment: Any, state: Any) -> int:
     if isinstance(environment, gymnasium.Env):
         environment = getattr(environment.unwrapped, "mdp", environment)
     if hasattr(environment, "observation") and not isinstance(environment, gymnasium.Env):
-        state = tabular(environment).observation(state, np.random.default_rng(0))
+        state = tabular_mdp(environment).observation(state, np.random.default_rng(0))
     if not isinstance(state, int | np.integer):
         raise ValueError(f"model must have states that are whole numbers, or come with its MDP, but has {state!r}")
     return int(state)
