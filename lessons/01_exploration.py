@@ -316,12 +316,23 @@ print("measured, for N = 3, H = 5:", round(exploration.watch_random_search(3, 5,
 # %% [markdown]
 # ## Exercises
 #
+# Each exercise has a cell for your answer, and below it a cell that checks it. The check does not only say whether an
+# answer is right: it says what was expected, what came, and which mistake that looks like. It runs your code on cases
+# that it makes up.
+
+# %%
+from edugym.exercises.exploration import CHALLENGE, exercise_1, exercise_2, exercise_3, exercise_4
+from edugym.grading import check
+
+# %% [markdown]
 # ### Exercise 1: change a parameter
-# An ε-greedy climber knows the whole wall and keeps exploring. Half of its climbs on a wall of height 100 with two
-# grips should reach the top. What is the largest possible $\varepsilon$? Set `epsilon` to that number.
+# An ε-greedy climber knows the whole wall and keeps exploring: at every step it takes a random grip with probability
+# $\varepsilon$. On a wall of height 100 with two grips, at least half of its climbs should reach the top without a fall.
+# What is the largest possible $\varepsilon$? Set `epsilon` to that number, by a formula or with four digits after the
+# decimal point.
 #
-# <details><summary>Hint</summary>A random action is the wrong one with probability 1/2, so a step goes wrong with
-# probability ε/2. Solve (1 − ε/2)^100 = 1/2.</details>
+# <details><summary>Hint</summary>A random grip is the wrong one with probability 1/2, so a step goes wrong with
+# probability ε/2. What is the probability that 100 steps in a row go right?</details>
 
 # %%
 epsilon = 0.1
@@ -330,21 +341,17 @@ epsilon = 2 * (1 - 0.5 ** (1 / 100))
 ### END SOLUTION
 
 # %% tags=["check"]
-assert isinstance(epsilon, int | float), f"epsilon must be a number, but is {epsilon!r}"
-share = (1 - epsilon / 2) ** 100
-assert share > 0.45, (
-    f"with ε = {epsilon:.3f} only {share:.1%} of the climbs arrive: every step may go wrong, so ε must be smaller"
-)
-assert share < 0.55, f"with ε = {epsilon:.3f} as many as {share:.1%} of the climbs arrive: a larger ε is still allowed"
+check(exercise_1, epsilon)
 
 # %% [markdown]
 # ### Exercise 2: optimistic initial values
 # Let all values of $Q$ start at 1 instead of 0, and let the agent be greedy ($\varepsilon = 0$). Every action that it
 # tries is disappointing, so it goes on to actions that it has not tried yet (Sutton and Barto, section 2.6). Write the
-# function that makes this agent. Does it solve height 30 in 20 000 steps, where ε-greedy failed?
+# function that makes this Q-learning agent, with the lesson's learning rate 0.5 and discount 0.9. Before you run the
+# check: which of the three walls will it solve?
 #
-# <details><summary>Hint</summary>`QLearning.create` has a parameter `initial_value`, and `EpsilonGreedy(0.0)` never
-# explores. Use the learning rate 0.5 and the discount 0.9 of the lesson.</details>
+# <details><summary>Hint</summary>One call of QLearning.create is enough. Its settings are learning_rate, discount,
+# exploration and initial_value, and EpsilonGreedy(0.0) never explores.</details>
 
 
 # %%
@@ -356,98 +363,132 @@ def optimist(wall):
 
 
 # %% tags=["check"] points=2
-made = optimist(make_mdp("Boulder", height=30))
-assert made.Q.min() == made.Q.max() == 1.0, (
-    f"all values must start at 1, but they start between {made.Q.min()} and {made.Q.max()}"
-)
-assert made.exploration.epsilon == 0.0, (
-    f"the optimist explores only by its values, so ε must be 0, not {made.exploration.epsilon}"
-)
-solved = repeat("Boulder", {"optimist": optimist}, 20_000, parameters={"height": 30}).final("optimist").mean()
-assert solved > 0.9, f"{solved:.0%} of the runs solve the wall; with learning rate 0.5 and discount 0.9 all should"
+check(exercise_2, optimist)
+exploration.race({"optimist": optimist})
 ### BEGIN HIDDEN TESTS
-assert made.learning_rate == 0.5
-assert made.discount == 0.9
+check(exercise_2, optimist, seed=1)
 ### END HIDDEN TESTS
 
 # %% [markdown]
-# ### Exercise 3: write this agent in ten lines
-# Write your own Q-learning agent with a novelty reward, from the equations above. Its tables and `act` are given;
-# complete `learn`. You write plain Python, and it runs as machine code, tens of millions of steps a second.
+# ### Exercise 3: write your own explorer
+# You have seen two reasons why the novelty agent is stuck. Its slips end its climbs, but without slips it never tries
+# the grip that looks worse. Mend both: let the agent remember what it has tried, so that it needs no slips.
 #
-# <details><summary>Hint</summary>First count the state that was entered, then add 1/√n to the reward. The value of the
-# next state is 0 if the episode has terminated, and otherwise the largest entry in its row of Q:
-# `max(self.Q[next_state])`.</details>
+# The new agent counts not only how often each state was entered, `visits[state]`, but also how often each grip was
+# tried, `tries[state, action]`. Complete two methods:
+#
+# - `learn` first adds one try of the action in the state, and one visit of the next state. Then it learns as the novelty
+#   agent does, with the bonus $\beta / \sqrt{n(S')}$, where $n$ are the visits, and no future after a terminal state.
+# - `act` takes a grip that was never tried in this state, if there is one; with several, any of them will do. Otherwise
+#   it takes the best grip, which `self.greedy(state, rng)` gives. It never takes a random step.
+#
+# The fields `learning_rate`, `discount` and `bonus` are $\alpha$, $\gamma$ and $\beta$; read them from `self`. You write
+# plain Python, and it runs as machine code, tens of millions of steps a second. Predict: how high will it climb?
+#
+# <details><summary>Hint</summary>The largest value in the row of the next state is max(self.Q[next_state]). Count
+# before you divide. A loop over range(self.Q.shape[1]) visits every grip.</details>
 
 
 # %%
 class MyExplorer(NamedTuple):
-    """Q-learning with a novelty reward."""
+    """Q-learning with a novelty reward, which tries every grip once before it prefers one."""
 
-    Q: np.ndarray
-    visits: np.ndarray
+    Q: np.ndarray  # shape (n_states, n_actions)
+    visits: np.ndarray  # shape (n_states,): how often each state was entered
+    tries: np.ndarray  # shape (n_states, n_actions): how often each action was taken in each state
+    learning_rate: float = 0.5
+    discount: float = 0.9
+    bonus: float = 1.0
+
+    @classmethod
+    def create(cls, wall):
+        """Make a new agent for a wall: nothing is known, nothing was tried."""
+        n_states, n_actions = int(wall.observation_space.n), int(wall.action_space.n)
+        tries = np.zeros((n_states, n_actions), np.int64)
+        return cls(np.zeros((n_states, n_actions)), np.zeros(n_states, np.int64), tries)
+
+    def greedy(self, state, rng):
+        """Choose the grip with the highest value; among equals, one at random."""
+        best, equals = 0, 1
+        for action in range(1, self.Q.shape[1]):
+            if self.Q[state, action] > self.Q[state, best]:
+                best, equals = action, 1
+            elif self.Q[state, action] == self.Q[state, best]:
+                equals += 1
+                if rng.random() * equals < 1.0:
+                    best = action
+        return best
 
     def act(self, state, rng):
-        """Choose ε-greedily with ε = 0.1; ties are broken at random."""
-        if rng.random() < 0.1 or self.Q[state, 0] == self.Q[state, 1]:
-            return int(rng.random() * 2)
-        return 0 if self.Q[state, 0] > self.Q[state, 1] else 1
+        """Choose a grip that was never tried here, or else the best."""
+        ### BEGIN SOLUTION
+        for action in range(self.Q.shape[1]):
+            if self.tries[state, action] == 0:
+                return action
+        return self.greedy(state, rng)
+        ### END SOLUTION
 
     def learn(self, state, action, reward, next_state, terminated):
-        """Learn from one transition, with learning rate 0.5 and discount 0.9."""
+        """Count, and learn from one transition."""
         ### BEGIN SOLUTION
+        self.tries[state, action] += 1
         self.visits[next_state] += 1
-        bonus = 1.0 / self.visits[next_state] ** 0.5
+        novelty = self.bonus / self.visits[next_state] ** 0.5
         value = 0.0 if terminated else max(self.Q[next_state])
-        self.Q[state, action] += 0.5 * (reward + bonus + 0.9 * value - self.Q[state, action])
+        target = reward + novelty + self.discount * value
+        self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
         ### END SOLUTION
 
 
 # %% tags=["check"] points=3
-mine = MyExplorer(np.zeros((4, 2)), np.zeros(4, np.int64))
-mine.learn(0, 1, 0.0, 1, False)
-assert mine.visits[1] == 1, f"the state that was entered, 1, must be counted once; visits are {mine.visits}"
-assert mine.visits[0] == 0, "count the state that was entered, not the one that was left"
-assert mine.Q[0, 1] == 0.5, f"after one step without reward, Q[0, 1] is 0.5 * (0 + 1/√1) = 0.5, not {mine.Q[0, 1]}"
-mine.learn(0, 1, 0.0, 1, False)
-expected = 0.5 + 0.5 * (2**-0.5 - 0.5)
-assert abs(mine.Q[0, 1] - expected) < 1e-12, (
-    f"the second time the bonus is 1/√2: Q[0, 1] is {expected:.4f}, not {mine.Q[0, 1]:.4f}"
-)
-mine.Q[2] = 1.0
-mine.learn(1, 0, 1.0, 2, True)
-assert mine.Q[1, 0] == 1.0, f"a terminated episode has no future: Q[1, 0] is 0.5 * (1 + 1) = 1, not {mine.Q[1, 0]}"
-walls = [make_mdp("Boulder", height=30, layout_seed=seed) for seed in range(5)]
-runs = [train(wall, MyExplorer(np.zeros((31, 2)), np.zeros(31, np.int64)), 20_000, seed=1) for wall in walls]
-tops = sum(run.agent.visits[30] > 0 for run in runs)
-assert tops >= 3, f"only {tops} of 5 runs reached the top of a wall of height 30"
+check(exercise_3, MyExplorer)
+exploration.race({"my explorer": MyExplorer.create})
+### BEGIN HIDDEN TESTS
+check(exercise_3, MyExplorer, seed=1)
+### END HIDDEN TESTS
 
 # %% [markdown]
 # ### Exercise 4: swap in another environment
 # The same agents learn in any Gymnasium environment with whole numbers for observations and actions. FrozenLake with a
-# map of 8 by 8, not slippery, is a sparse task too: it has one reward, in the far corner, and holes on the way.
-# Compare the three methods there: call `repeat` with `exploration.METHODS`, 20 000 steps and 5 repetitions, and assign
-# the results to `frozen`.
+# map of 8 by 8, not slippery, is a sparse task too: its only reward is in the far corner, 14 steps away, and a fall into
+# one of its holes ends the episode. Predict first: will the novelty reward help as much as on the wall?
 #
-# (The novelty reward helps less there than on the wall. A hole ends the episode, and with it all later bonuses. And a
-# bonus of 1 is as large as the reward, which is 14 steps away and is discounted to a quarter.)
+# Compare *four* methods there: the three in `exploration.METHODS`, and a fourth of your own choice (another agent, or one
+# of the three with other settings) that solves the lake more often than ε-greedy. Call `repeat` with 20 000 steps and 5
+# repetitions, and assign the results to `frozen`.
 #
-# <details><summary>Hint</summary>`repeat` takes a Gymnasium environment as its first argument, and a dictionary of
-# methods as its second.</details>
+# <details><summary>Hint</summary>repeat takes an environment, a dictionary of methods and the number of steps. A method is
+# a function that makes an agent for an environment, and {**exploration.METHODS, "mine": ...} adds one.</details>
 
 # %%
 lake = gym.make("FrozenLake-v1", map_name="8x8", is_slippery=False)
 frozen = None
 ### BEGIN SOLUTION
-frozen = repeat(lake, exploration.METHODS, 20_000, repetitions=5)
+mine = {"optimistic": lambda lake: QLearning.create(lake, discount=0.9, initial_value=1.0)}
+frozen = repeat(lake, {**exploration.METHODS, **mine}, 20_000, repetitions=5)
 ### END SOLUTION
 
 # %% tags=["check"]
-assert frozen is not None, "frozen must be what repeat(...) returns"
-assert set(frozen.methods) == set(exploration.METHODS), f"all three methods are asked for, not {frozen.methods}"
-assert len(frozen.final("Go-Explore")) == 5, "5 repetitions are asked for"
-for method in frozen.methods:
-    print(f"{method}: {frozen.final(method).mean():.0%} of the runs solve the lake")
+check(exercise_4, frozen)
+
+# %% [markdown]
+# ### The open challenge: learn to climb in 5 000 steps
+# A wall of height 60 with two grips, and 5 000 steps in all: how *early* can an agent know the way? Write an agent of
+# your own. It is tried on ten walls that belong to your name, and nobody else has the same ones. Of the task it is told
+# only the two spaces. Its points are its average return over training, in percent of what is possible: an explorer that
+# takes no avoidable step needs 975 steps on average to reach the top for the first time, and knows the way from then on.
+#
+# Everything is allowed that learns from its own steps. Half a page with it: what does your agent remember, why does that
+# find the top, and where would it fail?
+
+
+# %%
+def my_agent(wall):
+    """Make the agent for the challenge; put your own in its place."""
+    return GoExplore.create(wall, learning_rate=0.5, discount=0.9, explore_steps=10)
+
+
+CHALLENGE.score(my_agent, "Ada Lovelace")
 
 # %% [markdown]
 # ## What you saw

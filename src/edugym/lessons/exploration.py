@@ -10,7 +10,7 @@ that solve it is above one half with 95 % confidence; it does not solve the wall
 """
 
 import threading
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from types import MappingProxyType
@@ -341,6 +341,30 @@ def figures(by_height: Mapping[int, Results]) -> list[Sheet]:
         Sheet("visits", [visit_maps(by_height[height], height) for height in HEIGHTS[1:]]),
         Sheet("climbs", [[climb_shares(by_height[HEIGHTS[-1]], HEIGHTS[-1])]]),
     ]
+
+
+def race(
+    own: Mapping[str, Callable[..., Any]],
+    heights: Sequence[int] = HEIGHTS,
+    *,
+    n_grips: int = 2,
+    repetitions: int = 10,
+    **how: Any,
+) -> Sheet:
+    """Return the paper's figure with methods of the reader's own beside its three.
+
+    Args:
+        own: by label, functions that make an agent for an environment.
+        heights: the heights of the walls, one panel for each.
+        n_grips: the number of grips at every height, 2 or more.
+        repetitions: the number of runs of each method, each on a wall of its own.
+        **how: more arguments of `compare`.
+    """
+    methods = {**METHODS, **own}
+    compared = {
+        height: compare(height, methods=methods, n_grips=n_grips, repetitions=repetitions, **how) for height in heights
+    }
+    return Sheet("race", [[curves(results, height, n_grips) for height, results in compared.items()]])
 
 
 def curves(results: Results, height: int, n_grips: int = 2) -> Curves:

@@ -1,0 +1,183 @@
+"""An open challenge: an agent of the student's own, on tasks that belong to a name, against baselines."""
+
+import hashlib
+import unicodedata
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from edugym.grading.student_code import running
+from edugym.grading.values import given
+from edugym.grading.wrong import WrongAnswer
+from edugym.registration import make_mdp
+from edugym.results.statistics import Interval, paired_difference
+from edugym.results.tables import Results
+from edugym.training.contract import learner
+from edugym.training.repeat import repeat
+
+YOURS = "your agent"
+
+
+def seed_from_name(name: str | int) -> int:
+    """Return a seed that belongs to a name or a student number: the same on every machine, from 0 to 2^32 - 1.
+
+    Capital letters and spaces make no difference.
+
+    Raises:
+        ValueError: the name is empty, or neither a text nor a whole number.
+    """
+    if isinstance(name, bool | np.bool_) or not isinstance(name, str | int | np.integer):
+        raise ValueError(f'name must be a text such as "Ada", or a whole number, but is {name!r}')
+    plain = "".join(unicodedata.normalize("NFKC", str(name)).casefold().split())
+    if not plain:
+        raise ValueError(f"name must have one letter or more, but is {name!r}")
+    return int.from_bytes(hashlib.sha256(plain.encode()).digest()[:4], "big")
+
+
+class Sizes(NamedTuple):
+    """All that an agent is told of a task: it finds out about the rest by its own steps.
+
+    Attributes:
+        observation_space: what it may observe.
+        action_space: what it may do.
+    """
+
+    observation_space: Any
+    action_space: Any
+
+    def __getattr__(self, name: str) -> Any:
+        """Say what there is instead."""
+        raise AttributeError(
+            f"the agent is told `observation_space` and `action_space` only, not {name!r}: it has to find out the rest"
+        )
+
+
+@dataclass(frozen=True, repr=False)
+class Score:
+    """How an agent did in a challenge.
+
+    Attributes:
+        name: whose tasks it was tried on.
+        points: 0 to 100: the average return over training, of the best possible one. The mean over the tasks.
+        rows: by label, the mean return at the end and the average return over training.
+        ahead: how much the average return of the agent is above that of the best baseline, paired by task.
+        best_baseline: the label of that baseline.
+        results: the learning curves.
+    """
+
+    name: str
+    points: float
+    rows: Mapping[str, tuple[float, float]]
+    ahead: Interval
+    best_baseline: str
+    results: Results
+
+    def __repr__(self) -> str:
+        """Return a table, and the points."""
+        width = max(map(len, self.rows))
+        lines = [f"{'':{width}}  return at the end  average while learning"]
+        lines += [f"{label:{width}}  {end:17.2f}  {average:22.2f}" for label, (end, average) in self.rows.items()]
+        return "\n".join([*lines, "", self._verdict()])
+
+    def _repr_markdown_(self) -> str:
+        rows = "\n".join(f"| {label} | {end:.2f} | {average:.2f} |" for label, (end, average) in self.rows.items())
+        return f"| | return at the end | average while learning |\n|---|---:|---:|\n{rows}\n\n{self._verdict()}"
+
+    def _verdict(self) -> str:
+        low, high = self.ahead.low, self.ahead.high
+        where = "ahead of" if low > 0 else "behind" if high < 0 else "level with"
+        return (
+            f"{self.name}: {self.points:.0f} of 100 points, {where} {self.best_baseline} "
+            f"(difference {self.ahead.estimate:+.2f}, 95 % interval {low:+.2f} to {high:+.2f})."
+        )
+
+
+@dataclass(frozen=True)
+class Challenge:
+    """A task for an agent of the student's own.
+
+    Attributes:
+        environment: the name of the environment; it has a parameter `layout_seed`.
+        parameters: its other parameters.
+        n_steps: the training steps.
+        baselines: by label, functions that make the agents to beat.
+        optimum: the highest return of an episode, by planning on the exact model.
+        best_average: the highest average return over training: that of an explorer which takes no avoidable step.
+        repetitions: on how many tasks agents are tried; each has a layout of its own.
+    """
+
+    environment: str
+    parameters: Mapping[str, Any]
+    n_steps: int
+    baselines: Mapping[str, Callable[..., Any]]
+    optimum: float
+    best_average: float
+    repetitions: int = 10
+
+    def score(self, agent: Any, name: str | int) -> Score:
+        """Train an agent, and the baselines, on the tasks that belong to a name.
+
+        Args:
+            agent: a function that makes the agent. It is called with an object that has `observation_space` and
+                `action_space` and nothing else: what the task is like, the agent has to find out.
+            name: the student's name or number, from which the layouts come (`seed_from_name`).
+
+        Raises:
+            ValueError: the name is empty, or neither a text nor a whole number.
+            WrongAnswer: the agent cannot be trained; the message says why.
+        """
+        seed = seed_from_name(name)
+        mdp = make_mdp(self.environment, **self.parameters)
+        sizes = Sizes(mdp.observation_space, mdp.action_space)
+        maker = self._maker(agent, sizes)
+        with running("training your agent"):
+            results = repeat(
+                self.environment,
+                {YOURS: maker, **{label: _sees_sizes(make, sizes) for label, make in self.baselines.items()}},
+                self.n_steps,
+                repetitions=self.repetitions,
+                seed=seed,
+                parameters=self.parameters,
+            )
+        averages = {label: float(results.average(label).mean()) for label in results.methods}
+        best_baseline = max(self.baselines, key=lambda label: averages[label])
+        rows = {label: (float(results.final(label).mean()), averages[label]) for label in results.methods}
+        possible = {"possible": (self.optimum, self.best_average)}
+        return Score(
+            str(name),
+            100.0 * min(max(averages[YOURS] / self.best_average, 0.0), 1.0),
+            MappingProxyType(possible | rows),
+            paired_difference(results.average(YOURS), results.average(best_baseline)),
+            best_baseline,
+            results,
+        )
+
+    def _maker(self, agent: Any, sizes: Sizes) -> Callable[[Any], Any]:
+        """Refuse what makes no agent."""
+        given("your agent", agent)
+        if isinstance(agent, type):
+            hint = f"such as {agent.__name__}.create" if hasattr(agent, "create") else "that makes one"
+            raise WrongAnswer(f"your agent should be a function, {hint}, but is the class {agent.__name__}")
+        if not callable(agent) and not hasattr(agent, "act"):
+            raise WrongAnswer(f"your agent should be a function that makes an agent, but is {agent!r}")
+        if hasattr(agent, "act"):
+            raise WrongAnswer(
+                "your agent should be a function that makes a new agent, so that no run knows what another has learned,"
+                f" but is a {type(agent).__name__}: write `lambda wall: ...`"
+            )
+        with running("making your agent"):
+            made = agent(sizes)
+        given("my_agent(wall)", made)
+        try:
+            learner(made)
+        except ValueError as error:
+            raise WrongAnswer(str(error)) from None
+        return _sees_sizes(agent, sizes)
+
+
+def _sees_sizes(make: Callable[[Any], Any], sizes: Sizes) -> Callable[[Any], Any]:
+    """Return a function that makes an agent without a look at the task."""
+    return lambda _: make(sizes)

@@ -1,0 +1,87 @@
+"""Errors in a student's code: one sentence, which ends at the student's own line."""
+
+import linecache
+import re
+import sysconfig
+import traceback
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import numpy as np
+
+from edugym.grading.wrong import Unsolved, WrongAnswer
+
+PACKAGE = str(Path(__file__).resolve().parents[1])
+LIBRARIES = tuple(sysconfig.get_paths()[key] for key in ("stdlib", "purelib", "platlib"))
+
+HINTS = (
+    ("can't set attribute", "the fields of a NamedTuple are fixed, so change the entries of its arrays instead"),
+    ("object does not support item assignment", "only arrays and lists have entries that can be changed"),
+    ("truth value of an array", "compare single entries, not whole rows"),
+    (r"name '(Q|visits|tries|learning_rate|discount|bonus|epsilon)' is not defined", "write `self.` before a field"),
+    ("cannot access local variable", "it gets a value on some paths only"),
+    ("'NoneType'", "something is None there: is a `return` missing?"),
+    ("division by zero", "nothing was counted yet: count first, then divide"),
+    ("_tuplegetter", "that is the field of the class: write `self.` for the table of this agent"),
+    ("too many indices", "a table of values has two indices, Q[state, action], and counts of states have one"),
+    ("out of bounds", "the first index of a table is the state, the second one the action"),
+    ("only integer", "an index is a whole number"),
+    ("positional argument", "its parameters are not those of the exercise"),
+    ("unexpected keyword argument", "its parameters are not those of the exercise"),
+    ("has no attribute", "is the name spelt as in the exercise?"),
+)
+"""What often lies behind an error, by what its message contains."""
+
+
+@contextmanager
+def running(what: str) -> Iterator[None]:
+    """Run a student's code: an error in it becomes one sentence, and a placeholder "not solved yet".
+
+    Args:
+        what: what is running, for the sentence: "optimist(wall)".
+
+    Raises:
+        WrongAnswer: the code raises an error.
+        Unsolved: the code is the placeholder of the exercise.
+    """
+    try:
+        with np.errstate(all="ignore"), warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            yield
+    except WrongAnswer:
+        raise
+    except NotImplementedError:
+        raise Unsolved("Not solved yet: write your solution in the cell above, run it, and run this one.") from None
+    except Exception as error:
+        raise WrongAnswer(_sentence(what, error)) from None
+
+
+def _sentence(what: str, error: Exception) -> str:
+    message = " ".join(str(error).split())
+    if isinstance(error, KeyError):
+        message = f"there is no key {message}"
+    hints = [hint for pattern, hint in HINTS if re.search(pattern, message)]
+    because = f" ({hints[0]})" if hints else ""
+    kind = type(error).__name__
+    if isinstance(error, RecursionError):
+        message, because = "a function calls itself for ever", ""
+    line = _student_line(error)
+    place = f"the line `{line}`" if line else what
+    return f"{place} raises {kind}: {message}{because}"
+
+
+def _student_line(error: Exception) -> str:
+    """Return the last line of the student's own code on the way to the error, or "" if there is none."""
+    lines = [
+        linecache.getline(frame.f_code.co_filename, number).strip()
+        for frame, number in traceback.walk_tb(error.__traceback__)
+        if not _is_ours(frame.f_code.co_filename)
+    ]
+    return next(filter(None, reversed(lines)), "")
+
+
+def _is_ours(file: str) -> bool:
+    """Whether a file belongs to this package or to a library, and not to the student."""
+    return file.startswith((PACKAGE, *LIBRARIES))

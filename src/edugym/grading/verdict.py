@@ -1,0 +1,28 @@
+"""The verdict on an answer: one line when it is right, one sentence when it is not."""
+
+from collections.abc import Callable
+from typing import Any
+
+from edugym.checks import whole_number
+from edugym.grading.student_code import running
+from edugym.grading.wrong import Unsolved, WrongAnswer
+
+__all__ = ["Unsolved", "WrongAnswer", "check"]
+
+
+def check(exercise: Callable[..., str], answer: Any, *, seed: int = 0) -> None:
+    """Check an answer, and print one line if it is right.
+
+    Args:
+        exercise: the exercise, a function of the answer and a `seed`, such as `exercise_2` of a lesson.
+        answer: what the student defined: a number, a function, a class, results.
+        seed: the number from which the cases are drawn, 0 or more; another one checks the same with other cases.
+
+    Raises:
+        WrongAnswer: the answer is not right. A notebook shows its sentence and no traceback.
+        Unsolved: there is no answer yet.
+    """
+    whole_number("seed", seed, 0)
+    with running("your code"):
+        worth_knowing = exercise(answer, seed)
+    print(f"✓ {worth_knowing}")
