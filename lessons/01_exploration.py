@@ -366,7 +366,7 @@ def optimist(wall):
 check(exercise_2, optimist)
 exploration.race({"optimist": optimist})
 ### BEGIN HIDDEN TESTS
-check(exercise_2, optimist, seed=1)
+check(exercise_2, optimist, seed=1, quiet=True)
 ### END HIDDEN TESTS
 
 # %% [markdown]
@@ -444,7 +444,7 @@ class MyExplorer(NamedTuple):
 check(exercise_3, MyExplorer)
 exploration.race({"my explorer": MyExplorer.create})
 ### BEGIN HIDDEN TESTS
-check(exercise_3, MyExplorer, seed=1)
+check(exercise_3, MyExplorer, seed=1, quiet=True)
 ### END HIDDEN TESTS
 
 # %% [markdown]

@@ -11,8 +11,10 @@ import edugym.training.repeat
 from edugym import Greedy, SARSA, Softmax
 from edugym.training.train import Run
 
+
 def untrained(environment, agent, n_steps, *, seed, **how):
     return Run(np.array([0, n_steps]), np.zeros(2), np.zeros(2), np.zeros(2, int), agent, seed, 0.0, True)
+
 
 edugym.training.repeat.train = untrained
 
@@ -46,6 +48,9 @@ for _ in range(60):
     else:
         high = middle
 epsilon = low
+
+# %% exercise 1, right: log1p
+epsilon = -2 * np.expm1(np.log(0.5) / 100)
 
 # %% exercise 1, wrong: nothing was done
 # says: with ε = 0.1, 0.59% of the climbs
@@ -129,10 +134,20 @@ epsilon = 0
 # says: call it
 epsilon = lambda height: 2 * (1 - 0.5 ** (1 / height))
 
+# %% exercise 1, wrong: a tuple by a comma
+# says: take an entry
+epsilon = (2 * (1 - 0.5 ** (1 / 100)),)
+
+# %% exercise 1, wrong: integer division
+# says: ε must be larger
+epsilon = 2 * (1 - 0.5 ** (1 // 100))
+
+
 # %% exercise 2, right: the constructor with all fields
 def optimist(wall):
     Q = np.ones((wall.height + 1, wall.n_grips))
     return QLearning(Q, 0.5, 0.9, EpsilonGreedy(0.0))
+
 
 # %% exercise 2, right: filled afterwards
 def optimist(wall):
@@ -140,61 +155,97 @@ def optimist(wall):
     agent.Q[:] = 1
     return agent
 
+
 # %% exercise 2, right: the greedy strategy, whole numbers
 def optimist(wall):
     return QLearning.create(wall, learning_rate=1 / 2, discount=9 / 10, exploration=Greedy(), initial_value=1)
+
 
 # %% exercise 2, right: by _replace
 def optimist(wall):
     agent = QLearning.create(wall, initial_value=1.0)
     return agent._replace(learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0))
 
+
 # %% exercise 2, right: settings in a dictionary
 settings = dict(learning_rate=0.5, discount=0.9, initial_value=1.0)
 optimist = lambda wall: QLearning.create(wall, exploration=EpsilonGreedy(epsilon=0.0), **settings)
+
 
 # %% exercise 2, right: from the spaces
 def optimist(environment, value=1.0):
     shape = int(environment.observation_space.n), int(environment.action_space.n)
     return QLearning.create(shape, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=value)
 
+
 # %% exercise 2, right: novelty without a bonus
 def optimist(wall):
     return CountBased.create(wall, bonus=0.0, learning_rate=0.5, discount=0.9, exploration=Greedy(), initial_value=1.0)
+
+
+# %% exercise 2, right: partial
+from functools import partial
+
+optimist = partial(QLearning.create, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=1.0)
+
+
+# %% exercise 2, right: an own class
+class Optimist(NamedTuple):
+    Q: np.ndarray
+
+    def act(self, state, rng):
+        best = np.flatnonzero(self.Q[state] == self.Q[state].max())
+        return int(rng.choice(best))
+
+    def learn(self, state, action, reward, next_state, terminated):
+        target = reward if terminated else reward + 0.9 * self.Q[next_state].max()
+        self.Q[state, action] += 0.5 * (target - self.Q[state, action])
+
+
+def optimist(wall):
+    return Optimist(np.ones((wall.observation_space.n, wall.action_space.n)))
+
 
 # %% exercise 2, wrong: not solved
 # says: Not solved yet
 def optimist(wall):
     raise NotImplementedError("not solved yet: replace this line")
 
+
 # %% exercise 2, wrong: no return
 # says: is a `return` missing?
 def optimist(wall):
     QLearning.create(wall, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=1.0)
 
+
 # %% exercise 2, wrong: called already
 # says: should be a function of the wall
 optimist = QLearning.create((31, 2), learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=1.0)
+
 
 # %% exercise 2, wrong: the class
 # says: should give an agent, but gives the class QLearning
 def optimist(wall):
     return QLearning
 
+
 # %% exercise 2, wrong: learning rate left out
 # says: a learning rate of 0.1, and it should be 0.5
 def optimist(wall):
     return QLearning.create(wall, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=1.0)
+
 
 # %% exercise 2, wrong: learning rate 1
 # says: a learning rate of 1, and it should be 0.5
 def optimist(wall):
     return QLearning.create(wall, learning_rate=1.0, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=1.0)
 
+
 # %% exercise 2, wrong: discount left out
 # says: a discount of 0.99, and it should be 0.9
 def optimist(wall):
     return QLearning.create(wall, learning_rate=0.5, exploration=EpsilonGreedy(0.0), initial_value=1.0)
+
 
 # %% exercise 2, wrong: both left out
 # says: a learning rate of 0.1
@@ -202,15 +253,18 @@ def optimist(wall):
 def optimist(wall):
     return QLearning.create(wall, exploration=EpsilonGreedy(0.0), initial_value=1.0)
 
+
 # %% exercise 2, wrong: not optimistic
 # says: the usual first value
 def optimist(wall):
     return QLearning.create(wall, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0))
 
+
 # %% exercise 2, wrong: too optimistic
 # says: every value in Q[0] should be 1, but is 10
 def optimist(wall):
     return QLearning.create(wall, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=10)
+
 
 # %% exercise 2, wrong: only the ground is optimistic
 # says: should be 1, but is 0
@@ -219,10 +273,12 @@ def optimist(wall):
     agent.Q[0] = 1
     return agent
 
+
 # %% exercise 2, wrong: still exploring
 # says: ε should be 0, but it is 0.1
 def optimist(wall):
     return QLearning.create(wall, learning_rate=0.5, discount=0.9, initial_value=1.0)
+
 
 # %% exercise 2, wrong: softmax
 # says: act(1, rng)
@@ -230,41 +286,51 @@ def optimist(wall):
 def optimist(wall):
     return QLearning.create(wall, learning_rate=0.5, discount=0.9, exploration=Softmax(0.5), initial_value=1.0)
 
+
 # %% exercise 2, wrong: the wall is ignored
 # says: should have the shape
 def optimist(wall):
     return QLearning.create((31, 2), learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=1.0)
+
 
 # %% exercise 2, wrong: off by one
 # says: should have the shape (31, 2), but has (30, 2)
 def optimist(wall):
     return QLearning(np.ones((wall.height, 2)), 0.5, 0.9, EpsilonGreedy(0.0))
 
+
 # %% exercise 2, wrong: a table of whole numbers
 # says: every update loses what is behind the decimal point
 def optimist(wall):
     return QLearning(np.ones((wall.height + 1, wall.n_grips), int), 0.5, 0.9, EpsilonGreedy(0.0))
+
 
 # %% exercise 2, wrong: a list for a table
 # says: should be a NumPy array, but is a list
 def optimist(wall):
     return QLearning([[1.0] * wall.n_grips] * (wall.height + 1), 0.5, 0.9, EpsilonGreedy(0.0))
 
+
 # %% exercise 2, wrong: a setting misspelt
 # says: has no setting 'alpha'
 def optimist(wall):
     return QLearning.create(wall, alpha=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=1.0)
+
 
 # %% exercise 2, wrong: ε for the strategy
 # says: exploration must be a strategy
 def optimist(wall):
     return QLearning.create(wall, learning_rate=0.5, discount=0.9, exploration=0.0, initial_value=1.0)
 
+
 # %% exercise 2, wrong: one agent for all walls
 # says: two calls of optimist(wall) share one table
 made = QLearning.create((31, 2), learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=1.0)
+
+
 def optimist(wall):
     return made
+
 
 # %% exercise 2, wrong: another name in the body
 # says: the line `return QLearning.create(environment
@@ -272,19 +338,48 @@ def optimist(wall):
 def optimist(wall):
     return QLearning.create(environment, learning_rate=0.5, discount=0.9)
 
+
+# %% exercise 2, wrong: learning rate and discount interchanged
+# says: a learning rate of 0.9
+# says: a discount of 0.5
+def optimist(wall):
+    return QLearning.create(wall, learning_rate=0.9, discount=0.5, exploration=EpsilonGreedy(0.0), initial_value=1.0)
+
+
+# %% exercise 2, wrong: SARSA
+# says: that is SARSA
+def optimist(wall):
+    return SARSA.create(wall, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=1.0)
+
+
+# %% exercise 2, wrong: a parameter too many
+# says: missing 1 required positional argument
+def optimist(wall, height):
+    return QLearning.create(wall, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=1.0)
+
+
+# %% exercise 2, wrong: the table is returned
+# says: has no `act`
+def optimist(wall):
+    return QLearning.create(wall, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=1.0).Q
+
+
 # %% exercise 3, right: roots and branches
 def act(self, state, rng):
     untried = [action for action in range(self.Q.shape[1]) if self.tries[state, action] == 0]
     return untried[0] if untried else self.greedy(state, rng)
 
+
 def learn(self, state, action, reward, next_state, terminated):
     import math
+
     self.visits[next_state] += 1
     self.tries[state, action] += 1
     target = reward + self.bonus / math.sqrt(self.visits[next_state])
     if not terminated:
         target += self.discount * np.max(self.Q[next_state])
     self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
 
 # %% exercise 3, right: the largest by a loop
 def learn(self, state, action, reward, next_state, terminated):
@@ -300,6 +395,7 @@ def learn(self, state, action, reward, next_state, terminated):
     error = r_plus + self.discount * best - self.Q[state, action]
     self.Q[state, action] = self.Q[state, action] + self.learning_rate * error
 
+
 # %% exercise 3, right: a weighted mean
 def learn(self, state, action, reward, next_state, terminated):
     self.tries[state, action] += 1
@@ -307,6 +403,7 @@ def learn(self, state, action, reward, next_state, terminated):
     n = self.visits[next_state]
     target = reward + self.bonus / np.sqrt(n) + self.discount * (1 - terminated) * self.Q[next_state].max()
     self.Q[state, action] = (1 - self.learning_rate) * self.Q[state, action] + self.learning_rate * target
+
 
 # %% exercise 3, right: more parameters than needed
 def learn(self, state, action, reward, next_state, terminated, truncated):
@@ -316,6 +413,7 @@ def learn(self, state, action, reward, next_state, terminated, truncated):
     self.Q[state][action] += self.learning_rate * (
         reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * future - self.Q[state][action]
     )
+
 
 # %% exercise 3, right: any untried grip, at random
 def act(self, state, rng):
@@ -327,11 +425,13 @@ def act(self, state, rng):
             return action
     return self.greedy(state, rng)
 
+
 # %% exercise 3, right: the last untried grip, by argmin
 def act(self, state, rng):
     if self.tries[state].min() == 0:
         return int(np.argmin(self.tries[state]))
     return self.greedy(state, rng)
+
 
 # %% exercise 3, right: a numpy number
 def act(self, state, rng):
@@ -340,6 +440,7 @@ def act(self, state, rng):
         return rng.choice(untried)
     best = np.flatnonzero(self.Q[state] == self.Q[state].max())
     return rng.choice(best)
+
 
 # %% exercise 3, right: a plain class
 class MyExplorer:
@@ -370,20 +471,48 @@ class MyExplorer:
             target += self.discount * max(self.Q[next_state])
         self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
 
+
+# %% exercise 3, right: error first
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+    delta = reward - self.Q[state, action]
+    delta += self.bonus / np.sqrt(self.visits[next_state])
+    if not terminated:
+        delta += self.discount * np.amax(self.Q[next_state, :])
+    self.Q[state, action] += self.learning_rate * delta
+
+
+# %% exercise 3, right: infinite value for the untried
+def act(self, state, rng):
+    values = np.where(self.tries[state] == 0, np.inf, self.Q[state])
+    return int(rng.choice(np.flatnonzero(values == values.max())))
+
+
+# %% exercise 3, right: all and index
+def act(self, state, rng):
+    row = list(self.tries[state])
+    if 0 in row:
+        return row.index(0)
+    return self.greedy(state, rng)
+
+
 # %% exercise 3, wrong: not solved
 # says: Not solved yet
 def learn(self, state, action, reward, next_state, terminated):
     raise NotImplementedError("not solved yet: replace this line")
+
 
 # %% exercise 3, wrong: act not solved
 # says: Not solved yet
 def act(self, state, rng):
     raise NotImplementedError
 
+
 # %% exercise 3, wrong: nothing
 # says: changes no table at all
-def learn(self, state, action, reward, next_state, terminated):
-    ...
+def learn(self, state, action, reward, next_state, terminated): ...
+
 
 # %% exercise 3, wrong: the answer of the lesson's novelty agent
 # says: `tries` does not count
@@ -393,6 +522,7 @@ def learn(self, state, action, reward, next_state, terminated):
     target = reward_and_bonus if terminated else reward_and_bonus + self.discount * max(self.Q[next_state])
     self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
 
+
 # %% exercise 3, wrong: no bootstrapping
 # says: without bootstrapping
 def learn(self, state, action, reward, next_state, terminated):
@@ -400,6 +530,7 @@ def learn(self, state, action, reward, next_state, terminated):
     self.visits[next_state] += 1
     target = reward + self.bonus / self.visits[next_state] ** 0.5
     self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
 
 # %% exercise 3, wrong: mean for max
 # says: the mean over the actions
@@ -410,6 +541,7 @@ def learn(self, state, action, reward, next_state, terminated):
     target = reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * value
     self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
 
+
 # %% exercise 3, wrong: the state that was left
 # says: count the one that was *entered*, next_state
 def learn(self, state, action, reward, next_state, terminated):
@@ -418,6 +550,7 @@ def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else max(self.Q[next_state])
     target = reward + self.bonus / self.visits[state] ** 0.5 + self.discount * value
     self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
 
 # %% exercise 3, wrong: counted too late
 # says: count first
@@ -428,6 +561,7 @@ def learn(self, state, action, reward, next_state, terminated):
     self.tries[state, action] += 1
     self.visits[next_state] += 1
 
+
 # %% exercise 3, wrong: one visit too many
 # says: one visit too many
 def learn(self, state, action, reward, next_state, terminated):
@@ -436,6 +570,7 @@ def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else max(self.Q[next_state])
     target = reward + self.bonus / (self.visits[next_state] + 1) ** 0.5 + self.discount * value
     self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
 
 # %% exercise 3, wrong: no root
 # says: the root is missing
@@ -446,6 +581,7 @@ def learn(self, state, action, reward, next_state, terminated):
     target = reward + self.bonus / self.visits[next_state] + self.discount * value
     self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
 
+
 # %% exercise 3, wrong: terminated forgotten
 # says: a terminal state has no future
 def learn(self, state, action, reward, next_state, terminated):
@@ -453,6 +589,7 @@ def learn(self, state, action, reward, next_state, terminated):
     self.visits[next_state] += 1
     target = reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * max(self.Q[next_state])
     self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
 
 # %% exercise 3, wrong: truncated treated as terminated
 # says: only its clock ran out
@@ -462,6 +599,7 @@ def learn(self, state, action, reward, next_state, terminated, truncated):
     value = 0.0 if terminated or truncated else max(self.Q[next_state])
     target = reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * value
     self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
 
 # %% exercise 3, wrong: numbers written out
 # says: use self.learning_rate
@@ -473,6 +611,7 @@ def learn(self, state, action, reward, next_state, terminated):
     target = reward + self.bonus / self.visits[next_state] ** 0.5 + 0.9 * value
     self.Q[state, action] += 0.5 * (target - self.Q[state, action])
 
+
 # %% exercise 3, wrong: β left out
 # says: a first bonus of 1
 def learn(self, state, action, reward, next_state, terminated):
@@ -481,6 +620,7 @@ def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else max(self.Q[next_state])
     target = reward + 1 / self.visits[next_state] ** 0.5 + self.discount * value
     self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
 
 # %% exercise 3, wrong: max after the update
 # says: compute the whole target from the old Q
@@ -492,6 +632,7 @@ def learn(self, state, action, reward, next_state, terminated):
     target = reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * value
     self.Q[state, action] += self.learning_rate * target
 
+
 # %% exercise 3, wrong: the old value forgotten
 # says: − Q(S, A) is missing
 def learn(self, state, action, reward, next_state, terminated):
@@ -502,6 +643,7 @@ def learn(self, state, action, reward, next_state, terminated):
         reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * value
     )
 
+
 # %% exercise 3, wrong: assigned, not added
 # says: write `+=`
 def learn(self, state, action, reward, next_state, terminated):
@@ -511,12 +653,14 @@ def learn(self, state, action, reward, next_state, terminated):
     target = reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * value
     self.Q[state, action] = self.learning_rate * (target - self.Q[state, action])
 
+
 # %% exercise 3, wrong: the value is returned
 # says: changes no table at all
 # says: it returns something instead
 def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else max(self.Q[next_state])
     return self.Q[state, action] + self.learning_rate * (reward + self.discount * value - self.Q[state, action])
+
 
 # %% exercise 3, wrong: two mistakes
 # says: the mean over the actions
@@ -529,16 +673,19 @@ def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else sum(self.Q[next_state]) / len(self.Q[next_state])
     self.Q[state, action] += self.learning_rate * (reward + bonus + self.discount * value - self.Q[state, action])
 
+
 # %% exercise 3, wrong: a field is assigned
 # says: the fields of a NamedTuple are fixed
 # says: self.visits = self.visits + 1
 def learn(self, state, action, reward, next_state, terminated):
     self.visits = self.visits + 1
 
+
 # %% exercise 3, wrong: self forgotten
 # says: write `self.` before a field
 def learn(self, state, action, reward, next_state, terminated):
     visits[next_state] += 1
+
 
 # %% exercise 3, wrong: index out of the table
 # says: the first index of a table is the state
@@ -546,15 +693,18 @@ def learn(self, state, action, reward, next_state, terminated):
 def learn(self, state, action, reward, next_state, terminated):
     self.tries[action, state] += 1
 
+
 # %% exercise 3, wrong: another parameter
 # says: it has 'done'
 def learn(self, state, action, reward, next_state, done):
     self.tries[state, action] += 1
 
+
 # %% exercise 3, wrong: act always greedy
 # says: a grip that was never tried comes first
 def act(self, state, rng):
     return self.greedy(state, rng)
+
 
 # %% exercise 3, wrong: act slips
 # says: it still explores, with ε = 0.1
@@ -566,15 +716,18 @@ def act(self, state, rng):
             return action
     return self.greedy(state, rng)
 
+
 # %% exercise 3, wrong: act at random
 # says: act(0, rng)
 def act(self, state, rng):
     return int(rng.random() * self.Q.shape[1])
 
+
 # %% exercise 3, wrong: always the least tried
 # says: the *best* one counts, and it takes the one that was tried least
 def act(self, state, rng):
     return int(np.argmin(self.tries[state]))
+
 
 # %% exercise 3, wrong: act without a return at the end
 # says: is a `return` missing?
@@ -584,6 +737,7 @@ def act(self, state, rng):
             return action
     self.greedy(state, rng)
 
+
 # %% exercise 3, wrong: only two grips
 # says: a grip that was never tried comes first
 def act(self, state, rng):
@@ -592,11 +746,13 @@ def act(self, state, rng):
             return action
     return self.greedy(state, rng)
 
+
 # %% exercise 3, wrong: the untried grips as an array
 # says: gives an array
 def act(self, state, rng):
     untried = np.flatnonzero(self.tries[state] == 0)
     return untried if len(untried) else self.greedy(state, rng)
+
 
 # %% exercise 3, wrong: act counts
 # says: changes the table `tries`
@@ -608,6 +764,7 @@ def act(self, state, rng):
     self.tries[state, best] += 1
     return best
 
+
 # %% exercise 3, wrong: ties not broken
 # says: ties should be broken at random
 def act(self, state, rng):
@@ -616,10 +773,12 @@ def act(self, state, rng):
             return action
     return int(np.argmax(self.Q[state]))
 
+
 # %% exercise 3, wrong: the value for the action
 # says: should give the number of an action
 def act(self, state, rng):
     return max(self.Q[state])
+
 
 # %% exercise 3, wrong: another random source
 # says: does not draw its random numbers from `rng`
@@ -629,9 +788,11 @@ def act(self, state, rng):
             return action
     return int(np.random.choice(np.flatnonzero(self.Q[state] == self.Q[state].max())))
 
+
 # %% exercise 3, wrong: an instance for the class
 # says: should be the class
 MyExplorer = QLearning.create((4, 2))
+
 
 # %% exercise 3, wrong: Go-Explore under another name
 # says: should keep its field `bonus`
@@ -642,8 +803,115 @@ class MyExplorer(NamedTuple):
     def create(cls, wall):
         return QLearning.create(wall)
 
+
+# %% exercise 3, wrong: precedence of the root
+# says: `** 1 / 2` is
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    self.visits[next_state] += 1
+    v = 0.0 if terminated else max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (
+        reward + self.bonus / self.visits[next_state] ** 1 / 2 + self.discount * v - self.Q[state, action]
+    )
+
+
+# %% exercise 3, wrong: the bonus under the discount
+# says: the bonus is discounted
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    self.visits[next_state] += 1
+    v = 0.0 if terminated else max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (
+        reward + self.discount * (self.bonus / self.visits[next_state] ** 0.5 + v) - self.Q[state, action]
+    )
+
+
+# %% exercise 3, wrong: the whole row learns
+# says: 2 entries of `Q` change, and only one should
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    self.visits[next_state] += 1
+    v = 0.0 if terminated else max(self.Q[next_state])
+    self.Q[state] += self.learning_rate * (
+        reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * v - self.Q[state]
+    )
+
+
+# %% exercise 3, wrong: visits of both states
+# says: 2 entries of `visits` change
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    self.visits[next_state] += 1
+    self.visits[state] += 1
+    v = 0.0 if terminated else max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (
+        reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * v - self.Q[state, action]
+    )
+
+
+# %% exercise 3, wrong: terminated replaced by a reward of 1
+# says: a terminal state has no future
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    self.visits[next_state] += 1
+    v = 0.0 if reward == 1 else max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (
+        reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * v - self.Q[state, action]
+    )
+
+
+# %% exercise 3, wrong: discount twice
+# says: discounted twice
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    self.visits[next_state] += 1
+    v = 0.0 if terminated else self.discount * max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (
+        reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * v - self.Q[state, action]
+    )
+
+
+# %% exercise 3, wrong: act returns in the loop
+# says: a grip that was never tried comes first
+def act(self, state, rng):
+    for action in range(self.Q.shape[1]):
+        if self.tries[state, action] == 0:
+            return action
+        return self.greedy(state, rng)
+
+
+# %% exercise 3, wrong: greedy without rng
+# says: greedy
+def act(self, state, rng):
+    for action in range(self.Q.shape[1]):
+        if self.tries[state, action] == 0:
+            return action
+    return self.greedy(state)
+
+
+# %% exercise 3, wrong: act prefers actions up to one try
+# says: the *best* one counts
+def act(self, state, rng):
+    for action in range(self.Q.shape[1]):
+        if self.tries[state, action] <= 1:
+            return action
+    return self.greedy(state, rng)
+
+
+# %% exercise 3, wrong: decorated as static
+# says: the table of this agent
+@staticmethod
+def learn(state, action, reward, next_state, terminated):
+    MyExplorer.visits[next_state] += 1
+
+
 # %% exercise 4, right: a union of dictionaries
-frozen = repeat(lake, exploration.METHODS | {"mine": lambda e: QLearning.create(e, discount=0.9, initial_value=1.0)}, 20_000, repetitions=5)
+frozen = repeat(
+    lake,
+    exploration.METHODS | {"mine": lambda e: QLearning.create(e, discount=0.9, initial_value=1.0)},
+    20_000,
+    repetitions=5,
+)
 
 # %% exercise 4, right: all labels written out
 methods = {
@@ -660,6 +928,7 @@ methods["SARSA"] = SARSA.create
 methods["optimist"] = lambda e: QLearning.create(e, initial_value=1)
 frozen = repeat(lake, methods, 20_000, repetitions=5, seed=3)
 
+
 # %% exercise 4, right: an agent of one's own
 class Sleeper(NamedTuple):
     Q: np.ndarray
@@ -670,19 +939,33 @@ class Sleeper(NamedTuple):
     def learn(self, state, action, reward):
         self.Q[state, action] = reward
 
+
 frozen = repeat(lake, {**exploration.METHODS, "sleeper": lambda e: Sleeper(np.zeros((64, 4)))}, 20_000, repetitions=5)
 
 # %% exercise 4, right: the id and its parameters
-frozen = repeat("FrozenLake-v1", {**exploration.METHODS, "mine": QLearning.create}, 20_000, repetitions=5, parameters={"map_name": "8x8", "is_slippery": False})
+frozen = repeat(
+    "FrozenLake-v1",
+    {**exploration.METHODS, "mine": QLearning.create},
+    20_000,
+    repetitions=5,
+    parameters={"map_name": "8x8", "is_slippery": False},
+)
+
 
 # %% exercise 4, right: a function that makes the lake
 def make(layout_seed):
     return gym.make("FrozenLake-v1", map_name="8x8", is_slippery=False)
 
+
 frozen = repeat(make(0), {**exploration.METHODS, "mine": CountBased.create}, 20_000, repetitions=5, jobs=1)
 
 # %% exercise 4, right: one run after the other, more points
-frozen = repeat(lake, {**exploration.METHODS, "mine": QLearning.create}, 20_000, repetitions=5, jobs=1, evaluate_every=500)
+frozen = repeat(
+    lake, {**exploration.METHODS, "mine": QLearning.create}, 20_000, repetitions=5, jobs=1, evaluate_every=500
+)
+
+# %% exercise 4, right: keyword arguments only
+frozen = repeat(environment=lake, agents={**exploration.METHODS, "mine": SARSA.create}, n_steps=20_000, repetitions=5)
 
 # %% exercise 4, wrong: nothing
 # says: Not solved yet
@@ -702,7 +985,9 @@ frozen = repeat(lake, {label: QLearning.create for label in [*exploration.METHOD
 
 # %% exercise 4, wrong: other settings
 # says: for 'ε-greedy' the learning_rate 0.5, but it has 0.1
-frozen = repeat(lake, {**exploration.METHODS, "ε-greedy": QLearning.create, "mine": SARSA.create}, 20_000, repetitions=5)
+frozen = repeat(
+    lake, {**exploration.METHODS, "ε-greedy": QLearning.create, "mine": SARSA.create}, 20_000, repetitions=5
+)
 
 # %% exercise 4, wrong: 20 steps
 # says: n_steps 20000, but it has n_steps 20
@@ -728,7 +1013,9 @@ frozen = repeat(lake, {**exploration.METHODS, "mine": QLearning.create}, 20_000,
 
 # %% exercise 4, wrong: only the two favourites
 # says: should have the method 'novelty reward'
-frozen = repeat(lake, {label: exploration.METHODS[label] for label in ("ε-greedy", "Go-Explore")}, 20_000, repetitions=5)
+frozen = repeat(
+    lake, {label: exploration.METHODS[label] for label in ("ε-greedy", "Go-Explore")}, 20_000, repetitions=5
+)
 
 # %% exercise 4, wrong: only the final returns
 # says: should be what `repeat(...)` returns, but is of the type ndarray
@@ -745,3 +1032,30 @@ frozen = repeat
 # %% exercise 4, wrong: the methods alone
 # says: is of the type dict
 frozen = {**exploration.METHODS}
+
+# %% exercise 4, wrong: labels changed
+# says: keep the labels
+frozen = repeat(
+    lake,
+    {
+        "greedy": exploration.METHODS["ε-greedy"],
+        "novelty": exploration.METHODS["novelty reward"],
+        "go": exploration.METHODS["Go-Explore"],
+        "mine": QLearning.create,
+    },
+    20_000,
+    repetitions=5,
+)
+
+# %% exercise 4, wrong: Go-Explore with another number of random steps
+# says: explore_steps 20, but it has
+frozen = repeat(
+    lake,
+    {
+        **exploration.METHODS,
+        "Go-Explore": lambda e: GoExplore.create(e, learning_rate=0.5, discount=0.9, explore_steps=40),
+        "mine": QLearning.create,
+    },
+    20_000,
+    repetitions=5,
+)

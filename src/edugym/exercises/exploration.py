@@ -138,6 +138,7 @@ NOVELTY_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "the bonus is β/√(n + 1), one visit too many": {"novelty": "1/√(n+1)"},
     "the root is missing: the bonus is β/√n": {"novelty": "1/n"},
     "`** 1 / 2` is `(... ** 1) / 2`: write `** 0.5` for the root": {"novelty": "1/n/2"},
+    "the whole target is discounted; γ belongs to the value of the next state only": {"target": "all discounted"},
     "the bonus is discounted; γ belongs to the value of the next state only": {"novelty": "discounted"},
     "the bonus grows with the count: it is β *divided* by √n": {"novelty": "√n"},
     "the bonus does not fade with the count: it is β/√n": {"novelty": "constant"},
@@ -244,7 +245,7 @@ def exercise_3(answer: Any, seed: int) -> str:
         settings = {
             "learning_rate": float(rng.choice([0.125, 0.25, 0.75])),
             "discount": float(rng.choice([0.5, 0.625, 0.75])),
-            "bonus": float(rng.choice([2.0, 3.0, 4.0])),
+            "bonus": float(rng.choice([1.5, 3.0, 5.0])),
         }
         make = partial(_explorer, answer, wall, settings)
         EXPLORER.check(make, (height + 1, n_grips), settings, seed)

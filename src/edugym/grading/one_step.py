@@ -142,7 +142,6 @@ Q_LEARNING = Update(
         "at the end of an episode nothing is learned, and that is where the reward is": {"ends": "skipped"},
         "the reward is missing": {"target": "no reward"},
         "the reward is discounted; γ belongs to the value of the next state only": {"target": "discounted"},
-        "the whole target is discounted; γ belongs to the value of the next state only": {"target": "all discounted"},
         "the value of the next state is not discounted: multiply it by γ": {"target": "undiscounted"},
         "the value of the next state is discounted twice": {"target": "discounted twice"},
         "the value of the next state is subtracted": {"target": "minus"},

@@ -136,14 +136,17 @@ class Update:
         for sentence, change in singles.items():
             if self._fits(cases, found, {**settings, **change}):
                 return sentence
-        if numbers := self._numbers_that_fit(cases, found, settings):
-            return numbers
+        wrong = self._numbers_that_fit(cases, found, settings)
+        if wrong and all(wrong.values()):  # where a number is 0, a term is missing, and that says more
+            return self._told_numbers(wrong, settings)
         for (one, first), (two, second) in combinations(singles.items(), 2):
             if not first.keys() & second.keys() and self._fits(cases, found, {**settings, **first, **second}):
                 return f"{one}; and {two}"
         for sentence, change in singles.items():
-            if numbers := self._numbers_that_fit(cases, found, {**settings, **change}):
-                return f"{sentence}; and {numbers}"
+            if other := self._numbers_that_fit(cases, found, {**settings, **change}):
+                return f"{sentence}; and {self._told_numbers(other, settings)}"
+        if wrong:
+            return self._told_numbers(wrong, settings)
         mine, asked = (outcomes[difference.case][difference.step] for outcomes in (found, right))
         for sentence, change in singles.items():  # none fits everywhere: one that fits here
             outcome = list(self._outcome(cases[difference.case], {**settings, **change}))[difference.step]
@@ -160,8 +163,8 @@ class Update:
             all(map(_agree, self._outcome(case, settings), tables)) for case, tables in zip(cases, found, strict=True)
         )
 
-    def _numbers_that_fit(self, cases: list[Case], found: Outcomes, settings: Settings) -> str:
-        """Return what to say of wrong numbers (a learning rate, a discount) if those explain it all, else "".
+    def _numbers_that_fit(self, cases: list[Case], found: Outcomes, settings: Settings) -> dict[str, float]:
+        """Return the numbers that are wrong (a learning rate, a discount) if those explain it all; else none.
 
         Gauss and Newton's method fits them to the first transition of every case; what it finds must fit all others.
         """
@@ -177,17 +180,20 @@ class Update:
             )
             slopes = np.array(beside).T - at[:, np.newaxis]
             if not (np.isfinite(slopes).all() and np.isfinite(mine).all()):
-                return ""
+                return {}
             step = np.linalg.lstsq(slopes, mine - at, rcond=None)[0]
             numbers = numbers + step
             if np.abs(step).max(initial=0.0) < TOLERANCE:
                 break
         numbers = np.where(np.abs(numbers - numbers.round(6)) < 1e-8, numbers.round(6), numbers)
         fitted = dict(zip(self.numbers, map(float, numbers), strict=True))
-        wrong = [name for name, value in fitted.items() if value != settings[name]]
-        if not wrong or not self._fits(cases, found, {**settings, **fitted}):
-            return ""
-        return "; and ".join(self.numbers[name].format(found=fitted[name], right=settings[name]) for name in wrong)
+        wrong = {name: value for name, value in fitted.items() if value != settings[name]}
+        return wrong if self._fits(cases, found, {**settings, **fitted}) else {}
+
+    def _told_numbers(self, wrong: Mapping[str, float], settings: Settings) -> str:
+        return "; and ".join(
+            self.numbers[name].format(found=value, right=settings[name]) for name, value in wrong.items()
+        )
 
 
 def _before(cases: list[Case], found: Outcomes, difference: Difference) -> Any:

@@ -10,13 +10,14 @@ from edugym.grading.wrong import Unsolved, WrongAnswer
 __all__ = ["Unsolved", "WrongAnswer", "check"]
 
 
-def check(exercise: Callable[..., str], answer: Any, *, seed: int = 0) -> None:
+def check(exercise: Callable[..., str], answer: Any, *, seed: int = 0, quiet: bool = False) -> None:
     """Check an answer, and print one line if it is right.
 
     Args:
         exercise: the exercise, a function of the answer and a `seed`, such as `exercise_2` of a lesson.
         answer: what the student defined: a number, a function, a class, results.
         seed: the number from which the cases are drawn, 0 or more; another one checks the same with other cases.
+        quiet: whether a right answer prints nothing, as in hidden tests.
 
     Raises:
         WrongAnswer: the answer is not right. A notebook shows its sentence and no traceback.
@@ -25,4 +26,5 @@ def check(exercise: Callable[..., str], answer: Any, *, seed: int = 0) -> None:
     whole_number("seed", seed, 0)
     with running("your code"):
         worth_knowing = exercise(answer, seed)
-    print(f"✓ {worth_knowing}")
+    if not quiet:
+        print(f"✓ {worth_knowing}")

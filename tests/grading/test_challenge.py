@@ -1,0 +1,93 @@
+"""The open challenge: seeds from names, scores against what is possible, and slips."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+
+from edugym import QLearning
+from edugym.exercises.exploration import CHALLENGE, best_average
+from edugym.grading import WrongAnswer, seed_from_name
+from edugym.lessons.exploration import GO_EXPLORE, METHODS, best_return
+
+
+class Systematic(NamedTuple):
+    """An explorer that never takes a grip again from which it fell: as good as one can be."""
+
+    fell: Any
+
+    def act(self, state: int, rng: Any) -> int:
+        """The first grip from which it did not fall yet."""
+        for action in range(self.fell.shape[1] - 1):
+            if self.fell[state, action] == 0:
+                return action
+        return int(self.fell.shape[1]) - 1
+
+    def learn(self, state: int, action: int, next_state: int) -> None:
+        """Remember a fall."""
+        if next_state == 0:
+            self.fell[state, action] = 1
+
+
+def systematic(wall: Any) -> Systematic:
+    """Make one, from the spaces alone."""
+    return Systematic(np.zeros((int(wall.observation_space.n), int(wall.action_space.n)), np.int64))
+
+
+def test_seeds_from_names() -> None:
+    """The same for the same name on every machine, however it is written; others for other names."""
+    assert seed_from_name("Ada Lovelace") == seed_from_name("  ada LOVELACE") == 2350958316
+    assert seed_from_name(1234567) == seed_from_name("1234567")
+    assert len({seed_from_name(f"student {i}") for i in range(1000)}) == 1000
+    assert seed_from_name("Zoë") == seed_from_name("Zoe\u0308") != seed_from_name("Zoe")
+    refused: list[Any] = ["", "  ", None, 1.5, True, ["Ada"]]
+    for name in refused:
+        with pytest.raises(ValueError, match="name must"):
+            seed_from_name(name)
+
+
+@pytest.mark.slow
+def test_scores() -> None:
+    """A systematic explorer gets nearly all points, a random one none, and what is possible is above all others."""
+    best = CHALLENGE.score(systematic, "Ada")
+    assert best.points == pytest.approx(100, abs=4)
+    assert best.rows["possible"] == (1.0, CHALLENGE.best_average)
+    assert best.ahead.low > 0
+    assert CHALLENGE.optimum == best_return(60)
+    none = CHALLENGE.score(lambda wall: QLearning.create(wall), "Ada")
+    assert none.points == 0
+    assert none.ahead.high < 0
+    assert none.rows[GO_EXPLORE] == best.rows[GO_EXPLORE]  # the same walls
+    assert none.rows[GO_EXPLORE] != CHALLENGE.score(METHODS[GO_EXPLORE], "Grace").rows["your agent"]
+    text = repr(none)
+    assert "Ada: 0 of 100 points, behind" in text
+    assert "| your agent | 0.00 | 0.00 |" in none._repr_markdown_()
+
+
+def test_what_is_possible() -> None:
+    """Checked by hand: a wall of height 1 with 2 grips needs 1 step, or 2; one of height 2 needs 1 + 1 + 1/2 + 2/2."""
+    assert best_average(1, 2, 10) == pytest.approx(1 - 1.5 / 10)
+    assert best_average(2, 2, 10) == pytest.approx(1 - 3.5 / 10)
+    assert best_average(60, 2, 5_000) == pytest.approx(1 - 975 / 5_000)
+    assert best_average(60, 2, 100) == 0
+
+
+@pytest.mark.parametrize(
+    ("agent", "says"),
+    [
+        (None, "Not solved yet"),
+        (..., "Not solved yet"),
+        (QLearning, "such as QLearning.create, but is the class"),
+        (QLearning.create((61, 2)), "that makes a new agent"),
+        (3, "a function that makes an agent, but is 3"),
+        (lambda wall: None, "gives None: is a `return` missing"),
+        (lambda wall: QLearning, "must be a value with the methods act and learn"),
+        (lambda wall: QLearning.create(wall, alpha=1), "has no setting 'alpha'"),
+        (lambda wall: wall.unwrapped.mdp.grips, "told `observation_space` and `action_space` only, not 'unwrapped'"),
+        (lambda wall: QLearning.create((3, 2)), "training your agent"),
+    ],
+)
+def test_slips(agent: Any, says: str) -> None:
+    """Each gets its sentence; the task cannot be looked at."""
+    with pytest.raises(WrongAnswer, match=says):
+        CHALLENGE.score(agent, "Ada")
