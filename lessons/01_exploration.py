@@ -364,10 +364,10 @@ def optimist(wall):
 
 # %% tags=["check"] points=2
 check(exercise_2, optimist)
-exploration.race({"optimist": optimist})
 ### BEGIN HIDDEN TESTS
 check(exercise_2, optimist, seed=1, quiet=True)
 ### END HIDDEN TESTS
+exploration.race({"optimist": optimist})
 
 # %% [markdown]
 # ### Exercise 3: write your own explorer
@@ -442,10 +442,10 @@ class MyExplorer(NamedTuple):
 
 # %% tags=["check"] points=3
 check(exercise_3, MyExplorer)
-exploration.race({"my explorer": MyExplorer.create})
 ### BEGIN HIDDEN TESTS
 check(exercise_3, MyExplorer, seed=1, quiet=True)
 ### END HIDDEN TESTS
+exploration.race({"my explorer": MyExplorer.create})
 
 # %% [markdown]
 # ### Exercise 4: swap in another environment

@@ -57,7 +57,7 @@ def without_solutions(source: str) -> str:
     """Takes solutions and hidden tests out of the source of a code cell.
 
     What is left is valid Python: in a function a solution becomes `raise NotImplementedError`, so that the check can
-    say that it is not solved yet; elsewhere it becomes `...`, so that the cell still runs.
+    say that it is not solved yet; elsewhere it becomes `pass`, so that the cell still runs and shows nothing.
     """
     nodes = ast.walk(ast.parse(source))
     functions = [node for node in nodes if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)]
@@ -69,7 +69,7 @@ def without_solutions(source: str) -> str:
             inside = True
             if mark == "### BEGIN SOLUTION":
                 in_function = any(node.lineno <= number <= (node.end_lineno or 0) for node in functions)
-                stub = 'raise NotImplementedError("not solved yet: replace this line")' if in_function else "..."
+                stub = 'raise NotImplementedError("not solved yet: replace this line")' if in_function else "pass"
                 indent = line[: -len(line.lstrip())]
                 kept += [f"{indent}# Your solution here.", indent + stub]
         elif mark.startswith("### END "):

@@ -348,7 +348,7 @@ def race(
     heights: Sequence[int] = HEIGHTS,
     *,
     n_grips: int = 2,
-    repetitions: int = 10,
+    repetitions: int = REPETITIONS,
     **how: Any,
 ) -> Sheet:
     """Return the paper's figure with methods of the reader's own beside its three.
