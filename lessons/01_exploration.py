@@ -16,7 +16,7 @@ from typing import NamedTuple
 import gymnasium as gym
 import numpy as np
 
-from edugym import CountBased, EpsilonGreedy, GoExplore, QLearning, make_mdp, repeat, train
+from edugym import CountBased, EpsilonGreedy, GoExplore, QLearning, repeat
 from edugym.lessons import exploration
 from edugym.notebook import play, sliders, source
 from edugym.plotting import Sheet
@@ -367,7 +367,7 @@ check(exercise_2, optimist)
 ### BEGIN HIDDEN TESTS
 check(exercise_2, optimist, seed=1, quiet=True)
 ### END HIDDEN TESTS
-exploration.race({"optimist": optimist})
+display(exploration.race({"optimist": optimist}))
 
 # %% [markdown]
 # ### Exercise 3: write your own explorer
@@ -445,7 +445,7 @@ check(exercise_3, MyExplorer)
 ### BEGIN HIDDEN TESTS
 check(exercise_3, MyExplorer, seed=1, quiet=True)
 ### END HIDDEN TESTS
-exploration.race({"my explorer": MyExplorer.create})
+display(exploration.race({"my explorer": MyExplorer.create}))
 
 # %% [markdown]
 # ### Exercise 4: swap in another environment

@@ -354,13 +354,17 @@ def race(
     """Return the paper's figure with methods of the reader's own beside its three.
 
     Args:
-        own: by label, functions that make an agent for an environment.
+        own: by label, functions that make an agent for a wall, which is the MDP itself: `wall.height` is there.
         heights: the heights of the walls, one panel for each.
         n_grips: the number of grips at every height, 2 or more.
         repetitions: the number of runs of each method, each on a wall of its own.
         **how: more arguments of `compare`.
     """
-    methods = {**METHODS, **own}
+
+    def for_wall(make: Callable[..., Any], environment: Any) -> Any:
+        return make(environment.unwrapped.mdp)
+
+    methods = {**METHODS, **{label: partial(for_wall, make) for label, make in own.items()}}
     compared = {
         height: compare(height, methods=methods, n_grips=n_grips, repetitions=repetitions, **how) for height in heights
     }
