@@ -454,8 +454,8 @@ display(exploration.race({"my explorer": MyExplorer.create}))
 # one of its holes ends the episode. Predict first: will the novelty reward help as much as on the wall?
 #
 # Compare *four* methods there: the three in `exploration.METHODS`, and a fourth of your own choice (another agent, or one
-# of the three with other settings) that solves the lake more often than ε-greedy. Call `repeat` with 20 000 steps and 5
-# repetitions, and assign the results to `frozen`.
+# of the three with other settings). Call `repeat` with 20 000 steps and 5 repetitions, and assign the results to `frozen`.
+# Can you find a fourth that solves the lake in all five runs?
 #
 # <details><summary>Hint</summary>repeat takes an environment, a dictionary of methods and the number of steps. A method is
 # a function that makes an agent for an environment, and {**exploration.METHODS, "mine": ...} adds one.</details>

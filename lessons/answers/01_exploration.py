@@ -523,6 +523,20 @@ def learn(self, state, action, reward, next_state, terminated):
     self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
 
 
+# %% exercise 3, wrong: a visit is noted, not counted
+# says: `visits` is set to 1 there
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    self.visits[next_state] = 1
+
+
+# %% exercise 3, wrong: counted down
+# says: `tries` changes by -1 there
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] -= 1
+
+
 # %% exercise 3, wrong: no bootstrapping
 # says: without bootstrapping
 def learn(self, state, action, reward, next_state, terminated):

@@ -147,6 +147,8 @@ class Update:
                 return f"{sentence}; and {self._told_numbers(other, settings)}"
         if wrong:
             return self._told_numbers(wrong, settings)
+        if counted := _miscounted(cases, right, found, difference):
+            return counted
         mine, asked = (outcomes[difference.case][difference.step] for outcomes in (found, right))
         for sentence, change in singles.items():  # none fits everywhere: one that fits here
             outcome = list(self._outcome(cases[difference.case], {**settings, **change}))[difference.step]
@@ -194,6 +196,18 @@ class Update:
         return "; and ".join(
             self.numbers[name].format(found=value, right=settings[name]) for name, value in wrong.items()
         )
+
+
+def _miscounted(cases: list[Case], right: Outcomes, found: Outcomes, difference: Difference) -> str:
+    """Return what is wrong with a count that should have grown by one, or ""."""
+    case, step, table, entry = difference
+    before = _before(cases, found, difference)
+    if before.dtype.kind != "i" or right[case][step][table][entry] != before[entry] + 1:
+        return ""
+    now = found[case][step][table][entry]
+    if now == 1:
+        return f"`{table}` is set to 1 there, and it should become one more: write `+= 1`"
+    return f"`{table}` changes by {now - before[entry]:+g} there, and every time it should be one more"
 
 
 def _before(cases: list[Case], found: Outcomes, difference: Difference) -> Any:

@@ -364,7 +364,8 @@ def race(
     def for_wall(make: Callable[..., Any], environment: Any) -> Any:
         return make(environment.unwrapped.mdp)
 
-    methods = {**METHODS, **{label: partial(for_wall, make) for label, make in own.items()}}
+    for_walls: dict[str, Callable[..., Any]] = {label: partial(for_wall, make) for label, make in own.items()}
+    methods = {**METHODS, **for_walls}
     compared = {
         height: compare(height, methods=methods, n_grips=n_grips, repetitions=repetitions, **how) for height in heights
     }
