@@ -15,6 +15,12 @@ ANSWERS = [answer for path in FILES for answer in read_answers(path)[1]]
 FEWEST_WRONG, FEWEST_RIGHT = 12, 6
 
 
+@pytest.fixture(autouse=True)
+def training_comes_back(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The setup of answers may leave training out; afterwards it is there again."""
+    monkeypatch.setattr("edugym.training.repeat.train", train)
+
+
 @cache
 def exercises_of(lesson: str) -> tuple[tuple[str, str], list[Exercise]]:
     """What runs before every answer, and the exercises of a lesson."""
@@ -23,9 +29,8 @@ def exercises_of(lesson: str) -> tuple[tuple[str, str], list[Exercise]]:
 
 
 @pytest.mark.parametrize("answer", ANSWERS, ids=lambda answer: f"{answer.lesson}-{answer.exercise}-{answer.name}")
-def test_an_answer(answer: Answer, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_answer(answer: Answer) -> None:
     """A right one passes; a wrong one is refused in one sentence that says which mistake it is."""
-    monkeypatch.setattr("edugym.training.repeat.train", train)  # a setup may replace it
     before, exercises = exercises_of(answer.lesson)
     said = verdict(answer, exercises[answer.exercise - 1], before)
     assert (said == "") == answer.right, said or "the check accepts it"

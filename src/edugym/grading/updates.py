@@ -100,7 +100,8 @@ class Update:
         difference = _first_difference(right, found)
         if difference is not None:
             why = self._why(cases, right, found, settings, difference, returned)
-            raise WrongAnswer(f"{_told(cases, right, found, difference, names)}: {why}")
+            numbers = {name: settings[name] for name in self.numbers}
+            raise WrongAnswer(f"{_told(cases, right, found, difference, names, numbers)}: {why}")
 
     def cases(self, size: tuple[int, int], seed: int) -> list[Case]:
         """Make cases up: ordinary steps, ends, cut-off episodes, steps that stay in their state, steps taken twice."""
@@ -324,28 +325,35 @@ def _close_entries(one: Any, other: Any) -> Any:
     return np.isclose(one, other, rtol=TOLERANCE, atol=TOLERANCE, equal_nan=True)
 
 
-def _told(cases: list[Case], right: Outcomes, found: Outcomes, difference: Difference, names: tuple[str, ...]) -> str:
-    """Return the first part of the sentence: what was expected in which case, and what came."""
+def _told(
+    cases: list[Case],
+    right: Outcomes,
+    found: Outcomes,
+    difference: Difference,
+    names: tuple[str, ...],
+    numbers: Settings,
+) -> str:
+    """Return the first part of the sentence: what was expected in which case, and what came.
+
+    For a value it gives all that is needed to follow the case by hand; for a count the call is enough.
+    """
     number, step, table, entry = difference
-    case = cases[number]
-    before = right[number][step - 1] if step else case.tables
-    transition = case.transitions[step]
-    call = f"learn({_arguments({name: getattr(transition, name) for name in names})})"
-    index = ", ".join(map(str, entry))
-    old, expected, mine = (float(tables[table][entry]) for tables in (before, *_after(right, found, number, step)))
+    before = right[number][step - 1] if step else cases[number].tables
+    now = cases[number].transitions[step]
+    old, expected, mine = (float(tables[table][entry]) for tables in (before, right[number][step], found[number][step]))
+    known = [f"{name} = {value:g}" for name, value in numbers.items()]
+    known += [
+        f"{name}[{now.next_state}] = {_short(values[now.next_state])}"
+        for name, values in before.items()
+        if values.ndim == 1 or values.dtype.kind == "f"
+    ]
+    where = f" where {', '.join(known)}," if before[table].dtype.kind == "f" else ""
     should = (
-        f"should stay {digits(old, mine)}"
-        if expected == old
-        else f"should go from {digits(old, mine)} to {digits(expected, mine)}"
+        f"go from {digits(old, mine)} to {digits(expected, mine)}" if expected != old else f"stay {digits(old, mine)}"
     )
-    known = ", ".join(
-        f"{name}[{transition.next_state}] = {_short(values[transition.next_state])}" for name, values in before.items()
-    )
-    return f"after {call}, with {known}, {table}[{index}] {should}, but is {digits(mine, expected)}"
-
-
-def _after(right: Outcomes, found: Outcomes, number: int, step: int) -> tuple[Tables, Tables]:
-    return right[number][step], found[number][step]
+    call = f"learn({_arguments({name: getattr(now, name) for name in names})})"
+    index = ", ".join(map(str, entry))
+    return f"after {call},{where} {table}[{index}] should {should}, but is {digits(mine, expected)}"
 
 
 def _short(values: Any) -> str:
