@@ -16,6 +16,7 @@ import pkgutil
 import platform
 import sys
 from pathlib import Path
+from textwrap import fill
 from typing import Any
 
 import gymnasium
@@ -34,6 +35,17 @@ OUR_STEPS, OTHER_STEPS, OTHER_LIMIT = 100_000, 50_000, 500
 OTHERS = ("FrozenLake", "CliffWalking", "Taxi", "Blackjack", "CartPole", "MountainCar", "Pendulum")
 TABLES = 200_000_000
 """Larger tables (in numbers) are not tried: Go-Explore has one for every goal."""
+
+SETTING = """Each agent is trained at its defaults: nothing is tuned, so a low return does not mean that the agent
+cannot learn the task. An empty cell means that agent and environment do not fit: a table needs observations and actions
+that are whole numbers, and `GaussianActorCritic` needs actions that are real numbers (`create` says so). Wrappers such
+as `Discretised`, `Hashed` and `FrameStack` make more of them fit. Agents with features or a network take observations
+as vectors. (One exception to the defaults: on Trashbot, `GaussianActorCritic` has tiles over the wrist and what it
+holds only.)"""
+FIGURES = f"""**Return** is that of the greedy policy after {OUR_STEPS:,} training steps ({OTHER_STEPS:,} in Gymnasium's
+environments, with episodes of at most {OTHER_LIMIT} steps): the mean of {EPISODES} episodes for each of {SEEDS} seeds,
+not discounted. **Speed** is in million training steps a second on one core, without compiling. *Best possible* comes
+from the exact model."""
 
 Cell = dict[str, float]
 
@@ -171,17 +183,9 @@ def page(data: dict[str, Any]) -> str:
         [
             "# Which agent works with which environment",
             "",
-            "Each agent is trained at its defaults: nothing is tuned, so a low return does not mean that the agent",
-            "cannot learn the task. An empty cell means that agent and environment do not fit: a table needs",
-            "observations and actions that are whole numbers, and `GaussianActorCritic` needs actions that are real",
-            "numbers (`create` says so). Wrappers such as `Discretised`, `Hashed` and `FrameStack` make more of them fit. Agents with",
-            "features or a network take observations as vectors. (One exception to the defaults: on Trashbot,",
-            "`GaussianActorCritic` has tiles over the wrist and what it holds only.)",
+            fill(SETTING, 120),
             "",
-            f"**Return** is that of the greedy policy after {OUR_STEPS:,} training steps ({OTHER_STEPS:,} in",
-            f"Gymnasium's environments, with episodes of at most {OTHER_LIMIT} steps): the mean of {EPISODES} episodes for each of",
-            f"{SEEDS} seeds, not discounted. **Speed** is in million training steps a second on one core, without",
-            "compiling, with these episodes. *Best possible* comes from the exact model.",
+            fill(FIGURES, 120),
             "",
             "## The environments of the course: return",
             "",

@@ -95,7 +95,8 @@ def _written(value: Any, unit: str) -> str:
 def predict(question: str, options: Sequence[str] | None = None, *, unit: str = "") -> Prediction:
     """Ask for a prediction before a cell is run.
 
-    `height = predict("How high does it get?", unit="grips")` shows a field. The next cell shows the answer beside what was measured: `height.measured(1.4)`.
+    `height = predict("How high does it get?", unit="grips")` shows a field. In the next cell `height.measured(1.4)`
+    shows the answer beside what was measured.
 
     Args:
         question: the question, one sentence.
