@@ -34,6 +34,7 @@ def executable(
     expected: int = COMPILE_FROM,
     rehearsed: int = REHEARSED,
     replayed: bool = True,
+    replay: Loop | None = None,
 ) -> Loop:
     """The fastest safe way to call `loop(n, *arguments)`.
 
@@ -45,6 +46,7 @@ def executable(
             compiled.
         replayed: whether a call that fails in such code is played again by the interpreter, which stops at the very
             line, or goes on where only machine code could not. Without it the caller sees to that, and to changed code.
+        replay: does what the loop does, interpreted, and says better what is wrong; by default the loop itself.
 
     Returns:
         A function with the arguments of `loop`: machine code, or where that does not pay or is not possible, `loop`
@@ -57,7 +59,7 @@ def executable(
         check_compiler()
         if reason := refusal(code, arguments):
             raise CompilationError(reason)
-        return _machine_code(loop, arguments, code, rehearsed, replayed)
+        return _machine_code(loop, arguments, code, rehearsed, replay or loop if replayed else None)
     except NoCompiler:
         return loop
     except CompilationError as error:
@@ -65,7 +67,7 @@ def executable(
     return loop
 
 
-def _machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, rehearsed: int, replayed: bool) -> Loop:
+def _machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, rehearsed: int, replay: Loop | None) -> Loop:
     """Machine code of the loop; that of foreign code has shown on copies that it does what the interpreter does.
 
     Raises:
@@ -96,14 +98,14 @@ def _machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, rehearsed:
     found = difference((result, rehearsal), (shadowed, shadow), "the result")
     if found:
         raise CompilationError(f"machine code comes to something else than Python in the first steps ({found})")
-    return _guarded(fast, loop, code, rehearsed) if replayed else fast
+    return fast if replay is None else _guarded(fast, loop, code, rehearsed, replay)
 
 
 def _said(error: Exception) -> str:
     return f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
 
 
-def _guarded(fast: Loop, loop: Loop, code: Code, rehearsed: int) -> Loop:
+def _guarded(fast: Loop, loop: Loop, code: Code, rehearsed: int, replay: Loop) -> Loop:
     """Machine code of foreign code, with the interpreter at its side.
 
     Where machine code fails, the call is played again by the interpreter from the same start, to stop at the very line,
@@ -116,20 +118,21 @@ def _guarded(fast: Loop, loop: Loop, code: Code, rehearsed: int) -> Loop:
         nonlocal fast, code, surprises
         if not code.is_current():
             code = Code(loop, arguments[1:])
-            fast = executable(loop, arguments[1:], rehearsed=rehearsed)
+            fast = executable(loop, arguments[1:], rehearsed=rehearsed, replay=replay)
         if fast is loop:
             return loop(*arguments)
         before.take(arguments)
         try:
             return fast(*arguments)
         except Exception as error:
-            before.put_back()
-            result = loop(*arguments)  # where this is an error for Python as well, it is raised here
-            surprises += 1
-            if surprises == MOST_SURPRISES:
-                fast = loop
-                _warn_once(code, arguments, f"machine code stops where Python goes on ({_said(error)})")
-            return result
+            failure = error
+        before.put_back()
+        result = replay(*arguments)  # where this is an error for Python as well, it is raised here, and alone
+        surprises += 1
+        if surprises == MOST_SURPRISES:
+            fast = loop
+            _warn_once(code, arguments, f"machine code stops where Python goes on ({_said(failure)})")
+        return result
 
     return run
 
@@ -156,7 +159,15 @@ def _warn_once(code: Code, arguments: tuple[Any, ...], reason: str) -> None:
     if what not in _warned:
         _warned.add(what)
         message = f"{names} cannot be compiled and runs interpreted, some hundred times slower: {reason}"
-        warnings.warn(message, stacklevel=4)
+        warnings.warn(message, stacklevel=_callers_level())
+
+
+def _callers_level() -> int:
+    """The `stacklevel` of the line outside of the package that has called it."""
+    level, frame = 0, sys._getframe(1)
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("edugym"):
+        level, frame = level + 1, frame.f_back
+    return level + 1
 
 
 def _plain_objects(value: Any) -> Iterator[Any]:

@@ -14,6 +14,7 @@ from edugym.checks import whole_number
 from edugym.extras import require
 from edugym.files import check_writable
 from edugym.interrupts import Interrupted, Stop, Work, interruptibly, ordered_by
+from edugym.mdp.checking import at_students_line
 from edugym.results.tables import MEASURED, Results, with_types
 from edugym.training.checkpoints import Checkpoints
 from edugym.training.configuration import Planned, Task, described, planned_runs, task
@@ -129,7 +130,11 @@ def repeat(
     plan = planned_runs(list(makers), repetitions, seed)
     arguments = {"n_steps": n_steps, "repetitions": repetitions, "runs": len(plan), "experiment_seed": seed, **curve}
     training = {"n_steps": n_steps, **curve}
-    experiment = Experiment(the_task, makers, plan, _configuration(the_task, makers, plan[0], arguments))
+    try:
+        configuration = _configuration(the_task, makers, plan[0], arguments)
+    except Exception as error:
+        raise at_students_line(error)  # noqa: B904
+    experiment = Experiment(the_task, makers, plan, configuration)
     stopped_before, runs = stop.is_set(), Runs()
     try:
         with Work() as work:
@@ -149,6 +154,8 @@ def repeat(
     except KeyboardInterrupt:
         kept = "; the same call goes on from there" if save_to or checkpoints else ""
         raise Interrupted(_so_far(plan, runs) + kept, lambda: _collected(experiment, runs)) from None
+    except Exception as error:
+        raise at_students_line(error)  # noqa: B904
     if not results.complete and not stopped_before:
         warnings.warn(f"stopped: {_so_far(plan, runs)}", stacklevel=2)
     return results
