@@ -28,7 +28,7 @@ METHODS = {
 """What every MDP has, and what each method takes."""
 SPACES = ("observation_space", "action_space")
 CHECKED_STEPS = 200
-UNSHOWN = frozenset({"edugym", "contextlib", "joblib"})
+UNSHOWN = frozenset({"edugym", "contextlib", "gymnasium", "joblib"})
 """Packages whose frames are no help in finding a mistake."""
 OTHER_NAMES = {
     "initial": ("reset", "start", "initial_state"),
@@ -92,10 +92,11 @@ def check_mdp(mdp: Any, n_steps: int = CHECKED_STEPS) -> list[Any]:
     mdp, rng, actions = copy.deepcopy(mdp), np.random.default_rng(0), copy.deepcopy(mdp.action_space)
     actions.seed(0)
     checked = not is_own(mdp)
-    state = mdp.initial(rng)
+    first = CheckedMDP(mdp) if checked else mdp
+    state = first.initial(rng)
     states = [state]
     if checked:
-        checked_observation(mdp, state, rng)
+        first.observation(state, rng)
     for _ in range(n_steps):
         action = actions.sample()
         action = int(action) if isinstance(actions, spaces.Discrete) else action
@@ -125,15 +126,6 @@ def checked_step(mdp: MDP[Any, Any], state: Any, action: Any, rng: Random) -> tu
     reward = checked.reward(state, action, next_state, rng)
     terminated = checked.terminal(next_state)
     return next_state, float(reward), bool(terminated), checked.observation(next_state, rng)
-
-
-def checked_observation(mdp: MDP[Any, Any], state: Any, rng: Random) -> Any:
-    """What the agent sees in a state.
-
-    Raises:
-        ValueError: it is not in the observation space, or the state was changed.
-    """
-    return CheckedMDP(mdp).observation(state, rng)
 
 
 class CheckedMDP:

@@ -15,8 +15,8 @@ from edugym.checks import in_short
 
 
 def shown(value: Any) -> str:
-    """A value for a message, cut where it is long."""
-    text = in_short(value)
+    """A value for a message: in one line, and cut where it is long."""
+    text = " ".join(in_short(value).split())
     return text if len(text) <= 200 else f"{text[:197]}..."
 
 

@@ -49,6 +49,13 @@ def checked_agent(agent: Any, task: Any, steps: float = CHECKED_STEPS) -> Any:
     return CheckedAgent(agent, task, steps) if hasattr(agent, "act") else agent
 
 
+def students_parts(agent: Any) -> list[str]:
+    """The names of the student's classes that one of the package's agents is made of, such as a strategy."""
+    if not isinstance(agent, tuple) or not type(agent).__module__.startswith("edugym."):
+        return []
+    return [type(part).__name__ for part in tuple.__iter__(agent) if not is_own(part)]
+
+
 class CheckedAgent:
     """An agent whose first steps are checked.
 
@@ -61,7 +68,7 @@ class CheckedAgent:
     def __init__(self, agent: Any, task: Any, steps: float = CHECKED_STEPS) -> None:
         """See the class."""
         self._agent, self._task, self._left = agent, task, steps
-        self._name = type(agent).__name__
+        self._name = ", with ".join([type(agent).__name__, *students_parts(agent)])
         self._draws = GlobalDraws(self._name)
 
     def __getattr__(self, name: str) -> Any:
@@ -104,7 +111,7 @@ class CheckedAgent:
         for name, table in tables_of(self._agent).items():
             if table.size <= SMALL and table.dtype.kind == "f" and np.isnan(table).any():
                 where = list(map(int, np.argwhere(np.isnan(table))[0]))
-                given = ", ".join(f"{name} {shown(value)}" for name, value in told.items())
+                given = ", ".join(f"{one} {shown(value)}" for one, value in told.items())
                 raise ValueError(
                     f"learn of {self._name} must leave numbers in {name}, but {name}{where} is nan after {given}"
                 )

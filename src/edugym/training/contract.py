@@ -9,6 +9,7 @@ import numpy as np
 
 from edugym.compiled.generated import generated_class
 from edugym.mdp.checking import is_own, require_method
+from edugym.mdp.values import shown
 
 LEARN_PARAMETERS = ("state", "action", "reward", "next_state", "next_action", "terminated", "truncated")
 """The names of the parameters that `learn` may have."""
@@ -77,7 +78,7 @@ def require_agent(agent: Any) -> None:
     if is_own(agent) and hasattr(agent, "act") and hasattr(agent, "learn"):
         return
     if not any(hasattr(agent, name) for name in METHODS):
-        raise ValueError(f"{needed} {agent!r}")
+        raise ValueError(f"{needed} {shown(agent)}")
     require_method(agent, "act", METHODS["act"], METHODS)
     if not callable(getattr(agent, "learn", None)):
         require_method(agent, "learn", METHODS["learn"], METHODS)

@@ -13,6 +13,7 @@ from typing import Any, Protocol
 
 import gymnasium
 import numpy as np
+from gymnasium import spaces
 from gymnasium.wrappers import FlattenObservation, OrderEnforcing, PassiveEnvChecker
 
 from edugym.adapters.gymnasium_env import MDPEnv
@@ -23,10 +24,11 @@ from edugym.compiled.execution import executable
 from edugym.interrupts import held
 from edugym.mdp.checking import CHECKED_STEPS, is_own, require_mdp, require_spaces
 from edugym.mdp.protocol import coerced, step_limit
+from edugym.mdp.values import shown
 from edugym.registration import full_id
 from edugym.training import gymnasium_loops, loops
 from edugym.training.checking import checked_agent, checked_env, checked_mdp
-from edugym.training.contract import actor, is_on_policy, learner, learns_from
+from edugym.training.contract import actor, is_on_policy, learner, learns_from, tables_of
 from edugym.training.loops import Log
 from edugym.training.machine_agent import MachineAgent
 
@@ -272,7 +274,7 @@ def _task(environment: Any, agent: Any) -> Any:
     if isinstance(environment, type):
         require_mdp(environment, "environment")  # says how to make a value
     if not any(hasattr(environment, name) for name in ("observation_space", "transition", "step")):
-        raise ValueError(f"environment must be an MDP, a Gymnasium environment or a name, but is {environment!r}")
+        raise ValueError(f"environment must be an MDP, a Gymnasium environment or a name, but is {shown(environment)}")
     if isinstance(environment, gymnasium.Env):
         require_spaces(environment)
     elif not is_own(environment):
@@ -293,15 +295,25 @@ def _task(environment: Any, agent: Any) -> Any:
 
 
 def _check_table(agent: Any, environment: Any) -> None:
-    """Refuse one of the package's agents that was made for another environment."""
-    for name in ("Q", "preferences"):
-        table = getattr(agent, name, None)
-        if type(agent).__module__.startswith("edugym.agents.") and isinstance(table, np.ndarray):
+    """Refuse a table that was made for another environment.
+
+    A student's may have other rows, as where states are aggregated; but not a row for each state and too few actions.
+    """
+    own = type(agent).__module__.startswith("edugym.agents.")
+    for name, table in tables_of(agent).items():
+        if own and name in ("Q", "preferences"):
             shape = table_size(environment)
             if table.shape[-2:] != shape:
                 raise ValueError(
                     f"agent must have a table {name} of shape {shape} for this environment, but its is"
                     f" {table.shape[-2:]}"
+                )
+        elif name == "Q" and table.ndim == 2 and isinstance(environment.action_space, spaces.Discrete):
+            rows, columns = table_size(environment)
+            if len(table) == rows and table.shape[1] < columns:
+                raise ValueError(
+                    f"{name} of {type(agent).__name__} has the shape {table.shape}, but this environment has"
+                    f" {rows} observations and {columns} actions"
                 )
 
 
