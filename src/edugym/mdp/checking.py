@@ -146,18 +146,9 @@ class CheckedMDP:
         return getattr(self._mdp, name)
 
     def initial(self, rng: Random) -> Any:
-        """Draw the state in which an episode starts.
-
-        Raises:
-            ValueError: it is None.
-        """
+        """Draw the state in which an episode starts."""
         with self._draws.refused("initial"):
-            state = self._mdp.initial(rng)
-        if state is None:
-            raise ValueError(
-                f"initial of {_name(self._mdp)} must return the first state, but returned None (is a return missing?)"
-            )
-        return state
+            return self._mdp.initial(rng)
 
     def transition(self, state: Any, action: Any, rng: Random) -> Any:
         """Draw the next state.
@@ -238,6 +229,11 @@ class CheckedMDP:
     def _require_observation(self, observation: Any, state: Any) -> None:
         space = self._mdp.observation_space
         if not fits(space, observation):
+            if state is None:  # an initial one; where nothing is wrong with what is seen, None is a state like others
+                raise ValueError(
+                    f"initial of {_name(self._mdp)} must return the first state, but returned None (is a return"
+                    " missing?)"
+                )
             raise ValueError(_sentence(self._mdp, "observation", observation, f"an element of {space}", state))
 
 
