@@ -57,7 +57,8 @@ def learns_from(agent: Any) -> tuple[str, ...]:
             taken.append(name)
         elif parameter.default is parameter.empty and parameter.kind is not parameter.VAR_KEYWORD:
             near = difflib.get_close_matches(name, (*OTHER_NAMES, *LEARN_PARAMETERS), 1)
-            meant = f": is {OTHER_NAMES.get(near[0], near[0])!r} meant?" if near else ""
+            example = f": for example learn(self, {', '.join(METHODS['learn'])})"
+            meant = f": is {OTHER_NAMES.get(near[0], near[0])!r} meant?" if near else example
             raise ValueError(
                 f"learn of {type(agent).__name__} may only have the parameters {', '.join(LEARN_PARAMETERS)}, and"
                 f" others with a default, but it has {name!r}{meant}"
