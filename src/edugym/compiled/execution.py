@@ -9,6 +9,7 @@ began: being the same, it stops at the very line.
 
 import os
 import sys
+import time
 import warnings
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -24,6 +25,7 @@ Loop = Callable[..., Any]
 COMPILE_FROM = 5_000  # steps; fewer take the interpreter some 15 ms, and compiling takes a second or more
 REHEARSED = 200  # steps
 MOST_SURPRISES = 3  # calls in which machine code fails and the interpreter does not, before machine code is given up
+COPYING = 10.0  # large arrays are copied before a call once calls have taken this many times as long as the copying
 _warned: set[str] = set()
 
 
@@ -110,24 +112,40 @@ def _guarded(fast: Loop, loop: Loop, code: Code, rehearsed: int, replay: Loop) -
 
     Where machine code fails, the call is played again by the interpreter from the same start, to stop at the very line,
     or to go on where Python does. Once code has changed, machine code of what it is now takes over.
+
+    For that the arguments are copied before a call: large arrays only as often as that costs a tenth of the time. A
+    call that fails without a copy of them is played again on what it has left of them, and always ends in an error.
     """
     before = Snapshot()
     surprises = 0
+    cost = spent = 0.0  # seconds: what copying everything took the last time, and what calls took since
 
     def run(*arguments: Any) -> Any:
-        nonlocal fast, code, surprises
+        nonlocal fast, code, surprises, cost, spent
         if not code.is_current():
             code = Code(loop, arguments[1:])
             fast = executable(loop, arguments[1:], rehearsed=rehearsed, replay=replay)
         if fast is loop:
             return loop(*arguments)
-        before.take(arguments)
+        began = time.perf_counter()
+        before.take(arguments, large=spent >= COPYING * cost)
+        taken = time.perf_counter()
+        if before.is_whole:
+            cost, spent = taken - began, 0.0
         try:
-            return fast(*arguments)
+            result = fast(*arguments)
         except Exception as error:
             failure = error
+        else:
+            spent += time.perf_counter() - taken
+            return result
         before.put_back()
         result = replay(*arguments)  # where this is an error for Python as well, it is raised here, and alone
+        if not before.is_whole:  # it has begun with other tables, and its result is not that of Python
+            raise RuntimeError(
+                f"machine code stops where Python goes on ({_said(failure)}), and the tables are too large to be kept"
+                " for such a case: set the environment variable NUMBA_DISABLE_JIT=1, and run it again"
+            )
         surprises += 1
         if surprises == MOST_SURPRISES:
             fast = loop
