@@ -46,6 +46,7 @@ def said_of(agent: Any, monkeypatch: pytest.MonkeyPatch) -> list[str]:
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         train(WALL, agent, execution.COMPILE_FROM)
+    assert all(warning.filename == __file__ for warning in caught)  # the line that has called `train`
     return [str(warning.message) for warning in caught]
 
 

@@ -181,11 +181,11 @@ def _warn_once(code: Code, arguments: tuple[Any, ...], reason: str) -> None:
 
 
 def _callers_level() -> int:
-    """The `stacklevel` of the line outside of the package that has called it."""
-    level, frame = 0, sys._getframe(1)
-    while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("edugym"):
+    """The `stacklevel` of the user's line that has called `_warn_once` by way of the package."""
+    level, frame = 1, sys._getframe(1)
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith(("edugym", "joblib")):
         level, frame = level + 1, frame.f_back
-    return level + 1
+    return level
 
 
 def _plain_objects(value: Any) -> Iterator[Any]:
