@@ -8,6 +8,7 @@ import pytest
 from hypothesis import settings
 
 os.environ["SDL_VIDEODRIVER"] = "dummy"  # windows open on a pretended screen
+os.environ.setdefault("OMP_NUM_THREADS", "1")  # one torch thread a process: more would wait for each other's cores
 
 settings.register_profile("repeatable", derandomize=True, deadline=None, database=None)
 settings.register_profile("search", deadline=None)  # new examples each time: pytest --hypothesis-profile=search

@@ -78,3 +78,15 @@ def test_it_climbs_a_low_wall() -> None:
     """In every run; an actor that hardly learns does not."""
     assert all(climbs(0.5, seed) for seed in range(10))
     assert not any(climbs(5e-324, seed) for seed in range(10))
+
+
+def test_an_episode_that_training_left_is_not_continued() -> None:
+    """γ^t starts at 1 with the first step of a new run."""
+    agent = ActorCritic.create((4, 2), discount=0.5)
+    agent.learn(0, 0, 0.0, 1, False, False)
+    agent.learn(1, 0, 0.0, 2, False, False)
+    assert agent.I[0] == 0.25
+    agent.learn(2, 0, 0.0, 0, False, False)
+    assert agent.I[0] == 0.125
+    agent.learn(3, 0, 0.0, 0, False, False)
+    assert agent.I[0] == 0.5

@@ -1,6 +1,8 @@
 """What holds for every agent of the package, whatever it learns."""
 
 import copy
+import inspect
+import itertools
 from typing import Any, NamedTuple
 
 import gymnasium
@@ -8,9 +10,22 @@ import numpy as np
 import pytest
 from gymnasium import spaces
 
-from edugym import CountBased, GoExplore, QLearning, load, make_mdp, save, train
+from edugym import (
+    DQN,
+    CountBased,
+    EpsilonGreedy,
+    GaussianActorCritic,
+    GoExplore,
+    QLearning,
+    RMax,
+    load,
+    make_mdp,
+    save,
+    train,
+)
 from edugym.adapters.rooms import View
 from edugym.agents.settings import settings_of
+from edugym.agents.traces import Replacing
 from edugym.compiled.compiler import compiled
 from edugym.mdp.protocol import Random
 from edugym.training.contract import is_on_policy, learner
@@ -40,6 +55,19 @@ def everywhere(cases: dict[str, Case], whole: tuple[str, ...], real: tuple[str, 
             pytest.param(case, name, id=f"{label}-{name}")
             for label, case in cases.items()
             for name in (real if case.real_actions else whole)
+        ],
+    )
+
+
+def somewhere(cases: dict[str, Case]) -> pytest.MarkDecorator:
+    """Each agent in one MDP, in turn: compiling is slow, and `train` takes every agent to Boulder as well."""
+    in_turn = itertools.cycle(MDPS)
+    names = [REAL_MDPS[0] if case.real_actions else next(in_turn) for case in cases.values()]
+    return pytest.mark.parametrize(
+        ("case", "name"),
+        [
+            pytest.param(case, name, id=f"{label}-{name}")
+            for (label, case), name in zip(cases.items(), names, strict=True)
         ],
     )
 
@@ -111,7 +139,7 @@ def play_by_hand(env: gymnasium.Env[Any, Any], agent: Any, n_steps: int, agent_r
         assert env.action_space.contains(action)
         next_observation, reward, terminated, truncated, _ = env.step(action)
         if on:
-            next_action = agent.act(next_observation, agent_rng)
+            next_action = action if terminated else agent.act(next_observation, agent_rng)
             told.learn(observation, action, float(reward), next_observation, next_action, terminated, truncated)
             action = next_action
         else:
@@ -146,7 +174,7 @@ def test_every_agent_and_every_strategy_of_the_package_is_in_the_table() -> None
     assert {type(make((2, 2))) for make in STRATEGIES.values()} == set(package_classes("choose"))
 
 
-@everywhere(AGENTS, MDPS, REAL_MDPS)
+@somewhere(AGENTS)
 def test_compiled_is_bit_identical_to_interpreted(case: Case, name: str) -> None:
     """Tables, random streams, sums and the moment at which the loop stops: all the same."""
     mdp = case.fit(make_mdp(name))
@@ -246,16 +274,15 @@ def test_a_saved_agent_goes_on_as_if_nothing_had_happened(case: Case, tmp_path: 
     assert not same(agent, load(tmp_path / "agent.npz"))
 
 
-@pytest.mark.parametrize("case", AGENTS.values(), ids=AGENTS)
+@somewhere(AGENTS)
 @pytest.mark.parametrize("n_steps", [50_000, 200])
-def test_an_agent_for_a_smaller_environment_is_refused(case: Case, n_steps: int) -> None:
+def test_an_agent_for_a_smaller_environment_is_refused(case: Case, name: str, n_steps: int) -> None:
     """`train` names the table; and machine code checks its indices like the interpreter, so that nothing crashes."""
     refused = r"agent must be one for n_inputs" if case.vectors else r"agent must have a table (Q|preferences) of shape"
-    for mdp in (make_mdp("Trashbot"),) if case.real_actions else (make_mdp("Boulder"), make_mdp("MemoryCorridor")):
-        with pytest.raises(ValueError, match=refused):
-            train(mdp, case.create((2, 2)), n_steps)
-        if case.vectors:
-            continue  # it looks at as many numbers as it was made for, and no further
+    mdp = case.fit(make_mdp(name))
+    with pytest.raises(ValueError, match=refused):
+        train(mdp, case.create((2, 2)), n_steps)
+    if not case.vectors:  # those look at as many numbers as they were made for, and no further
         with pytest.raises(IndexError, match="out of bounds"):
             run_loop(mdp, case.create((2, 2)), n_steps, 0, compile_it=n_steps > 200)
 
@@ -297,6 +324,23 @@ def test_settings_of_one_agent_out_of_range_are_refused(kind: Any, parameter: st
     """The same for what only one agent has."""
     with pytest.raises(ValueError, match=rf"{parameter} must be .*{allowed}.*, but is {value!r}"):
         kind.create((4, 2), **{parameter: value})
+
+
+@pytest.mark.parametrize("kind", dict.fromkeys(case.kind for case in AGENTS.values()))
+def test_agents_that_are_compared_have_the_same_defaults(kind: Any) -> None:
+    """Whoever sets nothing compares algorithms, not settings. Networks and Gaussian policies take smaller steps."""
+    expected = {"learning_rate": 0.1, "value_learning_rate": 0.1, "discount": 0.99, "exploration": EpsilonGreedy(0.1)}
+    expected |= {"n": 4, "trace_decay": 0.9, "planning_steps": 10, "traces": Replacing()}
+    if kind is DQN:
+        expected["learning_rate"] = 1e-3
+    if kind is GaussianActorCritic:
+        expected |= {"learning_rate": 0.01, "value_learning_rate": 0.2}
+    if kind is RMax:
+        expected["planning_steps"] = 1_000  # as many as value iteration needs to settle
+    parameters = inspect.signature(kind.create).parameters
+    assert expected.keys() & parameters.keys()
+    for name in expected.keys() & parameters.keys():
+        assert parameters[name].default == expected[name], name
 
 
 @pytest.mark.parametrize("kind", dict.fromkeys(case.kind for case in AGENTS.values()))

@@ -93,3 +93,10 @@ def test_it_learns_continuous_trashbot() -> None:
     """It delivers the box (3 or more) in 8 of 10 runs (in a trial in 20 of 20), and never without learning."""
     assert sum(returns_in_trashbot(0.01, seed) > 3 for seed in range(10)) >= 8
     assert max(returns_in_trashbot(5e-324, seed) for seed in range(3)) < 3
+
+
+def test_an_initial_value_needs_features_that_are_all_alike() -> None:
+    """With the observation itself as features, the first value would differ from state to state."""
+    assert GaussianActorCritic.create((3, 2), features=Identity.create((3, 2))).value_weights.max() == 0.0
+    with pytest.raises(ValueError, match="initial_value must be 0 for the features Identity, but is 5"):
+        GaussianActorCritic.create((3, 2), 5, features=Identity.create((3, 2)))

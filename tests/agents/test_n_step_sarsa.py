@@ -113,7 +113,7 @@ def test_a_long_delay_is_learned_faster_with_a_larger_n() -> None:
 
     def gain(first: float, second: float) -> list[float]:
         returns: dict[float, list[float]] = {first: [], second: []}
-        for seed in range(12):
+        for seed in range(40):
             mdp = make_mdp("Study", action_reward_noise_sigma=0.2, layout_seed=seed)
             for n in returns:
                 agent = NStepSARSA.create(mdp, n=n, discount=1, exploration=EpsilonGreedy(0.1))

@@ -46,6 +46,18 @@ def test_a_long_episode_is_learned_from_in_parts() -> None:
         REINFORCE.create((2, 2), longest=0)
 
 
+def test_an_episode_that_training_left_is_not_continued() -> None:
+    """The steps of another run do not become the beginning of this episode: it learns what a new agent learns."""
+    agents = [REINFORCE.create((4, 2)) for _ in range(2)]
+    for _ in range(3):
+        agents[0].learn(0, 0, 100.0, 1, False, False)
+        agents[0].learn(1, 0, 100.0, 2, False, False)
+        for agent in agents:  # a new run starts in state 3
+            agent.learn(3, 1, 1.0, 0, False, False)
+            agent.learn(0, 1, 1.0, 3, True, False)
+        assert np.array_equal(agents[0].preferences, agents[1].preferences)
+
+
 def test_the_baseline_makes_updates_less_noisy() -> None:
     """Rewards are 10 and noise; the preferences wander less far with a baseline, though they are worth the same."""
 

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edugym import finite_model, make_mdp
+from edugym import RMax, finite_model, make_mdp
 from edugym.agents.tabular_model import TabularModel, empty_model, given_model
 from edugym.mdp.protocol import Random
 from tests.agents.walk import Walk, exact_values
@@ -96,6 +96,24 @@ def test_what_no_longer_fits_is_not_remembered() -> None:
     model = empty_model((4, 2), memory=1)
     assert [model.observe(0, 0, 1.0, n, False) for n in (1, 2, 1)] == [0, -1, 0]
     assert chain(model, model.first[0, 0], model.following) == [(0, 0, 1, False, 2.0, 1.0)]
+
+
+def test_a_pair_that_no_longer_fits_is_unknown() -> None:
+    """Nobody plans with it: it would have the outcome of another pair."""
+    model = empty_model((4, 2), memory=1)
+    model.observe(0, 0, 5.0, 3, True)
+    assert model.observe(1, 1, -7.0, 2, False) == -1
+    assert model.visits.tolist() == [[1, 0], [0, 0], [0, 0], [0, 0]]
+    rng = np.random.default_rng(0)
+    for _ in range(20):
+        state = model.random_state(rng)
+        assert (state, model.random_tried_action(state, rng)) == (0, 0)
+    agent = RMax.create((4, 2), memory=1)
+    agent.learn(0, 0, 5.0, 3, True)
+    agent.learn(1, 1, -7.0, 2, False)
+    agent.plan()
+    assert agent.optimistic[1, 1] == 100.0
+    assert agent.Q[1, 1] == -100.0
 
 
 @pytest.mark.parametrize("name", ["Roadrunner", "Supermarket", "Walk"])

@@ -3,10 +3,11 @@
 import math
 from typing import Any
 
+import gymnasium
 import numpy as np
 import pytest
 
-from edugym import EpsilonGreedy, QLearning, make_mdp, train
+from edugym import SARSA, EpsilonGreedy, LinearDecay, QLearning, ScheduledEpsilonGreedy, make_mdp, train
 from edugym.compiled import execution
 from edugym.mdp.protocol import Random, Reals
 from edugym.training import trainers
@@ -97,7 +98,7 @@ def sarsa_by_the_book(mdp: SlipperyWalk, n_steps: int, limit: int, seed: int) ->
         for step in range(1, limit + 1):
             next_S = mdp.transition(S, A, environment_rng)
             R = mdp.reward(S, A, next_S, environment_rng)
-            next_A = epsilon_greedy(next_S)
+            next_A = A if mdp.terminal(next_S) else epsilon_greedy(next_S)
             bootstrap = 0.0 if mdp.terminal(next_S) else Q[next_S, next_A]
             Q[S, A] = Q[S, A] + 0.3 * (R + 0.9 * bootstrap - Q[S, A])
             S, A = next_S, next_A
@@ -155,3 +156,18 @@ def test_an_error_in_a_students_agent_shows_its_line(compiled_loops: list[str]) 
     assert compiled_loops == ["play_episodes", "off_policy"]
     assert "self.Q[int(self.Q[0, 0]) // 1_000, 1] = 1.0" in str(error.traceback[-1].statement)
     assert agent.Q[0, 0] == 7_000.0
+
+
+class Unchanged(gymnasium.Wrapper[Any, Any, Any, Any]):
+    """A wrapper that `train` does not know: it trains in the Gymnasium environment itself."""
+
+
+@pytest.mark.parametrize("kind", [SARSA, QLearning])
+@pytest.mark.parametrize("wrapped", [False, True])
+def test_a_schedule_counts_the_actions_that_are_taken(kind: Any, wrapped: bool) -> None:
+    """A decay is as fast for on-policy agents as for others: nobody chooses an action in a terminal state."""
+    env = gymnasium.make("edugym/Boulder-v0", height=1, max_steps=10_000)
+    exploration = ScheduledEpsilonGreedy.create(LinearDecay(1.0, 0.5, 1_000))
+    task = Unchanged(env) if wrapped else env
+    train(task, kind.create(env, exploration=exploration), 500)
+    assert exploration.step[0] == 500 + (kind is SARSA)  # which has also chosen the action after the last step

@@ -81,8 +81,10 @@ class DQN(NamedTuple):
 
     Deviations from Mnih et al.: one fully connected hidden layer on the whole observation instead of convolutions on
     four frames; Adam instead of RMSProp; rewards are not clipped; ε is constant by default (for theirs, see
-    `ScheduledEpsilonGreedy` with `LinearDecay`); the memory and all times are a hundredth of theirs; and the newest
-    transition is never in the batch that is learned from right after it.
+    `ScheduledEpsilonGreedy` with `LinearDecay`), also before step `learn_from`, where theirs act uniformly at random;
+    the memory is a hundredth of theirs, `learn_from` a fiftieth and `copy_every` a fortieth; and a batch is drawn
+    before the step after which it is learned from, so that the newest transition is in it only if it took the place of
+    one that was drawn.
 
     References: Mnih et al. (2015), Human-level control through deep reinforcement learning, algorithm 1 and extended
     data table 1; Kingma and Ba (2015), Adam, algorithm 1; He et al. (2015) for the first weights; Sutton and Barto,
@@ -285,7 +287,10 @@ def backward(weights: Layers, gradient: Layers, x: Reals, h: Reals, dQ: Reals, d
 
 
 def adam(weights: Reals, gradient: Reals, mean: Reals, square: Reals, rate: float) -> None:
-    """Take one step of Adam down the gradient, which is then set to 0; all arrays have one shape."""
+    """Take one step of Adam down the gradient, then set the gradient to 0; all arrays have the same shape.
+
+    (In the form of section 2 of the paper, whose ε is not corrected for the start.)
+    """
     for i in range(weights.shape[0]):
         for j in range(weights.shape[1]):
             mean[i, j] += 0.1 * (gradient[i, j] - mean[i, j])  # m <- 0.9 m + 0.1 g

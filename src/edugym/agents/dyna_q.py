@@ -18,7 +18,8 @@ class DynaQ(NamedTuple):
 
         Q(S, A) <- Q(S, A) + α [R + γ max_a Q(S', a) - Q(S, A)]             for the step that was taken
         Model(S, A) <- R, S'
-        and n times: S, A <- a random pair that was seen;  R, S' <- Model(S, A);  the same update
+        and n times: S <- a random state that was seen;  A <- a random action that was taken in S;
+        R, S' <- Model(S, A);  the same update
 
     The model counts: where an action has had several outcomes, it gives each by its share. `expected_updates` updates
     with the mean over all of them instead of one (section 8.5). An `exploration_bonus` κ makes it Dyna-Q+ (section

@@ -5,7 +5,7 @@ from typing import Annotated, Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
-from edugym.agents.features import Features, check_features, follow_gradient, linear_value
+from edugym.agents.features import Features, Identity, check_features, follow_gradient, linear_value
 from edugym.agents.settings import Discount, LearningRate, Range, Table, new, shows_settings
 from edugym.agents.tables import one_step_target
 from edugym.agents.tile_coding import TileCoding
@@ -75,7 +75,7 @@ class GaussianActorCritic(NamedTuple):
         return action
 
     def act_into(self, state: Any, rng: Random, action: Any) -> None:
-        """Write the same into an array."""
+        """Draw an action as `act` does, and write it into the array `action`."""
         for k in range(len(self.drawn)):
             mean = linear_value(self.features, self.weights, state, k)
             self.drawn[k] = rng.normal(mean, self.spread)
@@ -88,7 +88,7 @@ class GaussianActorCritic(NamedTuple):
         return action
 
     def greedy_into(self, state: Any, rng: Random, action: Any) -> None:
-        """Write the same into an array."""
+        """Write the mean, cut off likewise, into the array `action`."""
         for k in range(len(self.drawn)):
             action[k] = min(max(linear_value(self.features, self.weights, state, k), self.low[k]), self.high[k])
 
@@ -113,8 +113,9 @@ class GaussianActorCritic(NamedTuple):
 
         Args:
             environment: an MDP or Gymnasium environment with actions that are vectors of real numbers.
-            initial_value: what the critic expects of every state at first. Where it expects too much, every action
-                disappoints, and the agent tries others (Sutton and Barto, section 2.6).
+            initial_value: what the critic expects of every state at first. If that is too much, every action
+                disappoints, and the agent tries others (Sutton and Barto, section 2.6). Only for features of which
+                the same number is 1 in every state and the others are 0, as in tile coding.
             **settings: see the class.
 
         Raises:
@@ -126,6 +127,8 @@ class GaussianActorCritic(NamedTuple):
             settings["features"] = features = TileCoding.create(environment)
         check_features(features, n_inputs)
         a_number("initial_value", initial_value)
+        if initial_value != 0 and isinstance(features, Identity):
+            raise ValueError(f"initial_value must be 0 for the features Identity, but is {initial_value!r}")
         agent = new(cls, None, settings, features=features.n_features, actions=n_actions)
         agent.value_weights[:] = initial_value / features.at_once
         space = getattr(environment, "action_space", None)

@@ -59,9 +59,10 @@ class GoExplore(NamedTuple):
         explore_steps: the number of random steps after the goal was reached, 1 or more.
 
     Choices: Ecoffet et al. restore the simulator or train a goal-conditioned network; here a table of goal-conditioned
-    values is learned. Their archive stores cells and scores each with several counts; here each state is a cell, and
-    the least visited one is chosen. An attempt ends after its random steps, at the end of the episode, or after
-    `longest` steps. A state that was entered several times in an attempt is learned as a goal several times.
+    values is learned. Their archive stores cells and draws one at random, with weight 1/√(visits + 1); here each state
+    is a cell, and the least visited one is chosen. An attempt ends after its random steps, at the end of the episode,
+    or after `longest` steps; the next one starts from the state reached, not from a reset. A state that was entered
+    several times in an attempt is learned as a goal several times.
 
     References: Ecoffet et al. (2021), First return, then explore, Nature 590; Kaelbling (1993), Learning to achieve
     goals; Andrychowicz et al. (2017), Hindsight experience replay.

@@ -20,8 +20,9 @@ class NStepSARSA(NamedTuple):
 
     Every step updates the pair of n steps before. When the episode ends, the last n pairs are updated in their order,
     with the rewards that there are. After a terminal state nothing is added to these; where a step limit has cut the
-    episode off, the value of the next state and action is. With n = `math.inf` nothing is learned before the end of the
-    episode, which makes it Monte Carlo (every visit, constant α).
+    episode off, the value of the next state and action is (the one before these last updates). With n = `math.inf`
+    nothing is learned before the end of the episode (or the step number `longest`), which makes it Monte Carlo (every
+    visit, constant α).
 
     Attributes:
         Q: shape (n_states, n_actions): the action values.

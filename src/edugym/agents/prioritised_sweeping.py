@@ -40,6 +40,7 @@ class PrioritisedSweeping(NamedTuple):
         exploration: how actions are chosen.
         threshold: θ, 0 or more.
         expected_updates: whether planning uses the probabilities of the model (descriptive) or samples (generative).
+            `DynaQ` samples by default, like its box; where chance matters, compare the two with the same setting.
 
     References: Moore and Atkeson (1993); Peng and Williams (1993); Sutton and Barto, 2nd edition, the box of section
     8.4.

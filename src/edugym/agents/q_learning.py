@@ -29,7 +29,7 @@ class QLearning(NamedTuple):
     exploration: Exploration = EpsilonGreedy(0.1)
 
     def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool) -> None:
-        """Move Q(S, A) towards the reward and the best value that follows."""
+        """Move Q(S, A) towards the reward plus γ times the highest value in the next state (0 after a terminal one)."""
         target = one_step_target(reward, self.discount, best_value(self.Q, next_state), terminated)
         self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
 
@@ -49,6 +49,7 @@ class QLearning(NamedTuple):
         default 0.
 
         Raises:
-            ValueError: a setting is unknown or out of range, or the environment is not tabular.
+            ValueError: a setting is unknown or out of range, or the environment does not fit a table, because its
+                observations are not whole numbers (or tuples of them) or its actions are not 0, 1, ...
         """
         return new(cls, environment, settings)

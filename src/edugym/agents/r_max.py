@@ -52,14 +52,15 @@ class RMax(NamedTuple):
         planning: how many updates a step, or how much time.
         discount: γ, from 0 to 1.
         highest_return: U, what an unknown action is hoped to be worth: no less than the best return from any state, or
-            it may never be tried. R_max/(1 - γ), for the highest reward R_max, is always enough.
+            it may never be tried. max(R_max, 0)/(1 - γ), for the highest reward R_max, is always enough.
         lowest_return: L, what it is feared to be worth: no more than the worst return.
         known_after: m, 1 or more: 1 is right where nothing is left to chance.
         threshold: θ, 0 or more.
 
     References: Brafman and Tennenholtz (2002), R-max; Sutton and Barto, 2nd edition, section 4.5 (asynchronous dynamic
     programming). The paper adds a state in which all is wonderful, to which unknown actions lead; U is its value. It
-    has one table only, which is enough once all that matters is known.
+    has one table only, which is enough once all that matters is known, and maximises the average reward over a given
+    number of steps; here future rewards are discounted.
     """
 
     Q: Annotated[Reals, Table(("states", "actions"), fill="lowest_return")]

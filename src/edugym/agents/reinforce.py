@@ -14,13 +14,13 @@ class Episode(NamedTuple):
 
     Attributes:
         length: shape (1,): how many steps it has taken.
-        states: shape (longest,): the state before each step.
+        states: shape (longest + 1,): the state before each step, and the one reached last.
         actions: shape (longest,): the action of each step.
         rewards: shape (longest,): the reward of each step.
     """
 
     length: Counter
-    states: Annotated[Integers, Table(("longest",))]
+    states: Annotated[Integers, Table(("longest + 1",))]
     actions: Annotated[Integers, Table(("longest",))]
     rewards: Annotated[Reals, Table(("longest",))]
 
@@ -36,7 +36,8 @@ class REINFORCE(NamedTuple):
         θ(S_t, ·) <- θ(S_t, ·) + α^θ γ^t δ ∇ln π(A_t|S_t, θ)     with π(a|s, θ) ∝ exp(θ(s, a))
 
     The baseline V changes nothing in the mean of the gradient, and makes it less noisy; `value_learning_rate=0` goes
-    without one. Where an episode is truncated, V of the last state stands for what is missing of the return.
+    without one. Where an episode is truncated, V of the last state stands for the rewards that are missing (so without
+    a baseline they count as 0).
 
     Attributes:
         preferences: shape (n_states, n_actions): θ.
@@ -62,11 +63,14 @@ class REINFORCE(NamedTuple):
     def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool, truncated: bool) -> None:
         """Note the step; at the end of the episode (or where there is no more room), learn from it."""
         t = self.episode.length[0]
+        if self.episode.states[t] != state:
+            t = 0  # training was stopped within an episode, and this is another one
         self.episode.states[t] = state
         self.episode.actions[t] = action
         self.episode.rewards[t] = reward
+        self.episode.states[t + 1] = next_state
         self.episode.length[0] = t + 1
-        if terminated or truncated or t + 1 == len(self.episode.states):
+        if terminated or truncated or t + 1 == len(self.episode.rewards):
             self.learn_from_episode(0.0 if terminated else self.V[next_state])
 
     def learn_from_episode(self, last_value: float) -> None:
@@ -102,10 +106,12 @@ class REINFORCE(NamedTuple):
 
         Args:
             environment: an MDP or Gymnasium environment with whole numbers for observations and actions.
-            longest: how many steps of an episode there is room for, 1 or more; a longer one is learned from in parts.
+            longest: how many steps of an episode there is room for, 1 or more. A longer one is learned from in parts,
+                as if it were truncated after each: γ^t starts at 1 again.
             **settings: see the class.
 
         Raises:
             ValueError: a setting is not as above or as the class says, or the environment does not fit a table.
         """
-        return new(cls, environment, settings, longest=whole_number("longest", longest, 1))
+        whole_number("longest", longest, 1)
+        return new(cls, environment, settings, longest=longest, **{"longest + 1": longest + 1})

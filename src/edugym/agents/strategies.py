@@ -169,7 +169,7 @@ class ScheduledEpsilonGreedy(NamedTuple):
 class Softmax(NamedTuple):
     """Choose better actions more often (Boltzmann exploration): π(a|s) ∝ exp(Q(s, a)/τ).
 
-    Compare the softmax over preferences of equations 2.11 and 13.1, which has no temperature.
+    Compare the softmax over preferences of equations 2.11 and 13.2, which has no temperature.
 
     Attributes:
         temperature: τ, greater than 0: near 0 it is greedy, and the higher, the more random.

@@ -21,7 +21,7 @@ class TabularModel(NamedTuple):
     those that lead to a state, the predecessors: first_into[s], following_into[first_into[s]], ...
 
     Attributes:
-        visits: shape (n_states, n_actions): N(s, a), how often each action was taken in each state.
+        visits: shape (n_states, n_actions): N(s, a), how many steps with each action in each state it remembers.
         last_visit: shape (n_states, n_actions): at which step it was taken last; 0 for never.
         steps: shape (1,): how many steps were seen.
         known_states: shape (n_states,): the states in which an action was taken, in the order in which they were met.
@@ -64,7 +64,7 @@ class TabularModel(NamedTuple):
         """Count what happened, unless the model was given.
 
         Returns:
-            The outcome that it is; -1 when the model does not have it: a given one, or one whose memory is full.
+            The index of the outcome; -1 if the model lacks it, because it was given or because its memory is full.
         """
         self.steps[0] += 1
         self.last_visit[state, action] = self.steps[0]
@@ -80,18 +80,21 @@ class TabularModel(NamedTuple):
         return k
 
     def add(self, state: int, action: int, reward: float, next_state: int, terminated: bool, weight: float) -> int:
-        """Add to the weight of an outcome, and return which it is (-1 when the memory is full)."""
+        """Add to the weight of an outcome, and return its index.
+
+        A new outcome for which there is no room changes nothing; the index is then -1.
+        """
+        k = self.find(state, action, next_state, terminated)
+        if k < 0 and self.n_outcomes[0] == len(self.states):
+            return -1
         if self.visits[state, action] == 0:
             if self.n_tried[state] == 0:
                 self.known_states[self.n_known[0]] = state
                 self.n_known[0] += 1
             self.n_tried[state] += 1
         self.visits[state, action] += 1
-        k = self.find(state, action, next_state, terminated)
         if k < 0:
             k = int(self.n_outcomes[0])
-            if k == len(self.states):
-                return -1
             self.n_outcomes[0] += 1
             self.states[k] = state
             self.actions[k] = action
@@ -158,8 +161,8 @@ def empty_model(environment: Any, memory: int | None = None) -> TabularModel:
     Args:
         environment: an MDP or Gymnasium environment, or the shape (n_states, n_actions).
         memory: how many outcomes it can hold, 1 or more; by default 8 for each pair of state and action, or
-            100 000 if that is less, but never fewer than 1 000 or two for each pair. What no longer fits is not
-            remembered.
+            100 000 if that is less, but never fewer than 1 000 or two for each pair. An outcome that no longer
+            fits is neither remembered nor counted as a visit.
 
     Raises:
         ValueError: the memory is not as above, or the environment does not fit a table.

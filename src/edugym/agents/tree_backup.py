@@ -24,6 +24,7 @@ class TreeBackup(NamedTuple):
 
     Every step updates the pair of n steps before, and the end of an episode all that are left, in their order. After a
     terminal state nothing is added; where a step limit has cut the episode off, the mean value of the next state is.
+    The box chooses the next action before the update; here it is chosen after it, as in Q-learning.
 
     Attributes:
         Q: shape (n_states, n_actions): the action values.

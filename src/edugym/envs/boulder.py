@@ -22,9 +22,9 @@ class Boulder(NamedTuple):
     ## Description
     Challenge: exploration under sparse reward. A climber stands before a wall. At every height there are `n_grips`
     grips; one holds, the others are cracked and send the climber back to the ground. Only the top is rewarded, so until
-    it has been reached once there is no reward to learn from. A climber who chooses grips at random reaches the top
-    after (N^(H+1) - N)/(N - 1) steps on average, if no step limit cuts the climb off: 2 046 for two grips and height
-    10, and 2.5e30 for height 100.
+    it has been reached once there is no reward to learn from. With N grips at each height and a wall of height H, a
+    climber who chooses grips at random needs (N^(H+1) - N)/(N - 1) steps on average to reach the top, if no step limit
+    ends the climb: 2 046 for two grips and height 10, and 2.5e30 for height 100.
 
     ## Observation space
     `Discrete(height + 1)`: the position on the wall, from 0 (ground) to `height` (top).
@@ -33,9 +33,9 @@ class Boulder(NamedTuple):
     `Discrete(n_grips)`: the grip to jump to.
 
     ## State
-    The position, and because of the step limit the number of steps of this episode. The environment counts the steps;
-    the agent does not observe them, so near the limit the observation is not Markov. (That is no problem for an agent
-    that still uses the value of the next state when an episode is truncated.)
+    The position. Strictly, the number of steps in this episode is part of the state too, because of the step limit.
+    The environment counts these steps, but the agent does not observe them, so near the limit the observation is not
+    Markov. (That is no problem for an agent that still uses the value of the next state when an episode is truncated.)
 
     ## Dynamics
     The grip that holds moves the climber up by one. Any other sends it to the ground, without ending the episode.
@@ -51,14 +51,14 @@ class Boulder(NamedTuple):
     Terminated at the top; truncated after `max_steps` steps.
 
     ## Parameters
-    - `height` (10): H, the height of the wall: the number of right grips in a row that lead to the top; from 1 to 1 000
-    000.
+    - `height` (10): H, the height of the wall: the number of right grips in a row that lead to the top; from 1 to
+      one million.
     - `n_grips` (2): N, how many grips there are at every height; from 2 to 1000.
     - `max_steps` (10 * height): 1 or more.
     - `layout_seed` (0): the seed from which the right grips are drawn, uniformly; 0 or more.
 
     ## Info
-    - `right_grip`: the grip that holds at the present position; -1 at the top.
+    - `right_grip`: the right action in this state, which moves the climber up by one; -1 at the top.
 
     ## Choices
     - The paper says that a random climber needs N^H steps. But N^H is the number of attempts (climbs from the ground)
@@ -75,7 +75,7 @@ class Boulder(NamedTuple):
 
     height: int
     n_grips: int
-    grips: Integers  # shape (height,): the grip that holds at each height
+    grips: Integers  # shape (height,): grips[s] is the right grip at position s
     max_steps: int
 
     def initial(self, rng: Random) -> int:
@@ -129,9 +129,9 @@ class Boulder(NamedTuple):
 
     @property
     def reward_threshold(self) -> float | None:
-        """The return at which the task counts as solved: 1, if every episode reaches the top.
+        """The mean return at which the task counts as solved: 1, which means that every episode reaches the top.
 
-        None if the step limit is too low to reach it.
+        None if the step limit is too low to reach the top.
         """
         return 1.0 if self.max_steps >= self.height else None
 
@@ -141,7 +141,7 @@ class Boulder(NamedTuple):
         return tuple(f"grip {grip}" for grip in range(self.n_grips))
 
     def info(self, state: int) -> dict[str, Any]:
-        """The grip that holds where the climber is, or -1 at the top."""
+        """The grip that moves the climber up by one from here, or -1 at the top."""
         return {"right_grip": int(self.grips[state]) if state < self.height else -1}
 
     def scene(self, state: int) -> Scene:

@@ -1,6 +1,6 @@
-"""Wrappers of MDPs: a class defines the methods that it changes.
+"""Wrappers of MDPs. A wrapper is an MDP that contains another one, the inner MDP.
 
-`@wrapper` adds the others, which call the inner MDP.
+Its class defines only the methods that differ; `@wrapper` adds the others, which call those of the inner MDP.
 """
 
 from collections.abc import Callable
@@ -39,8 +39,11 @@ PASSED_ON = {
     "terminal": _terminal,
     "observation": _observation,
 }
-"""The five methods of an MDP, as calls of the inner one. (The compiler finds only methods of the class itself, so
-`__getattr__` alone is not enough.)"""
+"""The five methods of an MDP, each of which calls the same method of the inner MDP.
+
+(`wrapper` also adds a `__getattr__` that finds the attributes of the inner MDP, but the compiler sees only methods of
+the class itself.)
+"""
 
 
 def wrapper(kind: Kind) -> Kind:
@@ -59,8 +62,8 @@ def wrapper(kind: Kind) -> Kind:
                 return self.mdp.reward(state, action, next_state, rng) + rng.normal(0.0, self.sigma)
 
     Spaces, step limit, names of actions, picture and info are those of the inner MDP, unless the class defines them. If
-    the states of the wrapper differ from those of the inner MDP, it defines `inside(state)`, which returns the
-    corresponding state of the inner MDP.
+    the wrapper's states differ from those of the inner MDP, the class must define `inside(state)`, which returns the
+    corresponding state of the inner MDP (for picture and info).
 
     Raises:
         TypeError: the class has no field `mdp`.
@@ -77,9 +80,7 @@ def wrapper(kind: Kind) -> Kind:
 
 def _from_inside(self: Any, name: str) -> Any:
     """An attribute that the wrapper does not define: that of the inner MDP."""
-    if (
-        name.startswith("_") or name == "observe_into"
-    ):  # private names, and `observe_into`, which would show the inner observation
+    if name.startswith("_") or name == "observe_into":  # which would write the inner MDP's observation, not this one's
         raise AttributeError(f"{type(self).__name__} has no attribute {name!r}")
     value = getattr(self.mdp, name)
     if name in ("scene", "info") and hasattr(type(self), "inside"):

@@ -49,7 +49,7 @@ def on_policy(
     _, observation, action, steps, total = moment
     for _ in range(n_steps):
         next_observation, reward, terminated, truncated, _ = env.step(given(action, env))
-        next_action = agent.act(next_observation, agent_rng)
+        next_action = action if terminated else agent.act(next_observation, agent_rng)
         steps += 1
         total += float(reward)
         truncated = (truncated or steps == max_steps) and not terminated

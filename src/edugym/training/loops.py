@@ -60,7 +60,8 @@ def off_policy(
     Args:
         n_steps: how many steps to take; episodes follow each other.
         mdp: the task.
-        agent: acts and learns (see `edugym.training.contract.learner`).
+        agent: the agent in the wrapper `edugym.training.contract.learner`, so that its `learn` takes all the arguments
+            of this loop.
         max_steps: after how many steps an episode is truncated.
         environment_rng: what the task draws from.
         agent_rng: what the agent draws from.
@@ -103,8 +104,9 @@ def on_policy(
 ) -> OnPolicyMoment:
     """Take `n_steps` steps. Choose the next action first, then learn from it (SARSA, section 6.4).
 
-    `learn` needs a next action after the last step of an episode too. One is chosen there, but never executed.
-    Arguments and result are those of `off_policy`; the moment holds the next action as well.
+    After a terminal state there is no next action: `learn` is given the old one and must ignore it. After a truncated
+    episode one is chosen, which `learn` uses, but which is never executed. Arguments and result are as in `off_policy`,
+    except for the moment: it also holds the next action, and the first moment comes from `start_on_policy`.
     """
     state, observation, action, steps, total = moment
     for _ in range(n_steps):
@@ -112,7 +114,7 @@ def on_policy(
         reward = mdp.reward(state, action, next_state, environment_rng)
         terminated = mdp.terminal(next_state)
         next_observation = mdp.observation(next_state, environment_rng)
-        next_action = agent.act(next_observation, agent_rng)
+        next_action = action if terminated else agent.act(next_observation, agent_rng)
         steps += 1
         total += reward
         truncated = steps == max_steps and not terminated
