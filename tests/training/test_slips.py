@@ -10,6 +10,7 @@ from edugym import MDPEnv, MDPVectorEnv, QLearning, repeat, train
 from edugym.training import trainers
 from tests.compiled.cells import LEARNER, SLIPPERY, WALK, cell
 from tests.training.slips import (
+    ACT,
     ENVIRONMENT,
     FIRST,
     IN_AGENT,
@@ -176,7 +177,7 @@ def test_an_agent_in_a_gymnasium_environment(name: str) -> None:
     answered(slip, lambda: train(cell(ENVIRONMENT)["Line"](), agent, 30))
 
 
-def test_late_slips() -> None:
+def test_late_slips_in_machine_code() -> None:
     """Machine code that fails after thousands of steps is played again, checked."""
     late = WALK.replace("size: int", "size: int\n    count: np.ndarray").replace(
         MOVE, f"self.count[0] += 1\n        {MOVE}"
@@ -186,6 +187,44 @@ def test_late_slips() -> None:
     )
     mdp = cell(changed(late, rare))["Walk"](5, np.zeros(1, np.int64))
     answered(rare, lambda: train(mdp, QLearning.create((6, 2)), 9_000))
+
+
+LATE = LEARNER.replace("rate: float = 0.5", "rate: float = 0.5\n    count = [0]").replace(
+    "        best = 0\n", "        self.count[0] += 1; late = self.count[0] > 2_000\n        best = 0\n"
+)
+
+
+@pytest.mark.parametrize("on_policy", [True, False])
+@pytest.mark.parametrize("environment", [True, False])
+@pytest.mark.parametrize(
+    ("new", "says"),
+    [
+        ("return None if late else best", "act of Learner must return an action, .* returned None for state ."),
+        ("return 'x' if late else best", "act of Learner must return an action, a whole .* returned 'x' for state ."),
+        ("return 7 if late else best", "act of Learner must return an action, a whole .* returned 7 for state ."),
+    ],
+)
+def test_late_slips_in_the_interpreter(new: str, says: str, environment: bool, on_policy: bool) -> None:
+    """Where they end in an error, it is said what was wrong at that step."""
+    source = LATE.replace(ACT, new)
+    if on_policy:
+        source = source.replace("next_state, terminated)", "next_state, next_action, terminated)")
+    where = cell(ENVIRONMENT)["Line"]() if environment else task()
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        answered(Slip("", "", says), lambda: train(where, learner(source), 9_000, max_steps=50))
+
+
+def test_a_late_reward_that_is_missing() -> None:
+    """In the interpreter."""
+    source = WALK.replace("size: int", "size: int\n    count = [0]").replace(
+        PAY, f"self.count[0] += 1\n        if self.count[0] < 3_000:\n            {PAY}"
+    )
+    mdp = task(source)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        says = "reward of Walk must return a finite number as reward, but returned None"
+        answered(Slip("", "", says), lambda: train(mdp, QLearning.create((6, 2)), 9_000))
 
 
 @pytest.mark.parametrize("n_steps", [30, 300, 6_000])

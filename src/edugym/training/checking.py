@@ -20,6 +20,8 @@ from edugym.mdp.protocol import Random
 from edugym.mdp.values import GlobalDraws, fits, is_finite_number, kept, shown
 from edugym.training.contract import tables_of
 
+NEXT = ("next_action", "next_observation")
+LOOPS = ("edugym.training.loops", "edugym.training.gymnasium_loops")
 SMALL = 10_000
 """Entries of a table that is looked at after each step."""
 
@@ -47,6 +49,50 @@ def checked_agent(agent: Any, task: Any, steps: float = CHECKED_STEPS) -> Any:
     if isinstance(agent, tuple) and machinery:
         return tuple.__new__(type(agent), [checked_agent(part, task, steps) for part in tuple.__iter__(agent)])
     return CheckedAgent(agent, task, steps) if hasattr(agent, "act") else agent
+
+
+@contextmanager
+def explained(agent: Any, task: Any) -> Iterator[None]:
+    """Say what a late mistake is: one after the first steps, in a loop that the interpreter runs.
+
+    Where the block ends in an error, what the loop was given at that step is looked at.
+
+    Raises:
+        ValueError: the agent has returned no action, or the task no reward.
+    """
+    try:
+        yield
+    except Exception as error:
+        found = _late_mistake(error, agent, task)
+        if found is None:
+            raise
+        raise ValueError(found) from None
+
+
+def _late_mistake(error: Exception, agent: Any, task: Any) -> str | None:
+    last = error.__traceback__
+    while last is not None and last.tb_frame.f_globals.get("__name__") not in LOOPS:
+        last = last.tb_next
+    if last is None:
+        return None
+    step = last.tb_frame.f_locals
+    if not is_own(agent) and not hasattr(agent, "act_into"):
+        method = "greedy" if "actor" in step and hasattr(agent, "greedy") else "act"
+        for action, state in (("action", "observation" if "observation" in step else "state"), NEXT):
+            if action in step and not _is_action(task.action_space, step[action]):
+                return _of_action(type(agent).__name__, method, task.action_space, step[action], step.get(state))
+    if not is_own(task) and not is_finite_number(step.get("reward", 0.0)):
+        method = "step" if isinstance(task, gymnasium.Env) else "reward"
+        name = type(_innermost(task)).__name__
+        return f"{method} of {name} must return a finite number as reward, but returned {shown(step['reward'])}"
+    return None
+
+
+def _innermost(task: Any) -> Any:
+    """What the package's wrappers are around."""
+    if isinstance(task, gymnasium.Env):
+        return task.unwrapped
+    return _innermost(task.mdp) if type(task).__module__.startswith("edugym.") else task
 
 
 def students_parts(agent: Any) -> list[str]:
@@ -125,18 +171,8 @@ class CheckedAgent:
         with self._draws.refused(method):
             action = self._with_sizes(lambda: choose(state, rng))
         refuse_change(self._agent, method, before, state)
-        space = self._task.action_space
-        if not _is_action(space, action):
-            allowed = (
-                f"an action, a whole number from {space.start} to {space.start + space.n - 1}"
-                if isinstance(space, spaces.Discrete)
-                else f"an action, an element of {space}"
-            )
-            forgotten = " (is a return missing?)" if action is None else ""
-            raise ValueError(
-                f"{method} of {self._name} must return {allowed}, but returned {shown(action)} for state"
-                f" {shown(state)}{forgotten}{self._sizes()}"
-            )
+        if not _is_action(self._task.action_space, action):
+            raise ValueError(_of_action(self._name, method, self._task.action_space, action, state) + self._sizes())
         return action
 
     def _with_sizes(self, call: Callable[[], Any]) -> Any:
@@ -242,6 +278,15 @@ class CheckedEnv(gymnasium.Wrapper[Any, Any, Any, Any]):
                 f"{method} of {self._of} must return an observation in {self.env.observation_space}, but returned"
                 f" {shown(observation)}"
             )
+
+
+def _of_action(name: str, method: str, space: spaces.Space[Any], action: Any, state: Any) -> str:
+    """What an agent has returned, and what it should."""
+    allowed = f"an action, an element of {space}"
+    if isinstance(space, spaces.Discrete):
+        allowed = f"an action, a whole number from {space.start} to {space.start + space.n - 1}"
+    forgotten = " (is a return missing?)" if action is None else ""
+    return f"{method} of {name} must return {allowed}, but returned {shown(action)} for state {shown(state)}{forgotten}"
 
 
 def _is_action(space: spaces.Space[Any], action: Any) -> bool:

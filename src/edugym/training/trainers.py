@@ -27,7 +27,7 @@ from edugym.mdp.protocol import coerced, step_limit
 from edugym.mdp.values import shown
 from edugym.registration import full_id
 from edugym.training import gymnasium_loops, loops
-from edugym.training.checking import checked_agent, checked_env, checked_mdp
+from edugym.training.checking import checked_agent, checked_env, checked_mdp, explained
 from edugym.training.contract import actor, is_on_policy, learner, learns_from, tables_of
 from edugym.training.loops import Log
 from edugym.training.machine_agent import MachineAgent
@@ -104,7 +104,7 @@ class MDPTrainer:
             agent_rng,
             self.log,
         )
-        mdp, learning, *_ = self._checked(*self._rest)
+        self._first = mdp, learning, *_ = self._checked(*self._rest)
         self._loop: Callable[..., Any]
         self._moment: Any
         if is_on_policy(agent):
@@ -125,11 +125,11 @@ class MDPTrainer:
     def learn(self, at_most: int) -> int:
         """Take training steps, as many as take about `CALL_SECONDS`; return their number."""
         if not self._steps_to_check:
-            with self._pace.steps(at_most) as n_steps:
+            with self._pace.steps(at_most) as n_steps, explained(self.agent, self._task):
                 self._moment = self._advance(n_steps, *self._rest, self._moment)
             return n_steps
         with self._pace.steps(min(at_most, self._steps_to_check)) as n_steps:
-            self._moment = self._loop(n_steps, *self._checked(*self._rest), self._moment)
+            self._moment = self._loop(n_steps, *self._first, self._moment)
         self._steps_to_check -= n_steps
         if not self._steps_to_check:
             self._compile_training()
@@ -139,7 +139,7 @@ class MDPTrainer:
         """Play an episode without learning, as the agent believes best; return its undiscounted return."""
         evaluation = self._evaluation()
         if self._has_played:
-            with nullcontext() if self._play is loops.play_episodes else held():
+            with nullcontext() if self._play is loops.play_episodes else held(), explained(self.agent, self._task):
                 self._play(1, *evaluation)
         else:
             self._has_played = True
@@ -204,7 +204,7 @@ class GymnasiumTrainer:
     def learn(self, at_most: int) -> int:
         """Take training steps, as many as take about `CALL_SECONDS`; return their number."""
         if not self._steps_to_check:
-            with self._pace.steps(at_most) as n_steps:
+            with self._pace.steps(at_most) as n_steps, explained(self.agent, self._env):
                 self._advance(n_steps, self._env)
             return n_steps
         with self._pace.steps(min(at_most, self._steps_to_check)) as n_steps, checked_env(self._env) as env:
