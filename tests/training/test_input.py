@@ -12,6 +12,7 @@ import pytest
 from edugym import QLearning, make_mdp, repeat, train
 from edugym.compiled import execution
 from edugym.mdp.protocol import Random, Reals
+from tests.compiled.cells import LEARNER, cell
 
 WALL = make_mdp("Boulder", height=3)
 
@@ -57,6 +58,21 @@ def test_one_warning_names_the_class_the_reason_and_the_line(monkeypatch: pytest
     assert message.startswith("Chooser cannot be compiled and runs interpreted")
     assert "'choice'" in message
     assert message.endswith(f"{Path(__file__).name}, line {line})")
+
+
+def test_a_class_that_is_defined_again_is_told_again() -> None:
+    """A student who has mended one thing hears of the next; the same class is told once."""
+    for statement, reason in (("print(state)", "it prints"), ("x = {}", "it makes a dict")):
+        source = LEARNER.replace(
+            "        best = 0\n", f"        if state < 0:\n            {statement}\n        best = 0\n"
+        )
+        kind = cell(source)["Learner"]
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            for _ in range(2):
+                train(WALL, kind(np.zeros((4, 2))), execution.COMPILE_FROM)
+        (warning,) = caught
+        assert reason in str(warning.message)
 
 
 def test_an_ordinary_class_is_told_that_it_is_one(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -11,10 +11,11 @@ import os
 import sys
 import time
 import warnings
+import weakref
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from edugym.compiled.code import LIBRARIES, Code
+from edugym.compiled.code import LIBRARIES, Code, is_foreign
 from edugym.compiled.compiler import CompilationError, NoCompiler, check_compiler, compiled, is_built, is_on_disk
 from edugym.compiled.copies import Snapshot, copied, difference
 from edugym.compiled.subset import refusal
@@ -26,7 +27,7 @@ COMPILE_FROM = 5_000  # steps; fewer take the interpreter some 15 ms, and compil
 REHEARSED = 200  # steps
 MOST_SURPRISES = 3  # calls in which machine code fails and the interpreter does not, before machine code is given up
 COPYING = 10.0  # large arrays are copied before a call once calls have taken this many times as long as the copying
-_warned: set[str] = set()
+_warned: set[Any] = set()  # what was said: a text, or the classes of which it was said
 
 
 def executable(
@@ -169,11 +170,12 @@ def _announce(code: Code) -> None:
 
 
 def _warn_once(code: Code, arguments: tuple[Any, ...], reason: str) -> None:
-    """Say once for the same classes what keeps them from being compiled."""
+    """Say once for the same classes what keeps them from being compiled; a class that is defined again is another."""
     plain = next(_plain_objects(arguments), None)
     names = code.names() if plain is None else type(plain).__name__
     reason = reason if plain is None else "it is no NamedTuple"
-    what = f"cannot: {names if code.foreign else reason}"
+    classes = {kind for kind in code.classes if is_foreign(kind)} if plain is None else {type(plain)}
+    what: Any = frozenset(map(weakref.ref, classes)) if classes else f"cannot: {reason}"
     if what not in _warned:
         _warned.add(what)
         message = f"{names} cannot be compiled and runs interpreted, some hundred times slower: {reason}"
