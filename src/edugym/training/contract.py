@@ -1,13 +1,28 @@
 """How the training loops call an agent: the names of the parameters of `learn` decide which arguments it gets."""
 
 import copy
+import difflib
 import inspect
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from edugym.compiled.generated import generated_class
+from edugym.mdp.checking import is_own, require_method
+from edugym.mdp.values import shown
 
 LEARN_PARAMETERS = ("state", "action", "reward", "next_state", "next_action", "terminated", "truncated")
 """The names of the parameters that `learn` may have."""
+METHODS = {
+    "act": ("state", "rng"),
+    "learn": ("state", "action", "reward", "next_state", "terminated"),
+    "greedy": ("state", "rng"),
+}
+"""The methods of an agent and what they take; `learn` may take any of `LEARN_PARAMETERS`, and `greedy` be missing."""
+OTHER_NAMES = {"done": "terminated", "observation": "state", "next_observation": "next_state", "obs": "state"}
+"""What else students call these parameters."""
+TABLES = frozenset({"Q", "V", "W", "H", "q", "v", "w", "Q1", "Q2", "weights", "values", "preferences"})
+"""What students call tables of real numbers."""
 
 
 class GreedyActor(NamedTuple):
@@ -35,19 +50,64 @@ def learns_from(agent: Any) -> tuple[str, ...]:
     Raises:
         ValueError: the agent has no `act` or `learn`, or `learn` has another parameter without a default.
     """
-    if isinstance(agent, type) or not (hasattr(agent, "act") and hasattr(agent, "learn")):
-        raise ValueError(f"agent must be a value with the methods act and learn, but is {agent!r}")
+    require_agent(agent)
     taken = []
     for name, parameter in inspect.signature(agent.learn).parameters.items():
         if name in LEARN_PARAMETERS and parameter.kind is not parameter.VAR_POSITIONAL:
             taken.append(name)
         elif parameter.default is parameter.empty and parameter.kind is not parameter.VAR_KEYWORD:
-            allowed = ", ".join(LEARN_PARAMETERS)
+            near = difflib.get_close_matches(name, (*OTHER_NAMES, *LEARN_PARAMETERS), 1)
+            example = f": for example learn(self, {', '.join(METHODS['learn'])})"
+            meant = f": is {OTHER_NAMES.get(near[0], near[0])!r} meant?" if near else example
             raise ValueError(
-                f"learn of {type(agent).__name__} may only have the parameters {allowed}, and others with a default,"
-                f" but it has {name!r}"
+                f"learn of {type(agent).__name__} may only have the parameters {', '.join(LEARN_PARAMETERS)}, and"
+                f" others with a default, but it has {name!r}{meant}"
             )
     return tuple(taken)
+
+
+def require_agent(agent: Any) -> None:
+    """Refuse what is no agent: it needs the methods `act` and `learn`, and may have `greedy`.
+
+    Raises:
+        ValueError: it is a class, lacks a method, or a method takes something else.
+    """
+    needed = "agent must be a value with the methods act and learn, but is"
+    if isinstance(agent, type):
+        made = f"{agent.__name__}.create(...)" if hasattr(agent, "create") else f"{agent.__name__}(...)"
+        raise ValueError(f"{needed} the class {agent.__name__}: make one with {made}")
+    if is_own(agent) and hasattr(agent, "act") and hasattr(agent, "learn"):
+        return
+    if not any(hasattr(agent, name) for name in METHODS):
+        raise ValueError(f"{needed} {shown(agent)}")
+    require_method(agent, "act", METHODS["act"], METHODS)
+    if not callable(getattr(agent, "learn", None)):
+        require_method(agent, "learn", METHODS["learn"], METHODS)
+    if hasattr(agent, "greedy") or difflib.get_close_matches("greedy", dir(agent), 1, 0.8):
+        require_method(agent, "greedy", METHODS["greedy"], METHODS)
+    function = getattr(agent.learn, "__func__", None)
+    if function is not None and next(iter(inspect.signature(function).parameters), "") in LEARN_PARAMETERS:
+        raise ValueError(f"learn of {type(agent).__name__} must have self as its first parameter")
+    _require_tables(agent)
+
+
+def tables_of(agent: Any) -> dict[str, np.ndarray[Any, Any]]:
+    """The arrays in an agent's fields or attributes whose names say that they hold real numbers."""
+    fields = agent._asdict() if hasattr(agent, "_asdict") else getattr(agent, "__dict__", {})
+    return {name: table for name, table in fields.items() if name in TABLES and isinstance(table, np.ndarray)}
+
+
+def _require_tables(agent: Any) -> None:
+    """Refuse tables of values that cannot hold what is learned."""
+    for name, table in tables_of(agent).items():
+        if table.dtype.kind in "bui":
+            raise ValueError(
+                f"{name} of {type(agent).__name__} must be an array of float, but is one of {table.dtype}, which cuts"
+                f" off fractions: make it with np.zeros({table.shape})"
+            )
+        if table.dtype.kind == "f" and np.isnan(table).any():
+            where = tuple(np.argwhere(np.isnan(table))[0].tolist())
+            raise ValueError(f"{name} of {type(agent).__name__} must hold numbers, but {name}{list(where)} is nan")
 
 
 def learner(agent: Any) -> Any:
