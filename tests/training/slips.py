@@ -163,9 +163,9 @@ IN_AGENT = {
     "learn misspelt": Slip("def learn", "def lern", r"a method learn\(self, state, action, .*\); is 'lern' misspelt\?"),
     "learn by another name": Slip("def learn", "def update", r"must have a method learn\(.* is 'update' misspelt\?"),
     "learn with done": Slip(
-        "terminated):", "terminated, done):", "learn of Learner may .* 'done': is 'terminated' meant"
+        "terminated):", "terminated, done):", "learn of Learner has .* 'done': is 'terminated' meant"
     ),
-    "learn misnames": Slip("reward, next", "rewrad, next", "learn of Learner may .* 'rewrad': is 'reward' meant"),
+    "learn misnames": Slip("reward, next", "rewrad, next", "learn of Learner has .* 'rewrad': is 'reward' meant"),
     "learn without self": Slip(
         "def learn(self, ", "def learn(", "learn of Learner must have self as its first parameter"
     ),

@@ -88,9 +88,9 @@ def test_an_ordinary_class_is_told_that_it_is_one(monkeypatch: pytest.MonkeyPatc
         (
             WALL,
             QLearning,
-            r"agent must be a value with .* but is the class QLearning: make one with QLearning.create\(",
+            r"agent must be an object with .* but is the class QLearning: make one with QLearning.create\(",
         ),
-        (WALL, 0.5, "agent must be a value with the methods act and learn, but is 0.5"),
+        (WALL, 0.5, "agent must be an object with the methods act and learn, but is 0.5"),
         (WALL, QLearning.create((3, 2)), r"agent must have a table Q of shape \(4, 2\) for this environment, but its"),
     ],
 )

@@ -104,7 +104,7 @@ WHOLE = {
         r"Q of Learner has the shape \(6, 1\)",
     ),
     "no task": (lambda: train(None, learner(), 30), "environment must be an MDP"),
-    "no agent": (lambda: train(task(), None, 30), "agent must be a value with the methods act and learn, but is None"),
+    "no agent": (lambda: train(task(), None, 30), "agent must be an object with the methods act and learn, but"),
     "the wrong way round": (lambda: train(learner(), task(), 30), "environment must be an MDP"),
 }
 

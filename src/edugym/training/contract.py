@@ -18,11 +18,11 @@ METHODS = {
     "learn": ("state", "action", "reward", "next_state", "terminated"),
     "greedy": ("state", "rng"),
 }
-"""The methods of an agent and what they take; `learn` may take any of `LEARN_PARAMETERS`, and `greedy` be missing."""
+"""The methods of an agent with their usual parameters: `learn` may have any of the above, and `greedy` is optional."""
 OTHER_NAMES = {"done": "terminated", "observation": "state", "next_observation": "next_state", "obs": "state"}
-"""What else students call these parameters."""
+"""Other names that students give these parameters."""
 TABLES = frozenset({"Q", "V", "W", "H", "q", "v", "w", "Q1", "Q2", "weights", "values", "preferences"})
-"""What students call tables of real numbers."""
+"""Names that students give tables of real numbers."""
 
 
 class GreedyActor(NamedTuple):
@@ -35,20 +35,23 @@ class GreedyActor(NamedTuple):
         return self.agent.greedy(state, rng)
 
     def act_into(self, state: Any, rng: Any, action: Any) -> None:
-        """Write the same into an array."""
+        """Write the agent's greedy action into the array `action` (only for agents that have `greedy_into`)."""
         self.agent.greedy_into(state, rng, action)
 
 
 def is_on_policy(agent: Any) -> bool:
-    """Whether `learn` takes `next_action`, as that of SARSA does: then the next action is chosen before learning."""
+    """Whether the agent's `learn` has the parameter `next_action`, like the `learn` of SARSA.
+
+    If so, the loop chooses the next action before it calls `learn`.
+    """
     return "next_action" in learns_from(agent)
 
 
 def learns_from(agent: Any) -> tuple[str, ...]:
-    """Which of `LEARN_PARAMETERS` the agent's `learn` takes. Other parameters need a default, which is used.
+    """Which of `LEARN_PARAMETERS` the agent's `learn` has. Other parameters need a default, which is used.
 
     Raises:
-        ValueError: the agent has no `act` or `learn`, or `learn` has another parameter without a default.
+        ValueError: as `require_agent`; or `learn` has another parameter without a default.
     """
     require_agent(agent)
     taken = []
@@ -57,22 +60,21 @@ def learns_from(agent: Any) -> tuple[str, ...]:
             taken.append(name)
         elif parameter.default is parameter.empty and parameter.kind is not parameter.VAR_KEYWORD:
             near = difflib.get_close_matches(name, (*OTHER_NAMES, *LEARN_PARAMETERS), 1)
-            example = f": for example learn(self, {', '.join(METHODS['learn'])})"
-            meant = f": is {OTHER_NAMES.get(near[0], near[0])!r} meant?" if near else example
+            meant = f": is {OTHER_NAMES.get(near[0], near[0])!r} meant?" if near else "."
             raise ValueError(
-                f"learn of {type(agent).__name__} may only have the parameters {', '.join(LEARN_PARAMETERS)}, and"
-                f" others with a default, but it has {name!r}{meant}"
+                f"learn of {type(agent).__name__} has the parameter {name!r}{meant} Without a default it may only have"
+                f" {', '.join(LEARN_PARAMETERS)}, for example learn(self, {', '.join(METHODS['learn'])})"
             )
     return tuple(taken)
 
 
 def require_agent(agent: Any) -> None:
-    """Refuse what is no agent: it needs the methods `act` and `learn`, and may have `greedy`.
+    """Refuse what is no agent. An agent needs the methods `act` and `learn`, and may have `greedy`.
 
     Raises:
-        ValueError: it is a class, lacks a method, or a method takes something else.
+        ValueError: it is a class, it lacks a method, or a method has other parameters.
     """
-    needed = "agent must be a value with the methods act and learn, but is"
+    needed = "agent must be an object with the methods act and learn, but is"
     if isinstance(agent, type):
         made = f"{agent.__name__}.create(...)" if hasattr(agent, "create") else f"{agent.__name__}(...)"
         raise ValueError(f"{needed} the class {agent.__name__}: make one with {made}")
@@ -111,16 +113,18 @@ def _require_tables(agent: Any) -> None:
 
 
 def learner(agent: Any) -> Any:
-    """Wrap an agent. The wrapper's `learn` accepts all arguments of a loop, in order.
+    """Wrap an agent, so that a loop can call every agent's `learn` in the same way.
 
-    It passes to the agent's `learn` only those that it takes.
+    The loop calls the wrapper's `learn` with all the arguments that it has, in the order of `LEARN_PARAMETERS`. The
+    wrapper passes on only those that the agent's own `learn` has as parameters. (There is a `next_action` only for
+    agents that take one.)
 
     Compiled code needs to know the arguments of a call beforehand, so the class of the wrapper is generated. For an
     agent that learns from `state, action, reward, terminated` it contains:
 
         def act(self, state, rng):
             return self.agent.act(state, rng)
-        def act_into(self, state, rng, action):  # always generated; it works only if the agent has it
+        def act_into(self, state, rng, action):  # always there, but works only if the agent has `act_into`
             self.agent.act_into(state, rng, action)
         def learn(self, state, action, reward, next_state, terminated, truncated):
             self.agent.learn(state=state, action=action, reward=reward, terminated=terminated)
