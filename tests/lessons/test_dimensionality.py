@@ -13,7 +13,6 @@ from edugym.lessons.dimensionality import (
     TABLE,
     TRAINED,
     WITHHELD,
-    Offset,
     catch,
     different_boards,
     generalise,
@@ -24,6 +23,7 @@ from edugym.lessons.dimensionality import (
     returns_by_column,
     rows_of_table,
 )
+from edugym.lessons.dimensionality.boards import Offset
 
 
 def test_rows_of_tables() -> None:
@@ -51,7 +51,7 @@ def test_balls_come_from_the_columns() -> None:
 
 def test_offset() -> None:
     """It sees where the ball is from the paddle, in every state."""
-    features, task, rng = Offset.create(), Catch.create(), np.random.default_rng(0)
+    features, task, rng = Offset.create(ROWS, COLUMNS), Catch.create(), np.random.default_rng(0)
     for ball in range(COLUMNS):
         for paddle in range(COLUMNS):
             features.see(task.observation(Fall(ball, 3, paddle), rng).ravel())

@@ -12,13 +12,11 @@ from edugym.lessons.stochasticity import (
     NEUTRAL,
     SEEKING,
     Player,
-    crossing,
-    from_the_tee,
-    interpolated,
     learn,
     play,
     report,
 )
+from edugym.lessons.stochasticity.exact import crossing, from_the_tee, interpolated
 
 
 def test_with_little_noise_it_takes_two_hits() -> None:

@@ -377,17 +377,14 @@ def figures(
     greedy = Curves(learned, "learned model", optimum=OPTIMUM, y_range=y_range)
     exploring = Curves(learned, "while exploring", "training_return", soft_optimum=soft, y_range=y_range)
     better = Curves(remedied, "more exploration", optimum=OPTIMUM, y_range=y_range)
-    given = [Curves(results, title, optimum=OPTIMUM) for results, title in _titled(right, wrong)]
+    titled = (right, "given model, right"), (wrong, f"given model, noise {WRONG:g}")
+    given = [Curves(results, title, optimum=OPTIMUM) for results, title in titled]
     return [
         Sheet("model_based", [[greedy, exploring]]),
         Sheet("remedies", [[better]]),
         Sheet("given_model", [given]),
         Sheet("wrong_plans", [[plan_lines(plans)]]),
     ]
-
-
-def _titled(right: Results, wrong: Results) -> list[tuple[Results, str]]:
-    return [(right, "given model, right"), (wrong, f"given model, noise {WRONG:g}")]
 
 
 def plan_lines(plans: Mapping[float, list[Plan]]) -> Lines:

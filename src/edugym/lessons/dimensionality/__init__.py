@@ -11,23 +11,22 @@ every method. Each point of a curve is the mean of 30 greedy evaluation episodes
 import math
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
-from typing import Annotated, Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from edugym.agents.linear_q_learning import LinearQLearning
 from edugym.agents.q_learning import QLearning
-from edugym.agents.settings import Table, new
 from edugym.agents.strategies import EpsilonGreedy
-from edugym.envs.catch import Catch, Fall
+from edugym.envs.catch import Catch
 from edugym.exact.model import finite_model
 from edugym.experiments import How, reporting
+from edugym.lessons.dimensionality.boards import Offset, ThrownFrom
 from edugym.mdp.hashed import Hashed
 from edugym.mdp.in_place import in_place
 from edugym.mdp.noisy_observation import NoisyObservation
-from edugym.mdp.protocol import Integers, Random, Reals
+from edugym.mdp.protocol import Reals
 from edugym.mdp.tabular import table_sizes
-from edugym.mdp.wrapper import wrapper
 from edugym.plotting.curves import Curves
 from edugym.plotting.lines import Lines
 from edugym.plotting.report import Report
@@ -55,80 +54,6 @@ RANDOM_PLAY = -0.6
 POSITIONS, PIXELS = "positions, dense table", "pixels, hashed table"
 ONE_PIXEL, ALL_PIXELS = f"one noisy pixel of {LEVELS} levels", f"noise in all pixels, σ = {SIGMA:g}"
 TABLE, LINEAR, OFFSET = "table", "linear in the pixels", "linear in ball minus paddle"
-
-
-@wrapper
-class ThrownFrom(NamedTuple):
-    """Catch with balls from some columns only, each as likely.
-
-    Attributes:
-        mdp: the task.
-        columns: shape (n,): the columns.
-    """
-
-    mdp: Any
-    columns: Integers
-
-    def initial(self, rng: Random) -> Fall:
-        """A ball in one of the columns."""
-        column = int(self.columns[int(rng.random() * len(self.columns))])
-        return Fall(column, 0, self.mdp.initial(rng).paddle_x)
-
-    def observe_into(self, state: Fall, rng: Random, out: Any) -> None:
-        """Write what the task shows; without this method each step would make an array."""
-        self.mdp.observe_into(state, rng, out)
-
-
-class Offset(NamedTuple):
-    """Features of a board: a 1 for how far the ball is to the right of the paddle, and no more.
-
-    Attributes:
-        active: shape (1,): the offset, plus columns - 1.
-        values: shape (1,): 1.
-        rows: of the board.
-        columns: of the board.
-    """
-
-    active: Annotated[Integers, Table((1,))]
-    values: Annotated[Reals, Table((1,), fill=1.0)]
-    rows: int
-    columns: int
-
-    @property
-    def n_inputs(self) -> int:
-        """One for each pixel."""
-        return self.rows * self.columns
-
-    @property
-    def n_features(self) -> int:
-        """One for each offset."""
-        return 2 * self.columns - 1
-
-    @property
-    def at_once(self) -> int:
-        """One feature is 1."""
-        return 1
-
-    @property
-    def n_active(self) -> int:
-        """One."""
-        return 1
-
-    def see(self, state: Any) -> None:
-        """Look for the ball above the last row, and for the paddle in it."""
-        ball = paddle = 0
-        for pixel in range(len(state)):
-            if state[pixel] > 0.0:
-                if pixel < (self.rows - 1) * self.columns:
-                    ball = pixel % self.columns
-                else:
-                    paddle = pixel % self.columns
-        self.active[0] = ball - paddle + self.columns - 1
-
-    @classmethod
-    def create(cls, rows: int = ROWS, columns: int = COLUMNS) -> "Offset":
-        """Features for boards of a size."""
-        return new(cls, None, {"rows": rows, "columns": columns})
 
 
 def catch(observation_type: str, columns: Sequence[int] = range(COLUMNS)) -> ThrownFrom:
@@ -178,7 +103,7 @@ def generalise(**how: Any) -> dict[str, Results]:
     agents = {
         TABLE: ("vectorised", None),
         LINEAR: ("grid", linear()),
-        OFFSET: ("grid", linear(Offset.create())),
+        OFFSET: ("grid", linear(Offset.create(ROWS, COLUMNS))),
     }
     return {
         label: learn(catch(seen, TRAINED), label, make, n_steps=2 * N_STEPS, points=4, **how)
