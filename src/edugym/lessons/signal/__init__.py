@@ -1,9 +1,9 @@
 """The amount of signal (lesson 6): what a toy says about its need, and how much of it players and Q-learning use.
 
 On Tamagotchi, Q-learning trains with learning rate 0.02, discount 0.5 and ε-greedy exploration with ε = 0.1 for 400 000
-steps, and for 1.6 million where messages have four words. 10 repetitions; the seeds are the same in every condition. Each
-point of a learning curve is the mean of 5 greedy evaluation episodes (50 with four words). Players without a table are
-evaluated for 20 000 steps, about 200 episodes, a repetition. Returns are undiscounted.
+steps, and for 1.6 million where messages have four words. 10 repetitions; the seeds are the same in every condition.
+Each point of a learning curve is the mean of 5 greedy evaluation episodes (50 with four words). Players without a table
+are evaluated for 20 000 steps, about 200 episodes, a repetition. Returns are undiscounted.
 
 The dashed line is the optimum of 6706.85, which planning with the whole state gives (as a test of the environment
 shows); the states with their messages are too many for `finite_model`. No policy that sees only the message can do
