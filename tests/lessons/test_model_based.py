@@ -1,6 +1,7 @@
 """Model-based learning in Supermarket: the claims hold with other seeds than those the lesson shows."""
 
 import threading
+from functools import partial
 
 import numpy as np
 import pytest
@@ -17,7 +18,7 @@ from edugym.lessons.model_based import (
     early,
     exact_model,
     follow_plan,
-    maker,
+    make,
     report,
 )
 
@@ -48,7 +49,8 @@ def test_a_policy_that_ends_returns_more_than_lost() -> None:
 def test_a_given_model_needs_no_experience() -> None:
     """Planned to the end before the first step; with a learned model one step teaches next to nothing."""
     methods = {
-        kind: maker(PrioritisedSweeping, given=kind == "given", planning_steps=np.inf) for kind in ("given", "learned")
+        kind: partial(make, PrioritisedSweeping, given=kind == "given", planning_steps=np.inf)
+        for kind in ("given", "learned")
     }
     results = compare(methods, n_steps=1, repetitions=2)
     assert results.final("given").tolist() == [OPTIMUM, OPTIMUM]
@@ -57,7 +59,7 @@ def test_a_given_model_needs_no_experience() -> None:
 
 def test_without_planning_dyna_has_no_head_start() -> None:
     """Negative control of the speed: with no updates it learns at the pace of Q-learning, which ten updates beat."""
-    methods = {"none": maker(DynaQ, planning_steps=0), DYNA_10: maker(DynaQ, planning_steps=10)}
+    methods = {"none": partial(make, DynaQ, planning_steps=0), DYNA_10: partial(make, DynaQ, planning_steps=10)}
     results = compare(methods, n_steps=4_000, repetitions=10, seed=2)
     assert early(results, "none").mean() < -200.0 < early(results, DYNA_10).mean()
 

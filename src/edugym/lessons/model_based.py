@@ -62,51 +62,49 @@ Q_LEARNING, DYNA_10, DYNA_50, SWEEPING, R_MAX = "Q-learning", "Dyna-10", "Dyna-5
 MORE_RANDOM, DECAYING = "Dyna-10, ε = 0.5", "Dyna-10, ε from 1 to 0.02"
 
 
-def maker(
+def make(
     kind: Any,
+    environment: Any,
     *,
     epsilon: tuple[float, float] = (EPSILON, EPSILON),
     given: bool = False,
     learning_rate: float = LEARNING_RATE,
     **settings: Any,
-) -> Callable[[Any], Any]:
-    """Return a function that makes an ε-greedy agent for an environment.
+) -> Any:
+    """Make an ε-greedy agent for an environment.
 
     Args:
         kind: its class.
+        environment: the environment.
         epsilon: ε at the start and at the end of training. (A constant ε is a schedule too: that spares the compiler
             another agent.)
         given: whether it gets the model of the environment, errors included, in place of learning one.
         learning_rate: α.
         **settings: more settings of the agent.
     """
-
-    def make(environment: Any) -> Any:
-        exploration = ScheduledEpsilonGreedy.create(LinearDecay(*epsilon, N_STEPS))
-        model = {"model": environment.unwrapped.mdp.distorted(exact_model())} if given else {}
-        discount = PLANNING_DISCOUNT if given else DISCOUNT
-        how: dict[str, Any] = {"exploration": exploration, "learning_rate": learning_rate, "discount": discount}
-        return kind.create(environment, **how, **model, **settings)
-
-    return make
+    exploration = ScheduledEpsilonGreedy.create(LinearDecay(*epsilon, N_STEPS))
+    model = {"model": environment.unwrapped.mdp.distorted(exact_model())} if given else {}
+    discount = PLANNING_DISCOUNT if given else DISCOUNT
+    how: dict[str, Any] = {"exploration": exploration, "learning_rate": learning_rate, "discount": discount}
+    return kind.create(environment, **how, **model, **settings)
 
 
 LEARNED: Mapping[str, Callable[[Any], Any]] = {
-    Q_LEARNING: maker(QLearning),
-    DYNA_10: maker(DynaQ, planning_steps=10),
-    DYNA_50: maker(DynaQ, planning_steps=50),
-    SWEEPING: maker(PrioritisedSweeping, planning_steps=10),
+    Q_LEARNING: partial(make, QLearning),
+    DYNA_10: partial(make, DynaQ, planning_steps=10),
+    DYNA_50: partial(make, DynaQ, planning_steps=50),
+    SWEEPING: partial(make, PrioritisedSweeping, planning_steps=10),
     R_MAX: partial(RMax.create, discount=DISCOUNT),
 }
 REMEDIES: Mapping[str, Callable[[Any], Any]] = {
-    MORE_RANDOM: maker(DynaQ, planning_steps=10, epsilon=(0.5, 0.5)),
-    DECAYING: maker(DynaQ, planning_steps=10, epsilon=(1.0, 0.02)),
+    MORE_RANDOM: partial(make, DynaQ, planning_steps=10, epsilon=(0.5, 0.5)),
+    DECAYING: partial(make, DynaQ, planning_steps=10, epsilon=(1.0, 0.02)),
 }
 SLOW_DYNA = "Dyna-10, learning rate 0.1"
 GIVEN: Mapping[str, Callable[[Any], Any]] = {
-    SWEEPING: maker(PrioritisedSweeping, given=True, planning_steps=1_000),
-    DYNA_10: maker(DynaQ, given=True, planning_steps=10),
-    SLOW_DYNA: maker(DynaQ, given=True, planning_steps=10, learning_rate=0.1),
+    SWEEPING: partial(make, PrioritisedSweeping, given=True, planning_steps=1_000),
+    DYNA_10: partial(make, DynaQ, given=True, planning_steps=10),
+    SLOW_DYNA: partial(make, DynaQ, given=True, planning_steps=10, learning_rate=0.1),
 }
 """Agents with a given model: sweeping looks at all that can happen (descriptive), Dyna draws samples (generative)."""
 
@@ -186,7 +184,7 @@ def measure(how: How) -> tuple[Any, ...]:
     remedied = compare(REMEDIES, **how("remedies"))
     fewer: dict[str, Any] = {"repetitions": max(2 * how.repetitions // 5, 2)}  # the effects of errors are large
     right, wrong = (compare(GIVEN, noise=noise, **how(f"noise_{noise:g}", **fewer)) for noise in (0.0, WRONG))
-    whole = {SWEEPING: maker(PrioritisedSweeping, given=True, planning_steps=math.inf)}
+    whole = {SWEEPING: partial(make, PrioritisedSweeping, given=True, planning_steps=math.inf)}
     at_once = compare(whole, n_steps=1, **how(**fewer))
     layouts = sorted(int(seed) for seed in wrong.table["layout_seed"].unique())
     plans = {noise: [follow_plan(noise, seed) for seed in layouts] for noise in NOISES}

@@ -61,6 +61,11 @@ def catch(observation_type: str, columns: Sequence[int] = range(COLUMNS)) -> Thr
     return ThrownFrom(in_place(Catch.create(ROWS, COLUMNS, observation_type)), np.array(columns))
 
 
+def hashed(levels: int, sigma: float, capacity: int, layout_seed: int) -> Hashed:
+    """Return the task with pixels as the rows of a hashed table; Catch has no layout."""
+    return Hashed.create(NoisyObservation.create(catch("grid"), levels, sigma), capacity)
+
+
 def pixels(*, levels: int = 0, sigma: float = 0.0, capacity: int = 10_000) -> Callable[[int], Hashed]:
     """Return a function that makes the task with pixels as the rows of a hashed table, a new table for each run.
 
@@ -69,11 +74,7 @@ def pixels(*, levels: int = 0, sigma: float = 0.0, capacity: int = 10_000) -> Ca
         sigma: of the noise in all pixels; 0 for none.
         capacity: of the table.
     """
-
-    def make(layout_seed: int) -> Hashed:
-        return Hashed.create(NoisyObservation.create(catch("grid"), levels, sigma), capacity)
-
-    return make
+    return partial(hashed, levels, sigma, capacity)
 
 
 def learn(task: Any, label: str, make: Any = None, *, n_steps: int = N_STEPS, points: int = 20, **how: Any) -> Results:
