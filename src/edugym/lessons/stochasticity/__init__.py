@@ -6,7 +6,7 @@ the number of hits. 30 repetitions; the seeds are the same for every method. The
 steps: mean and standard deviation (*spread*) of its returns and its share of lost balls.
 
 The optimum is that of a player who sees exactly where the ball lies. It is computed by dynamic programming over the
-remaining hits, on a grid of a tenth of a cell.
+remaining hits, on a grid of an eighth of a cell.
 
 The surprises that β weighs are single TD errors, not returns. In Mihatsch and Neuneier (2002), κ has the opposite sign.
 """

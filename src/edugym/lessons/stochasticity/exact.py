@@ -10,7 +10,7 @@ from edugym.mdp.protocol import Reals
 
 
 @cache
-def from_the_tee(level: float, cell: float = 0.1) -> dict[str, float]:
+def from_the_tee(level: float, cell: float = 0.125) -> dict[str, float]:
     """Return what each swing from the tee is worth, for a player who then plays as well as can be and sees the ball.
 
     V_h, the value of a place after h hits, is computed backwards from the last hit on a grid of places. A swing leads
