@@ -111,9 +111,7 @@ def test_compiled_as_interpreted() -> None:
 def test_unknown_names_are_refused(more: str, asked: str) -> None:
     """The message lists the names."""
     agent = agent_that_takes(("state", "action"), more)
-    with pytest.raises(
-        ValueError, match=f"learn of Noting has the parameter {asked}.* it may only have state, action, "
-    ):
+    with pytest.raises(ValueError, match=f"learn of Noting has the parameter {asked}.* must be among state, action, "):
         train(Stairs(), agent, 10)
 
 

@@ -92,7 +92,7 @@ WHOLE = {
     "a class to repeat": (lambda: repeat(task(), {"Q": QLearning}, 30), "the class QLearning: give QLearning.create$"),
     "whole numbers": (
         lambda: train(task(), learner_with(np.zeros((6, 2), int)), 30),
-        r"Q of Learner must be an array of float, but is one of int64, which cuts .* np.zeros\(\(6, 2\)\)",
+        r"Q of Learner must be an array of float, but its dtype is int64, which .* np.zeros\(\(6, 2\)\)",
     ),
     "NaN": (lambda: train(task(), learner_with(np.full((6, 2), np.nan)), 30), r"Q of Learner .* but Q\[0, 0\] is nan"),
     "too many actions": (

@@ -18,7 +18,10 @@ METHODS = {
     "learn": ("state", "action", "reward", "next_state", "terminated"),
     "greedy": ("state", "rng"),
 }
-"""The methods of an agent with their usual parameters: `learn` may have any of the above, and `greedy` is optional."""
+"""The methods of an agent with their usual parameters.
+
+`learn` may have any of `LEARN_PARAMETERS`; `greedy` is optional.
+"""
 OTHER_NAMES = {"done": "terminated", "observation": "state", "next_observation": "next_state", "obs": "state"}
 """Other names that students give these parameters."""
 TABLES = frozenset({"Q", "V", "W", "H", "q", "v", "w", "Q1", "Q2", "weights", "values", "preferences"})
@@ -48,7 +51,9 @@ def is_on_policy(agent: Any) -> bool:
 
 
 def learns_from(agent: Any) -> tuple[str, ...]:
-    """Which of `LEARN_PARAMETERS` the agent's `learn` has. Other parameters need a default, which is used.
+    """Which of `LEARN_PARAMETERS` the agent's `learn` has.
+
+    Any other parameter must have a default, which is used; `**` parameters are allowed and get nothing.
 
     Raises:
         ValueError: as `require_agent`; or `learn` has another parameter without a default.
@@ -62,8 +67,8 @@ def learns_from(agent: Any) -> tuple[str, ...]:
             near = difflib.get_close_matches(name, (*OTHER_NAMES, *LEARN_PARAMETERS), 1)
             meant = f": is {OTHER_NAMES.get(near[0], near[0])!r} meant?" if near else "."
             raise ValueError(
-                f"learn of {type(agent).__name__} has the parameter {name!r}{meant} Without a default it may only have"
-                f" {', '.join(LEARN_PARAMETERS)}, for example learn(self, {', '.join(METHODS['learn'])})"
+                f"learn of {type(agent).__name__} has the parameter {name!r}{meant} Its parameters without a default"
+                f" must be among {', '.join(LEARN_PARAMETERS)}, for example learn(self, {', '.join(METHODS['learn'])})"
             )
     return tuple(taken)
 
@@ -72,7 +77,8 @@ def require_agent(agent: Any) -> None:
     """Refuse what is no agent. An agent needs the methods `act` and `learn`, and may have `greedy`.
 
     Raises:
-        ValueError: it is a class, it lacks a method, or a method has other parameters.
+        ValueError: it is a class, it lacks a method, `act` or `greedy` has other parameters, `learn` has no `self`, or
+            a table holds whole numbers, True or False, or NaN.
     """
     needed = "agent must be an object with the methods act and learn, but is"
     if isinstance(agent, type):
@@ -94,18 +100,18 @@ def require_agent(agent: Any) -> None:
 
 
 def tables_of(agent: Any) -> dict[str, np.ndarray[Any, Any]]:
-    """The arrays in an agent's fields or attributes whose names say that they hold real numbers."""
+    """The arrays of an agent that hold real numbers, judged by the names of its fields or attributes."""
     fields = agent._asdict() if hasattr(agent, "_asdict") else getattr(agent, "__dict__", {})
     return {name: table for name, table in fields.items() if name in TABLES and isinstance(table, np.ndarray)}
 
 
 def _require_tables(agent: Any) -> None:
-    """Refuse tables of values that cannot hold what is learned."""
+    """Refuse tables of values that cannot hold fractions, or that contain NaN."""
     for name, table in tables_of(agent).items():
         if table.dtype.kind in "bui":
             raise ValueError(
-                f"{name} of {type(agent).__name__} must be an array of float, but is one of {table.dtype}, which cuts"
-                f" off fractions: make it with np.zeros({table.shape})"
+                f"{name} of {type(agent).__name__} must be an array of float, but its dtype is {table.dtype},"
+                f" which cannot hold fractions: make it with np.zeros({table.shape})"
             )
         if table.dtype.kind == "f" and np.isnan(table).any():
             where = tuple(np.argwhere(np.isnan(table))[0].tolist())
@@ -115,7 +121,7 @@ def _require_tables(agent: Any) -> None:
 def learner(agent: Any) -> Any:
     """Wrap an agent, so that a loop can call every agent's `learn` in the same way.
 
-    The loop calls the wrapper's `learn` with all the arguments that it has, in the order of `LEARN_PARAMETERS`. The
+    The loop calls the wrapper's `learn` with every value that the loop has, in the order of `LEARN_PARAMETERS`. The
     wrapper passes on only those that the agent's own `learn` has as parameters. (There is a `next_action` only for
     agents that take one.)
 
