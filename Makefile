@@ -23,6 +23,7 @@ test: .venv/dev.installed
 	$(RUN) pytest -n 2 $(ARGS)
 	.venv/bin/python lessons/build.py --check
 	.venv/bin/python docs/pages.py --check
+	.venv/bin/python docs/agents.py --check
 
 # How fast it is, side by side with what one would use instead.
 bench: .venv/dev.installed

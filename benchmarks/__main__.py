@@ -30,7 +30,7 @@ def main(arguments: list[str] | None = None) -> None:
         options.json.touch()  # better to fail now than in the end
     print(LINE.format("", "a second", "lowest - highest", "EduGym is", "", "wanted"))
     results = []
-    for comparison in comparisons():
+    for comparison in comparisons(options.quick):
         if options.only in comparison.name:
             measured = measure(comparison, rounds, seconds)
             print("\n".join(table(measured)), flush=True)

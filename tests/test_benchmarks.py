@@ -46,7 +46,10 @@ def test_everything_is_measured_and_written_down(tmp_path: Path) -> None:
             assert spread(ratio)
         assert f"{comparison['name']} ({comparison['unit']} a second)" in printed
     aims = [aim for comparison in results["comparisons"] for aim in comparison["targets"]]
-    assert sorted(aims) == sorted([">= 1 M/s", ">= 50 M/s", *[">= 100 M/s"] * 2, *[">= 300 x"] * 3, *[">= 5 x"] * 3])
+    others = [">= 100 x", ">= 50 x", ">= 50 x"]  # of some agents
+    assert sorted(aims) == sorted(
+        [">= 1 M/s", ">= 50 M/s", *[">= 100 M/s"] * 2, *[">= 300 x"] * 3, *[">= 5 x"] * 3, *others]
+    )
     assert all(spread(taken) for taken in results["import_seconds"].values())
     assert list(results["import_seconds"]) == ["edugym", "gymnasium", "numpy"]
 

@@ -73,7 +73,7 @@ def test_reproduce_writes_and_says_what_holds(lesson: dict[str, Any], tmp_path: 
     assert result.exit_code == 0, result.output
     assert (lesson["repetitions"], lesson["seed"], lesson["jobs"]) == (7, 3, 1)
     assert lesson["folder"] == tmp_path / "made_up.unfinished"
-    assert [path.name for path in tmp_path.iterdir()] == ["made_up"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["made_up", "report.md"]
     assert sorted(path.name for path in (tmp_path / "made_up").iterdir()) == [
         "claims.csv",
         "picture.png",
@@ -83,6 +83,22 @@ def test_reproduce_writes_and_says_what_holds(lesson: dict[str, Any], tmp_path: 
     assert (claim["statement"], claim["low"], claim["expected"], claim["holds"]) == ("It works", 0.8, "> 0.5", True)
     for part in ("It works", "0.9 [0.8, 1]", "> 0.5", "yes", "why", str(tmp_path)):
         assert part in result.output
+
+
+def test_reproduce_writes_a_report(lesson: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It shows the claims and figures of all lessons with results in the folder, also of earlier commands."""
+    lesson["shares"] = (0.9, 0.55)
+    monkeypatch.setattr("edugym.cli.lesson_names", lambda: ["made_up", "other", "never_run"])
+    for name in ("made_up", "other"):
+        run("reproduce", name, "--output", str(tmp_path))
+    said = (tmp_path / "report.md").read_text()
+    assert "| [made_up](#made_up) | 1 of 2 |" in said
+    assert "| It works — why | 0.9 [0.8, 1]: share | > 0.5 | yes |" in said
+    assert "| 0.55 [0.45, 0.65]: share | > 0.5 | **NO** |" in said
+    assert "never_run" not in said
+    for name in ("made_up", "other"):
+        assert f"![picture]({name}/picture.svg)" in said
+        assert (tmp_path / name / "picture.svg").exists()
 
 
 def test_a_claim_that_does_not_hold_is_status_1(lesson: dict[str, Any], tmp_path: Path) -> None:
@@ -103,7 +119,7 @@ def test_all_lessons_by_default(lesson: dict[str, Any], tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (["explore"], "'explore' is none of: exploration"),
+        (["explore"], "'explore' is none of: loop, exploration"),
         (["exploration", "--repetitions", "1"], "--repetitions"),
         (["exploration", "--seed", "-1"], "--seed"),
         (["exploration", "--jobs", "0"], "--jobs"),
@@ -257,7 +273,7 @@ main()
         with command(output) as child:
             child.communicate(timeout=120)
         assert child.returncode in (0, 1)
-        assert [path.name for path in (tmp_path / output).iterdir()] == ["exploration"]
+        assert sorted(path.name for path in (tmp_path / output).iterdir()) == ["exploration", "report.md"]
     one, other = (
         {path.name: path.read_bytes() for path in (tmp_path / output / "exploration").iterdir()} for output in "ab"
     )

@@ -28,5 +28,5 @@ def test_a_lesson_is_found_by_its_place(tmp_path: Path, monkeypatch: pytest.Monk
 
 def test_unknown_lessons_are_named() -> None:
     """The message lists the lessons."""
-    with pytest.raises(ValueError, match=r"lesson must be one of 'exploration'.* but is 'explore'"):
+    with pytest.raises(ValueError, match=r"lesson must be one of .*'exploration'.* but is 'explore'"):
         load_experiments("explore")

@@ -7,6 +7,7 @@ used. `__init__.pyi` lists the public names; an agent, a wrapper or an environme
 
 import ast
 import importlib
+import importlib.util
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -27,6 +28,8 @@ def _homes() -> dict[str, str]:
 
 def __getattr__(name: str) -> Any:
     """Load a public name when it is first used."""
+    if name == "__all__":  # for `from edugym import *`
+        return __dir__()
     if name in _homes():
         return getattr(importlib.import_module(_homes()[name]), name)
     for folder in ("agents", "mdp", "envs"):

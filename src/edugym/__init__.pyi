@@ -48,7 +48,9 @@ from edugym.exact.tables import Outcome as Outcome
 from edugym.exact.tables import Sample as Sample
 from edugym.exact.value_iteration import value_iteration as value_iteration
 from edugym.exact.values import Values as Values
+from edugym.interrupts import Interrupted as Interrupted
 from edugym.mdp.brightness import Brightness as Brightness
+from edugym.mdp.checking import check_mdp as check_mdp
 from edugym.mdp.discretised import DiscreteActions as DiscreteActions
 from edugym.mdp.discretised import Discretised as Discretised
 from edugym.mdp.frame_stack import FrameStack as FrameStack

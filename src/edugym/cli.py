@@ -15,7 +15,7 @@ from edugym.experiments import lesson_names, load_experiments
 from edugym.extras import require
 from edugym.files import check_writable, write_whole
 from edugym.interrupts import Work, interruptibly
-from edugym.plotting.report import Report
+from edugym.plotting.report import Report, Section, markdown
 from edugym.registration import in_course_order, parameters_of
 from edugym.results.claims import Claim
 from edugym.training.checkpoints import CHECKPOINTS
@@ -36,6 +36,9 @@ INTERRUPTED = 130
 
 CLAIMS = "claims.csv"
 """The file with the claims of a lesson."""
+
+REPORT = "report.md"
+"""The report on all lessons."""
 
 app = typer.Typer(no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False)
 
@@ -139,7 +142,8 @@ def reproduce(
 ) -> None:
     """Run the experiments behind the paper's figures again, and report which claims hold.
 
-    Figures (PNG, SVG) and data (CSV) are written to OUTPUT/LESSON when everything is complete. Until then all that is
+    Figures (PNG, SVG) and data (CSV) are written to OUTPUT/LESSON when everything is complete, and OUTPUT/report.md
+    shows the claims and figures of all lessons that have been reproduced there. Until then all that is
     done is kept in OUTPUT/LESSON.unfinished: whatever ends the command, the same command goes on from there. The exit
     status is 0 when every claim holds, 1 when a claim does not hold, 2 when the command is wrong, and 130 after Ctrl-C.
     """
@@ -194,8 +198,9 @@ def _reproduce(lesson: str, folder: Path, how: dict[str, Any], work: Work) -> bo
         if path.name != CHECKPOINTS:
             write_whole(folder / path.name, path.read_bytes())
     shutil.rmtree(unfinished)
+    _write_report(folder.parent)
     _print_claims(lesson, report.claims)
-    typer.echo(f"Figures and data are in {folder}.")
+    typer.echo(f"Figures and data are in {folder}, and a report in {folder.parent / REPORT}.")
     return all(claim.holds for claim in report.claims)
 
 
@@ -219,6 +224,21 @@ def _write_claims(report: Report, path: Path) -> None:
     ]
     table = pandas.DataFrame(rows).drop(columns="measured")
     write_whole(path, table.to_csv(index=False, lineterminator="\n").encode())
+
+
+def _write_report(output: Path) -> None:
+    """Write the report on all lessons with results in the folder, in this run of the command or earlier."""
+    import pandas
+
+    sections = []
+    for name in lesson_names():
+        folder = output / name
+        if (folder / CLAIMS).exists():
+            table = pandas.read_csv(folder / CLAIMS)
+            claims = [dict(zip(table.columns, row, strict=True)) for row in table.itertuples(index=False)]
+            about = interruptibly(load_experiments, name).__doc__ or name
+            sections.append(Section(name, about, claims, sorted(folder.glob("*.svg"))))
+    write_whole(output / REPORT, markdown(sections, output).encode())
 
 
 def _print_claims(lesson: str, claims: Any) -> None:

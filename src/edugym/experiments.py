@@ -1,11 +1,13 @@
 """The experiments of the lessons: the form of their reports, and how to find them.
 
-A lesson with experiments has a module `edugym/lessons/<name>.py` with one function for the command line and for tests:
+A lesson with experiments has a module `edugym/lessons/<name>.py`, or a folder of that name, with one function for the
+command line and for tests:
 
     report(*, repetitions=..., seed=0, jobs=-1, progress=False, stop=None, folder=None) -> Report
 
 It runs the experiments, saves their results in the folder one by one, and returns the claims and figures. Ctrl-C ends
-all of it with a `KeyboardInterrupt`. Modules are found by their place; there is no list of them.
+all of it with a `KeyboardInterrupt`. `reporting` makes it of two functions, one that measures and one that judges.
+Modules are found by their place; there is no list of them.
 """
 
 import importlib
@@ -13,18 +15,20 @@ import math
 import pkgutil
 import re
 import threading
+from collections.abc import Callable
 from pathlib import Path
-from typing import Protocol, cast
+from typing import Any, NamedTuple, Protocol, cast
 
 import edugym.lessons
 from edugym.checks import one_of
 from edugym.plotting.report import Report
+from edugym.training.checkpoints import CHECKPOINTS
 
 
-class Experiments(Protocol):
-    """The module of a lesson."""
+class Reporter(Protocol):
+    """The function `report` of a lesson."""
 
-    def report(
+    def __call__(
         self,
         *,
         repetitions: int = ...,
@@ -41,19 +45,81 @@ class Experiments(Protocol):
             seed: the number from which all seeds are spawned.
             jobs: the number of runs at a time, as in `edugym.training.repeat`.
             progress: whether to show progress, as there.
-            stop: an event that ends all experiments when it is set, as there. Claims without data are then reported as
-                not measured.
+            stop: an event that ends all experiments when it is set, as there. The report is then empty, since
+                comparisons of incomplete results mean nothing.
             folder: the folder for the results, which are saved as soon as they are complete. Finished runs are kept in
                 a folder `checkpoints` in it: the same call goes on from there.
         """
+
+
+class Experiments(Protocol):
+    """The module of a lesson."""
+
+    report: Reporter
+
+
+class How(NamedTuple):
+    """How the experiments of a lesson are run: the arguments of `edugym.training.repeat` that all of them share.
+
+    A lesson writes `compare(..., **how())`, or `compare(..., **how("name"))` to save the results as `name.csv`.
+
+    Attributes:
+        shared: the arguments.
+        folder: the folder for the results; None saves nothing.
+    """
+
+    shared: dict[str, Any]
+    folder: Path | None
+
+    def __call__(self, name: str | None = None, **other: Any) -> dict[str, Any]:
+        """Return the arguments for one experiment.
+
+        Args:
+            name: the name under which its results are saved.
+            **other: arguments to add, or to take in place of the shared ones.
+        """
+        saved = {} if name is None or self.folder is None else {"save_to": self.folder / f"{name}.csv"}
+        return self.shared | saved | other
+
+    @property
+    def repetitions(self) -> int:
+        """The number of runs of each method."""
+        return int(self.shared["repetitions"])
+
+
+def reporting(measure: Callable[[How], tuple[Any, ...]], judge: Callable[..., Report], repetitions: int) -> Reporter:
+    """Return the function `report` of a lesson.
+
+    Args:
+        measure: runs all experiments, and returns their results.
+        judge: makes the claims and figures of these results, which are its arguments.
+        repetitions: the number of runs of each method, unless the caller chooses another.
+    """
+    default = repetitions
+
+    def report(
+        *,
+        repetitions: int = default,
+        seed: int = 0,
+        jobs: int | None = -1,
+        progress: bool = False,
+        stop: threading.Event | None = None,
+        folder: Path | None = None,
+    ) -> Report:
+        stop = stop or threading.Event()  # one event ends all experiments
+        shared = {"repetitions": repetitions, "seed": seed, "jobs": jobs, "progress": progress, "stop": stop}
+        measured = measure(How(shared | {"checkpoints": folder and folder / CHECKPOINTS}, folder))
+        return Report([], []) if stop.is_set() else judge(*measured)
+
+    return report
 
 
 def lesson_names() -> list[str]:
     """Return the names of all lessons with experiments, in order: by "(lesson 1)" in the first lines of the files."""
 
     def place(name: str) -> tuple[float, str]:
-        folder = next(path for path in edugym.lessons.__path__ if Path(path, f"{name}.py").exists())
-        with Path(folder, f"{name}.py").open(encoding="utf-8") as file:
+        files = (Path(path, file) for path in edugym.lessons.__path__ for file in (f"{name}.py", f"{name}/__init__.py"))
+        with next(file for file in files if file.exists()).open(encoding="utf-8") as file:
             number = re.search(r"\(lesson (\d+)\)", file.readline())
         return (int(number[1]) if number else math.inf), name
 

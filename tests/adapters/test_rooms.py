@@ -167,6 +167,18 @@ class Forgetful(NamedTuple):
         """The only state."""
         return 0
 
+    def transition(self, state: int, action: int, rng: Random) -> int:
+        """The same."""
+        return state
+
+    def reward(self, state: int, action: int, next_state: int, rng: Random) -> float:
+        """None at all."""
+        return 0.0
+
+    def terminal(self, state: int) -> bool:
+        """Never."""
+        return False
+
     def observation(self, state: int, rng: Random) -> Any:
         """What was forgotten: a `return`, or a number."""
         return self.seen

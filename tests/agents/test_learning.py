@@ -6,7 +6,6 @@ A claim is about a share of runs, and its interval is the exact one of Clopper a
 from collections.abc import Callable
 from typing import Any
 
-import gymnasium
 import numpy as np
 from scipy.stats import binomtest
 
@@ -76,25 +75,6 @@ def test_go_explore_climbs_a_high_wall() -> None:
     _, high = interval(solved(QLearning.create))
     assert low > 0.8
     assert high < 0.2
-
-
-def test_q_learning_walks_along_the_cliff() -> None:
-    """In Gymnasium's CliffWalking the shortest way has 13 steps; without learning it is not found."""
-    env_id = max(key for key in gymnasium.registry if key.startswith("CliffWalking-v"))
-
-    def walks(learning_rate: float) -> Callable[[int], bool]:
-        def run(seed: int) -> bool:
-            env = gymnasium.make(env_id, disable_env_checker=True)
-            agent = QLearning.create(env, learning_rate=learning_rate, discount=1.0)
-            curve = train(env, agent, 15_000, seed=seed, max_steps=200, evaluate_every=15_000)
-            return bool(curve.returns[-1] == -13.0)
-
-        return run
-
-    low, _ = interval(walks(0.5), 8)
-    _, high = interval(walks(NOTHING), 8)
-    assert low > 0.6
-    assert high < 0.4
 
 
 def test_exploration_that_fades_earns_more_while_it_learns() -> None:

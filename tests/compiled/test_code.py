@@ -15,6 +15,7 @@ from edugym.agents.q_learning import QLearning
 from edugym.compiled import code
 from edugym.compiled.code import Code
 from edugym.compiled.compiler import CompilationError, compiled
+from edugym.compiled.subset import refusal
 from edugym.registration import make_mdp
 from edugym.training.loops import play_episodes
 from tests.compiled.cells import cell
@@ -370,3 +371,17 @@ def test_changes_are_noticed() -> None:
         assert now.is_current()
         change()
         assert not now.is_current()
+
+
+def test_a_global_is_one_that_is_loaded_as_one() -> None:
+    """A notebook's variable with the name of a field, of which no method knows, keeps nothing from being compiled."""
+    source = notebook("size = [3]\ntable = {}", "return s + self.size + (lambda k: k + OTHER)(1)")
+    values = cell(f"OTHER = 2\n{source}")
+    reached = Code(loop, (values["T"](3),))
+    assert {name for function, name in reached.globals if function.__module__ == "__main__"} == {"OTHER"}
+    assert refusal(reached, ()) is None
+    long = "\n".join(f"        s = s + self.a{k}" for k in range(300))  # names beyond the first 256
+    many = cell(
+        f"LATE = 5\nclass T(NamedTuple):\n    size: int\n    def f(self, s, rng):\n{long}\n        return LATE\n"
+    )
+    assert "LATE" in {name for _, name in Code(loop, (many["T"](3),)).globals}

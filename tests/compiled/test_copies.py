@@ -1,12 +1,15 @@
 """Copies, putting back, and comparing: what is shared stays shared, and a last digit is no difference."""
 
+import traceback
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
 
-from edugym.compiled.copies import Snapshot, copied, difference
+from edugym.compiled import execution
+from edugym.compiled.copies import LARGE, Snapshot, copied, difference
+from tests.compiled.cells import cell
 
 
 class Agent(NamedTuple):
@@ -78,3 +81,74 @@ def test_last_digits() -> None:
     assert difference(table, table * (1 + 1e-15), "x") is None
     assert difference(table, table * (1 + 1e-9), "x") == "x"
     assert difference(2**60, 2**60 + 1, "x") == "x"
+
+
+def test_large_arrays_may_be_left_out() -> None:
+    """Small ones and streams are put back; the next whole one is whole again."""
+    large, small, rng = np.zeros(LARGE // 8), np.zeros(3), np.random.default_rng(0)
+    kept = Snapshot()
+    for with_large in (True, False, True):
+        large[:], small[:] = 0.0, 0.0
+        state = rng.bit_generator.state
+        kept.take((1, (large, small), rng), large=with_large)
+        assert kept.is_whole == with_large
+        large += 1.0
+        small += 1.0
+        rng.random()
+        kept.put_back()
+        assert rng.bit_generator.state == state
+        assert not small.any()
+        assert large.any() != with_large
+
+
+TAKER = """
+class Taker(NamedTuple):
+    table: np.ndarray
+    memory: np.ndarray
+    def take(self, rng):
+        self.table[0] += 1
+        self.memory[0] += 1.0
+        return {}
+"""
+
+
+def call(n: int, taker: Any, rng: np.random.Generator) -> float:
+    """Take n times."""
+    total = 0.0
+    for _ in range(n):
+        total += taker.take(rng)
+    return total
+
+
+@pytest.mark.parametrize("large", [True, False])
+def test_a_late_mistake_with_a_large_table(large: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It shows the student's line, whether the table was copied before the call or not."""
+    monkeypatch.setattr(execution, "COPYING", 0.0 if large else np.inf)
+    values = cell(TAKER.format("self.memory[LARGE * (self.table[0] > 3_500)]").replace("LARGE", str(LARGE)))
+    taker, rng = values["Taker"](np.zeros(1, np.int64), np.zeros(LARGE // 8)), np.random.default_rng(0)
+    run = execution.executable(call, (taker, rng))
+    assert run is not call
+    run(1_000, taker, rng)
+    run(1_000, taker, rng)
+    with pytest.raises(IndexError, match="out of bounds") as error:
+        run(2_000, taker, rng)
+    *_, last = traceback.extract_tb(error.value.__traceback__)
+    assert last.name == "take"
+    assert taker.table[0] == 3_501
+    assert taker.memory[0] == (3_501 if large else 5_002)  # what the failed call had done to it is still there
+
+
+@pytest.mark.parametrize("large", [True, False])
+def test_where_only_machine_code_stops(large: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Python counts on beyond 64 bits; from tables that were not kept that would be another run: an error says so."""
+    monkeypatch.setattr(execution, "COPYING", 0.0 if large else np.inf)
+    values = cell(TAKER.format("1.0 * (4_611_686_018_427_387_904 * (1 + int(self.table[0] > 1_500)))"))
+    taker, rng = values["Taker"](np.zeros(1, np.int64), np.zeros(LARGE // 8)), np.random.default_rng(0)
+    run = execution.executable(call, (taker, rng))
+    assert run is not call
+    run(1_000, taker, rng)
+    if large:
+        assert run(1_000, taker, rng) == 1_500 * 2.0**62
+        return
+    with pytest.raises(RuntimeError, match=r"tables are too large to be kept .*NUMBA_DISABLE_JIT=1"):
+        run(1_000, taker, rng)

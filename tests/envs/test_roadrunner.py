@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from hypothesis import strategies as st
 
-from edugym.envs.roadrunner import Runner
+from edugym.envs.roadrunner import Roadrunner, Runner
+from edugym.exact.model import finite_model
 from edugym.exact.value_iteration import value_iteration
 from edugym.rendering.scene import Arc
 from tests.contract.described import NO_STEPS, NO_WHOLE_NUMBER, Keywords, Parameters, refused
@@ -219,3 +220,11 @@ def test_mood(actions: list[int], mood: str) -> None:
         env.step(action)
     (mouth,) = (shape for shape in env.scene().shapes if isinstance(shape, Arc))
     assert mouth.start == {"happy": 22, "sad": 222}[mood]
+
+
+@pytest.mark.parametrize("size", [10, 15, 30])
+@pytest.mark.parametrize("negative_reward", [-100.0, -3.0, -1.0, 0.0])
+def test_the_threshold_is_the_best_return(size: int, negative_reward: float) -> None:
+    """Of the fastest run, or of a stall at once where that costs less."""
+    mdp = Roadrunner.create(size=size, negative_reward=negative_reward)
+    assert mdp.reward_threshold == pytest.approx(value_iteration(finite_model(mdp)).start)

@@ -9,17 +9,14 @@ from edugym.envs.study import Study
 from edugym.exact.model import finite_model
 from edugym.exact.policy_evaluation import policy_evaluation
 from edugym.lessons.depth import (
-    DAYS,
     MONTE_CARLO,
     best_returns,
     compare,
     expected_returns,
     layouts,
-    noise_share,
     report,
-    soft_policy,
-    target,
 )
+from edugym.lessons.depth.targets import DAYS, noise_share, soft_policy, target
 
 
 def test_target_against_samples() -> None:

@@ -10,15 +10,13 @@ from edugym.envs.tamagotchi import Tamagotchi
 from edugym.lessons.signal import (
     LENGTHS,
     OPTIMUM,
-    RoundRobin,
-    Voter,
-    information,
     play,
     report,
     rows_of_table,
-    states_in_care,
     vote,
 )
+from edugym.lessons.signal.players import RoundRobin, Voter
+from edugym.lessons.signal.words import information, states_in_care
 
 
 def test_information_of_a_word() -> None:

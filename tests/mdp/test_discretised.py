@@ -178,7 +178,7 @@ def test_machine_code_does_the_same() -> None:
 
 def test_a_table_learns_in_a_discretised_task() -> None:
     """The better of the two first parts of an action, by Q-learning."""
-    task = DiscreteActions.create(Discretised.create(Shows(), 2), 2)
+    task = DiscreteActions.create(Discretised.create(Shows(high=10.0), 2), 2)
     agent = QLearning.create(task, discount=0.5)
     train(task, agent, 2_000, seed=0, max_steps=10)
     assert set(agent.Q[agent.Q.any(axis=1)].argmax(axis=1)) <= {2, 3}

@@ -44,6 +44,26 @@ def test_playing_with_buttons() -> None:
     assert panel.new_episode.button_style == ""
 
 
+def test_playing_blind() -> None:
+    """The picture comes with the end of the episode, and goes with the next one; the observation is always there."""
+    panel = play("Boulder", height=1, blind=True)
+    game: Any = panel.game.environment.unwrapped
+    right = int(game.mdp.grips[0])
+    picture, line, _ = texts(panel.widget)
+    assert "<svg" not in picture
+    assert "observation 0" in line
+    assert "<svg" not in panel.still()["text/html"]
+    panel.step(1 - right)
+    assert "<svg" not in texts(panel.widget)[0]
+    panel.step(right)
+    assert "<svg" in texts(panel.widget)[0]
+    assert "image/svg+xml" in panel.still()
+    panel.reset()
+    assert "<svg" not in texts(panel.widget)[0]
+    with pytest.raises(ValueError, match="blind must be True or False, but is 'yes'"):
+        play("Boulder", blind="yes")  # type: ignore[arg-type]
+
+
 def test_playing_without_the_widget() -> None:
     """A game can be played by code, before it gets its buttons and after."""
     game = Game("Boulder", height=3)

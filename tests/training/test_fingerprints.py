@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from edugym import QLearning
+from edugym.exact.value_iteration import best_values
 from edugym.training.fingerprints import fingerprint
 
 CODE = """
@@ -109,6 +110,12 @@ def test_code_counts_with_what_it_reaches(monkeypatch: pytest.MonkeyPatch) -> No
     before = fingerprint(with_helper)
     monkeypatch.setattr(sys.modules[__name__], "FACTOR", 3)
     assert fingerprint(with_helper) != before
+
+
+def test_what_a_function_of_the_package_holds_counts() -> None:
+    """Functions that one factory makes differ by what they were made with."""
+    assert fingerprint(best_values(0.1)) == fingerprint(best_values(0.1))
+    assert fingerprint(best_values(0.1)) != fingerprint(best_values(0.2))
 
 
 def test_a_method_counts(monkeypatch: pytest.MonkeyPatch) -> None:

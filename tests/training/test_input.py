@@ -12,6 +12,7 @@ import pytest
 from edugym import QLearning, make_mdp, repeat, train
 from edugym.compiled import execution
 from edugym.mdp.protocol import Random, Reals
+from tests.compiled.cells import LEARNER, cell
 
 WALL = make_mdp("Boulder", height=3)
 
@@ -46,6 +47,7 @@ def said_of(agent: Any, monkeypatch: pytest.MonkeyPatch) -> list[str]:
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         train(WALL, agent, execution.COMPILE_FROM)
+    assert all(warning.filename == __file__ for warning in caught)  # the line that has called `train`
     return [str(warning.message) for warning in caught]
 
 
@@ -58,6 +60,21 @@ def test_one_warning_names_the_class_the_reason_and_the_line(monkeypatch: pytest
     assert message.endswith(f"{Path(__file__).name}, line {line})")
 
 
+def test_a_class_that_is_defined_again_is_told_again() -> None:
+    """A student who has mended one thing hears of the next; the same class is told once."""
+    for statement, reason in (("print(state)", "it prints"), ("x = {}", "it makes a dict")):
+        source = LEARNER.replace(
+            "        best = 0\n", f"        if state < 0:\n            {statement}\n        best = 0\n"
+        )
+        kind = cell(source)["Learner"]
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            for _ in range(2):
+                train(WALL, kind(np.zeros((4, 2))), execution.COMPILE_FROM)
+        (warning,) = caught
+        assert reason in str(warning.message)
+
+
 def test_an_ordinary_class_is_told_that_it_is_one(monkeypatch: pytest.MonkeyPatch) -> None:
     """It runs, interpreted, and no class of the package is blamed."""
     (message,) = said_of(Plain(), monkeypatch)
@@ -68,8 +85,12 @@ def test_an_ordinary_class_is_told_that_it_is_one(monkeypatch: pytest.MonkeyPatc
     ("environment", "agent", "message"),
     [
         (3, Plain(), "environment must be an MDP, a Gymnasium environment or a name, but is 3"),
-        (WALL, QLearning, "agent must be a value with the methods act and learn, but is <class"),
-        (WALL, 0.5, "agent must be a value with the methods act and learn, but is 0.5"),
+        (
+            WALL,
+            QLearning,
+            r"agent must be an object with .* but is the class QLearning: make one with QLearning.create\(",
+        ),
+        (WALL, 0.5, "agent must be an object with the methods act and learn, but is 0.5"),
         (WALL, QLearning.create((3, 2)), r"agent must have a table Q of shape \(4, 2\) for this environment, but its"),
     ],
 )

@@ -17,7 +17,7 @@ from edugym.adapters import keys
 from edugym.adapters.actions import checked_action
 from edugym.adapters.specification import filled
 from edugym.checks import one_of
-from edugym.mdp.checking import CHECKED_STEPS, at_students_line, checked_observation, checked_step, is_own, require_mdp
+from edugym.mdp.checking import CHECKED_STEPS, CheckedMDP, at_students_line, checked_step, is_own, require_mdp
 from edugym.mdp.protocol import MDP, coerced, history_wanted, named_actions, step_limit
 
 if TYPE_CHECKING:
@@ -57,7 +57,10 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
 
     def __init__(self, mdp: M, render_mode: str | None = None) -> None:
         """See the class."""
-        require_mdp(mdp)
+        try:
+            require_mdp(mdp)
+        except Exception as error:
+            raise at_students_line(error)  # noqa: B904
         mdp = coerced(mdp)
         one_of("render_mode", render_mode, [None, *self.metadata["render_modes"]])
         self.mdp = mdp
@@ -102,12 +105,16 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         if seed is not None:
             self._model_rng = np.random.default_rng([seed, 1])  # planning must not shift what the environment draws
         rng = self.np_random
-        self.state = self.mdp.initial(rng)
+        mdp = CheckedMDP(self.mdp) if self._steps_to_check else self.mdp
+        try:
+            self.state = mdp.initial(rng)
+            observed = mdp.observation(self.state, rng)
+        except Exception as error:
+            raise at_students_line(error)  # noqa: B904
         self.steps = 0
         self.last_state, self.actions = None, []
         self._over = False
-        observe = checked_observation if self._steps_to_check else _observation
-        observation = self._shown(observe(self.mdp, self.state, rng))
+        observation = self._shown(observed)
         if self.render_mode == "human":
             self.render()
         return observation, self.info()
@@ -358,7 +365,3 @@ def as_element_of(space: spaces.Space[Any]) -> Callable[[Any], Any]:
         return int
     arrays = isinstance(space, spaces.Box | spaces.MultiDiscrete | spaces.MultiBinary)
     return partial(np.array, dtype=space.dtype) if arrays else copy.deepcopy
-
-
-def _observation(mdp: MDP[Any, Any], state: Any, rng: np.random.Generator) -> Any:
-    return mdp.observation(state, rng)

@@ -84,7 +84,10 @@ class QLambda(NamedTuple):
 
     @classmethod
     def create(cls, environment: Any, **settings: Any) -> "QLambda":
-        """A new agent for an environment (or the shape of a table); settings: see the class, and `initial_value`.
+        """A new agent for an environment, or for a table of a given shape (n_states, n_actions).
+
+        Its settings are the attributes of the class that have a default, and `initial_value`, the first value of every
+        entry of the table.
 
         Raises:
             ValueError: a setting is not as the class says, or the environment does not fit a table.

@@ -102,7 +102,9 @@ class REINFORCE(NamedTuple):
 
     @classmethod
     def create(cls, environment: Any, longest: int = 10_000, **settings: Any) -> "REINFORCE":
-        """A new agent for an environment (or the shape of a table); settings: see the class.
+        """A new agent for an environment, or for a table of a given shape (n_states, n_actions).
+
+        Its settings are the attributes of the class that have a default.
 
         Args:
             environment: an MDP or Gymnasium environment with whole numbers for observations and actions.

@@ -14,7 +14,7 @@ class SARSA(NamedTuple):
 
         Q(S, A) <- Q(S, A) + α [R + γ Q(S', A') - Q(S, A)]
 
-    A' is the action that will be taken next.
+    A' is the action chosen for S'. It is taken next, unless the episode is truncated.
 
     Attributes:
         Q: shape (n_states, n_actions): the action values.
@@ -47,7 +47,10 @@ class SARSA(NamedTuple):
 
     @classmethod
     def create(cls, environment: Any, **settings: Any) -> "SARSA":
-        """A new agent for an environment (or the shape of a table); settings: see the class, and `initial_value`.
+        """A new agent for an environment, or for a table of a given shape (n_states, n_actions).
+
+        Its settings are the attributes of the class that have a default, and `initial_value`, the first value of every
+        entry of the table.
 
         Raises:
             ValueError: a setting is not as the class says, or the environment does not fit a table.

@@ -1,5 +1,6 @@
 """What code a loop can reach, and its fingerprint, so that machine code is never run for code that has changed."""
 
+import dis
 import hashlib
 import re
 import sys
@@ -14,6 +15,7 @@ import numpy as np
 
 LIBRARIES = frozenset({"builtins", "math", "numba", "numpy", "typing", "collections", "gymnasium", "operator", "sys"})
 """Packages whose code does not change under the feet of a session."""
+EXTENDED_ARG, LOAD_GLOBAL, LOAD_NAME = (dis.opmap[name] for name in ("EXTENDED_ARG", "LOAD_GLOBAL", "LOAD_NAME"))
 NAMEDTUPLE_OWN = frozenset({"_make", "_replace", "_asdict", "_fields", "_field_defaults"})
 """What every NamedTuple has."""
 
@@ -199,7 +201,7 @@ class Code:
             self._visit(value)
         names = self._code(function.__code__)
         self._names.update(dict.fromkeys(names))
-        for name in sorted(names & function.__globals__.keys()):
+        for name in sorted(_global_names(function.__code__) & function.__globals__.keys()):
             self._add(name)
             self.globals[function, name] = function.__globals__[name]
             self._reached(function.__globals__[name], names)
@@ -231,6 +233,23 @@ class Code:
 
     def _add(self, *things: Any) -> None:
         self._hash.update(repr(things).encode())
+
+
+def _global_names(code: CodeType) -> set[str]:
+    """The names that byte code looks up among the globals, and not as attributes, those of inner functions included.
+
+    Read by hand: `dis` takes ten times as long, and a run begins with some hundred functions.
+    """
+    names: set[str] = set()
+    high = 0
+    for operation, low in zip(code.co_code[::2], code.co_code[1::2], strict=True):
+        argument = high | low
+        high = argument << 8 if operation == EXTENDED_ARG else 0
+        if operation == LOAD_GLOBAL:
+            names.add(code.co_names[argument >> 1])  # its last bit is about a call
+        elif operation == LOAD_NAME:
+            names.add(code.co_names[argument])
+    return names.union(*(_global_names(constant) for constant in code.co_consts if isinstance(constant, CodeType)))
 
 
 def _stable(constant: Any) -> Any:

@@ -55,29 +55,44 @@ def _copied_array(array: Any, known: dict[int, Any]) -> Any:
     return made
 
 
+LARGE = 1_000_000
+"""From how many bytes on an array is left out where copying it would cost too much."""
+
+
 class Snapshot:
-    """What a call may change of its arguments, tables and random streams, as it was; its memory is used again."""
+    """What a call may change of its arguments, tables and random streams, as it was; its memory is used again.
+
+    Attributes:
+        is_whole: whether no large array was left out.
+    """
 
     def __init__(self) -> None:
         """Of nothing yet."""
+        self.is_whole = True
         self._leaves: list[Any] = []
         self._kept: list[Any] = []
+        self._left_out: set[int] = set()  # places
 
-    def take(self, values: tuple[Any, ...]) -> None:
-        """Note how everything in these values is now."""
+    def take(self, values: tuple[Any, ...], *, large: bool = True) -> None:
+        """Note how everything in these values is now; large arrays only if asked for."""
         leaves: list[Any] = []
         _collect(values, leaves)
+        self._left_out = set() if large else {k for k, leaf in enumerate(leaves) if getattr(leaf, "nbytes", 0) >= LARGE}
+        self.is_whole = not self._left_out
         old = self._kept if len(self._kept) == len(leaves) else [None] * len(leaves)
-        self._leaves, self._kept = leaves, list(map(_noted, leaves, old))
+        self._kept = [old[k] if k in self._left_out else _noted(leaf, old[k]) for k, leaf in enumerate(leaves)]
+        self._leaves = leaves
 
     def put_back(self) -> None:
-        """Let everything be as it was, but for what cannot be written to."""
-        for leaf, kept in zip(self._leaves, self._kept, strict=True):
+        """Let everything be as it was, but for what was left out and what cannot be written to."""
+        for k, (leaf, kept) in enumerate(zip(self._leaves, self._kept, strict=True)):
+            if k in self._left_out:
+                continue
             if isinstance(leaf, np.random.Generator):
                 leaf.bit_generator.state = kept
             elif not isinstance(leaf, np.ndarray):
-                for k, part in enumerate(kept):
-                    leaf[k] = part
+                for place, part in enumerate(kept):
+                    leaf[place] = part
             elif leaf.flags.writeable:
                 np.copyto(leaf, kept)
 

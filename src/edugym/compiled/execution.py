@@ -9,11 +9,13 @@ began: being the same, it stops at the very line.
 
 import os
 import sys
+import time
 import warnings
+import weakref
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from edugym.compiled.code import LIBRARIES, Code
+from edugym.compiled.code import LIBRARIES, Code, is_foreign
 from edugym.compiled.compiler import CompilationError, NoCompiler, check_compiler, compiled, is_built, is_on_disk
 from edugym.compiled.copies import Snapshot, copied, difference
 from edugym.compiled.subset import refusal
@@ -24,7 +26,8 @@ Loop = Callable[..., Any]
 COMPILE_FROM = 5_000  # steps; fewer take the interpreter some 15 ms, and compiling takes a second or more
 REHEARSED = 200  # steps
 MOST_SURPRISES = 3  # calls in which machine code fails and the interpreter does not, before machine code is given up
-_warned: set[str] = set()
+COPYING = 10.0  # large arrays are copied before a call once calls have taken this many times as long as the copying
+_warned: set[Any] = set()  # what was said: a text, or the classes of which it was said
 
 
 def executable(
@@ -34,6 +37,7 @@ def executable(
     expected: int = COMPILE_FROM,
     rehearsed: int = REHEARSED,
     replayed: bool = True,
+    replay: Loop | None = None,
 ) -> Loop:
     """The fastest safe way to call `loop(n, *arguments)`.
 
@@ -45,6 +49,7 @@ def executable(
             compiled.
         replayed: whether a call that fails in such code is played again by the interpreter, which stops at the very
             line, or goes on where only machine code could not. Without it the caller sees to that, and to changed code.
+        replay: does what the loop does, interpreted, and says better what is wrong; by default the loop itself.
 
     Returns:
         A function with the arguments of `loop`: machine code, or where that does not pay or is not possible, `loop`
@@ -57,7 +62,7 @@ def executable(
         check_compiler()
         if reason := refusal(code, arguments):
             raise CompilationError(reason)
-        return _machine_code(loop, arguments, code, rehearsed, replayed)
+        return _machine_code(loop, arguments, code, rehearsed, replay or loop if replayed else None)
     except NoCompiler:
         return loop
     except CompilationError as error:
@@ -65,7 +70,7 @@ def executable(
     return loop
 
 
-def _machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, rehearsed: int, replayed: bool) -> Loop:
+def _machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, rehearsed: int, replay: Loop | None) -> Loop:
     """Machine code of the loop; that of foreign code has shown on copies that it does what the interpreter does.
 
     Raises:
@@ -96,40 +101,57 @@ def _machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, rehearsed:
     found = difference((result, rehearsal), (shadowed, shadow), "the result")
     if found:
         raise CompilationError(f"machine code comes to something else than Python in the first steps ({found})")
-    return _guarded(fast, loop, code, rehearsed) if replayed else fast
+    return fast if replay is None else _guarded(fast, loop, code, rehearsed, replay)
 
 
 def _said(error: Exception) -> str:
     return f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
 
 
-def _guarded(fast: Loop, loop: Loop, code: Code, rehearsed: int) -> Loop:
+def _guarded(fast: Loop, loop: Loop, code: Code, rehearsed: int, replay: Loop) -> Loop:
     """Machine code of foreign code, with the interpreter at its side.
 
     Where machine code fails, the call is played again by the interpreter from the same start, to stop at the very line,
     or to go on where Python does. Once code has changed, machine code of what it is now takes over.
+
+    For that the arguments are copied before a call: large arrays only as often as that costs a tenth of the time. A
+    call that fails without a copy of them is played again on what it has left of them, and always ends in an error.
     """
     before = Snapshot()
     surprises = 0
+    cost = spent = 0.0  # seconds: what copying everything took the last time, and what calls took since
 
     def run(*arguments: Any) -> Any:
-        nonlocal fast, code, surprises
+        nonlocal fast, code, surprises, cost, spent
         if not code.is_current():
             code = Code(loop, arguments[1:])
-            fast = executable(loop, arguments[1:], rehearsed=rehearsed)
+            fast = executable(loop, arguments[1:], rehearsed=rehearsed, replay=replay)
         if fast is loop:
             return loop(*arguments)
-        before.take(arguments)
+        began = time.perf_counter()
+        before.take(arguments, large=spent >= COPYING * cost)
+        taken = time.perf_counter()
+        if before.is_whole:
+            cost, spent = taken - began, 0.0
         try:
-            return fast(*arguments)
+            result = fast(*arguments)
         except Exception as error:
-            before.put_back()
-            result = loop(*arguments)  # where this is an error for Python as well, it is raised here
-            surprises += 1
-            if surprises == MOST_SURPRISES:
-                fast = loop
-                _warn_once(code, arguments, f"machine code stops where Python goes on ({_said(error)})")
+            failure = error
+        else:
+            spent += time.perf_counter() - taken
             return result
+        before.put_back()
+        result = replay(*arguments)  # where this is an error for Python as well, it is raised here, and alone
+        if not before.is_whole:  # it has begun with other tables, and its result is not that of Python
+            raise RuntimeError(
+                f"machine code stops where Python goes on ({_said(failure)}), and the tables are too large to be kept"
+                " for such a case: set the environment variable NUMBA_DISABLE_JIT=1, and run it again"
+            )
+        surprises += 1
+        if surprises == MOST_SURPRISES:
+            fast = loop
+            _warn_once(code, arguments, f"machine code stops where Python goes on ({_said(failure)})")
+        return result
 
     return run
 
@@ -148,15 +170,24 @@ def _announce(code: Code) -> None:
 
 
 def _warn_once(code: Code, arguments: tuple[Any, ...], reason: str) -> None:
-    """Say once for the same classes what keeps them from being compiled."""
+    """Say once for the same classes what keeps them from being compiled; a class that is defined again is another."""
     plain = next(_plain_objects(arguments), None)
     names = code.names() if plain is None else type(plain).__name__
     reason = reason if plain is None else "it is no NamedTuple"
-    what = f"cannot: {names if code.foreign else reason}"
+    classes = {kind for kind in code.classes if is_foreign(kind)} if plain is None else {type(plain)}
+    what: Any = frozenset(map(weakref.ref, classes)) if classes else f"cannot: {reason}"
     if what not in _warned:
         _warned.add(what)
         message = f"{names} cannot be compiled and runs interpreted, some hundred times slower: {reason}"
-        warnings.warn(message, stacklevel=4)
+        warnings.warn(message, stacklevel=_callers_level())
+
+
+def _callers_level() -> int:
+    """The `stacklevel` of the user's line that has called `_warn_once` by way of the package."""
+    level, frame = 1, sys._getframe(1)
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith(("edugym", "joblib")):
+        level, frame = level + 1, frame.f_back
+    return level
 
 
 def _plain_objects(value: Any) -> Iterator[Any]:

@@ -19,7 +19,7 @@ class Runner(NamedTuple):
     """Where the runner is, and how fast.
 
     Attributes:
-        x: its cell, from 0; `size`, which is no cell any more, after a fall.
+        x: its cell, from 0. After a fall it is `size`, which is beyond the last cell.
         dx: its speed, in cells a step; -1 after a stall.
     """
 
@@ -31,10 +31,10 @@ class Roadrunner(NamedTuple):
     """Run to the edge of a cliff, as fast as possible but not over it.
 
     ## Description
-    Challenge: on- and off-policy credit assignment. A runner speeds along a road that ends at a cliff. It must arrive
-    exactly at the last cell, the target T = W - 1, at whatever speed (with a `stop_zone`, there or a little before);
-    beyond it is the drop, and slowing down below a speed of 0 (a stall) loses as well. The best run ends one exploring
-    step away from disaster. An off-policy method learns it all the same; an on-policy method learns what its own
+    Challenge: on- and off-policy credit assignment. A runner speeds along a road of W cells that ends at a cliff. It
+    must arrive exactly at the last cell, the target T = W - 1, at any speed. (With a `stop_zone` it may also arrive a
+    little before T.) Beyond T is the drop. A speed below 0, a stall, loses as well. The best run ends one exploring
+    step away from disaster. An off-policy method still learns this run; an on-policy method learns what its own
     exploring costs, and prefers to arrive more slowly and safely, or, with a stop zone, to stop short of the edge.
 
     ## Observation space
@@ -45,8 +45,8 @@ class Roadrunner(NamedTuple):
 
     ## State
     The position x, the speed dx, and the number of steps that this episode has taken. A stalled runner has dx = -1, and
-    is seen with 0. The step count is not observed, so near the step limit the observation is not Markov (an agent that
-    bootstraps at truncation need not mind).
+    is observed with dx = 0. The step count is not observed, so near the step limit the observation is not Markov (an
+    agent that bootstraps at truncation need not mind).
 
     ## Dynamics
     The speed changes first, up to `max_speed`; then x += dx. A runner that would come beyond T is set to W. A speed
@@ -54,8 +54,8 @@ class Roadrunner(NamedTuple):
 
     ## Reward
     Reaching T: +1. A fall or a stall: R = `negative_reward`. Coming to a cell in the stop zone: 1 - (T - x). Every
-    other step: -1. The best return at the defaults is -2, in 4 steps; without a stop zone it is -3 at W = 15, -4 at W =
-    20 and -5 at W = 25 (discount 1).
+    other step: -1. The best return at the defaults (W = 10, no stop zone) is -2, in 4 steps. With only W changed, it is
+    -3 at W = 15, -4 at W = 20 and -5 at W = 25 (discount 1).
 
     ## Initial state
     At x = 0 with a speed of 0.
@@ -76,15 +76,16 @@ class Roadrunner(NamedTuple):
     - `stalled`: whether the speed fell below 0.
 
     ## Choices
-    - +1 and R take the place of the -1 of that step; they are not added to it, as one could read the paper.
-    - The paper does not say that the speed changes before the position, and its termination leaves out the fall.
-    - The paper's text speaks of moving beyond W and of hitting W; here, as in its description, the drop is all that is
-      beyond T, and a runner in it is at W.
+    - +1 and R replace the -1 of that step. (The paper could also be read as adding them to it.)
+    - The paper does not say that the speed changes before the position, and does not list the fall among the ends of an
+      episode.
+    - The paper's text speaks of moving beyond W and of hitting W. Here, as in the paper's description of the task, all
+      that is beyond T is the drop, and a runner that has fallen has x = W.
     - The paper's space has W positions and `max_speed` speeds; here both have one more, since W and `max_speed`
       themselves can be reached.
-    - The stop zone adds what the paper's main text says ("how close it ends up to the edge") and its appendix does not;
-      without it only T ends a run well.
-    - The paper has no step limit; without one a runner that stands still would never end.
+    - The paper's main text speaks of "how close it ends up to the edge"; its appendix does not. The parameter
+      `stop_zone` adds this. Without a stop zone only T ends a run well.
+    - The paper has no step limit. Without one the episode of a runner that stands still would never end.
 
     ## Algorithms
     The paper compares Q-learning with SARSA, both with a table.
@@ -104,7 +105,10 @@ class Roadrunner(NamedTuple):
         return Runner(0, 0)
 
     def transition(self, state: Runner, action: int, rng: Random) -> Runner:
-        """First the speed changes by -1, 0 or +1, then the position by the speed: to W, when that is beyond T."""
+        """First the speed changes by -1, 0 or +1, up to `max_speed`; then the position changes by the speed.
+
+        The position is W if it would be beyond T. A speed below 0 leaves it as it was.
+        """
         dx = min(state.dx + action - 1, self.max_speed)
         if dx < 0:
             return Runner(state.x, dx)
@@ -162,12 +166,15 @@ class Roadrunner(NamedTuple):
 
     @property
     def reward_threshold(self) -> float | None:
-        """The best return, of the fastest run to T; None with a stop zone, or if the step limit is too low."""
+        """The best return: of the fastest run to T, or of a stall at once if R is higher.
+
+        None with a stop zone, or if the step limit is too low for that run.
+        """
         steps, reach, speed = 0, 0, 0
         while reach < self.size - 1:
             speed = min(speed + 1, self.max_speed)
             steps, reach = steps + 1, reach + speed
-        return 2.0 - steps if self.stop_zone == 0 and steps <= self.max_steps else None
+        return max(2.0 - steps, self.negative_reward) if self.stop_zone == 0 and steps <= self.max_steps else None
 
     @property
     def action_names(self) -> tuple[str, ...]:
@@ -179,10 +186,12 @@ class Roadrunner(NamedTuple):
         return {"distance": int(self.size - 1 - state.x), "stalled": bool(state.dx < 0)}
 
     def scene(self, state: Runner) -> Scene:
-        """The road to the cliff from the side, with the danger sign at its end and the runner's speed on the runner."""
+        """A side view of road and cliff, with a danger sign at the end of the road and the speed on the runner."""
         task = self
         x, dx = state
-        scale = max(1.0, task.size / 20)  # of all but the cells: on a long road the runner stays visible
+        scale = max(
+            1.0, task.size / 20
+        )  # the size of all but the cells, so that the runner stays visible on a long road
         edge, ground, bottom = task.size + 0.5, 3.6 * scale, 5.6 * scale
         width = max(edge + 2.5 * scale, 10.0)
         notch = (edge - 0.3 * scale, ground + 1.1 * scale)

@@ -9,10 +9,8 @@ A run *solves* the wall when its last greedy episode reaches the top. A method s
 that solve it is above one half with 95 % confidence; it does not solve the wall when the share is below one half.
 """
 
-import threading
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
-from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
@@ -24,6 +22,7 @@ from edugym.agents.q_learning import QLearning
 from edugym.agents.strategies import EpsilonGreedy
 from edugym.exact.model import finite_model
 from edugym.exact.value_iteration import value_iteration
+from edugym.experiments import How, reporting
 from edugym.mdp.protocol import Integers, Reals
 from edugym.plotting import Curves, Lines, Sheet, VisitMap
 from edugym.plotting.report import Report
@@ -31,7 +30,6 @@ from edugym.registration import make_mdp
 from edugym.results.claims import Above, Below, Claim, Within
 from edugym.results.statistics import Interval, mean_interval, proportion_interval, share_interval
 from edugym.results.tables import Results
-from edugym.training.checkpoints import CHECKPOINTS
 from edugym.training.repeat import repeat
 from edugym.training.visits import record_visits
 
@@ -234,30 +232,31 @@ def best_return(height: int, epsilon: float = 0.0, n_grips: int = 2) -> float:
     return value_iteration(finite_model(wall), epsilon=epsilon, horizon=wall.max_steps).start
 
 
-def report(
-    *,
-    repetitions: int = REPETITIONS,
-    seed: int = 0,
-    jobs: int | None = -1,
-    progress: bool = False,
-    stop: threading.Event | None = None,
-    folder: Path | None = None,
+def measure(how: How) -> tuple[Any, ...]:
+    """Run the experiments."""
+    by_height = {height: compare(height, **how(f"height_{height}")) for height in HEIGHTS}
+    searches = {wall: watch_random_search(*wall, **how()) for wall in RANDOM_SEARCH}
+    climbs = watch_climbs(HEIGHTS[-1], **how())
+    return by_height, searches, climbs, without_epsilon(HEIGHTS[-1], **how())
+
+
+def judge(
+    by_height: Mapping[int, Results],
+    searches: Mapping[tuple[int, int], Interval],
+    climbs: Interval,
+    without: Results,
 ) -> Report:
-    """Run the experiments of the lesson (see `edugym.experiments.Experiments.report`)."""
-    stop = stop or threading.Event()  # one event ends all experiments
-    how: dict[str, Any] = {
-        "repetitions": repetitions,
-        "seed": seed,
-        "jobs": jobs,
-        "progress": progress,
-        "stop": stop,
-        "checkpoints": folder and folder / CHECKPOINTS,
-    }
-    by_height = {
-        height: compare(height, save_to=folder and folder / f"height_{height}.csv", **how) for height in HEIGHTS
-    }
-    claims = [*solving_claims(by_height), *explaining_claims(by_height[HEIGHTS[-1]], how)]
-    return Report(claims, [] if stop.is_set() else figures(by_height))
+    """Return claims and figures."""
+    claims = [
+        *solving_claims(by_height),
+        *(random_search_claim(*wall, steps) for wall, steps in searches.items()),
+        *explaining_claims(by_height[HEIGHTS[-1]], climbs, without),
+    ]
+    return Report(claims, figures(by_height))
+
+
+report = reporting(measure, judge, REPETITIONS)
+"""Run the experiments of the lesson (see `edugym.experiments.Reporter`)."""
 
 
 def solving_claims(by_height: Mapping[int, Results]) -> list[Claim]:
@@ -275,11 +274,16 @@ def solving_claims(by_height: Mapping[int, Results]) -> list[Claim]:
     ]
 
 
-def explaining_claims(highest: Results, how: Mapping[str, Any]) -> list[Claim]:
-    """Return the claims on random search, and on why the novelty reward fails on the highest walls (`highest`)."""
+def explaining_claims(highest: Results, climbs: Interval, without: Results) -> list[Claim]:
+    """Return the claims on why the novelty reward fails on the highest walls.
+
+    Args:
+        highest: the results on these walls.
+        climbs: the share of climbs to the top of a climber who knows the wall.
+        without: the results with ε = 0.
+    """
     height = HEIGHTS[-1]
     return [
-        *(random_search_claim(*wall, how) for wall in RANDOM_SEARCH),
         Claim(
             f"Novelty's frontier on a wall of {height} is near 40 after {N_STEPS} steps",
             "highest state ever visited",
@@ -290,7 +294,7 @@ def explaining_claims(highest: Results, how: Mapping[str, Any]) -> list[Claim]:
         Claim(
             f"Knowing the wall, ε-greedy gets up {height} in 0.95^{height} = {no_slip(height):.1%} of climbs",
             "share of climbs",
-            watch_climbs(height, **how),
+            climbs,
             near(no_slip(height)),
             "derailment: a single random step to the wrong grip ends the climb",
         ),
@@ -311,20 +315,20 @@ def explaining_claims(highest: Results, how: Mapping[str, Any]) -> list[Claim]:
         Claim(
             "At the frontier novelty relies on ε: without random steps it stays near the ground",
             "highest state ever visited, ε = 0",
-            mean_interval([frontier(visits) for visits in visits_of(without_epsilon(height, **how), NOVELTY)]),
+            mean_interval([frontier(visits) for visits in visits_of(without, NOVELTY)]),
             Below(10),
             "an untried grip is worth 0, and a wrong one already more, since a fall earns bonuses too",
         ),
     ]
 
 
-def random_search_claim(n_grips: int, height: int, how: Mapping[str, Any]) -> Claim:
+def random_search_claim(n_grips: int, height: int, measured: Interval) -> Claim:
     """Return the claim that random search takes as long as theory predicts."""
     steps = random_search_steps(n_grips, height)
     return Claim(
         f"Random search needs (N^(H+1) - N)/(N - 1) = {steps} steps for N = {n_grips}, H = {height} (no step limit)",
         "steps a climb",
-        watch_random_search(n_grips, height, **how),
+        measured,
         near(steps),
     )
 

@@ -9,11 +9,9 @@ The best policy with full memory returns 1 a step without end; perfect play thro
 The state has no finite model, since the corridor grows without end.
 """
 
-import threading
 from collections.abc import Iterator, Mapping
 from functools import partial
 from itertools import product
-from pathlib import Path
 from typing import Annotated, Any, NamedTuple
 
 import numpy as np
@@ -22,6 +20,7 @@ from edugym.agents.q_learning import QLearning
 from edugym.agents.settings import Counter, Table, new
 from edugym.agents.strategies import EpsilonGreedy
 from edugym.envs.memory_corridor import MemoryCorridor
+from edugym.experiments import How, reporting
 from edugym.mdp.frame_stack import FrameStack, stack_size
 from edugym.mdp.protocol import Integers, Random
 from edugym.plotting.curves import Curves
@@ -178,37 +177,30 @@ def dense_table(k: int) -> int:
     return 8 * DOORS * stack_size(DOORS + 1, k)
 
 
-def report(
-    *,
-    repetitions: int = REPETITIONS,
-    seed: int = 0,
-    jobs: int | None = -1,
-    progress: bool = False,
-    stop: threading.Event | None = None,
-    folder: Path | None = None,
-) -> Report:
-    """Run the experiments of the lesson; see `edugym.experiments.Experiments` for the arguments."""
-    how: dict[str, Any] = {"repetitions": repetitions, "seed": seed, "jobs": jobs, "progress": progress}
-    how["stop"] = stop = stop or threading.Event()
-
-    def saved(label: str) -> dict[str, Any]:
-        return {**how, "save_to": folder and folder / f"{label}.csv"}
-
-    one = learn(1, **saved("frames_1"))
-    frames = joined({1: one, **{k: learn(k, **saved(f"frames_{k}")) for k in FRAMES[1:]}})
-    with_actions = {k: learn(k, actions=True, **saved(f"frames_and_actions_{k}")) for k in WITH_ACTIONS}
+def measure(how: How) -> tuple[Any, ...]:
+    """Run the experiments."""
+    one = learn(1, **how("frames_1"))
+    frames = joined({1: one, **{k: learn(k, **how(f"frames_{k}")) for k in FRAMES[1:]}})
+    with_actions = {k: learn(k, actions=True, **how(f"frames_and_actions_{k}")) for k in WITH_ACTIONS}
     both = joined({1: one, **with_actions})  # one frame has no actions between
-    quick = joined({k: learn(k, actions=True, n_steps=SHORT, **how) for k in (3, 5)})
-    if stop.is_set():
-        return Report([], [])  # comparisons of incomplete results mean nothing
+    quick = joined({k: learn(k, actions=True, **how(n_steps=SHORT)) for k in (3, 5)})
+    return frames, both, quick, remember(**how())
+
+
+def judge(frames: Results, both: Results, quick: Results, watched: Results) -> Report:
+    """Return claims and figures."""
     claims = [
         *window_claims(),
         *frame_claims(frames),
         *action_claims(frames, both, quick),
-        notes_claim(remember(**how)),
+        notes_claim(watched),
         size_claim(),
     ]
     return Report(claims, figures(frames, both))
+
+
+report = reporting(measure, judge, REPETITIONS)
+"""Run the experiments of the lesson (see `edugym.experiments.Reporter`)."""
 
 
 def window_claims() -> list[Claim]:

@@ -6,10 +6,8 @@ are the same for every method. "Greedy" is the return of the last evaluation epi
 training episodes in the second half of training, explored as the method does.
 """
 
-import threading
 from collections.abc import Callable, Mapping
 from functools import partial
-from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
@@ -24,6 +22,7 @@ from edugym.exact.model import finite_model
 from edugym.exact.policy_evaluation import policy_evaluation
 from edugym.exact.tables import FiniteModel
 from edugym.exact.value_iteration import value_iteration
+from edugym.experiments import How, reporting
 from edugym.mdp.protocol import Reals
 from edugym.plotting.curves import Curves
 from edugym.plotting.lines import Lines
@@ -150,32 +149,31 @@ def switch(model: FiniteModel, low: float = 0.0, high: float = 0.2, tolerance: f
     return (low + high) / 2
 
 
-def report(
-    *,
-    repetitions: int = REPETITIONS,
-    seed: int = 0,
-    jobs: int | None = -1,
-    progress: bool = False,
-    stop: threading.Event | None = None,
-    folder: Path | None = None,
-) -> Report:
-    """Run the experiments of the lesson; see `edugym.experiments.Experiments` for the arguments."""
-    how: dict[str, Any] = {"repetitions": repetitions, "seed": seed, "jobs": jobs, "progress": progress}
-    how["stop"] = stop = stop or threading.Event()
-    saved: dict[str, Any] = {name: {"save_to": folder and folder / f"{name}.csv"} for name in ("edge", "zone", "mild")}
-    edge = compare(**how, **saved["edge"])
-    zone = compare(epsilon=0.2, learning_rate=0.1, parameters={"stop_zone": 2}, **how, **saved["zone"])
-    mild = compare(parameters={"negative_reward": -10.0}, **how, **saved["mild"])
-    tiny = compare(epsilon=0.01, **how)
-    rough = compare(learning_rate=0.5, **how)
-    decayed = let_epsilon_decay(**how)
+def measure(how: How) -> tuple[Any, ...]:
+    """Run the experiments."""
+    return (
+        compare(**how("edge")),
+        compare(epsilon=0.2, learning_rate=0.1, parameters={"stop_zone": 2}, **how("zone")),
+        compare(parameters={"negative_reward": -10.0}, **how("mild")),
+        compare(epsilon=0.01, **how()),
+        compare(learning_rate=0.5, **how()),
+        let_epsilon_decay(**how()),
+    )
+
+
+def judge(edge: Results, zone: Results, mild: Results, tiny: Results, rough: Results, decayed: Results) -> Report:
+    """Return claims and figures."""
     claims = [
         *edge_claims(edge),
         *zone_claims(zone),
         *condition_claims(mild, tiny, rough, decayed),
         switch_claim(),
     ]
-    return Report(claims, [] if stop.is_set() else figures(edge, zone))
+    return Report(claims, figures(edge, zone))
+
+
+report = reporting(measure, judge, REPETITIONS)
+"""Run the experiments of the lesson (see `edugym.experiments.Reporter`)."""
 
 
 def edge_claims(edge: Results) -> list[Claim]:

@@ -6,16 +6,17 @@ a student's MDP are checked in this way; the package's own MDPs are covered by i
 
 import copy
 import difflib
+import dis
 import inspect
-import math
-import numbers
-from pathlib import Path
+from collections.abc import Iterable
+from types import TracebackType
 from typing import Any
 
 import numpy as np
 from gymnasium import Env, spaces
 
 from edugym.mdp.protocol import MDP, Random, step_limit
+from edugym.mdp.values import GlobalDraws, fits, is_finite_number, kept, same, shown
 
 METHODS = {
     "initial": ("rng",),
@@ -27,7 +28,18 @@ METHODS = {
 """What every MDP has, and what each method takes."""
 SPACES = ("observation_space", "action_space")
 CHECKED_STEPS = 200
-PACKAGE = str(Path(__file__).parents[1])
+UNSHOWN = frozenset({"edugym", "contextlib", "gymnasium", "joblib"})
+"""Packages whose frames are no help in finding a mistake."""
+OTHER_NAMES = {
+    "initial": ("reset", "start", "initial_state"),
+    "transition": ("step", "next_state", "dynamics"),
+    "terminal": ("is_terminal", "done", "terminated", "is_done"),
+    "observation": ("observe", "obs"),
+    "act": ("choose", "choose_action", "select_action", "get_action", "policy"),
+    "learn": ("update", "train", "fit"),
+    "greedy": ("greedy_act", "act_greedy"),
+}
+"""What else students call these methods."""
 
 
 def require_mdp(mdp: Any, name: str = "mdp") -> None:
@@ -51,9 +63,10 @@ def require_mdp(mdp: Any, name: str = "mdp") -> None:
             f" {' and '.join(SPACES)}, but is {mdp!r}"
         )
     for method, parameters in METHODS.items():
-        _require_method(mdp, method, parameters)
-    for space in SPACES:
-        _require_space(mdp, space)
+        require_method(mdp, method, parameters, METHODS)
+    require_spaces(mdp)
+    if not is_own(inner := getattr(mdp, "mdp", None)) and type(mdp).__module__.startswith("edugym."):
+        require_mdp(inner, f"mdp of {_name(mdp)}")
     actions = mdp.action_space
     if isinstance(actions, spaces.Discrete) and actions.start != 0:
         raise ValueError(f"action_space of {_name(mdp)} must number the actions from 0, but is {actions}")
@@ -79,10 +92,11 @@ def check_mdp(mdp: Any, n_steps: int = CHECKED_STEPS) -> list[Any]:
     mdp, rng, actions = copy.deepcopy(mdp), np.random.default_rng(0), copy.deepcopy(mdp.action_space)
     actions.seed(0)
     checked = not is_own(mdp)
-    state = mdp.initial(rng)
+    first = CheckedMDP(mdp) if checked else mdp
+    state = first.initial(rng)
     states = [state]
     if checked:
-        checked_observation(mdp, state, rng)
+        first.observation(state, rng)
     for _ in range(n_steps):
         action = actions.sample()
         action = int(action) if isinstance(actions, spaces.Discrete) else action
@@ -107,44 +121,154 @@ def checked_step(mdp: MDP[Any, Any], state: Any, action: Any, rng: Random) -> tu
     Raises:
         ValueError: a method returns what it may not, or changes the state that it was given.
     """
-    before = _kept(state)
-    next_state = mdp.transition(state, action, rng)
-    _refuse_change(mdp, "transition", before, state)
-    if next_state is None:
-        raise ValueError(_sentence(mdp, "transition", None, "the next state", state, action))
-    after = _kept(next_state)
-    reward = mdp.reward(state, action, next_state, rng)
-    _refuse_change(mdp, "reward", before, state)
-    _refuse_change(mdp, "reward", after, next_state)
-    if not _is_finite_number(reward):
-        raise ValueError(_sentence(mdp, "reward", reward, "a finite number", state, action, next_state))
-    terminated = mdp.terminal(next_state)
-    _refuse_change(mdp, "terminal", after, next_state)
-    if not isinstance(terminated, bool | np.bool_ | int | np.integer):
-        raise ValueError(_sentence(mdp, "terminal", terminated, "True or False", next_state))
-    return next_state, float(reward), bool(terminated), checked_observation(mdp, next_state, rng)
+    checked = CheckedMDP(mdp)
+    next_state = checked.transition(state, action, rng)
+    reward = checked.reward(state, action, next_state, rng)
+    terminated = checked.terminal(next_state)
+    return next_state, float(reward), bool(terminated), checked.observation(next_state, rng)
 
 
-def checked_observation(mdp: MDP[Any, Any], state: Any, rng: Random) -> Any:
-    """What the agent sees in a state.
+class CheckedMDP:
+    """An MDP whose first steps are checked: it does what the MDP inside it does, and draws nothing itself.
 
-    Raises:
-        ValueError: it is not in the observation space, or the state was changed.
+    Args:
+        mdp: the task.
+        steps: how many transitions are checked; later ones are passed on as they are.
     """
-    before = _kept(state)
-    observation = mdp.observation(state, rng)
-    _refuse_change(mdp, "observation", before, state)
-    if not _fits(mdp.observation_space, observation):
-        raise ValueError(_sentence(mdp, "observation", observation, f"an element of {mdp.observation_space}", state))
-    return observation
+
+    def __init__(self, mdp: MDP[Any, Any], steps: float = CHECKED_STEPS) -> None:
+        """See the class."""
+        self._mdp, self._left = mdp, steps
+        self._draws = GlobalDraws(type(mdp).__name__)
+
+    def __getattr__(self, name: str) -> Any:
+        """Everything else that the MDP has."""
+        return getattr(self._mdp, name)
+
+    def initial(self, rng: Random) -> Any:
+        """Draw the state in which an episode starts."""
+        with self._draws.refused("initial"):
+            return self._mdp.initial(rng)
+
+    def transition(self, state: Any, action: Any, rng: Random) -> Any:
+        """Draw the next state.
+
+        Raises:
+            ValueError: it is None, or the state was changed.
+        """
+        if self._left <= 0:
+            return self._mdp.transition(state, action, rng)
+        self._left -= 1
+        before = kept(state)
+        with self._draws.refused("transition"):
+            next_state = self._mdp.transition(state, action, rng)
+        refuse_change(self._mdp, "transition", before, state)
+        if next_state is None:
+            raise ValueError(_sentence(self._mdp, "transition", None, "the next state", state, action))
+        return next_state
+
+    def reward(self, state: Any, action: Any, next_state: Any, rng: Random) -> Any:
+        """Draw the reward.
+
+        Raises:
+            ValueError: it is no finite number, or a state was changed.
+        """
+        if self._left <= 0:
+            return self._mdp.reward(state, action, next_state, rng)
+        before, after = kept(state), kept(next_state)
+        with self._draws.refused("reward"):
+            reward = self._mdp.reward(state, action, next_state, rng)
+        refuse_change(self._mdp, "reward", before, state)
+        refuse_change(self._mdp, "reward", after, next_state)
+        if not is_finite_number(reward):
+            raise ValueError(_sentence(self._mdp, "reward", reward, "a finite number", state, action, next_state))
+        return reward
+
+    def terminal(self, state: Any) -> Any:
+        """Whether the task ends in this state.
+
+        Raises:
+            ValueError: the answer is neither True nor False, or the state was changed.
+        """
+        if self._left <= 0:
+            return self._mdp.terminal(state)
+        before = kept(state)
+        with self._draws.refused("terminal"):
+            terminated = self._mdp.terminal(state)
+        refuse_change(self._mdp, "terminal", before, state)
+        if not isinstance(terminated, bool | np.bool_ | int | np.integer):
+            raise ValueError(_sentence(self._mdp, "terminal", terminated, "True or False", state))
+        return terminated
+
+    def observation(self, state: Any, rng: Random) -> Any:
+        """Draw what the agent sees.
+
+        Raises:
+            ValueError: it is not in the observation space, or the state was changed.
+        """
+        if self._left <= 0:
+            return self._mdp.observation(state, rng)
+        before = kept(state)
+        with self._draws.refused("observation"):
+            observation = self._mdp.observation(state, rng)
+        refuse_change(self._mdp, "observation", before, state)
+        self._require_observation(observation, state)
+        return observation
+
+    def observe_into(self, state: Any, rng: Random, out: Any) -> None:
+        """Write into `out` what the agent sees.
+
+        Raises:
+            ValueError: it is not in the observation space, or the state was changed.
+        """
+        before = kept(state)
+        self._mdp.observe_into(state, rng, out)  # type: ignore[attr-defined]
+        refuse_change(self._mdp, "observe_into", before, state)
+        self._require_observation(out, state)
+
+    def _require_observation(self, observation: Any, state: Any) -> None:
+        space = self._mdp.observation_space
+        if not fits(space, observation):
+            if state is None:  # an initial one; where nothing is wrong with what is seen, None is a state like others
+                raise ValueError(
+                    f"initial of {_name(self._mdp)} must return the first state, but returned None (is a return"
+                    " missing?)"
+                )
+            raise ValueError(_sentence(self._mdp, "observation", observation, f"an element of {space}", state))
 
 
 def at_students_line(error: Exception) -> Exception:
-    """The same error, whose traceback shows none of the package's frames before the student's line."""
-    frame = error.__traceback__
-    while frame is not None and frame.tb_frame.f_code.co_filename.startswith(PACKAGE):
-        frame = frame.tb_next
-    return error.with_traceback(frame)
+    """The same error, whose traceback shows none of the package's frames, and which says what a frozen field is.
+
+    Where it is raised again it shows one frame of the package, the function that the student has called, and then only
+    the student's own.
+    """
+    frames, last = [], error.__traceback__
+    while last is not None:
+        if last.tb_frame.f_globals.get("__name__", "").partition(".")[0] not in UNSHOWN:
+            frames.append(last)
+        last = last.tb_next
+    traceback: TracebackType | None = None
+    for frame in reversed(frames):
+        traceback = TracebackType(traceback, frame.tb_frame, frame.tb_lasti, frame.tb_lineno)
+    if frames and isinstance(error, AttributeError):
+        _explain_frozen_field(error, frames[-1])
+    return error.with_traceback(traceback)
+
+
+def _explain_frozen_field(error: AttributeError, last: TracebackType) -> None:
+    """Say how to keep what changes, where the line assigns an attribute of a NamedTuple."""
+    frame = last.tb_frame
+    owner = frame.f_locals.get("self")
+    assigned = [one.argval for one in dis.get_instructions(frame.f_code) if one.offset == last.tb_lasti]
+    fails = [one.opname for one in dis.get_instructions(frame.f_code) if one.offset == last.tb_lasti]
+    if fails != ["STORE_ATTR"] or not isinstance(owner, tuple):
+        return
+    error.args = (
+        f"{frame.f_code.co_name} of {_name(owner)} assigns self.{assigned[0]}, but the fields of a NamedTuple never"
+        f" change: keep what changes in a field that is an array, {assigned[0]} = np.array([...]), and assign"
+        f" self.{assigned[0]}[0]",
+    )
 
 
 def is_own(value: Any) -> bool:
@@ -154,33 +278,55 @@ def is_own(value: Any) -> bool:
     return type(value).__module__.partition(".")[0] in ("edugym", "builtins", "numpy")
 
 
-def _require_method(mdp: Any, name: str, parameters: tuple[str, ...]) -> None:
-    if not _has(mdp, name):
-        near = difflib.get_close_matches(name, [other for other in dir(mdp) if other not in METHODS], 1)
+def require_method(owner: Any, name: str, parameters: tuple[str, ...], others: Iterable[str] = ()) -> None:
+    """Refuse a value without such a method, or whose method takes something else.
+
+    Args:
+        owner: an MDP or an agent.
+        name: of the method.
+        parameters: what it is given, in this order; their names are free, but for those that stand in another place.
+        others: the names of the other methods, for which this one cannot be misspelt.
+
+    Raises:
+        ValueError: there is none, or it does not take these.
+    """
+    wanted = f"{name}(self, {', '.join(parameters)})"
+    if not _has(owner, name):
+        candidates = [other for other in dir(owner) if other not in others and not other.startswith("__")]
+        near = [other for other in OTHER_NAMES.get(name, ()) if other in candidates]
+        near = near or difflib.get_close_matches(name, candidates, 1)
         hint = f"; is {near[0]!r} misspelt?" if near else ""
-        raise ValueError(f"{_name(mdp)} must have a method {name}(self, {', '.join(parameters)}){hint}")
-    method = getattr(mdp, name)
+        raise ValueError(f"{_name(owner)} must have a method {wanted}{hint}")
+    method = getattr(owner, name)
     if not callable(method):
-        raise ValueError(f"{name} of {_name(mdp)} must be a method, but is {method!r}")
+        raise ValueError(f"{name} of {_name(owner)} must be a method, but is {method!r}")
     signature = inspect.signature(method)
+    moved = [taken for taken, given in zip(signature.parameters, parameters, strict=False) if taken != given]
     try:
         signature.bind(*parameters)
+        fits_in = not any(taken in parameters for taken in moved)
     except TypeError:
-        raise ValueError(
-            f"{name} of {_name(mdp)} must take (self, {', '.join(parameters)}), but takes"
-            f" (self{''.join(f', {parameter}' for parameter in signature.parameters)})"
-        ) from None
+        fits_in = False
+    if not fits_in:
+        takes = ", ".join(map(str, inspect.signature(getattr(method, "__func__", method)).parameters))
+        raise ValueError(f"{name} of {_name(owner)} must take {wanted[len(name) :]}, but takes ({takes})")
 
 
-def _require_space(mdp: Any, name: str) -> None:
-    if not _has(mdp, name):
-        raise ValueError(f"{_name(mdp)} must have a property {name}, a Gymnasium space such as spaces.Discrete(2)")
-    space = getattr(mdp, name)
-    if not isinstance(space, spaces.Space):
-        hint = ": put @property above it" if inspect.ismethod(space) else ""
-        raise ValueError(
-            f"{name} of {_name(mdp)} must be a Gymnasium space, such as spaces.Discrete(2), but is {space!r}{hint}"
-        )
+def require_spaces(task: Any) -> None:
+    """Refuse an MDP or an environment without its two spaces.
+
+    Raises:
+        ValueError: there is none, or it is no space.
+    """
+    for name in SPACES:
+        if not _has(task, name):
+            raise ValueError(f"{_name(task)} must have a property {name}, a Gymnasium space such as spaces.Discrete(2)")
+        space = getattr(task, name)
+        if not isinstance(space, spaces.Space):
+            hint = ": put @property above it" if inspect.ismethod(space) else ""
+            raise ValueError(
+                f"{name} of {_name(task)} must be a Gymnasium space, such as spaces.Discrete(2), but is {space!r}{hint}"
+            )
 
 
 def _has(mdp: Any, name: str) -> bool:
@@ -196,77 +342,17 @@ def _name(mdp: Any) -> str:
 def _sentence(
     mdp: Any, method: str, returned: Any, allowed: str, state: Any, action: Any = None, next_state: Any = None
 ) -> str:
-    given = f"state {_short(state)}"
-    given += "" if action is None else f", action {_short(action)}"
-    given += "" if next_state is None else f", next state {_short(next_state)}"
+    given = f"state {shown(state)}"
+    given += "" if action is None else f", action {shown(action)}"
+    given += "" if next_state is None else f", next state {shown(next_state)}"
     forgotten = " (is a return missing?)" if returned is None else ""
-    return f"{method} of {_name(mdp)} must return {allowed}, but returned {_short(returned)} for {given}{forgotten}"
+    return f"{method} of {_name(mdp)} must return {allowed}, but returned {shown(returned)} for {given}{forgotten}"
 
 
-def _short(value: Any) -> str:
-    text = repr(value)
-    return text if len(text) <= 200 else f"{text[:197]}..."
-
-
-def _is_finite_number(value: Any) -> bool:
-    if isinstance(value, np.ndarray) and value.ndim == 0:
-        value = value[()]
-    if not isinstance(value, numbers.Real | np.bool_):
-        return False
-    try:
-        return math.isfinite(value)
-    except OverflowError:
-        return False
-
-
-def _fits(space: spaces.Space[Any], observation: Any) -> bool:
-    """Whether an observation is an element of a space, given as Python's numbers, tuples or lists, or as arrays."""
-    if isinstance(space, spaces.Tuple):
-        several = isinstance(observation, tuple | list) and len(observation) == len(space.spaces)
-        return several and all(map(_fits, space.spaces, observation))
-    if isinstance(space, spaces.Dict):
-        named = isinstance(observation, dict) and observation.keys() == space.spaces.keys()
-        return named and all(_fits(part, observation[name]) for name, part in space.spaces.items())
-    if isinstance(space, spaces.Discrete):
-        return isinstance(observation, int | np.integer | np.bool_) and 0 <= int(observation) - int(space.start) < int(
-            space.n
-        )
-    if not isinstance(space, spaces.Box | spaces.MultiDiscrete | spaces.MultiBinary):
-        return bool(space.contains(observation))
-    try:
-        given = np.asarray(observation)
-        if given.dtype.kind not in "biuf" or given.shape != space.shape:
-            return False
-        with np.errstate(all="ignore"):
-            cast = given.astype(space.dtype)
-    except (ValueError, OverflowError):
-        return False
-    unchanged = space.dtype is None or space.dtype.kind == "f" or bool((cast == given).all())
-    return unchanged and bool(space.contains(cast))
-
-
-def _kept(state: Any) -> Any:
-    """A copy of a state that could be changed in place; of one that could not, the state itself."""
-    return state if isinstance(state, int | float | str | None) else copy.deepcopy(state)
-
-
-def _refuse_change(mdp: Any, method: str, before: Any, now: Any) -> None:
-    if not _same(before, now):
+def refuse_change(mdp: Any, method: str, before: Any, now: Any) -> None:
+    """Refuse a method that has changed the state that it was given."""
+    if not same(before, now):
         raise ValueError(
-            f"{method} of {_name(mdp)} must not change the state that it is given, but turned {_short(before)} into"
-            f" {_short(now)}: make a new one, for example from a copy"
+            f"{method} of {_name(mdp)} must not change the state that it is given, but turned {shown(before)} into"
+            f" {shown(now)}: make a new one, for example from a copy"
         )
-
-
-def _same(one: Any, other: Any) -> bool:
-    if one is other:
-        return True
-    if isinstance(one, np.ndarray) or isinstance(other, np.ndarray):
-        return np.shape(one) == np.shape(other) and np.asarray(one).tobytes() == np.asarray(other).tobytes()
-    if isinstance(one, tuple | list) and type(one) is type(other):
-        return len(one) == len(other) and all(map(_same, one, other))
-    if isinstance(one, dict) and isinstance(other, dict):
-        return one.keys() == other.keys() and all(_same(one[key], other[key]) for key in one)
-    if vars(object)["__eq__"] is type(one).__eq__:  # of ordinary classes, whose values are compared by what is in them
-        return type(one) is type(other) and _same(getattr(one, "__dict__", None), getattr(other, "__dict__", None))
-    return bool(one == other) or (one != one and other != other)

@@ -79,8 +79,8 @@ def wrapper(kind: Kind) -> Kind:
 
 
 def _from_inside(self: Any, name: str) -> Any:
-    """An attribute that the wrapper does not define: that of the inner MDP."""
-    if name.startswith("_") or name == "observe_into":  # which would write the inner MDP's observation, not this one's
+    """Get an attribute that the wrapper does not define from the inner MDP (but no private one, nor `observe_into`)."""
+    if name.startswith("_") or name == "observe_into":  # which would write the observation of the inner MDP
         raise AttributeError(f"{type(self).__name__} has no attribute {name!r}")
     value = getattr(self.mdp, name)
     if name in ("scene", "info") and hasattr(type(self), "inside"):

@@ -1,13 +1,31 @@
 """How the training loops call an agent: the names of the parameters of `learn` decide which arguments it gets."""
 
 import copy
+import difflib
 import inspect
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from edugym.compiled.generated import generated_class
+from edugym.mdp.checking import is_own, require_method
+from edugym.mdp.values import shown
 
 LEARN_PARAMETERS = ("state", "action", "reward", "next_state", "next_action", "terminated", "truncated")
 """The names of the parameters that `learn` may have."""
+METHODS = {
+    "act": ("state", "rng"),
+    "learn": ("state", "action", "reward", "next_state", "terminated"),
+    "greedy": ("state", "rng"),
+}
+"""The methods of an agent with their usual parameters.
+
+`learn` may have any of `LEARN_PARAMETERS`; `greedy` is optional.
+"""
+OTHER_NAMES = {"done": "terminated", "observation": "state", "next_observation": "next_state", "obs": "state"}
+"""Other names that students give these parameters."""
+TABLES = frozenset({"Q", "V", "W", "H", "q", "v", "w", "Q1", "Q2", "weights", "values", "preferences"})
+"""Names that students give tables of real numbers."""
 
 
 class GreedyActor(NamedTuple):
@@ -20,47 +38,99 @@ class GreedyActor(NamedTuple):
         return self.agent.greedy(state, rng)
 
     def act_into(self, state: Any, rng: Any, action: Any) -> None:
-        """Write the same into an array."""
+        """Write the agent's greedy action into the array `action` (only for agents that have `greedy_into`)."""
         self.agent.greedy_into(state, rng, action)
 
 
 def is_on_policy(agent: Any) -> bool:
-    """Whether `learn` takes `next_action`, as that of SARSA does: then the next action is chosen before learning."""
+    """Whether the agent's `learn` has the parameter `next_action`, like the `learn` of SARSA.
+
+    If so, the loop chooses the next action before it calls `learn`.
+    """
     return "next_action" in learns_from(agent)
 
 
 def learns_from(agent: Any) -> tuple[str, ...]:
-    """Which of `LEARN_PARAMETERS` the agent's `learn` takes. Other parameters need a default, which is used.
+    """Which of `LEARN_PARAMETERS` the agent's `learn` has.
+
+    Any other parameter must have a default, which is used; `**` parameters are allowed and get nothing.
 
     Raises:
-        ValueError: the agent has no `act` or `learn`, or `learn` has another parameter without a default.
+        ValueError: as `require_agent`; or `learn` has another parameter without a default.
     """
-    if isinstance(agent, type) or not (hasattr(agent, "act") and hasattr(agent, "learn")):
-        raise ValueError(f"agent must be a value with the methods act and learn, but is {agent!r}")
+    require_agent(agent)
     taken = []
     for name, parameter in inspect.signature(agent.learn).parameters.items():
         if name in LEARN_PARAMETERS and parameter.kind is not parameter.VAR_POSITIONAL:
             taken.append(name)
         elif parameter.default is parameter.empty and parameter.kind is not parameter.VAR_KEYWORD:
-            allowed = ", ".join(LEARN_PARAMETERS)
+            near = difflib.get_close_matches(name, (*OTHER_NAMES, *LEARN_PARAMETERS), 1)
+            meant = f": is {OTHER_NAMES.get(near[0], near[0])!r} meant?" if near else "."
             raise ValueError(
-                f"learn of {type(agent).__name__} may only have the parameters {allowed}, and others with a default,"
-                f" but it has {name!r}"
+                f"learn of {type(agent).__name__} has the parameter {name!r}{meant} Its parameters without a default"
+                f" must be among {', '.join(LEARN_PARAMETERS)}, for example learn(self, {', '.join(METHODS['learn'])})"
             )
     return tuple(taken)
 
 
-def learner(agent: Any) -> Any:
-    """Wrap an agent. The wrapper's `learn` accepts all arguments of a loop, in order.
+def require_agent(agent: Any) -> None:
+    """Refuse what is no agent. An agent needs the methods `act` and `learn`, and may have `greedy`.
 
-    It passes to the agent's `learn` only those that it takes.
+    Raises:
+        ValueError: it is a class, it lacks a method, `act` or `greedy` has other parameters, `learn` has no `self`, or
+            a table holds whole numbers, True or False, or NaN.
+    """
+    needed = "agent must be an object with the methods act and learn, but is"
+    if isinstance(agent, type):
+        made = f"{agent.__name__}.create(...)" if hasattr(agent, "create") else f"{agent.__name__}(...)"
+        raise ValueError(f"{needed} the class {agent.__name__}: make one with {made}")
+    if is_own(agent) and hasattr(agent, "act") and hasattr(agent, "learn"):
+        return
+    if not any(hasattr(agent, name) for name in METHODS):
+        raise ValueError(f"{needed} {shown(agent)}")
+    require_method(agent, "act", METHODS["act"], METHODS)
+    if not callable(getattr(agent, "learn", None)):
+        require_method(agent, "learn", METHODS["learn"], METHODS)
+    if hasattr(agent, "greedy") or difflib.get_close_matches("greedy", dir(agent), 1, 0.8):
+        require_method(agent, "greedy", METHODS["greedy"], METHODS)
+    function = getattr(agent.learn, "__func__", None)
+    if function is not None and next(iter(inspect.signature(function).parameters), "") in LEARN_PARAMETERS:
+        raise ValueError(f"learn of {type(agent).__name__} must have self as its first parameter")
+    _require_tables(agent)
+
+
+def tables_of(agent: Any) -> dict[str, np.ndarray[Any, Any]]:
+    """The arrays of an agent that hold real numbers, judged by the names of its fields or attributes."""
+    fields = agent._asdict() if hasattr(agent, "_asdict") else getattr(agent, "__dict__", {})
+    return {name: table for name, table in fields.items() if name in TABLES and isinstance(table, np.ndarray)}
+
+
+def _require_tables(agent: Any) -> None:
+    """Refuse tables of values that cannot hold fractions, or that contain NaN."""
+    for name, table in tables_of(agent).items():
+        if table.dtype.kind in "bui":
+            raise ValueError(
+                f"{name} of {type(agent).__name__} must be an array of float, but its dtype is {table.dtype},"
+                f" which cannot hold fractions: make it with np.zeros({table.shape})"
+            )
+        if table.dtype.kind == "f" and np.isnan(table).any():
+            where = tuple(np.argwhere(np.isnan(table))[0].tolist())
+            raise ValueError(f"{name} of {type(agent).__name__} must hold numbers, but {name}{list(where)} is nan")
+
+
+def learner(agent: Any) -> Any:
+    """Wrap an agent, so that a loop can call every agent's `learn` in the same way.
+
+    The loop calls the wrapper's `learn` with every value that the loop has, in the order of `LEARN_PARAMETERS`. The
+    wrapper passes on only those that the agent's own `learn` has as parameters. (There is a `next_action` only for
+    agents that take one.)
 
     Compiled code needs to know the arguments of a call beforehand, so the class of the wrapper is generated. For an
     agent that learns from `state, action, reward, terminated` it contains:
 
         def act(self, state, rng):
             return self.agent.act(state, rng)
-        def act_into(self, state, rng, action):  # always generated; it works only if the agent has it
+        def act_into(self, state, rng, action):  # always there, but works only if the agent has `act_into`
             self.agent.act_into(state, rng, action)
         def learn(self, state, action, reward, next_state, terminated, truncated):
             self.agent.learn(state=state, action=action, reward=reward, terminated=terminated)

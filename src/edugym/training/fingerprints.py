@@ -73,6 +73,8 @@ class _Walk:
         self.add(type(thing).__module__, type(thing).__qualname__)
         if isinstance(thing, ModuleType | BuiltinFunctionType) or _is_library(thing):
             self.add(_name(thing), _version(_package(thing)))
+            if isinstance(thing, FunctionType) and _package(thing) == "edugym":
+                self._closure(thing)  # functions that one factory made have the same name
         elif isinstance(thing, FunctionType):
             self._function(thing)
         elif isinstance(thing, type):
@@ -120,6 +122,9 @@ class _Walk:
         for name in sorted(names & function.__globals__.keys()):
             self.add(name)
             self._reached(function.__globals__[name], names)
+        self._closure(function)
+
+    def _closure(self, function: FunctionType) -> None:
         for cell in function.__closure__ or ():
             with suppress(ValueError):  # not set yet
                 self.visit(cell.cell_contents)

@@ -60,8 +60,8 @@ def off_policy(
     Args:
         n_steps: how many steps to take; episodes follow each other.
         mdp: the task.
-        agent: the agent in the wrapper `edugym.training.contract.learner`, so that its `learn` takes all the arguments
-            of this loop.
+        agent: what `edugym.training.contract.learner(agent)` returns: a wrapper around the agent, whose `learn` takes
+            all the arguments that this loop passes.
         max_steps: after how many steps an episode is truncated.
         environment_rng: what the task draws from.
         agent_rng: what the agent draws from.
@@ -104,9 +104,10 @@ def on_policy(
 ) -> OnPolicyMoment:
     """Take `n_steps` steps. Choose the next action first, then learn from it (SARSA, section 6.4).
 
-    After a terminal state there is no next action: `learn` is given the old one and must ignore it. After a truncated
-    episode one is chosen, which `learn` uses, but which is never executed. Arguments and result are as in `off_policy`,
-    except for the moment: it also holds the next action, and the first moment comes from `start_on_policy`.
+    After a terminal state there is no next action: `learn` is given the last action in its place, and must ignore it.
+    When an episode is truncated, a next action is chosen and `learn` may use it, but it is never executed. Arguments
+    and result are as in `off_policy`, except for the moment: it also holds the next action, and the first moment comes
+    from `start_on_policy`.
     """
     state, observation, action, steps, total = moment
     for _ in range(n_steps):

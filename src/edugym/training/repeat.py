@@ -14,9 +14,11 @@ from edugym.checks import whole_number
 from edugym.extras import require
 from edugym.files import check_writable
 from edugym.interrupts import Interrupted, Stop, Work, interruptibly, ordered_by
+from edugym.mdp.checking import at_students_line
 from edugym.results.tables import MEASURED, Results, with_types
 from edugym.training.checkpoints import Checkpoints
 from edugym.training.configuration import Planned, Task, described, planned_runs, task
+from edugym.training.contract import METHODS
 from edugym.training.fingerprints import versions
 from edugym.training.progress import progress_bar
 from edugym.training.train import Run, check_stop, train
@@ -117,25 +119,21 @@ def repeat(
         whole_number("jobs", jobs, 1, MOST_JOBS)
     check_stop(stop)
     stop = stop or threading.Event()
-    if not isinstance(agents, Mapping):
-        raise ValueError(f"agents must be a dictionary of agents by their labels, but is {agents!r}")
-    makers = {label: _maker(label, agent) for label, agent in agents.items()}
-    if not makers:
-        raise ValueError("agents must have one method or more, but is empty")
-    the_task = task(environment, parameters)
     if save_to is not None:
         save_to = check_writable(save_to)
     curve = {"max_steps": max_steps, "evaluate_every": evaluate_every, "evaluation_episodes": evaluation_episodes}
-    plan = planned_runs(list(makers), repetitions, seed)
-    arguments = {"n_steps": n_steps, "repetitions": repetitions, "runs": len(plan), "experiment_seed": seed, **curve}
     training = {"n_steps": n_steps, **curve}
-    experiment = Experiment(the_task, makers, plan, _configuration(the_task, makers, plan[0], arguments))
+    try:
+        experiment = _experiment(environment, parameters, agents, repetitions, seed, training)
+    except Exception as error:
+        raise at_students_line(error)  # noqa: B904
+    plan = experiment.plan
     stopped_before, runs = stop.is_set(), Runs()
     try:
         with Work() as work:
             for library in ("joblib", "pandas"):  # an import that is cut off would leave half of a library
                 interruptibly(importlib.import_module, library)
-            store = _checkpoints(checkpoints, save_to, the_task, agents, training)
+            store = _checkpoints(checkpoints, save_to, experiment.task, agents, training)
             if not stop.is_set():
                 runs |= store.found(plan)
             _do_all(experiment, training, runs, store, jobs, progress, stop, work)
@@ -149,6 +147,8 @@ def repeat(
     except KeyboardInterrupt:
         kept = "; the same call goes on from there" if save_to or checkpoints else ""
         raise Interrupted(_so_far(plan, runs) + kept, lambda: _collected(experiment, runs)) from None
+    except Exception as error:
+        raise at_students_line(error)  # noqa: B904
     if not results.complete and not stopped_before:
         warnings.warn(f"stopped: {_so_far(plan, runs)}", stacklevel=2)
     return results
@@ -159,14 +159,37 @@ def _so_far(plan: list[Planned], runs: Runs) -> str:
     return f"of {len(plan)} runs {complete} are complete, and {len(runs) - complete} are in part"
 
 
+def _experiment(
+    environment: Any,
+    parameters: Mapping[str, Any] | None,
+    agents: Mapping[str, Any],
+    repetitions: int,
+    seed: int,
+    training: dict[str, Any],
+) -> Experiment:
+    """Return what to do."""
+    if not isinstance(agents, Mapping):
+        raise ValueError(f"agents must be a dictionary of agents by their labels, but is {agents!r}")
+    makers = {label: _maker(label, agent) for label, agent in agents.items()}
+    if not makers:
+        raise ValueError("agents must have one method or more, but is empty")
+    the_task = task(environment, parameters)
+    plan = planned_runs(list(makers), repetitions, seed)
+    counts = {"n_steps": training["n_steps"], "repetitions": repetitions, "runs": len(plan), "experiment_seed": seed}
+    arguments = counts | training
+    return Experiment(the_task, makers, plan, _configuration(the_task, makers, plan[0], arguments))
+
+
 def _maker(label: str, agent: Any) -> Maker:
     """Return a function that makes an agent for one run, which shares nothing with those of other runs."""
-    if isinstance(agent, type) or not (hasattr(agent, "act") or callable(agent)):
-        raise ValueError(
-            f"agents[{label!r}] must be an agent or a function that makes one for an environment, but is {agent!r}"
-        )
-    if hasattr(agent, "act"):
+    needed = f"agents[{label!r}] must be an agent or a function that makes one for an environment, but is"
+    if isinstance(agent, type):
+        made = f"{agent.__name__}.create" if hasattr(agent, "create") else f"{agent.__name__}(...)"
+        raise ValueError(f"{needed} the class {agent.__name__}: give {made}")
+    if any(hasattr(agent, name) for name in METHODS):
         return lambda _: copy.deepcopy(agent)
+    if not callable(agent):
+        raise ValueError(f"{needed} {agent!r}")
     return lambda environment: copy.deepcopy(agent(environment))
 
 

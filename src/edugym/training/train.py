@@ -10,6 +10,7 @@ import numpy as np
 
 from edugym.checks import whole_number
 from edugym.interrupts import Interrupted, Stopped, Work
+from edugym.mdp.checking import at_students_line
 from edugym.mdp.protocol import Integers, Reals
 from edugym.training.progress import progress_bar
 from edugym.training.trainers import Trainer, trainer
@@ -94,6 +95,7 @@ def train(
             work.hold(training.is_compiled)
             curve.measure(done, training, evaluation_episodes, work.stopped)
             while done < n_steps and not work.stopped():
+                work.hold(training.is_compiled)  # a student's code is compiled after its first steps
                 steps = training.learn(at_most=min(n_steps - done, every - done % every))
                 done += steps
                 if done % every == 0 or done == n_steps:
@@ -103,6 +105,8 @@ def train(
         pass
     except KeyboardInterrupt:
         interrupted = True
+    except Exception as error:
+        raise at_students_line(error)  # noqa: B904
     run = Run(*curve.columns(), agent, seed, time.perf_counter() - began, complete=curve.last == n_steps)
     if interrupted:
         raise Interrupted(f"after {done} of {n_steps} steps; the agent keeps what it has learned", lambda: run)

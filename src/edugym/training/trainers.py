@@ -5,13 +5,15 @@ form of everything.
 """
 
 import copy
+import math
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from typing import Any, Protocol
 
 import gymnasium
 import numpy as np
+from gymnasium import spaces
 from gymnasium.wrappers import FlattenObservation, OrderEnforcing, PassiveEnvChecker
 
 from edugym.adapters.gymnasium_env import MDPEnv
@@ -19,10 +21,14 @@ from edugym.adapters.rooms import View, check_sizes, takes_vectors
 from edugym.adapters.tabular_observation import tabular
 from edugym.agents.tables import table_size
 from edugym.compiled.execution import executable
+from edugym.interrupts import held
+from edugym.mdp.checking import CHECKED_STEPS, is_own, require_mdp, require_spaces
 from edugym.mdp.protocol import coerced, step_limit
+from edugym.mdp.values import shown
 from edugym.registration import full_id
 from edugym.training import gymnasium_loops, loops
-from edugym.training.contract import actor, is_on_policy, learner
+from edugym.training.checking import checked_agent, checked_env, checked_mdp, explained
+from edugym.training.contract import actor, is_on_policy, learner, learns_from, tables_of
 from edugym.training.loops import Log
 from edugym.training.machine_agent import MachineAgent
 
@@ -41,12 +47,14 @@ class Trainer(Protocol):
     Attributes:
         agent: the agent, whose tables change as it learns.
         log: sums over the training episodes that ended.
-        is_compiled: whether the loop runs as machine code.
     """
 
     agent: Any
     log: Log
-    is_compiled: bool
+
+    @property
+    def is_compiled(self) -> bool:
+        """Whether machine code runs by now."""
 
     def learn(self, at_most: int) -> int:
         """Take training steps, as many as take about `CALL_SECONDS`; return their number."""
@@ -75,37 +83,92 @@ def trainer(environment: Any, agent: Any, seed: int, max_steps: int | None, expe
 
 
 class MDPTrainer:
-    """Trains and evaluates an agent in an MDP, as machine code where that pays."""
+    """Trains and evaluates an agent in an MDP, as machine code where that pays.
+
+    The first training steps and the first evaluation episode of students' code run interpreted and checked (see
+    `edugym.training.checking`). They are part of the run: nothing happens twice.
+    """
 
     def __init__(self, mdp: Any, agent: Any, seed: int, limit: int | None, expected: int) -> None:
         """See `trainer`; the limit is None where the task has none."""
-        self.agent, self.log, self._pace = agent, new_log(), Pace()
+        self.agent, self.log, self._pace, self._task, self._expected = agent, new_log(), Pace(), mdp, expected
         environment_rng, agent_rng, self._evaluation_rng, self._actor_rng = streams(seed)
         self._evaluation_limit = limit or EVALUATION_LIMIT
         training, self._playing = View(mdp, agent, is_on_policy(agent)), View(mdp, agent)
-        mdp, learning = training.mdp, training.of(learner(agent))
-        loop: Callable[..., Any]
+        self._steps_to_check = 0 if is_own(mdp) and is_own(agent) else CHECKED_STEPS
+        self._rest = (
+            training.mdp,
+            training.of(learner(agent)),
+            limit or NO_LIMIT,
+            environment_rng,
+            agent_rng,
+            self.log,
+        )
+        self._first = mdp, learning, *_ = self._checked(*self._rest)
+        self._loop: Callable[..., Any]
         self._moment: Any
         if is_on_policy(agent):
-            loop, self._moment = loops.on_policy, loops.start_on_policy(mdp, learning, environment_rng, agent_rng)
+            self._loop, self._moment = loops.on_policy, loops.start_on_policy(mdp, learning, environment_rng, agent_rng)
         else:
-            loop, self._moment = loops.off_policy, loops.start_off_policy(mdp, environment_rng)
-        self._rest = (mdp, learning, limit or NO_LIMIT, environment_rng, agent_rng, self.log)
-        self._advance = executable(loop, (*self._rest, self._moment), expected=expected)
-        self._play = executable(loops.play_episodes, self._evaluation(), expected=expected, rehearsed=1)
-        self.is_compiled = self._advance is not loop
+            self._loop, self._moment = loops.off_policy, loops.start_off_policy(mdp, environment_rng)
+        self._advance, self._play = self._loop, loops.play_episodes
+        self._has_played = not self._steps_to_check
+        if not self._steps_to_check:
+            self._compile_training()
+            self._compile_playing()
+
+    @property
+    def is_compiled(self) -> bool:
+        """Whether a loop runs as machine code by now."""
+        return self._advance is not self._loop or self._play is not loops.play_episodes
 
     def learn(self, at_most: int) -> int:
         """Take training steps, as many as take about `CALL_SECONDS`; return their number."""
-        with self._pace.steps(at_most) as n_steps:
-            self._moment = self._advance(n_steps, *self._rest, self._moment)
+        if not self._steps_to_check:
+            with self._pace.steps(at_most) as n_steps, explained(self.agent, self._task):
+                self._moment = self._advance(n_steps, *self._rest, self._moment)
+            return n_steps
+        with self._pace.steps(min(at_most, self._steps_to_check)) as n_steps:
+            self._moment = self._loop(n_steps, *self._first, self._moment)
+        self._steps_to_check -= n_steps
+        if not self._steps_to_check:
+            self._compile_training()
         return n_steps
 
     def play_episode(self) -> float:
         """Play an episode without learning, as the agent believes best; return its undiscounted return."""
         evaluation = self._evaluation()
-        self._play(1, *evaluation)
+        if self._has_played:
+            with nullcontext() if self._play is loops.play_episodes else held(), explained(self.agent, self._task):
+                self._play(1, *evaluation)
+        else:
+            self._has_played = True
+            loops.play_episodes(1, *self._checked(*evaluation))
+            self._compile_playing()
         return float(evaluation[-1][0])
+
+    def _compile_training(self) -> None:
+        """From now on train by machine code, if that pays and is possible; where that fails, checks say why."""
+        self._advance = executable(
+            self._loop,
+            (*self._rest, self._moment),
+            expected=self._expected,
+            replay=lambda n, *rest: self._loop(n, *self._checked(*rest, steps=math.inf)),
+        )
+
+    def _compile_playing(self) -> None:
+        mdp, agent, limit, *rest = self._evaluation()
+        self._play = executable(
+            loops.play_episodes,
+            (mdp, agent, min(limit, CHECKED_STEPS), *rest),
+            expected=self._expected,
+            rehearsed=1,
+            replay=lambda n, *rest: loops.play_episodes(n, *self._checked(*rest, steps=math.inf)),
+        )
+
+    def _checked(self, mdp: Any, agent: Any, *rest: Any, steps: float = CHECKED_STEPS) -> tuple[Any, ...]:
+        """Return the arguments of a loop with a student's MDP and agent checked."""
+        return checked_mdp(mdp, steps), checked_agent(agent, self._task, steps), *rest
 
     def _evaluation(self) -> tuple[Any, ...]:
         """Return the arguments of `play_episodes` after the number of episodes; it writes the return into the last."""
@@ -115,39 +178,64 @@ class MDPTrainer:
 
 
 class GymnasiumTrainer:
-    """Trains and evaluates an agent in any Gymnasium environment, in plain Python."""
+    """Trains and evaluates an agent in any Gymnasium environment, in plain Python; the first steps are checked."""
 
     is_compiled = False
 
     def __init__(self, env: gymnasium.Env[Any, Any], agent: Any, seed: int, limit: int | None, expected: int) -> None:
         """See `trainer`; the limit is None where it is not known."""
-        self.agent, self.log, self._pace = agent, new_log(), Pace()
+        self.agent, self.log, self._pace, self._expected = agent, new_log(), Pace(), expected
         environment_rng, self._agent_rng, self._evaluation_rng, self._actor_rng = streams(seed)
         self._evaluated = copy.deepcopy(env)  # before it draws anything that cannot be copied
-        self._env, self._learner, self._actor, self._limit = env, learner(agent), None, limit
-        observation, _ = env.reset(seed=gymnasium_loops.draw_seed(environment_rng))
-        if takes_vectors(agent):
-            self._learner = MachineAgent(self._learner, self._agent_rng, observation, expected)
-            self._actor = MachineAgent(actor(agent), self._actor_rng, observation, expected)
+        self._env, self._limit = env, limit
+        self._learner: Any = checked_agent(learner(agent), env)
+        self._actor: Any = None
+        self._steps_to_check, self._has_played = CHECKED_STEPS, False
+        with checked_env(env) as checked:
+            observation, _ = checked.reset(seed=gymnasium_loops.draw_seed(environment_rng))
         self._moment: Any = (None, observation, 0, 0.0)
         self._loop: Callable[..., Any] = gymnasium_loops.off_policy
         if is_on_policy(agent):
             self._loop = gymnasium_loops.on_policy
             self._moment = (None, observation, self._learner.act(observation, self._agent_rng), 0, 0.0)
+        if is_own(agent):
+            self._compile(observation)
 
     def learn(self, at_most: int) -> int:
         """Take training steps, as many as take about `CALL_SECONDS`; return their number."""
-        limit = self._limit or NO_LIMIT
-        with self._pace.steps(at_most) as n_steps:
-            self._moment = self._loop(n_steps, self._env, self._learner, limit, self._agent_rng, self.log, self._moment)
+        if not self._steps_to_check:
+            with self._pace.steps(at_most) as n_steps, explained(self.agent, self._env):
+                self._advance(n_steps, self._env)
+            return n_steps
+        with self._pace.steps(min(at_most, self._steps_to_check)) as n_steps, checked_env(self._env) as env:
+            self._advance(n_steps, env)
+        self._steps_to_check -= n_steps
+        if not self._steps_to_check and not is_own(self.agent):
+            self._compile(self._moment[1])
         return n_steps
 
     def play_episode(self) -> float:
         """Play an episode without learning, as the agent believes best; return its undiscounted return."""
-        limit, rng = self._limit or EVALUATION_LIMIT, self._evaluation_rng
-        return gymnasium_loops.play_episode(
-            self._evaluated, self._actor or actor(self.agent), limit, rng, self._actor_rng
-        )
+        if self._has_played:
+            return self._played(self._evaluated, self._actor or actor(self.agent))
+        self._has_played = True
+        with checked_env(self._evaluated) as env:
+            return self._played(env, self._actor or checked_agent(actor(self.agent), self._evaluated))
+
+    def _advance(self, n_steps: int, env: Any) -> None:
+        limit = self._limit or NO_LIMIT
+        self._moment = self._loop(n_steps, env, self._learner, limit, self._agent_rng, self.log, self._moment)
+
+    def _played(self, env: Any, player: Any) -> float:
+        limit = self._limit or EVALUATION_LIMIT
+        return gymnasium_loops.play_episode(env, player, limit, self._evaluation_rng, self._actor_rng)
+
+    def _compile(self, observation: Any) -> None:
+        """From now on the agent alone runs as machine code, where it takes vectors and that pays."""
+        self._learner = learner(self.agent)
+        if takes_vectors(self.agent):
+            self._learner = MachineAgent(self._learner, self._agent_rng, observation, self._expected)
+            self._actor = MachineAgent(actor(self.agent), self._actor_rng, observation, self._expected)
 
 
 class Pace:
@@ -183,9 +271,15 @@ def _task(environment: Any, agent: Any) -> Any:
     """Return the MDP behind an environment, if there is one and no wrapper changes it; else the environment."""
     if isinstance(environment, str):
         environment = gymnasium.make(full_id(environment))
-    if isinstance(environment, type) or not hasattr(environment, "observation_space"):
-        raise ValueError(f"environment must be an MDP, a Gymnasium environment or a name, but is {environment!r}")
-    learner(agent)  # refuses what is no agent
+    if isinstance(environment, type):
+        require_mdp(environment, "environment")  # says how to make a value
+    if not any(hasattr(environment, name) for name in ("observation_space", "transition", "step")):
+        raise ValueError(f"environment must be an MDP, a Gymnasium environment or a name, but is {shown(environment)}")
+    if isinstance(environment, gymnasium.Env):
+        require_spaces(environment)
+    elif not is_own(environment):
+        require_mdp(environment, "environment")
+    learns_from(agent)  # refuses what is no agent
     inside = environment
     while isinstance(inside, PassiveEnvChecker | OrderEnforcing):
         inside = inside.env
@@ -201,15 +295,25 @@ def _task(environment: Any, agent: Any) -> Any:
 
 
 def _check_table(agent: Any, environment: Any) -> None:
-    """Refuse one of the package's agents that was made for another environment."""
-    for name in ("Q", "preferences"):
-        table = getattr(agent, name, None)
-        if type(agent).__module__.startswith("edugym.agents.") and isinstance(table, np.ndarray):
+    """Refuse a table that was made for another environment.
+
+    A student's may have other rows, as where states are aggregated; but not a row for each state and too few actions.
+    """
+    own = type(agent).__module__.startswith("edugym.agents.")
+    for name, table in tables_of(agent).items():
+        if own and name in ("Q", "preferences"):
             shape = table_size(environment)
             if table.shape[-2:] != shape:
                 raise ValueError(
                     f"agent must have a table {name} of shape {shape} for this environment, but its is"
                     f" {table.shape[-2:]}"
+                )
+        elif name == "Q" and table.ndim == 2 and isinstance(environment.action_space, spaces.Discrete):
+            rows, columns = table_size(environment)
+            if len(table) == rows and table.shape[1] < columns:
+                raise ValueError(
+                    f"{name} of {type(agent).__name__} has the shape {table.shape}, but this environment has"
+                    f" {rows} observations and {columns} actions"
                 )
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from edugym.agents.tables import table_size
 from edugym.checks import whole_number
 from edugym.mdp.protocol import Integers, Random
-from edugym.training import contract  # as a module: the compiler takes a global `actor` for what `self.actor` reaches
+from edugym.training.contract import actor, is_on_policy, learner
 
 
 class VisitRecorder(NamedTuple):
@@ -122,6 +122,6 @@ def record_visits(
     whole_number("n_steps", n_steps, 1)
     whole_number("n_intervals", n_intervals, 1)
     visits = np.zeros((n_intervals, table_size(environment)[0]), np.int64)
-    evaluated = contract.actor(agent) if hasattr(agent, "greedy") else agent
-    recorder = VisitRecorder(agent, contract.learner(agent), evaluated, visits, np.zeros(1, np.int64), n_steps)
-    return OnPolicyVisitRecorder(recorder, visits) if contract.is_on_policy(agent) else recorder
+    evaluated = actor(agent) if hasattr(agent, "greedy") else agent
+    recorder = VisitRecorder(agent, learner(agent), evaluated, visits, np.zeros(1, np.int64), n_steps)
+    return OnPolicyVisitRecorder(recorder, visits) if is_on_policy(agent) else recorder

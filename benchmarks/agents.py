@@ -1,0 +1,116 @@
+"""Every agent of the package against its own run in the interpreter, and the networks against Stable-Baselines3."""
+
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+import edugym
+from benchmarks.measure import Comparison, Contender, Work
+from edugym import make_mdp, train
+from edugym.adapters.rooms import View
+from edugym.training import loops
+from edugym.training.contract import is_on_policy, learner
+from edugym.training.trainers import new_log
+
+ONE_STEP = ("SARSA", "ExpectedSARSA", "DoubleQLearning", "RiskSensitiveQLearning", "CountBased", "ActorCritic")
+SEVERAL_STEPS = ("NStepSARSA", "TreeBackup", "SARSALambda", "QLambda", "DynaQ", "PrioritisedSweeping", "REINFORCE")
+LIMIT = 100  # steps an episode in the interpreter; a test of speed, not of learning
+LINEAR = ("LinearQLearning", "SemiGradientSARSA")
+
+
+def comparisons(quick: bool) -> list[Comparison]:
+    """One for each agent; a few of them if it should be quick."""
+    wanted = [*((name, 100.0) for name in ONE_STEP), *((name, 50.0) for name in (*SEVERAL_STEPS, *LINEAR))]
+    made = [comparison(name, ratio) for name, ratio in (wanted[::7] if quick else wanted)]
+    return made if quick else [*made, networks(), real_actions()]
+
+
+def comparison(name: str, ratio: float) -> Comparison:
+    """An agent of the package at its defaults, on Boulder."""
+    create = getattr(edugym, name).create
+    return Comparison(
+        f"{name} on Boulder",
+        "training steps",
+        Contender("EduGym", partial(compiled, "Boulder", create)),
+        [Contender("the same in the interpreter", partial(interpreted, "Boulder", create))],
+        ratio_target=ratio,
+    )
+
+
+def networks() -> Comparison:
+    """DQN on Catch, with one update in four steps."""
+    others = [Contender("Stable-Baselines3's DQN, as many updates", baselines_dqn)]
+    ours = Contender("EduGym", partial(compiled, "Catch", edugym.DQN.create))
+    return Comparison("DQN on Catch", "training steps", ours, others, rate_target=60e3, ratio_target=12)
+
+
+def real_actions() -> Comparison:
+    """The Gaussian actor-critic on Trashbot."""
+
+    def create(mdp: Any) -> Any:
+        return edugym.GaussianActorCritic.create(
+            mdp, features=edugym.TileCoding.create(mdp, tiles=[1, 1, 9, 9, 1, 1, 2])
+        )
+
+    others = [Contender("the same in the interpreter", partial(interpreted, "Trashbot", create))]
+    ours = Contender("EduGym", partial(compiled, "Trashbot", create))
+    return Comparison("GaussianActorCritic on Trashbot", "training steps", ours, others, rate_target=1e6)
+
+
+def compiled(name: str, create: Any) -> Work:
+    """Training as machine code, without evaluation but at the ends."""
+    mdp = make_mdp(name)
+    train(mdp, create(mdp), 10_000)  # compiled now
+
+    def work(n: int) -> int:
+        train(mdp, create(mdp), n, evaluate_every=n)
+        return n
+
+    return work
+
+
+def interpreted(name: str, create: Any) -> Work:
+    """The same loop in Python."""
+    mdp = make_mdp(name)
+
+    def work(n: int) -> int:
+        agent = create(mdp)
+        view = View(mdp, agent, is_on_policy(agent))
+        learning = view.of(learner(agent))
+        rngs = np.random.default_rng(0), np.random.default_rng(1)
+        if is_on_policy(agent):
+            moment: Any = loops.start_on_policy(view.mdp, learning, *rngs)
+            loops.on_policy(n, view.mdp, learning, LIMIT, *rngs, new_log(), moment)
+        else:
+            moment = loops.start_off_policy(view.mdp, rngs[0])
+            loops.off_policy(n, view.mdp, learning, LIMIT, *rngs, new_log(), moment)
+        return n
+
+    return work
+
+
+def baselines_dqn() -> Work:
+    """Stable-Baselines3's DQN with the same network, batch and number of updates."""
+    from stable_baselines3 import DQN
+
+    from edugym.deep import stable_baselines3_env
+
+    ours = edugym.DQN.create(make_mdp("Catch"))
+    agent = DQN(
+        "MlpPolicy",
+        stable_baselines3_env("Catch", 1),
+        learning_starts=ours.learn_from,
+        train_freq=ours.learn_every,
+        batch_size=len(ours.batch),
+        target_update_interval=ours.learn_every * ours.copy_every,
+        policy_kwargs={"net_arch": [len(ours.h)]},
+        device="cpu",
+    )
+
+    def work(n: int) -> int:
+        before = agent.num_timesteps
+        agent.learn(n, reset_num_timesteps=False)
+        return int(agent.num_timesteps - before)
+
+    return work

@@ -1,0 +1,346 @@
+"""Stochasticity (lesson 8): risk-sensitive Q-learning in Golf, and where the long swing stops being worth its risk.
+
+Risk-sensitive Q-learning with β = -2 (averse), 0 (Q-learning) and 2 (seeking) trains for 300 000 steps, about 100 000
+games, with learning rate 0.02, ε = 0.1 and discount 1. The agent observes the cell of the ball and, where it says so,
+the number of hits. 30 repetitions; the seeds are the same for every method. Then every greedy policy plays for 10 000
+steps: mean and standard deviation (*spread*) of its returns and its share of lost balls.
+
+The optimum is that of a player who sees exactly where the ball lies. It is computed by dynamic programming over the
+remaining hits, on a grid of an eighth of a cell.
+
+The surprises that β weighs are single TD errors, not returns. In Mihatsch and Neuneier (2002), κ has the opposite sign.
+"""
+
+from collections.abc import Mapping
+from functools import partial
+from typing import Annotated, Any, NamedTuple
+
+import numpy as np
+
+from edugym.agents.risk_sensitive_q_learning import RiskSensitiveQLearning
+from edugym.agents.settings import ActionValues, Table, new
+from edugym.agents.strategies import EpsilonGreedy
+from edugym.agents.tables import greedy_action
+from edugym.envs.golf import SWINGS, Golf
+from edugym.experiments import How, reporting
+from edugym.lessons.stochasticity.exact import crossing, from_the_tee, optimum
+from edugym.mdp.protocol import Integers, Random, Reals
+from edugym.plotting.curves import Curves
+from edugym.plotting.lines import Lines
+from edugym.plotting.report import Report
+from edugym.plotting.sheet import Sheet
+from edugym.results.claims import Above, Below, Claim, Within
+from edugym.results.statistics import exactly, mean_interval, paired_difference
+from edugym.results.tables import Results
+from edugym.training.repeat import repeat
+from edugym.training.train import train
+
+N_STEPS = 300_000
+SHORT = 30_000
+"""The training steps for the speed of learning."""
+PLAYED = 10_000
+REPETITIONS = 30
+LEARNING_RATE = 0.02
+EPSILON = 0.1
+DISCOUNT = 1.0
+LEVEL, TOO_NOISY = 0.015, 0.02
+"""The level at which aversion can be seen, and one at which the risk-neutral player takes no risk either."""
+LEVELS = (0.005, 0.01, 0.0125, 0.015, 0.0175, 0.02, 0.0225)
+AVERSE, NEUTRAL, SEEKING = "averse, β = -2", "neutral, β = 0", "seeking, β = 2"
+RISKS: Mapping[str, float] = {AVERSE: -2.0, NEUTRAL: 0.0, SEEKING: 2.0}
+
+
+class Player(NamedTuple):
+    """A player that follows a table greedily and keeps the score. It learns nothing else.
+
+    Attributes:
+        Q: shape (n_states, n_actions): the table.
+        score: shape (1, 2 + hits): how many games were lost (off the course or out of hits), and won with 1, 2, ...
+            hits.
+        max_hits: of the game.
+    """
+
+    Q: ActionValues
+    score: Annotated[Integers, Table((1, "scores"))]
+    max_hits: int
+
+    def act(self, state: int, rng: Random) -> int:
+        """The swing with the highest value."""
+        return greedy_action(self.Q, state, rng)
+
+    def learn(self, reward: float, terminated: bool) -> None:
+        """Count the hits of a game that is over; its reward tells them."""
+        if terminated:
+            hits = 0 if reward < 0.0 else 1 + round((1.0 - reward) * self.max_hits)
+            self.score[0, hits] += 1
+
+    @classmethod
+    def create(cls, task: Golf, Q: Any) -> "Player":
+        """A player without any score yet."""
+        settings = {"max_hits": task.max_hits}
+        return new(cls, task, settings, scores=task.max_hits + 1)._replace(Q=Q)
+
+
+class Played(NamedTuple):
+    """How the greedy policies of a method play.
+
+    Attributes:
+        mean: shape (n_repetitions,): the mean return.
+        spread: shape (n_repetitions,): the standard deviation of the return.
+        lost: shape (n_repetitions,): the share of lost balls.
+    """
+
+    mean: Reals
+    spread: Reals
+    lost: Reals
+
+
+def learn(
+    *,
+    level: float = LEVEL,
+    observe_hits: bool = True,
+    risks: Mapping[str, float] = RISKS,
+    n_steps: int = N_STEPS,
+    points: int = 10,
+    evaluation_episodes: int = 20,
+    **how: Any,
+) -> Results:
+    """Train risk-sensitive Q-learning with several β.
+
+    Args:
+        level: the stochasticity level of the game.
+        observe_hits: whether the agent sees the number of hits.
+        risks: by label, β.
+        n_steps: the training steps of each run.
+        points: the number of points of each learning curve.
+        evaluation_episodes: the games of each point.
+        **how: more arguments of `edugym.training.repeat`, such as `repetitions`, `seed` and `jobs`.
+    """
+    settings = {"learning_rate": LEARNING_RATE, "discount": DISCOUNT, "exploration": EpsilonGreedy(EPSILON)}
+    methods = {label: partial(RiskSensitiveQLearning.create, risk=risk, **settings) for label, risk in risks.items()}
+    game = {"stochasticity_level": level, "observe_hits": observe_hits}
+    curve: dict[str, Any] = {"evaluate_every": n_steps // points, "evaluation_episodes": evaluation_episodes}
+    return repeat("Golf", methods, n_steps, parameters=game, **curve, **how)
+
+
+def play(results: Results, *, level: float = LEVEL, observe_hits: bool = True) -> dict[str, Played]:
+    """Let all trained agents play greedily; the game is that in which they were trained."""
+    task = Golf.create(stochasticity_level=level, observe_hits=observe_hits)
+    returns = np.array([-1.0, *(1 - k / task.max_hits for k in range(task.max_hits))])
+    played = {}
+    for method in results.methods:
+        shares = []
+        for repetition, agent in results.complete_agents(method).items():
+            player = Player.create(task, agent.Q)
+            train(task, player, PLAYED, evaluate_every=PLAYED, seed=repetition)
+            shares.append(player.score[0] / player.score.sum())
+        games = np.array(shares).reshape(-1, len(returns))
+        mean = games @ returns
+        played[method] = Played(mean, np.sqrt(np.maximum(games @ returns**2 - mean**2, 0.0)), games[:, 0])
+    return played
+
+
+def late(results: Results) -> Reals:
+    """Return the mean of the last five evaluations of Q-learning in every run, shape (n_repetitions,)."""
+    mean: Reals = results.curves(NEUTRAL).iloc[-5:].to_numpy(float).mean(axis=0)
+    return mean
+
+
+def share_on_the_way(results: Results) -> Reals:
+    """Return the greedy return averaged over training as a share of what is learned in the end, above random play."""
+    first = results.curves(NEUTRAL).iloc[0].to_numpy(float)
+    share: Reals = (results.average(NEUTRAL) - first) / (late(results) - first)
+    return share
+
+
+def measure(how: How) -> tuple[Any, ...]:
+    """Run the experiments."""
+    seen, noisy = learn(**how("hits_observed")), learn(level=TOO_NOISY, **how("level_0.02"))
+    hidden = learn(observe_hits=False, **how("hits_hidden"))
+    brief: dict[str, Any] = {"risks": {NEUTRAL: 0.0}, "n_steps": SHORT, "points": 30, "evaluation_episodes": 30}
+    by_level = {level: learn(level=level, **brief, **how(f"speed_{level:g}")) for level in (0.0, LEVEL)}
+    played = (play(seen), play(noisy, level=TOO_NOISY), play(hidden, observe_hits=False))
+    return seen, noisy, by_level, *played
+
+
+def judge(
+    seen: Results,
+    noisy: Results,
+    by_level: Mapping[float, Results],
+    played: Mapping[str, Played],
+    played_noisy: Mapping[str, Played],
+    played_hidden: Mapping[str, Played],
+) -> Report:
+    """Return claims and figures."""
+    claims = [
+        *exact_claims(),
+        *speed_claims(by_level),
+        *risk_claims(played),
+        *noisy_claims(played_noisy),
+        hidden_claim(played_hidden),
+    ]
+    return Report(claims, figures(seen, noisy, by_level, played))
+
+
+report = reporting(measure, judge, REPETITIONS)
+"""Run the experiments of the lesson (see `edugym.experiments.Reporter`)."""
+
+
+def exact_claims() -> list[Claim]:
+    """Return the claims on the value of drive and chip, computed."""
+    return [
+        Claim(
+            f"At level {LEVEL:g} the risk pays on average: driving from the tee is worth more than chipping",
+            "drive less chip, computed",
+            exactly(from_the_tee(LEVEL)["drive"] - from_the_tee(LEVEL)["chip"]),
+            Within(0.06, 0.08),
+        ),
+        Claim(
+            "Drive and chip are worth the same near level 0.0187",
+            "level, computed",
+            exactly(crossing()),
+            Within(0.0185, 0.0189),
+            "with more noise the drive loses more balls than it saves hits",
+        ),
+    ]
+
+
+def speed_claims(by_level: Mapping[float, Results]) -> list[Claim]:
+    """Return the claims on how noise affects learning."""
+    short_of = {level: optimum(level) - late(results) for level, results in by_level.items()}
+    return [
+        Claim(
+            f"Noise keeps Q-learning from the optimum: it ends further below at level {LEVEL:g} than without noise",
+            f"optimum less greedy return, level {LEVEL:g} less 0",
+            paired_difference(short_of[LEVEL], short_of[0.0]),
+            Above(0.02),
+            "its values are means over games that differ by chance; nor does it see where in its cell the ball lies",
+        ),
+        Claim(
+            "It does not slow Q-learning by much: it gets to its own final return as soon as without noise",
+            f"share of the final return, averaged over {SHORT} steps, level {LEVEL:g} less 0",
+            paired_difference(share_on_the_way(by_level[LEVEL]), share_on_the_way(by_level[0.0])),
+            Within(-0.05, 0.05),
+            "the paper says that noise slows learning; here most is learned in the first 1000 steps at either level",
+        ),
+    ]
+
+
+def risk_claims(played: Mapping[str, Played]) -> list[Claim]:
+    """Return the claims on aversion and seeking, where it can be seen."""
+    averse, neutral, seeking = (played[label] for label in (AVERSE, NEUTRAL, SEEKING))
+    return [
+        Claim("The averse player loses no ball", "share of lost balls", mean_interval(averse.lost), Below(0.002)),
+        Claim(
+            "The neutral one does",
+            "share of lost balls, neutral less averse",
+            paired_difference(neutral.lost, averse.lost),
+            Above(0.0),
+        ),
+        Claim(
+            "The seeking one loses more still",
+            "share of lost balls, seeking less neutral",
+            paired_difference(seeking.lost, neutral.lost),
+            Above(0.0),
+        ),
+        Claim(
+            "Aversion narrows the spread of returns",
+            "standard deviation of returns, averse less neutral",
+            paired_difference(averse.spread, neutral.spread),
+            Below(0.0),
+        ),
+        Claim(
+            "Seeking widens it",
+            "standard deviation of returns, seeking less neutral",
+            paired_difference(seeking.spread, neutral.spread),
+            Above(0.0),
+        ),
+        Claim(
+            "Aversion has its price",
+            "mean return, averse less neutral",
+            paired_difference(averse.mean, neutral.mean),
+            Below(0.0),
+            "safe swings take a hit more, which costs 0.1",
+        ),
+        Claim(
+            "Seeking buys nothing",
+            "mean return, seeking less neutral",
+            paired_difference(seeking.mean, neutral.mean),
+            Within(-0.04, 0.04),
+            "what the drive saves in hits it loses in balls",
+        ),
+    ]
+
+
+def noisy_claims(played: Mapping[str, Played]) -> list[Claim]:
+    """Return the claims on a level that cannot show aversion."""
+    averse, neutral, seeking = (played[label] for label in (AVERSE, NEUTRAL, SEEKING))
+    return [
+        Claim(
+            f"Level {TOO_NOISY:g} cannot show aversion: the neutral player loses no ball either",
+            "share of lost balls, neutral",
+            mean_interval(neutral.lost),
+            Below(0.01),
+            "beyond 0.0187 the safe swing is also the best one on average",
+        ),
+        Claim(
+            "and has nearly the spread of the averse one",
+            "standard deviation of returns, averse less neutral",
+            paired_difference(averse.spread, neutral.spread),
+            Within(-0.04, 0.01),
+        ),
+        Claim(
+            "Seeking costs there",
+            "mean return, seeking less neutral",
+            paired_difference(seeking.mean, neutral.mean),
+            Below(0.0),
+        ),
+    ]
+
+
+def hidden_claim(played: Mapping[str, Played]) -> Claim:
+    """Return the claim on what seems to pay when hits are hidden."""
+    return Claim(
+        "Where the agent does not see its hits, seeking risk seems to pay",
+        "mean return, seeking less neutral, hits not observed",
+        paired_difference(played[SEEKING].mean, played[NEUTRAL].mean),
+        Above(0.0),
+        "neutral values that mix games of few and of many hits underrate the drive; β = 2 happens to make up for it",
+    )
+
+
+def figures(
+    seen: Results, noisy: Results, by_level: Mapping[float, Results], played: Mapping[str, Played]
+) -> list[Sheet]:
+    """Return the figures: the exact crossing, learning curves, and the returns of greedy play."""
+    worth = {swing: np.array([from_the_tee(level)[swing] for level in LEVELS]) for swing in SWINGS}
+    lines = Lines(np.array(LEVELS), worth, "first swing, then best play", "stochasticity level", "expected return")
+    curves = [
+        Curves(results, f"level {level:g}, hits observed", optimum=optimum(level), y_range=(0.4, 0.9))
+        for results, level in ((seen, LEVEL), (noisy, TOO_NOISY))
+    ]
+    speed = [
+        Curves(results, f"Q-learning, level {level:g}", optimum=optimum(level), y_range=(0.0, 1.0))
+        for level, results in by_level.items()
+    ]
+    return [
+        Sheet("crossing", [[lines]]),
+        Sheet("stochasticity", [curves]),
+        Sheet("speed", [speed]),
+        Sheet("risk", [[risk_lines(played)]]),
+    ]
+
+
+def risk_lines(played: Mapping[str, Played]) -> Lines:
+    """Return mean, spread and lost balls against β."""
+    return Lines(
+        np.array(list(RISKS.values())),
+        {
+            "mean return": np.array([played[label].mean.mean() for label in RISKS]),
+            "standard deviation": np.array([played[label].spread.mean() for label in RISKS]),
+            "share of lost balls": np.array([played[label].lost.mean() for label in RISKS]),
+        },
+        f"greedy play at level {LEVEL:g}",
+        "β",
+        "",
+    )

@@ -1,0 +1,118 @@
+"""What checks of students' code ask of values: whether one is in a space, is a number, or is still what it was."""
+
+import copy
+import ctypes
+import math
+import numbers
+import random
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import numpy as np
+from gymnasium import spaces
+
+from edugym.checks import in_short
+
+
+def shown(value: Any) -> str:
+    """A value for a message: in one line, and cut where it is long."""
+    text = " ".join(in_short(value).split())
+    return text if len(text) <= 200 else f"{text[:197]}..."
+
+
+def is_finite_number(value: Any) -> bool:
+    """Whether it is a real number, Python's or NumPy's, and neither infinite nor NaN."""
+    if isinstance(value, np.ndarray) and value.ndim == 0:
+        value = value[()]
+    if not isinstance(value, numbers.Real | np.bool_):
+        return False
+    try:
+        return math.isfinite(value)
+    except OverflowError:
+        return False
+
+
+def fits(space: spaces.Space[Any], observation: Any) -> bool:
+    """Whether an observation is an element of a space, given as Python's numbers, tuples or lists, or as arrays."""
+    if isinstance(space, spaces.Tuple):
+        several = isinstance(observation, tuple | list) and len(observation) == len(space.spaces)
+        return several and all(map(fits, space.spaces, observation))
+    if isinstance(space, spaces.Dict):
+        named = isinstance(observation, dict) and observation.keys() == space.spaces.keys()
+        return named and all(fits(part, observation[name]) for name, part in space.spaces.items())
+    if isinstance(space, spaces.Discrete):
+        return isinstance(observation, int | np.integer | np.bool_) and 0 <= int(observation) - int(space.start) < int(
+            space.n
+        )
+    if not isinstance(space, spaces.Box | spaces.MultiDiscrete | spaces.MultiBinary):
+        return bool(space.contains(observation))
+    try:
+        given = np.asarray(observation)
+        if given.dtype.kind not in "biuf" or given.shape != space.shape:
+            return False
+        with np.errstate(all="ignore"):
+            cast = given.astype(space.dtype)
+    except (ValueError, OverflowError):
+        return False
+    unchanged = space.dtype is None or space.dtype.kind == "f" or bool((cast == given).all())
+    return unchanged and bool(space.contains(cast))
+
+
+def kept(state: Any) -> Any:
+    """A copy of a state that could be changed in place; of one that could not, the state itself."""
+    return state if isinstance(state, int | float | str | None) else copy.deepcopy(state)
+
+
+def same(one: Any, other: Any) -> bool:
+    """Whether two values are the same, whatever they are made of; NaN is the same as NaN."""
+    if one is other:
+        return True
+    if isinstance(one, np.ndarray) or isinstance(other, np.ndarray):
+        return np.shape(one) == np.shape(other) and np.asarray(one).tobytes() == np.asarray(other).tobytes()
+    if isinstance(one, tuple | list) and type(one) is type(other):
+        return len(one) == len(other) and all(map(same, one, other))
+    if isinstance(one, dict) and isinstance(other, dict):
+        return one.keys() == other.keys() and all(same(one[key], other[key]) for key in one)
+    if vars(object)["__eq__"] is type(one).__eq__:  # of ordinary classes, whose values are compared by what is in them
+        return type(one) is type(other) and same(getattr(one, "__dict__", None), getattr(other, "__dict__", None))
+    return bool(one == other) or (one != one and other != other)
+
+
+class GlobalDraws:
+    """Finds methods that draw from `random` or `np.random`, which no seed of a run reaches.
+
+    Args:
+        owner: the name of the class whose methods are looked at.
+        calls: how many calls are looked at.
+    """
+
+    def __init__(self, owner: str, calls: int = 100) -> None:
+        """See the class."""
+        self._owner, self._calls = owner, calls
+
+    @contextmanager
+    def refused(self, method: str) -> Iterator[None]:
+        """Raise a `ValueError` where the block, a call of this method, draws from one of them."""
+        if self._calls <= 0:
+            yield
+            return
+        self._calls -= 1
+        before = _global_streams()
+        yield
+        if _global_streams() != before:
+            raise ValueError(
+                f"{method} of {self._owner} draws from random or np.random, which no seed of a run reaches, so that"
+                " the run could not be repeated: draw from rng, for example rng.random()"
+            )
+
+
+def _global_streams() -> tuple[Any, ...]:
+    """What changes with every draw from the global random streams.
+
+    NumPy's own functions take five times as long as reading the 624 numbers of its generator, and its place in them.
+    """
+    _, pythons, gauss = random.getstate()
+    numpys = vars(np.random)["get_bit_generator"]()  # another one than this may be set, which is no student's slip
+    seen = ctypes.string_at(numpys.ctypes.state_address, 625 * 4) if isinstance(numpys, np.random.MT19937) else b""
+    return seen, pythons[-1], gauss

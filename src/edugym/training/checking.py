@@ -1,0 +1,304 @@
+"""The first steps of students' code: what agents and Gymnasium environments return is checked as they are taken.
+
+What is checked does what it does without, draws nothing, and is called as often: the steps are those of the run. The
+package's own classes are covered by its tests, and are left alone.
+"""
+
+import math
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import gymnasium
+import numpy as np
+from gymnasium import spaces
+from gymnasium.wrappers import FlattenObservation
+
+from edugym.adapters.tabular_observation import TabularObservation
+from edugym.mdp.checking import CHECKED_STEPS, CheckedMDP, is_own, refuse_change
+from edugym.mdp.protocol import Random
+from edugym.mdp.values import GlobalDraws, fits, is_finite_number, kept, shown
+from edugym.training.contract import tables_of
+
+NEXT = ("next_action", "next_observation")
+LOOPS = ("edugym.training.loops", "edugym.training.gymnasium_loops")
+SMALL = 10_000
+"""Entries of a table that is looked at after each step."""
+
+
+def checked_mdp(mdp: Any, steps: float = CHECKED_STEPS) -> Any:
+    """The MDP with a student's one, or that in the package's wrappers around it, checked."""
+    if is_own(mdp):
+        return mdp
+    if type(mdp).__module__.startswith("edugym.") and not is_own(getattr(mdp, "mdp", None)):
+        return mdp._replace(mdp=checked_mdp(mdp.mdp, steps))
+    return CheckedMDP(mdp, steps)
+
+
+def checked_agent(agent: Any, task: Any, steps: float = CHECKED_STEPS) -> Any:
+    """The agent, in the form that the loops ask for, with a student's one that is in it checked.
+
+    Args:
+        agent: a tuple with the student's agent somewhere in it.
+        task: what it acts in.
+        steps: how many actions are checked; later ones are passed on as they are.
+    """
+    if is_own(agent):
+        return agent
+    machinery = type(agent).__module__.startswith(("edugym.training", "edugym.compiled", "edugym.adapters"))
+    if isinstance(agent, tuple) and machinery:
+        return tuple.__new__(type(agent), [checked_agent(part, task, steps) for part in tuple.__iter__(agent)])
+    return CheckedAgent(agent, task, steps) if hasattr(agent, "act") else agent
+
+
+@contextmanager
+def explained(agent: Any, task: Any) -> Iterator[None]:
+    """Say what a late mistake is: one after the first steps, in a loop that the interpreter runs.
+
+    Where the block ends in an error, what the loop was given at that step is looked at.
+
+    Raises:
+        ValueError: the agent has returned no action, or the task no reward.
+    """
+    try:
+        yield
+    except Exception as error:
+        found = _late_mistake(error, agent, task)
+        if found is None:
+            raise
+        raise ValueError(found) from None
+
+
+def _late_mistake(error: Exception, agent: Any, task: Any) -> str | None:
+    last = error.__traceback__
+    while last is not None and last.tb_frame.f_globals.get("__name__") not in LOOPS:
+        last = last.tb_next
+    if last is None:
+        return None
+    step = last.tb_frame.f_locals
+    if not is_own(agent) and not hasattr(agent, "act_into"):
+        method = "greedy" if "actor" in step and hasattr(agent, "greedy") else "act"
+        for action, state in (("action", "observation" if "observation" in step else "state"), NEXT):
+            if action in step and not _is_action(task.action_space, step[action]):
+                return _of_action(type(agent).__name__, method, task.action_space, step[action], step.get(state))
+    if not is_own(task) and not is_finite_number(step.get("reward", 0.0)):
+        method = "step" if isinstance(task, gymnasium.Env) else "reward"
+        name = type(_innermost(task)).__name__
+        return f"{method} of {name} must return a finite number as reward, but returned {shown(step['reward'])}"
+    return None
+
+
+def _innermost(task: Any) -> Any:
+    """What the package's wrappers are around."""
+    if isinstance(task, gymnasium.Env):
+        return task.unwrapped
+    return _innermost(task.mdp) if type(task).__module__.startswith("edugym.") else task
+
+
+def students_parts(agent: Any) -> list[str]:
+    """The names of the student's classes that one of the package's agents is made of, such as a strategy."""
+    if not isinstance(agent, tuple) or not type(agent).__module__.startswith("edugym."):
+        return []
+    return [type(part).__name__ for part in tuple.__iter__(agent) if not is_own(part)]
+
+
+class CheckedAgent:
+    """An agent whose first steps are checked.
+
+    Args:
+        agent: the agent.
+        task: what it acts in.
+        steps: how many actions are checked.
+    """
+
+    def __init__(self, agent: Any, task: Any, steps: float = CHECKED_STEPS) -> None:
+        """See the class."""
+        self._agent, self._task, self._left = agent, task, steps
+        self._name = ", with ".join([type(agent).__name__, *students_parts(agent)])
+        self._draws = GlobalDraws(self._name)
+
+    def __getattr__(self, name: str) -> Any:
+        """Everything else that the agent has."""
+        return getattr(self._agent, name)
+
+    def act(self, state: Any, rng: Random) -> Any:
+        """The agent's action.
+
+        Raises:
+            ValueError: it is not in the action space, or the state was changed.
+        """
+        return self._chosen("act", state, rng)
+
+    def greedy(self, state: Any, rng: Random) -> Any:
+        """The action by which it is evaluated.
+
+        Raises:
+            ValueError: it is not in the action space, or the state was changed.
+        """
+        return self._chosen("greedy", state, rng)
+
+    def learn(self, **told: Any) -> None:
+        """Let the agent learn.
+
+        Raises:
+            ValueError: a state was changed, a table has come to hold NaN, or `learn` returns a new agent.
+        """
+        if self._left <= 0:
+            self._agent.learn(**told)
+            return
+        before = kept((told.get("state"), told.get("next_state")))
+        with self._draws.refused("learn"):
+            returned = self._with_sizes(lambda: self._agent.learn(**told))
+        refuse_change(self._agent, "learn", before, (told.get("state"), told.get("next_state")))
+        if isinstance(returned, type(self._agent)):
+            raise ValueError(
+                f"learn of {self._name} returns a new {self._name}, which is lost: change its arrays instead"
+            )
+        for name, table in tables_of(self._agent).items():
+            if table.size <= SMALL and table.dtype.kind == "f" and np.isnan(table).any():
+                where = list(map(int, np.argwhere(np.isnan(table))[0]))
+                given = ", ".join(f"{one} {shown(value)}" for one, value in told.items())
+                raise ValueError(
+                    f"learn of {self._name} must leave numbers in {name}, but {name}{where} is nan after {given}"
+                )
+
+    def _chosen(self, method: str, state: Any, rng: Random) -> Any:
+        choose = getattr(self._agent, method)
+        if self._left <= 0:
+            return choose(state, rng)
+        self._left -= 1
+        before = kept(state)
+        with self._draws.refused(method):
+            action = self._with_sizes(lambda: choose(state, rng))
+        refuse_change(self._agent, method, before, state)
+        if not _is_action(self._task.action_space, action):
+            raise ValueError(_of_action(self._name, method, self._task.action_space, action, state) + self._sizes())
+        return action
+
+    def _with_sizes(self, call: Callable[[], Any]) -> Any:
+        """The result of a call; an index that is too large is explained by the sizes of tables."""
+        try:
+            return call()
+        except IndexError as error:
+            error.args = (f"{error}{self._sizes()}",)
+            raise
+
+    def _sizes(self) -> str:
+        """What is wrong with the size of a table, if it is."""
+        rows, actions = self._task.observation_space, self._task.action_space
+        if not (isinstance(rows, spaces.Discrete) and isinstance(actions, spaces.Discrete)):
+            return ""
+        for name, table in tables_of(self._agent).items():
+            if table.ndim == 2 and table.shape != (rows.n, actions.n):
+                return (
+                    f": {name} of {self._name} has the shape {table.shape}, but this environment has {rows.n}"
+                    f" observations and {actions.n} actions"
+                )
+        return ""
+
+
+@contextmanager
+def checked_env(env: gymnasium.Env[Any, Any]) -> Iterator[gymnasium.Env[Any, Any]]:
+    """Yield the environment with what is in our outermost wrapper checked, and undo that afterwards.
+
+    An environment that plays an MDP looks after itself.
+    """
+    if is_own(env.unwrapped):
+        yield env
+    elif isinstance(env, TabularObservation | FlattenObservation):
+        inner = env.env
+        env.env = CheckedEnv(inner)
+        try:
+            yield env
+        finally:
+            env.env = inner
+    else:
+        yield CheckedEnv(env)
+
+
+class CheckedEnv(gymnasium.Wrapper[Any, Any, Any, Any]):
+    """A student's Gymnasium environment whose first steps are checked.
+
+    Args:
+        env: the environment.
+        steps: how many steps are checked.
+    """
+
+    def __init__(self, env: gymnasium.Env[Any, Any], steps: float = CHECKED_STEPS) -> None:
+        """See the class."""
+        super().__init__(env)
+        self._left = steps
+        self._of = type(env.unwrapped).__name__
+
+    def reset(self, **options: Any) -> Any:
+        """Start an episode.
+
+        Raises:
+            ValueError: what it returns is no observation and info.
+        """
+        returned: Any = self.env.reset(**options)
+        if self._left <= 0:
+            return returned
+        if not (isinstance(returned, tuple) and len(returned) == 2 and isinstance(returned[1], dict)):
+            raise ValueError(f"reset of {self._of} must return (observation, info), but returned {shown(returned)}")
+        self._require_observation("reset", returned[0])
+        return returned
+
+    def step(self, action: Any) -> Any:
+        """Take a step.
+
+        Raises:
+            ValueError: what it returns is no observation, reward, terminated, truncated and info, or one of these is
+                not what it must be.
+        """
+        returned: Any = self.env.step(action)
+        if self._left <= 0:
+            return returned
+        self._left -= 1
+        if not (isinstance(returned, tuple) and len(returned) == 5):
+            raise ValueError(
+                f"step of {self._of} must return (observation, reward, terminated, truncated, info), but returned"
+                f" {shown(returned)} for action {shown(action)}"
+            )
+        observation, reward, *ends, _ = returned
+        self._require_observation("step", observation)
+        if not is_finite_number(reward):
+            raise ValueError(
+                f"step of {self._of} must return a finite number as reward, but returned {shown(reward)} for action"
+                f" {shown(action)}"
+            )
+        for name, end in zip(("terminated", "truncated"), ends, strict=True):
+            if not isinstance(end, bool | np.bool_ | int | np.integer):
+                raise ValueError(f"step of {self._of} must return True or False as {name}, but returned {shown(end)}")
+        return returned
+
+    def _require_observation(self, method: str, observation: Any) -> None:
+        if not fits(self.env.observation_space, observation):
+            raise ValueError(
+                f"{method} of {self._of} must return an observation in {self.env.observation_space}, but returned"
+                f" {shown(observation)}"
+            )
+
+
+def _of_action(name: str, method: str, space: spaces.Space[Any], action: Any, state: Any) -> str:
+    """What an agent has returned, and what it should."""
+    allowed = f"an action, an element of {space}"
+    if isinstance(space, spaces.Discrete):
+        allowed = f"an action, a whole number from {space.start} to {space.start + space.n - 1}"
+    forgotten = " (is a return missing?)" if action is None else ""
+    return f"{method} of {name} must return {allowed}, but returned {shown(action)} for state {shown(state)}{forgotten}"
+
+
+def _is_action(space: spaces.Space[Any], action: Any) -> bool:
+    """Whether the loops can give it to an MDP; bounds of real numbers are the business of the MDP."""
+    if isinstance(space, spaces.Discrete):
+        scalar = action[()] if isinstance(action, np.ndarray) and action.ndim == 0 else action
+        return isinstance(scalar, int | np.integer) and fits(space, scalar)
+    if isinstance(space, spaces.Box):
+        try:
+            numbers = np.asarray(action)
+        except ValueError:
+            return False
+        real = numbers.dtype.kind in "iuf" and bool(np.isfinite(numbers).all())
+        return real and (numbers.shape == space.shape or math.prod(space.shape) == numbers.size == 1)
+    return fits(space, action)

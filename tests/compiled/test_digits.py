@@ -1,0 +1,68 @@
+"""What docs/machine-code.md says about last digits."""
+
+from typing import Any
+
+import numpy as np
+
+from edugym.compiled.copies import difference
+from edugym.compiled.execution import executable
+from tests.compiled.cells import cell
+
+SAME = (
+    "math.exp(x)",
+    "math.log(x * x + 0.1)",
+    "math.sin(x)",
+    "math.tanh(x)",
+    "math.sqrt(x * x)",
+    "x**2",
+    "x**3",
+    "(x * x) ** 0.3",
+    "0.99**i",
+    "x % 0.7",
+    "x // 0.7",
+    "1.0 / (x + 20.0)",
+    "self.total(i)",
+    "rng.normal(0.0, 1.0)",
+    "rng.random()",
+    "rng.exponential(2.0)",
+)
+CLOSE = ("np.exp(x)", "np.log(x * x + 0.1)", "np.tanh(x)", "math.hypot(x, 2.0)", "np.sum(self.x[:i])", "np.std(self.x)")
+TABLE = """
+class Table(NamedTuple):
+    x: np.ndarray
+    same: np.ndarray
+    close: np.ndarray
+    def total(self, n):
+        s = 0.0
+        for k in range(n):
+            s += self.x[k]
+        return s
+    def fill(self, i, rng):
+        x = self.x[i]
+"""
+
+
+def fill(n: int, table: Any, rng: np.random.Generator) -> None:
+    """Fill n rows."""
+    for i in range(n):
+        table.fill(i, rng)
+
+
+def test_which_digits_may_differ() -> None:
+    """Those of some functions of NumPy, by very little; no others."""
+    lines = [
+        f"        self.{name}[i, {k}] = {what}\n"
+        for name, kinds in (("same", SAME), ("close", CLOSE))
+        for k, what in enumerate(kinds)
+    ]
+    kind = cell(TABLE + "".join(lines))["Table"]
+    n, x = 2_000, 3 * np.random.default_rng(1).normal(size=2_000)
+    tables = [kind(x, np.zeros((n, len(SAME))), np.zeros((n, len(CLOSE)))) for _ in range(2)]
+    run = executable(fill, (tables[0], np.random.default_rng(0)))
+    assert run is not fill
+    run(n, tables[0], np.random.default_rng(0))
+    fill(n, tables[1], np.random.default_rng(0))
+    for k, what in enumerate(SAME):
+        assert (tables[0].same[:, k] == tables[1].same[:, k]).all(), what
+    for k, what in enumerate(CLOSE):
+        assert difference(tables[0].close[:, k], tables[1].close[:, k], what) is None
