@@ -709,7 +709,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: another parameter
-# says: it has 'done'
+# says: has the parameter 'done': is 'terminated' meant?
 def learn(self, state, action, reward, next_state, done):
     self.tries[state, action] += 1
 
@@ -913,7 +913,7 @@ def act(self, state, rng):
 
 
 # %% exercise 3, wrong: decorated as static
-# says: the table of this agent
+# says: must have self as its first parameter
 @staticmethod
 def learn(state, action, reward, next_state, terminated):
     MyExplorer.visits[next_state] += 1

@@ -81,7 +81,7 @@ def test_what_is_possible() -> None:
         (QLearning.create((61, 2)), "that makes a new agent"),
         (3, "a function that makes an agent, but is 3"),
         (lambda wall: None, "gives None: is a `return` missing"),
-        (lambda wall: QLearning, "must be a value with the methods act and learn"),
+        (lambda wall: QLearning, "must be an object with the methods act and learn"),
         (lambda wall: QLearning.create(wall, alpha=1), "has no setting 'alpha'"),
         (lambda wall: wall.unwrapped.mdp.grips, "told `observation_space` and `action_space` only, not 'unwrapped'"),
         (lambda wall: QLearning.create((3, 2)), "training your agent"),

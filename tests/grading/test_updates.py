@@ -142,7 +142,7 @@ def test_no_change_and_bad_parameters() -> None:
     """A value that is returned is not learned; a parameter with another name is not passed."""
     assert said_of(lambda self, state: None).endswith("`learn` changes no table at all")
     assert said_of(lambda self, reward: reward).endswith("it returns something instead, which nobody reads")
-    assert "but it has 'done'" in said_of(lambda self, state, done: None)
+    assert "is 'terminated' meant?" in said_of(lambda self, state, done: None)
     assert "raises IndexError" in said_of(lambda self, state: self.Q[state, 9])
 
 
@@ -151,7 +151,7 @@ def test_no_change_and_bad_parameters() -> None:
     [
         ([[0.0] * 3] * 5, "should be a NumPy array, but is a list"),
         (np.zeros((3, 5)), r"should have the shape (5, 3), but has (3, 5)"),
-        (np.zeros(SIZE, int), "loses what is behind the decimal point"),
+        (np.zeros(SIZE, int), "which cannot hold fractions"),
     ],
 )
 def test_tables_that_are_none(table: Any, says: str) -> None:
