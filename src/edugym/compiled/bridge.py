@@ -43,6 +43,8 @@ def _member(kind: Any, name: str) -> Any:
 
 def teach(numba: Any, passes: Any) -> None:
     """Look up what Numba does not know of a NamedTuple in its class; compile that by the pipelines of `passes`."""
+    registry: Any = importlib.import_module("numba.core.registry")
+    passes.share_function_passes(registry.cpu_target.target_context.codegen())
     types, typeof, extending = numba.types, numba.typeof, numba.extending
     imputils: Any = importlib.import_module("numba.core.imputils")
     templates: Any = importlib.import_module("numba.core.typing.templates")

@@ -317,13 +317,26 @@ class _Unlinked:
         """Nothing: only the whole is made machine code of."""
 
 
+def share_function_passes(codegen: Any) -> None:
+    """Optimise all functions by the same passes: new ones for each, as Numba takes them, cost 33 KB for ever.
+
+    (llvmlite does not free all of it, and a build has a hundred functions.)
+    """
+    passes = codegen._function_pass_manager()
+    codegen._function_pass_manager = lambda: passes
+
+
 def _before_lowering(state: Any) -> bool:
-    """Make machine code of the part only within the whole: by itself it would cost time, and 0.7 MB for ever."""
+    """Optimise the part, and make machine code of it, only within the whole.
+
+    By itself each would cost time, and megabytes for ever. (Its functions are optimised one by one all the same.)
+    """
     flags = state.flags
     flags.no_compile = flags.no_cpython_wrapper = flags.no_cfunc_wrapper = True
     codegen = state.targetctx.codegen()
     library = state.library = codegen.create_library(state.func_id.func_qualname)
     library._codegen = _Unlinked(codegen)
+    library._optimize_final_module = lambda: None
     library._finalize_specific = lambda: None
     return False
 
