@@ -10,6 +10,7 @@ import time
 import urllib.request
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -136,7 +137,7 @@ class Page:
             if any("application/vnd.jupyter.widget-view+json" in output.get("data", {}) for output in outputs):
                 self(f"{PANEL}.content.scrollToItem({number}, 'start').then(() => 0)")
                 box = f"{PANEL}.content.widgets[{number}].node.querySelector('.jp-OutputArea .widget-vbox')"
-                boxes.append(until(lambda box=box: self(box), "a widget"))
+                boxes.append(until(partial(self, box), "a widget"))
         return boxes
 
     def picture(self, box: Any) -> str:

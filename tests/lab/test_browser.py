@@ -7,6 +7,7 @@ screenshots to look at.
 import importlib.util
 import os
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -55,7 +56,7 @@ def test_the_start_page_leads_to_the_lessons(lab: Lab, driver: Any) -> None:
 
 @pytest.mark.parametrize("lesson", LESSONS)
 def test_a_lesson_works(lesson: str, lab: Lab, driver: Any) -> None:
-    """All cells run, and nothing is wrong but what students have not solved yet; then everything that moves is moved."""
+    """All cells run, and nothing is wrong but what students have not solved yet; all that moves is moved."""
     page = Page(driver, lab, f"{lesson}.ipynb")
     cells = page.run_all()
     assert len(cells) > 20
@@ -80,10 +81,15 @@ def try_sliders(page: Page, box: Any) -> int:
         for side, value in ends[::-1] if now == high else ends:
             before = page.picture(box)
             page.drag(handle, side)
-            until(lambda before=before: page.picture(box) != before, "another picture", 30)
+            until(partial(is_another_picture, page, box, before), "another picture", 30)
             assert float(handle.get_attribute("aria-valuenow")) == value
     assert page.errors(box) == []
     return len(handles)
+
+
+def is_another_picture(page: Page, box: Any, before: str) -> bool:
+    """Whether the picture in a box is not what it was before."""
+    return page.picture(box) != before
 
 
 def try_buttons(page: Page, box: Any) -> int:
