@@ -21,7 +21,6 @@ LESSONS = [lesson.name for lesson in student_lessons()]
 
 pytestmark = [
     pytest.mark.slow,
-    pytest.mark.xdist_group("browser"),
     pytest.mark.skipif(
         not (CHROMIUM and DRIVER and importlib.util.find_spec("selenium")),
         reason="needs Chromium, chromedriver and Selenium; CONTRIBUTING.md says how to install them",
