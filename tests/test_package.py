@@ -11,9 +11,11 @@ import pytest
 ROOT = Path(__file__).parents[1]
 
 
-@pytest.mark.skipif(importlib.util.find_spec("hatchling") is None, reason="hatchling, which builds it, is not installed")
+@pytest.mark.skipif(
+    importlib.util.find_spec("hatchling") is None, reason="hatchling, which builds it, is not installed"
+)
 def test_the_wheel_has_every_file_and_the_students_notebooks(tmp_path: Path) -> None:
-    """A pattern in `.gitignore` may leave out a whole folder of the package, which an editable installation hides."""
+    """A pattern in `.gitignore` may leave out a whole folder, which an editable installation hides."""
     command = [sys.executable, "-m", "hatchling", "build", "--target", "wheel", "--directory", str(tmp_path)]
     made = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
     assert made.returncode == 0, made.stderr

@@ -108,8 +108,8 @@ class Page:
     def __init__(self, driver: Any, lab: Lab, notebook: str) -> None:
         """Open a notebook and wait for its kernel."""
         self.driver = driver
-        driver.get(f"{lab.address}/lab/tree/{notebook}")
-        until(lambda: self("!!window.jupyterapp && !!document.querySelector('.jp-Notebook')"), "the notebook")
+        driver.get(f"{lab.address}/lab/tree/{notebook}?reset")  # without the tabs of the test before
+        until(lambda: self(f"window.jupyterapp && {PANEL}?.context?.path === arguments[0]", notebook), "the notebook")
         until(lambda: self(f"{SESSION}.session?.kernel?.status === 'idle'"), "the kernel")
 
     def __call__(self, expression: str, *arguments: Any) -> Any:

@@ -11,6 +11,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+import build
+import nbformat
 import pytest
 
 from edugym.lab.lessons import student_lessons
@@ -31,7 +33,10 @@ pytestmark = [
 @pytest.fixture(scope="module", params=["Light", "Dark"] if SCREENSHOTS else ["Light"])
 def lab(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Lab]:
     """A running lab, in each theme if screenshots are wanted."""
-    with running_lab(tmp_path_factory.mktemp("lab"), theme=f"JupyterLab {request.param}") as lab:
+    folder = tmp_path_factory.mktemp("lab")
+    with running_lab(folder, theme=f"JupyterLab {request.param}") as lab:
+        template = build.student_edition(build.read_lesson(build.ROOT / "lessons" / "template.py"), "template")
+        nbformat.write(template, folder / "lessons" / "template.ipynb")
         yield lab
 
 
@@ -53,7 +58,7 @@ def test_the_start_page_leads_to_the_lessons(lab: Lab, driver: Any) -> None:
     until(lambda: driver.execute_script("return !!document.querySelector('.jp-Notebook')"), "the lesson")
 
 
-@pytest.mark.parametrize("lesson", LESSONS)
+@pytest.mark.parametrize("lesson", [*LESSONS, "template"])  # the template also has a film
 def test_a_lesson_works(lesson: str, lab: Lab, driver: Any) -> None:
     """All cells run, and nothing is wrong but what students have not solved yet; all that moves is moved."""
     page = Page(driver, lab, f"{lesson}.ipynb")
