@@ -25,7 +25,7 @@ def test_it_says_what_a_lesson_is_about(folder: Path) -> None:
     text = (folder / START_PAGE).read_text()
     assert "**1. [Doubling: two](01_doubling.ipynb)**<br>Small \\| numbers.<br>**Time.** 1 minute." in text
     assert "![Boulder](data:image/svg+xml;base64," in text
-    assert "0\N{NO-BREAK SPACE}of\N{NO-BREAK SPACE}1" in text
+    assert "0 of 1 solved |" in text
 
 
 def test_it_shows_what_is_done(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -37,7 +37,7 @@ def test_it_shows_what_is_done(folder: Path, monkeypatch: pytest.MonkeyPatch) ->
         record_passed("doubling", 7)  # an exercise of a later version
     assert passed(folder, "doubling") == {1, 7}
     assert len((folder / PASSED).read_text().splitlines()) == 2
-    assert "1 of 1 solved ✓" in (folder / START_PAGE).read_text().replace("\N{NO-BREAK SPACE}", " ")
+    assert "1 of 1 solved ✓" in (folder / START_PAGE).read_text()
     assert [path.name for path in folder.glob("*.md")] == [START_PAGE]
 
 

@@ -14,16 +14,15 @@ START_PAGE = "start.md"
 PICTURE_SIDE = 120
 """The longer side of a picture, in pixels."""
 
-NO_BREAK_SPACE = "\N{NO-BREAK SPACE}"
-
+# The spaces make the column of pictures so wide that JupyterLab does not shrink them.
 HEAD = f"""\
 # EduGym
 
 A reinforcement-learning course that you can run. Click on a lesson to open it, and run its cells from the top with
 Shift+Enter.
 
-| {NO_BREAK_SPACE * 24} | lesson | exercises |
-|---|---|---|
+| {"&nbsp;" * 24} | lesson |
+|---|---|
 """
 
 FOOT = """
@@ -49,15 +48,15 @@ def row(lesson: Lesson, folder: Path) -> str:
     """Return the row of a lesson in the table."""
     file = f"{lesson.name}.ipynb"
     later = [f"([{place.stem}]({place.name}))" for place in versions(folder / file)[1:]]
+    done = len(passed(folder, lesson.name) & set(range(1, lesson.exercises + 1)))
     parts = [
         " ".join([f"**{lesson.number}. [{lesson.title}]({file})**", *later]),
         lesson.part("The challenge"),
         f"**Time.** {lesson.part('Time')} **Before you start.** {lesson.part('Before you start')}",
+        f"**Exercises.** {done} of {lesson.exercises} solved{' ✓' if done == lesson.exercises else ''}",
     ]
-    done = len(passed(folder, lesson.name) & set(range(1, lesson.exercises + 1)))
-    solved = f"{done} of {lesson.exercises} solved" + (" ✓" if done == lesson.exercises else "")
     text = "<br>".join(parts).replace("|", "\\|")
-    return f"| {picture(lesson)} | {text} | {solved.replace(' ', NO_BREAK_SPACE)} |\n"
+    return f"| {picture(lesson)} | {text} |\n"
 
 
 def picture(lesson: Lesson) -> str:

@@ -17,7 +17,7 @@ from collections.abc import Iterator, Sequence
 @contextlib.contextmanager
 def warming_up(lessons: Sequence[str]) -> Iterator["subprocess.Popen[bytes]"]:
     """Warm up lessons in a process in the background while the block runs; see `main`."""
-    command = [sys.executable, "-m", "edugym.lab.warm_up", *lessons]
+    command = [sys.executable, "-P", "-m", "edugym.lab.warm_up", *lessons]  # -P: no module of the present folder
     with subprocess.Popen(
         command,
         stdin=subprocess.PIPE,
