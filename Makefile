@@ -12,9 +12,8 @@ RUN := .venv/bin/python -m
 
 .PHONY: lab test reproduce bench clean
 
-# JupyterLab refuses to run as root, as in a container, unless told that this is meant.
 lab: .venv/lab.installed
-	$(RUN) jupyterlab $(if $(filter 0,$(shell id -u)),--allow-root) $(ARGS) notebooks
+	.venv/bin/edugym lab $(ARGS)
 
 test: .venv/dev.installed
 	$(RUN) ruff check

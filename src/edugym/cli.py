@@ -255,6 +255,40 @@ def _row(claim: Claim) -> tuple[str, str, str, str]:
     return f"{claim.statement}{reason}", f"{claim.measured}\n[dim]{claim.quantity}[/dim]", str(claim.expected), holds
 
 
+@app.command(context_settings={"ignore_unknown_options": True})
+def lab(
+    arguments: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="[DIRECTORY] [OPTIONS OF JUPYTERLAB]", help="The folder for the lessons."),
+    ] = None,
+    browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open it in the browser.")] = True,
+    port: Annotated[int | None, typer.Option(min=0, max=65535, help="The port; by default the first free one.")] = None,
+) -> None:
+    """Put the lessons into a folder, by default ./edugym-lessons, and open them in JupyterLab.
+
+    A lesson that you have changed stays as it is; a newer version is put beside it. Options of JupyterLab are written
+    with a sign of equality, such as --ServerApp.ip=0.0.0.0. Ctrl-C ends it.
+    """
+    from edugym.lab import server
+
+    options = [argument for argument in arguments or [] if argument.startswith("-")]
+    folders = [argument for argument in arguments or [] if not argument.startswith("-")] or ["edugym-lessons"]
+    if len(folders) > 1:
+        raise typer.BadParameter(f"one folder is enough, but there are {', '.join(folders)}", param_hint="DIRECTORY")
+    folder = _path(folders[0])
+    server.require_jupyterlab()
+    try:
+        messages = server.prepare(folder)
+    except OSError as error:
+        raise typer.BadParameter(str(error), param_hint="DIRECTORY") from error
+    for message in messages:
+        typer.echo(f"edugym: {message}")
+    typer.echo(f"The lessons are in {folder.resolve()}. Ctrl-C here ends JupyterLab.")
+    options += [] if browser else ["--no-browser"]
+    options += [] if port is None else [f"--port={port}"]
+    server.serve(folder, options)
+
+
 def main() -> None:
     """Run the command. A missing library, or output that cannot be written, ends it with one line."""
     try:

@@ -3,6 +3,7 @@
 import ast
 import importlib.metadata
 import importlib.util
+import shutil
 import subprocess
 import sys
 from collections.abc import Callable
@@ -355,3 +356,13 @@ def test_an_unsolved_notebook_runs_to_its_end(source: Path) -> None:
 def test_every_lesson_runs(path: Path, edition: Callable[[NotebookNode], NotebookNode]) -> None:
     """Solutions pass their checks; without them everything else still runs."""
     build.execute(edition(build.read_lesson(path)), path.stem)
+
+
+@pytest.mark.slow
+def test_the_template_builds(tmp_path: Path) -> None:
+    """Copied to the place of a lesson it makes three notebooks, and it runs from top to bottom."""
+    source = tmp_path / "lessons" / "99_new.py"
+    source.parent.mkdir()
+    shutil.copy(build.ROOT / "lessons" / "template.py", source)
+    assert len(build.build(source, tmp_path / "notebooks")) == 3
+    assert build.outdated(source, tmp_path / "notebooks") == []

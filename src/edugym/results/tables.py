@@ -160,7 +160,7 @@ class Results:
         return self.final(method, column) if over == "end" else self.average(method, column)
 
     def save(self, path: str | os.PathLike[str]) -> Path:
-        """Write the table as a compact CSV file, and a JSON file beside it with all that does not change from row to row.
+        """Write the table as a compact CSV file, and a JSON file beside it with what is the same in all rows.
 
         The JSON file has the name of the CSV file with `.json` added. It holds the configuration, seeds and layout
         seeds, and a hash of the CSV file, so that two files that do not belong together are noticed. To a device or a
@@ -213,7 +213,8 @@ class Results:
                 groups = table[key].map(str) if key in table else [""] * len(table)
                 for column in next(iter(about[key].values()), {}):
                     shared[column] = [about[key][group][column] for group in groups]
-            table = pandas.concat([table, pandas.DataFrame(shared, index=table.index)], axis="columns")[about["columns"]]
+            added = pandas.DataFrame(shared, index=table.index)
+            table = pandas.concat([table, added], axis="columns")[about["columns"]]
         missing = [column for column in MEASURED if column not in table]
         if missing:
             raise ValueError(f"{path} is not a table of results: it has no column {missing[0]!r}")

@@ -1,0 +1,28 @@
+"""The package that is built for users has everything, and no solutions."""
+
+import importlib.util
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+
+
+@pytest.mark.skipif(
+    importlib.util.find_spec("hatchling") is None, reason="hatchling, which builds it, is not installed"
+)
+def test_the_wheel_has_every_file_and_the_students_notebooks(tmp_path: Path) -> None:
+    """A pattern in `.gitignore` may leave out a whole folder, which an editable installation hides."""
+    command = [sys.executable, "-m", "hatchling", "build", "--target", "wheel", "--directory", str(tmp_path)]
+    made = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+    assert made.returncode == 0, made.stderr
+    (wheel,) = tmp_path.glob("*.whl")
+    inside = {name for name in zipfile.ZipFile(wheel).namelist() if name.startswith("edugym/")}
+    sources = [path for path in (ROOT / "src" / "edugym").rglob("*") if path.is_file() and path.suffix != ".pyc"]
+    expected = {path.relative_to(ROOT / "src").as_posix() for path in sources}
+    notebooks = {f"edugym/lab/notebooks/{path.name}" for path in (ROOT / "notebooks").glob("*.ipynb")}
+    assert notebooks
+    assert inside == expected | notebooks
