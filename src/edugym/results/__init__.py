@@ -1,0 +1,1 @@
+"""What experiments give: tidy tables, intervals, and claims that hold or do not."""
