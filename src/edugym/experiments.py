@@ -1,26 +1,16 @@
-"""The experiments of the lessons: the form of their reports, and how to find them.
-
-A lesson with experiments has a module `edugym/lessons/<name>.py`, or a folder of that name, with one function for the
-command line and for tests:
+"""The form of a lesson's experiments: one function for the command line and for tests.
 
     report(*, repetitions=..., seed=0, jobs=-1, progress=False, stop=None, folder=None) -> Report
 
 It runs the experiments, saves their results in the folder one by one, and returns the claims and figures. Ctrl-C ends
 all of it with a `KeyboardInterrupt`. `reporting` makes it of two functions, one that measures and one that judges.
-Modules are found by their place; there is no list of them.
 """
 
-import importlib
-import math
-import pkgutil
-import re
 import threading
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, NamedTuple, Protocol, cast
+from typing import Any, NamedTuple, Protocol
 
-import edugym.lessons
-from edugym.checks import one_of
 from edugym.plotting.report import Report
 from edugym.training.checkpoints import CHECKPOINTS
 
@@ -50,12 +40,6 @@ class Reporter(Protocol):
             folder: the folder for the results, which are saved as soon as they are complete. Finished runs are kept in
                 a folder `checkpoints` in it: the same call goes on from there.
         """
-
-
-class Experiments(Protocol):
-    """The module of a lesson."""
-
-    report: Reporter
 
 
 class How(NamedTuple):
@@ -112,25 +96,3 @@ def reporting(measure: Callable[[How], tuple[Any, ...]], judge: Callable[..., Re
         return Report([], []) if stop.is_set() else judge(*measured)
 
     return report
-
-
-def lesson_names() -> list[str]:
-    """Return the names of all lessons with experiments, in order: by "(lesson 1)" in the first lines of the files."""
-
-    def place(name: str) -> tuple[float, str]:
-        files = (Path(path, file) for path in edugym.lessons.__path__ for file in (f"{name}.py", f"{name}/__init__.py"))
-        with next(file for file in files if file.exists()).open(encoding="utf-8") as file:
-            number = re.search(r"\(lesson (\d+)\)", file.readline())
-        return (int(number[1]) if number else math.inf), name
-
-    return sorted((module.name for module in pkgutil.iter_modules(edugym.lessons.__path__)), key=place)
-
-
-def load_experiments(lesson: str) -> Experiments:
-    """Import the module of a lesson.
-
-    Raises:
-        ValueError: there is no such lesson.
-    """
-    one_of("lesson", lesson, lesson_names())
-    return cast(Experiments, importlib.import_module(f"{edugym.lessons.__name__}.{lesson}"))

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from edugym.grading import WrongAnswer, check
 from edugym.lab import lessons
 from edugym.lab.progress import record_passed
 from edugym.lab.records import PASSED, passed
@@ -39,6 +40,23 @@ def test_it_shows_what_is_done(folder: Path, monkeypatch: pytest.MonkeyPatch) ->
     assert len((folder / PASSED).read_text().splitlines()) == 2
     assert "1 of 1 solved ✓" in (folder / START_PAGE).read_text()
     assert [path.name for path in folder.glob("*.md")] == [START_PAGE]
+
+
+def test_a_check_that_passes_is_recorded(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """By the names of the exercise and its file; a wrong answer is not."""
+
+    def exercise_1(answer: int, seed: int) -> str:
+        if answer != 2:
+            raise WrongAnswer("twice one is two")
+        return "two"
+
+    exercise_1.__module__ = "edugym.exercises.doubling"
+    with pytest.raises(WrongAnswer):
+        check(exercise_1, 3)
+    assert passed(folder, "doubling") == set()
+    check(exercise_1, 2)
+    assert passed(folder, "doubling") == {1}
+    assert "1 of 1 solved ✓" in (folder / START_PAGE).read_text()
 
 
 def test_nothing_is_recorded_elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

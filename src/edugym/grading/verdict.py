@@ -1,17 +1,19 @@
 """The verdict on an answer: one line when it is right, one sentence when it is not."""
 
+import re
 from collections.abc import Callable
 from typing import Any
 
 from edugym.checks import whole_number
 from edugym.grading.student_code import running
 from edugym.grading.wrong import Unsolved, WrongAnswer
+from edugym.lab.progress import record_passed
 
 __all__ = ["Unsolved", "WrongAnswer", "check"]
 
 
 def check(exercise: Callable[..., str], answer: Any, *, seed: int = 0, quiet: bool = False) -> None:
-    """Check an answer, and print one line if it is right.
+    """Check an answer, and print one line if it is right. In a folder of `edugym lab` the start page is told.
 
     Args:
         exercise: the exercise, a function of the answer and a `seed`, such as `exercise_2` of a lesson.
@@ -26,5 +28,8 @@ def check(exercise: Callable[..., str], answer: Any, *, seed: int = 0, quiet: bo
     whole_number("seed", seed, 0)
     with running("your code"):
         worth_knowing = exercise(answer, seed)
+    lesson, number = exercise.__module__.rpartition(".")[2], re.fullmatch(r"exercise_(\d+)", exercise.__name__)
+    if number:
+        record_passed(lesson, int(number[1]))
     if not quiet:
         print(f"✓ {worth_knowing}")

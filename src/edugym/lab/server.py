@@ -5,7 +5,6 @@ from collections.abc import Sequence
 from pathlib import Path
 from urllib.parse import quote
 
-from edugym.experiments import lesson_names
 from edugym.extras import require
 from edugym.files import check_writable
 from edugym.lab.delivery import deliver
@@ -13,6 +12,7 @@ from edugym.lab.lessons import student_lessons
 from edugym.lab.records import DELIVERED, HIDDEN, without_number
 from edugym.lab.start_page import write_start_page
 from edugym.lab.warm_up import warming_up
+from edugym.lessons import lesson_names
 
 SETTINGS = Path(__file__).parent / "jupyter"
 """Settings of JupyterLab: Markdown is shown as a page, and no news are fetched. Those of the user come first."""

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 import edugym.lessons
-from edugym.experiments import lesson_names, load_experiments
+from edugym.lessons import lesson_names, load_experiments
 
 
 @pytest.mark.parametrize("lesson", lesson_names())
