@@ -64,7 +64,7 @@ class ActorCritic(NamedTuple):
     def create(cls, environment: Any, **settings: Any) -> "ActorCritic":
         """A new agent for an environment, or for a table of a given shape (n_states, n_actions).
 
-        Its settings are the attributes of the class that have a default.
+        The settings are those attributes of the class that have a default.
 
         Raises:
             ValueError: a setting is not as the class says, or the environment does not fit a table.

@@ -104,7 +104,7 @@ class REINFORCE(NamedTuple):
     def create(cls, environment: Any, longest: int = 10_000, **settings: Any) -> "REINFORCE":
         """A new agent for an environment, or for a table of a given shape (n_states, n_actions).
 
-        Its settings are the attributes of the class that have a default.
+        The settings are those attributes of the class that have a default.
 
         Args:
             environment: an MDP or Gymnasium environment with whole numbers for observations and actions.

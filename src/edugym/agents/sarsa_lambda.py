@@ -84,8 +84,8 @@ class SARSALambda(NamedTuple):
     def create(cls, environment: Any, **settings: Any) -> "SARSALambda":
         """A new agent for an environment, or for a table of a given shape (n_states, n_actions).
 
-        Its settings are the attributes of the class that have a default, and `initial_value`, the first value of every
-        entry of the table.
+        The settings are those attributes of the class that have a default. There is one more, `initial_value`: every
+        entry of the table starts with it.
 
         Raises:
             ValueError: a setting is not as the class says, or the environment does not fit a table.

@@ -12,7 +12,7 @@ from edugym.rendering.scene import Circle, Line, Polygon, Rectangle, Scene, Shap
 
 LONGEST = 1_000_000
 MOST_CELLS = 50
-"""How many cells the picture tells apart; a longer road is drawn in one piece."""
+"""The longest road on which the picture marks single cells."""
 
 
 class Runner(NamedTuple):
@@ -33,9 +33,10 @@ class Roadrunner(NamedTuple):
     ## Description
     Challenge: on- and off-policy credit assignment. A runner speeds along a road of W cells that ends at a cliff. It
     must arrive exactly at the last cell, the target T = W - 1, at any speed. (With a `stop_zone` it may also arrive a
-    little before T.) Beyond T is the drop. A speed below 0, a stall, loses as well. The best run ends one exploring
-    step away from disaster. An off-policy method still learns this run; an on-policy method learns what its own
-    exploring costs, and prefers to arrive more slowly and safely, or, with a stop zone, to stop short of the edge.
+    little before T.) Beyond T is the drop: a runner that falls loses. A runner whose speed goes below 0 stalls, and
+    loses too. The best run ends one exploring step away from disaster. An off-policy method still learns this run; an
+    on-policy method learns what its own exploring costs, and prefers to arrive more slowly and safely, or, with a stop
+    zone, to stop short of the edge.
 
     ## Observation space
     `MultiDiscrete([size + 1, max_speed + 1])`: the position x and the speed dx.
@@ -44,9 +45,9 @@ class Roadrunner(NamedTuple):
     `Discrete(3)`: 0, 1 and 2 change the speed by -1, 0 and +1.
 
     ## State
-    The position x, the speed dx, and the number of steps that this episode has taken. A stalled runner has dx = -1, and
-    is observed with dx = 0. The step count is not observed, so near the step limit the observation is not Markov (an
-    agent that bootstraps at truncation need not mind).
+    The position x and the speed dx. A stalled runner has dx = -1, and is observed with dx = 0. The steps of the episode
+    are counted outside the state, for the step limit, and are not observed. So near the step limit the observation is
+    not Markov (which does not matter to an agent that bootstraps at truncation).
 
     ## Dynamics
     The speed changes first, up to `max_speed`; then x += dx. A runner that would come beyond T is set to W. A speed
@@ -79,8 +80,8 @@ class Roadrunner(NamedTuple):
     - +1 and R replace the -1 of that step. (The paper could also be read as adding them to it.)
     - The paper does not say that the speed changes before the position, and does not list the fall among the ends of an
       episode.
-    - The paper's text speaks of moving beyond W and of hitting W. Here, as in the paper's description of the task, all
-      that is beyond T is the drop, and a runner that has fallen has x = W.
+    - The paper's text speaks of moving beyond W and of hitting W. Here there is only the drop beyond T, as the paper's
+      description of the task has it. A runner that has fallen is given x = W.
     - The paper's space has W positions and `max_speed` speeds; here both have one more, since W and `max_speed`
       themselves can be reached.
     - The paper's main text speaks of "how close it ends up to the edge"; its appendix does not. The parameter
@@ -115,7 +116,7 @@ class Roadrunner(NamedTuple):
         return Runner(min(state.x + dx, self.size), dx)
 
     def reward(self, state: Runner, action: int, next_state: Runner, rng: Random) -> float:
-        """+1 at T, one less for each cell before it in the stop zone; R for a fall or a stall; else -1."""
+        """+1 at T; in the stop zone 1 minus the distance to T; R for a fall or a stall; else -1."""
         if self.has_failed(next_state):
             return self.negative_reward
         distance = self.size - 1 - next_state.x
@@ -166,7 +167,7 @@ class Roadrunner(NamedTuple):
 
     @property
     def reward_threshold(self) -> float | None:
-        """The best return: of the fastest run to T, or of a stall at once if R is higher.
+        """The best return: that of the fastest run to T, or R if R is higher (by a stall in the first step).
 
         None with a stop zone, or if the step limit is too low for that run.
         """
@@ -191,7 +192,7 @@ class Roadrunner(NamedTuple):
         x, dx = state
         scale = max(
             1.0, task.size / 20
-        )  # the size of all but the cells, so that the runner stays visible on a long road
+        )  # of everything except the width of the cells, so that the runner stays visible on a long road
         edge, ground, bottom = task.size + 0.5, 3.6 * scale, 5.6 * scale
         width = max(edge + 2.5 * scale, 10.0)
         notch = (edge - 0.3 * scale, ground + 1.1 * scale)

@@ -50,8 +50,8 @@ class Supermarket(NamedTuple):
     `Discrete(4)`: 0 up, 1 down, 2 left, 3 right.
 
     ## State
-    The number that is observed, and the number of steps that this episode has taken. The step count is not observed, so
-    near the step limit the observation is not Markov (an agent that bootstraps at truncation need not mind).
+    The number that is observed. The steps of the episode are counted outside it, and are not observed, so near the step
+    limit the observation is not Markov (an agent that bootstraps at truncation need not mind).
 
     ## Dynamics
     One cell in the direction of the action; a wall leaves the shopper in place. One cannot leave through the entrance.

@@ -79,7 +79,10 @@ def wrapper(kind: Kind) -> Kind:
 
 
 def _from_inside(self: Any, name: str) -> Any:
-    """Get an attribute that the wrapper does not define from the inner MDP (but no private one, nor `observe_into`)."""
+    """If the wrapper does not define an attribute, get it from the inner MDP.
+
+    Private attributes and `observe_into` are not passed on.
+    """
     if name.startswith("_") or name == "observe_into":  # which would write the observation of the inner MDP
         raise AttributeError(f"{type(self).__name__} has no attribute {name!r}")
     value = getattr(self.mdp, name)

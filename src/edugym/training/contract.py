@@ -77,8 +77,9 @@ def require_agent(agent: Any) -> None:
     """Refuse what is no agent. An agent needs the methods `act` and `learn`, and may have `greedy`.
 
     Raises:
-        ValueError: it is a class, it lacks a method, `act` or `greedy` has other parameters, `learn` has no `self`, or
-            a table holds whole numbers, True or False, or NaN.
+        ValueError: it is a class; `act` or `learn` is missing; `act` or `greedy` cannot be called with (state, rng);
+            `learn` has no `self`; or a table contains NaN, or its dtype is one of whole numbers or bool. (Agents of
+            EduGym's own classes are not checked further than for their methods.)
     """
     needed = "agent must be an object with the methods act and learn, but is"
     if isinstance(agent, type):
@@ -100,7 +101,7 @@ def require_agent(agent: Any) -> None:
 
 
 def tables_of(agent: Any) -> dict[str, np.ndarray[Any, Any]]:
-    """The arrays of an agent that hold real numbers, judged by the names of its fields or attributes."""
+    """Those arrays of an agent that are meant for real numbers: fields and attributes whose name is in `TABLES`."""
     fields = agent._asdict() if hasattr(agent, "_asdict") else getattr(agent, "__dict__", {})
     return {name: table for name, table in fields.items() if name in TABLES and isinstance(table, np.ndarray)}
 

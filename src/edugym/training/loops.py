@@ -60,7 +60,7 @@ def off_policy(
     Args:
         n_steps: how many steps to take; episodes follow each other.
         mdp: the task.
-        agent: what `edugym.training.contract.learner(agent)` returns: a wrapper around the agent, whose `learn` takes
+        agent: the agent inside the wrapper that `edugym.training.contract.learner` makes. The wrapper's `learn` takes
             all the arguments that this loop passes.
         max_steps: after how many steps an episode is truncated.
         environment_rng: what the task draws from.
