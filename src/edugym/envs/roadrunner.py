@@ -167,7 +167,7 @@ class Roadrunner(NamedTuple):
 
     @property
     def reward_threshold(self) -> float | None:
-        """The best return: that of the fastest run to T, or R if R is higher (by a stall in the first step).
+        """The best return: that of the fastest run to T, or R if R is higher. (A stall in the first step gives R.)
 
         None with a stop zone, or if the step limit is too low for that run.
         """
@@ -190,9 +190,8 @@ class Roadrunner(NamedTuple):
         """A side view of road and cliff, with a danger sign at the end of the road and the speed on the runner."""
         task = self
         x, dx = state
-        scale = max(
-            1.0, task.size / 20
-        )  # of everything except the width of the cells, so that the runner stays visible on a long road
+        # The scale of everything except the width of the cells. It grows on a long road: the runner stays visible.
+        scale = max(1.0, task.size / 20)
         edge, ground, bottom = task.size + 0.5, 3.6 * scale, 5.6 * scale
         width = max(edge + 2.5 * scale, 10.0)
         notch = (edge - 0.3 * scale, ground + 1.1 * scale)

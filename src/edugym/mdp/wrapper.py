@@ -83,7 +83,8 @@ def _from_inside(self: Any, name: str) -> Any:
 
     Private attributes and `observe_into` are not passed on.
     """
-    if name.startswith("_") or name == "observe_into":  # which would write the observation of the inner MDP
+    # `observe_into` of the inner MDP would write the inner MDP's observation, not the wrapper's.
+    if name.startswith("_") or name == "observe_into":
         raise AttributeError(f"{type(self).__name__} has no attribute {name!r}")
     value = getattr(self.mdp, name)
     if name in ("scene", "info") and hasattr(type(self), "inside"):
