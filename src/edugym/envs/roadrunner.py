@@ -167,7 +167,7 @@ class Roadrunner(NamedTuple):
 
     @property
     def reward_threshold(self) -> float | None:
-        """The best return: that of the fastest run to T, or R if R is higher. (A stall in the first step gives R.)
+        """The best return: that of the fastest run to T, or R if R is higher: a stall in the first step gives R.
 
         None with a stop zone, or if the step limit is too low for that run.
         """

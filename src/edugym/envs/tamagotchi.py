@@ -16,6 +16,8 @@ from edugym.rendering.scene import Circle, Polygon, Rectangle, Scene, Shape, Tex
 NEEDS = ("play", "sleep", "feed", "clean")
 TIE_BREAK = 1e-6
 """What is added to the urgency of the wanted action, so that it wins ties in the message."""
+URGENCIES = np.array([math.exp(-variable / 100) for variable in range(101)])
+"""The urgency of each value of a variable: looking it up is quicker than computing it."""
 
 Variables = tuple[int, int, int, int]
 
@@ -280,7 +282,7 @@ class Tamagotchi(NamedTuple):
 
 def urgency(variable: int) -> float:
     """The lower a variable, the more urgent its need: u = exp(-v/100)."""
-    return math.exp(-variable / 100)
+    return float(URGENCIES[variable])
 
 
 def happiness(variables: Variables) -> float:
