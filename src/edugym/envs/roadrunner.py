@@ -167,9 +167,9 @@ class Roadrunner(NamedTuple):
 
     @property
     def reward_threshold(self) -> float | None:
-        """The best return: that of the fastest run to T, or R if R is higher: a stall in the first step gives R.
+        """The best return: the return of the fastest run to T or R, whichever is higher.
 
-        None with a stop zone, or if the step limit is too low for that run.
+        A runner that stalls in the first step gets R. None with a stop zone, or if the step limit is too low for that run.
         """
         steps, reach, speed = 0, 0, 0
         while reach < self.size - 1:
