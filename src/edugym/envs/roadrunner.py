@@ -69,7 +69,7 @@ class Roadrunner(NamedTuple):
     - `size` (10): W, the number of cells, from 2 to 1 000 000.
     - `max_speed` (10): from 1 to 1 000 000.
     - `negative_reward` (-100.0): R, from -1 000 000 to 0.
-    - `stop_zone` (0): how many cells before T also end the episode, from 0 to W - 2 (the start is not one of them).
+    - `stop_zone` (0): the number of cells just before T that end the episode too, from 0 to W - 2 (never the start).
     - `max_steps` (5 * size): 1 or more.
 
     ## Info
@@ -167,9 +167,10 @@ class Roadrunner(NamedTuple):
 
     @property
     def reward_threshold(self) -> float | None:
-        """The best return: the return of the fastest run to T or R, whichever is higher.
+        """The best return: the return of the fastest run to T, or R itself if R is higher.
 
-        A runner that stalls in the first step gets R. None with a stop zone, or if the step limit is too low for that run.
+        (A runner that stalls in the first step gets R.) None with a stop zone, or if the step limit is too low for the
+        fastest run.
         """
         steps, reach, speed = 0, 0, 0
         while reach < self.size - 1:

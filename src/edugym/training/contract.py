@@ -78,7 +78,7 @@ def require_agent(agent: Any) -> None:
 
     Raises:
         ValueError: it is a class; `act` or `learn` is missing; `act` or `greedy` cannot be called with (state, rng);
-            `learn` has no `self`; or a table contains NaN, or its dtype is one of whole numbers or bool. (An object of
+            `learn` has no `self`; a table contains NaN; or a table has an integer or bool dtype. (An object of
             one of EduGym's own classes is accepted if it has `act` and `learn`; the other checks are skipped.)
     """
     needed = "agent must be an object with the methods act and learn, but is"
