@@ -80,8 +80,9 @@ class Roadrunner(NamedTuple):
     - +1 and R replace the -1 of that step. (The paper could also be read as adding them to it.)
     - The paper does not say that the speed changes before the position, and does not list the fall among the ends of an
       episode.
-    - The paper's text speaks of moving beyond W and of hitting W. Here there is only the drop beyond T, as the paper's
-      description of the task has it. A runner that has fallen is given x = W.
+    - The paper is not consistent about the drop. Its text speaks of moving beyond W and of hitting W; its description
+      of the task has a drop beyond the target only. Here it is as in the description. A runner that has fallen is given
+      x = W.
     - The paper's space has W positions and `max_speed` speeds; here both have one more, since W and `max_speed`
       themselves can be reached.
     - The paper's main text speaks of "how close it ends up to the edge"; its appendix does not. The parameter

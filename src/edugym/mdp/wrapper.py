@@ -41,8 +41,8 @@ PASSED_ON = {
 }
 """The five methods of an MDP, each of which calls the same method of the inner MDP.
 
-(`wrapper` also adds a `__getattr__` that finds the attributes of the inner MDP, but the compiler sees only methods of
-the class itself.)
+(The `__getattr__` that `wrapper` also adds would find these methods in the inner MDP, but only in the interpreter. The
+compiler sees only the methods of the class itself, so the class needs all five.)
 """
 
 
