@@ -77,7 +77,8 @@ class Roadrunner(NamedTuple):
     - `stalled`: whether the speed fell below 0.
 
     ## Choices
-    - +1 and R replace the -1 of that step. (The paper could also be read as adding them to it.)
+    - A step that reaches T gets +1 instead of -1; a fall or a stall gets R instead of -1. (The paper could also be
+      read as adding +1 or R to the -1.)
     - The paper does not say that the speed changes before the position, and does not list the fall among the ends of an
       episode.
     - The paper is not consistent about the drop. Its text speaks of moving beyond W and of hitting W; its description
@@ -170,8 +171,8 @@ class Roadrunner(NamedTuple):
     def reward_threshold(self) -> float | None:
         """The best return: the return of the fastest run to T, or R itself if R is higher.
 
-        (A runner that stalls in the first step gets R.) None with a stop zone, or if the step limit is too low for the
-        fastest run.
+        (A runner that stalls in the first step gets R.) The value is None if there is a stop zone, or if the step limit
+        is too low for the fastest run.
         """
         steps, reach, speed = 0, 0, 0
         while reach < self.size - 1:
