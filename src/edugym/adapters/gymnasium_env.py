@@ -138,7 +138,8 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
             why = "before the first reset" if self.state is None else "of a finished episode"
             raise ResetNeeded(f"step {why}: call reset() to start an episode")
         action = self._checked(action)
-        mdp, state, rng = self.mdp, self.state, self.np_random
+        mdp, state = self.mdp, self.state
+        rng: Any = self._np_random  # there is one since `reset`; the property `np_random` would cost a tenth of a step
         if self._steps_to_check:
             self._steps_to_check -= 1
             try:
