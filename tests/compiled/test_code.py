@@ -387,19 +387,25 @@ def test_a_global_is_one_that_is_loaded_as_one() -> None:
     assert "LATE" in {name for _, name in Code(loop, (many["T"](3),)).globals}
 
 
-class Helped(NamedTuple):
-    """A value of the package's own, as far as its module says, whose method uses names of every kind."""
+class Plain(NamedTuple):
+    """A value without methods."""
 
     x: int
 
-    def f(self, s: float, rng: object) -> float:
-        """Use a member, a global, a helper and a function of Python's own."""
-        return s + self.LEVEL + CONSTANT + helper(1.0) + abs(-1.0) + outer()
 
+class Helped(Plain):
+    """A value of the package's own, as far as its module says, whose method uses names of every kind."""
+
+    __slots__ = ()
     LEVEL = 2
 
+    def f(self, s: float, rng: object) -> float:
+        """Use a member, a global, a helper and a function of Python's own."""
+        total: float = s + self.LEVEL + CONSTANT + helper(1.0) + abs(-1.0) + outer()
+        return total
 
-CONSTANT = 1.0
+
+CONSTANT: Any = 1.0
 
 
 def helper(x: float, more: float = 0.0) -> float:
@@ -407,7 +413,7 @@ def helper(x: float, more: float = 0.0) -> float:
     return x + more
 
 
-def _closure() -> Callable[[], float]:
+def _closure() -> Any:
     k = 1.0
 
     def outer() -> float:
@@ -422,7 +428,7 @@ outer = _closure()
 @pytest.fixture
 def own(monkeypatch: pytest.MonkeyPatch) -> Any:
     """The value and a loop over it, which seem to be the package's own."""
-    for thing in (Helped, Helped.f, helper, outer, loop):
+    for thing in (Plain, Helped, Helped.f, helper, outer, loop):
         monkeypatch.setattr(thing, "__module__", "edugym.test")
     monkeypatch.setattr(code, "_walked", {})
     return Helped(1)

@@ -230,7 +230,12 @@ def risk_claims(played: Mapping[str, Played]) -> list[Claim]:
     """Return the claims on aversion and seeking, where it can be seen."""
     averse, neutral, seeking = (played[label] for label in (AVERSE, NEUTRAL, SEEKING))
     return [
-        Claim("The averse player loses no ball", "share of lost balls", mean_interval(averse.lost), Below(0.002)),
+        Claim(
+            "The averse player loses hardly a ball: fewer than 1 in 100",
+            "share of lost balls",
+            mean_interval(averse.lost),
+            Below(0.01),
+        ),
         Claim(
             "The neutral one does",
             "share of lost balls, neutral less averse",
@@ -284,10 +289,11 @@ def noisy_claims(played: Mapping[str, Played]) -> list[Claim]:
             "beyond 0.0187 the safe swing is also the best one on average",
         ),
         Claim(
-            "and has nearly the spread of the averse one",
+            "and has the spread of the averse one, to within 0.1",
             "standard deviation of returns, averse less neutral",
             paired_difference(averse.spread, neutral.spread),
-            Within(-0.04, 0.01),
+            Within(-0.1, 0.1),
+            "mostly to within 0.01, but one careless run in 30 moves the mean",
         ),
         Claim(
             "Seeking costs there",
