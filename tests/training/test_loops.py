@@ -45,6 +45,30 @@ def test_many_small_chunks_are_one_call(chunk: int, monkeypatch: pytest.MonkeyPa
         assert all(map(np.array_equal, one, other))
 
 
+@pytest.mark.parametrize("most", [0, 900, 10**9])
+def test_how_many_episodes_are_played_in_one_call_does_not_show(most: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Evaluation gives the same returns in calls of any length; without `greedy` each episode has its own copy."""
+    mdp, calls = SlipperyWalk(), []
+    original = trainers.MDPTrainer.play_episodes
+
+    def counted(self: Any, at_most: int) -> list[float]:
+        returns = original(self, at_most)
+        calls.append(len(returns))
+        return returns
+
+    def curves() -> list[Any]:
+        agents: list[Any] = [QLearning.create(mdp), StudentsSarsa(np.zeros((7, 2)))]
+        how: dict[str, Any] = {"evaluate_every": 2_000, "evaluation_episodes": 9, "max_steps": 100, "seed": 5}
+        return [train(mdp, agent, 6_000, **how).returns for agent in agents]
+
+    expected = curves()
+    monkeypatch.setattr(trainers, "MOST_STEPS", most)
+    monkeypatch.setattr(trainers.MDPTrainer, "play_episodes", counted)
+    assert all(map(np.array_equal, curves(), expected))
+    assert max(calls[: -4 * 9]) == (1 if most == 0 else 9)
+    assert set(calls[-4 * 9 :]) == {1}
+
+
 def test_short_and_long_runs_agree(compiled_loops: list[str]) -> None:
     """The first 3 000 steps give the same points, whether they are interpreted or the half of 6 000 compiled ones."""
 

@@ -11,6 +11,7 @@ raises ValueError for a value that is not allowed.
 """
 
 import inspect
+import weakref
 from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Annotated, Any, NamedTuple, TypeVar, get_args, get_origin, get_type_hints
@@ -181,11 +182,24 @@ def shows_settings(kind: type[Made]) -> type[Made]:
 
 def _hints(kind: type) -> dict[str, Any]:
     """The annotated types of the fields of a NamedTuple class, in order; `Any` for a field without annotation."""
+    written: dict[str, Any] = {}
+    for base in reversed(kind.__mro__):
+        written |= inspect.get_annotations(base)
+    known = _known_hints.get(kind)
+    if known is not None and known[0] == written:
+        return dict(known[1])
     try:
         hints = get_type_hints(kind, include_extras=True)
     except NameError:  # a user's class inside a function, whose annotations use local names
         hints = {}
-    return {name: hints.get(name, Any) for name in getattr(kind, "_fields", ())}
+    found = {name: hints.get(name, Any) for name in getattr(kind, "_fields", ())}
+    if all(hint is written.get(name) for name, hint in found.items()):  # no name in them that may come to mean another
+        _known_hints[kind] = written, found
+    return dict(found)
+
+
+_known_hints: "weakref.WeakKeyDictionary[type, tuple[dict[str, Any], dict[str, Any]]]" = weakref.WeakKeyDictionary()
+"""The hints of classes, each with what is written there. To look through them takes as long as a short run."""
 
 
 def _mark(hint: Any, kind: type) -> Any:

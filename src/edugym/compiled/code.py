@@ -18,6 +18,26 @@ LIBRARIES = frozenset({"builtins", "math", "numba", "numpy", "typing", "collecti
 EXTENDED_ARG, LOAD_GLOBAL, LOAD_NAME = (dis.opmap[name] for name in ("EXTENDED_ARG", "LOAD_GLOBAL", "LOAD_NAME"))
 NAMEDTUPLE_OWN = frozenset({"_make", "_replace", "_asdict", "_fields", "_field_defaults"})
 """What every NamedTuple has."""
+_ABSENT = object()
+_walked: dict[tuple[Any, ...], "Code"] = {}
+
+
+def code_of(loop: Callable[..., Any], values: tuple[Any, ...]) -> "Code":
+    """Return the `Code` that `loop(*values)` can reach.
+
+    A walk takes some milliseconds, and an experiment has thousands of runs. So a walk through nothing but the package's
+    own code is kept, and serves as long as a look at all that it met finds everything in its place.
+    """
+    key = (loop, *classes_of(values))
+    known = _walked.get(key)
+    if known is not None and known.is_unchanged():
+        return known
+    code = Code(loop, values)
+    if code.is_watchable:
+        _walked[key] = code
+    else:
+        _walked.pop(key, None)
+    return code
 
 
 class Code:
@@ -33,6 +53,8 @@ class Code:
         globals: what every global name stands for that a function uses: (function, name) -> value.
         cells: what every variable of an outer function stands for: (inner function, variable, value).
         fingerprint: a hash of all this code and of the global constants that it reads.
+        is_watchable: whether `is_unchanged` can tell that something has changed. It cannot for code that is not the
+            package's own, or reaches an array or the like, whose contents change while no name changes its meaning.
     """
 
     def __init__(self, loop: Callable[..., Any], values: tuple[Any, ...]) -> None:
@@ -44,6 +66,8 @@ class Code:
         self.cells: list[tuple[FunctionType, CellType, Any]] = []
         self._names: dict[str, None] = {}
         self._owners: dict[type, None] = {}  # the classes whose members count
+        self._looked_up: dict[tuple[int, str], tuple[dict[str, Any], str, Any]] = {}  # in globals and modules
+        self._changeable = False  # whether it met what can change while no name changes its meaning
         self._seen: dict[int, int] = {}
         self._kept: list[Any] = []  # ids stay unique while the objects live
         self._hash = hashlib.sha256()
@@ -55,6 +79,10 @@ class Code:
             for kind, name in missing:
                 self._member(kind, name)
         self.fingerprint = self._hash.hexdigest()[:24]
+        self.is_watchable = not self._changeable and not self.foreign
+        self._shapes = [(kind, kind.__mro__, getattr(kind, "_fields", None)) for kind in self._owners]
+        self._contents = [(base, set(vars(base))) for base in self._bases()]
+        self._functions = [(one, one.__code__, one.__defaults__, one.__kwdefaults__) for one in self.functions]
 
     @property
     def foreign(self) -> bool:
@@ -86,6 +114,20 @@ class Code:
             and all(globals_.get(name) is value for globals_, name, value in self._watched_globals)
             and all(function.__code__ is code for function, code in self._watched_code)
             and all(inside(cell) is value for cell, value in self._watched_cells)
+        )
+
+    def is_unchanged(self) -> bool:
+        """Whether another walk would find the same, if the code is watchable: a look at all that this walk met."""
+        return (
+            all(kind.__mro__ is mro and getattr(kind, "_fields", None) is fields for kind, mro, fields in self._shapes)
+            and all(vars(base).keys() == names for base, names in self._contents)
+            and all(vars(kind).get(name) is member for (kind, name), member in self.members.items())
+            and all(
+                one.__code__ is code and one.__defaults__ is defaults and one.__kwdefaults__ is named
+                for one, code, defaults, named in self._functions
+            )
+            and all(space.get(name, _ABSENT) is value for space, name, value in self._looked_up.values())
+            and all(inside(cell) is value for _, cell, value in self.cells)
         )
 
     def arrays(self) -> tuple[np.ndarray[Any, Any], ...]:
@@ -121,12 +163,14 @@ class Code:
         names = sorted(self._names)
         return [
             (base, name)
-            for kind in self._owners
-            for base in kind.__mro__
-            if package(base) not in LIBRARIES
+            for base in self._bases()
             for name in names
             if name in vars(base) and (base, name) not in self.members and name not in NAMEDTUPLE_OWN
         ]
+
+    def _bases(self) -> Iterator[type]:
+        """The classes in which members are looked up, in order, some of them more than once."""
+        return (base for kind in self._owners for base in kind.__mro__ if package(base) not in LIBRARIES)
 
     def _member(self, kind: type, name: str) -> None:
         if (kind, name) in self.members:
@@ -157,6 +201,7 @@ class Code:
         elif isinstance(thing, type):
             self._class(thing)
         elif isinstance(thing, np.ndarray):
+            self._changeable = True
             self._add(thing.dtype, thing.shape, thing.tobytes())
         elif isinstance(thing, tuple):
             self._add(len(thing))
@@ -170,6 +215,7 @@ class Code:
 
     def _compiled_by_its_author(self, thing: Any) -> None:
         """What @njit, @vectorize, @guvectorize and @cfunc have made, or a type of Numba's."""
+        self._changeable = True
         self._add(type(thing).__qualname__)
         inner = getattr(thing, "gufunc_builder", thing)
         found = [getattr(inner, name, None) for name in ("py_func", "__wrapped__", "_pyfunc")]
@@ -197,11 +243,14 @@ class Code:
         self._add(function.__qualname__)
         self._visit(function.__defaults__)
         for name, value in sorted((function.__kwdefaults__ or {}).items()):
+            self._changeable = True
             self._add(name)
             self._visit(value)
         names = self._code(function.__code__)
         self._names.update(dict.fromkeys(names))
-        for name in sorted(_global_names(function.__code__) & function.__globals__.keys()):
+        loaded = _global_names(function.__code__)
+        self._look_up(function.__globals__, loaded)
+        for name in sorted(loaded & function.__globals__.keys()):
             self._add(name)
             self.globals[function, name] = function.__globals__[name]
             self._reached(function.__globals__[name], names)
@@ -216,9 +265,15 @@ class Code:
             return
         self._add(value.__name__)
         if package(value) not in LIBRARIES:
+            self._look_up(vars(value), names)
             for name in sorted(names & vars(value).keys()):
                 self._add(name)
                 self._reached(vars(value)[name], names - {name})
+
+    def _look_up(self, space: dict[str, Any], names: set[str]) -> None:
+        """Remember what names stand for, those included that stand for nothing yet."""
+        for name in names:
+            self._looked_up[id(space), name] = (space, name, space.get(name, _ABSENT))
 
     def _code(self, code: CodeType) -> set[str]:
         """Hash the byte code and give the names it uses, those of inner functions and comprehensions included."""

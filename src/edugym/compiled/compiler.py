@@ -23,7 +23,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from edugym.compiled.bridge import building, teach
-from edugym.compiled.code import Code
+from edugym.compiled.code import Code, code_of
 from edugym.compiled.disk import SEAL, cache_directory, is_whole, new_folder, publish, remove, seal
 from edugym.compiled.subset import place
 from edugym.interrupts import interruptibly
@@ -77,7 +77,7 @@ def compiled(loop: Function, *arguments: Any, code: Code | None = None) -> Funct
         NoCompiler: there is no compiler here.
     """
     numba = _numba()
-    code = code or Code(loop, arguments)
+    code = code or code_of(loop, arguments)
     streams = [k for k, argument in enumerate(arguments) if isinstance(argument, np.random.Generator)]
     try:
         signature = tuple(map(numba.typeof, _located(arguments, streams)))
@@ -200,7 +200,7 @@ def _alike(one: tuple[Any, ...], other: tuple[Any, ...]) -> bool:
     types = _numba().types
 
     def same(kind: Any, other_kind: Any) -> bool:
-        if kind == other_kind:
+        if kind is other_kind or kind == other_kind:
             return True
         if not (isinstance(kind, types.BaseNamedTuple) and isinstance(other_kind, types.BaseNamedTuple)):
             return False

@@ -15,7 +15,7 @@ import weakref
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from edugym.compiled.code import LIBRARIES, Code, is_foreign
+from edugym.compiled.code import LIBRARIES, Code, code_of, is_foreign
 from edugym.compiled.compiler import CompilationError, NoCompiler, check_compiler, compiled, is_built, is_on_disk
 from edugym.compiled.copies import Snapshot, copied, difference
 from edugym.compiled.subset import refusal
@@ -55,7 +55,7 @@ def executable(
         A function with the arguments of `loop`: machine code, or where that does not pay or is not possible, `loop`
         itself.
     """
-    code = Code(loop, arguments)
+    code = code_of(loop, arguments)
     if expected < COMPILE_FROM and not is_built(loop, code):
         return loop
     try:
@@ -124,7 +124,7 @@ def _guarded(fast: Loop, loop: Loop, code: Code, rehearsed: int, replay: Loop) -
     def run(*arguments: Any) -> Any:
         nonlocal fast, code, surprises, cost, spent
         if not code.is_current():
-            code = Code(loop, arguments[1:])
+            code = code_of(loop, arguments[1:])
             fast = executable(loop, arguments[1:], rehearsed=rehearsed, replay=replay)
         if fast is loop:
             return loop(*arguments)

@@ -132,11 +132,11 @@ class _Curve:
 
     def measure(self, steps: int, training: Trainer, n_episodes: int, stopped: Callable[[], bool]) -> None:
         """Evaluate the agent over some episodes, and add a point to the curve unless the run is stopped meanwhile."""
-        returns = [training.play_episode()]
+        returns = training.play_episodes(n_episodes)
         while len(returns) < n_episodes:
             if stopped():
                 return
-            returns.append(training.play_episode())
+            returns += training.play_episodes(n_episodes - len(returns))
         log = training.log
         ended = int(log.episodes[0])
         mean = log.returns[0] / ended if ended else math.nan

@@ -37,6 +37,8 @@ CALL_SECONDS = 0.02
 FIRST_STEPS = 50
 """How many steps the first call takes, when it is not known how long a step takes."""
 NO_LIMIT = 2**62
+MOST_STEPS = 10_000
+"""The steps that evaluation takes in one call of machine code, unless one episode is longer: some milliseconds."""
 EVALUATION_LIMIT = 1_000
 """The step limit of an evaluation episode where the task has none: a greedy policy may never get anywhere."""
 
@@ -59,8 +61,8 @@ class Trainer(Protocol):
     def learn(self, at_most: int) -> int:
         """Take training steps, as many as take about `CALL_SECONDS`; return their number."""
 
-    def play_episode(self) -> float:
-        """Play an episode without learning, as the agent believes best; return its undiscounted return."""
+    def play_episodes(self, at_most: int) -> list[float]:
+        """Play an episode or more without learning, as the agent believes best; return their undiscounted returns."""
 
 
 def trainer(environment: Any, agent: Any, seed: int, max_steps: int | None, expected: int) -> Trainer:
@@ -135,17 +137,27 @@ class MDPTrainer:
             self._compile_training()
         return n_steps
 
-    def play_episode(self) -> float:
-        """Play an episode without learning, as the agent believes best; return its undiscounted return."""
-        evaluation = self._evaluation()
+    def play_episodes(self, at_most: int) -> list[float]:
+        """Play an episode without learning, as the agent believes best, or several in one call of machine code.
+
+        Several only if they are short, and if the agent has `greedy`: others play each episode with a new copy.
+
+        Returns:
+            The undiscounted return of each.
+        """
+        compiled = self._play is not loops.play_episodes
+        together = compiled and hasattr(self.agent, "greedy")
+        n_episodes = min(at_most, max(1, MOST_STEPS // self._evaluation_limit)) if together else 1
+        evaluation = self._evaluation(n_episodes)
         if self._has_played:
-            with nullcontext() if self._play is loops.play_episodes else held(), explained(self.agent, self._task):
-                self._play(1, *evaluation)
+            with held() if compiled else nullcontext(), explained(self.agent, self._task):
+                self._play(n_episodes, *evaluation)
         else:
             self._has_played = True
             loops.play_episodes(1, *self._checked(*evaluation))
             self._compile_playing()
-        return float(evaluation[-1][0])
+        returns: list[float] = evaluation[-1].tolist()
+        return returns
 
     def _compile_training(self) -> None:
         """From now on train by machine code, if that pays and is possible; where that fails, checks say why."""
@@ -170,11 +182,11 @@ class MDPTrainer:
         """Return the arguments of a loop with a student's MDP and agent checked."""
         return checked_mdp(mdp, steps), checked_agent(agent, self._task, steps), *rest
 
-    def _evaluation(self) -> tuple[Any, ...]:
-        """Return the arguments of `play_episodes` after the number of episodes; it writes the return into the last."""
+    def _evaluation(self, n_episodes: int = 1) -> tuple[Any, ...]:
+        """Return the arguments of `play_episodes` after the number of episodes; it writes returns into the last."""
         limit, evaluation_rng, actor_rng = self._evaluation_limit, self._evaluation_rng, self._actor_rng
         playing = self._playing
-        return playing.mdp, playing.of(actor(self.agent)), limit, evaluation_rng, actor_rng, np.zeros(1)
+        return playing.mdp, playing.of(actor(self.agent)), limit, evaluation_rng, actor_rng, np.zeros(n_episodes)
 
 
 class GymnasiumTrainer:
@@ -214,13 +226,13 @@ class GymnasiumTrainer:
             self._compile(self._moment[1])
         return n_steps
 
-    def play_episode(self) -> float:
-        """Play an episode without learning, as the agent believes best; return its undiscounted return."""
+    def play_episodes(self, at_most: int) -> list[float]:
+        """Play one episode without learning, as the agent believes best; return its undiscounted return."""
         if self._has_played:
-            return self._played(self._evaluated, self._actor or actor(self.agent))
+            return [self._played(self._evaluated, self._actor or actor(self.agent))]
         self._has_played = True
         with checked_env(self._evaluated) as env:
-            return self._played(env, self._actor or checked_agent(actor(self.agent), self._evaluated))
+            return [self._played(env, self._actor or checked_agent(actor(self.agent), self._evaluated))]
 
     def _advance(self, n_steps: int, env: Any) -> None:
         limit = self._limit or NO_LIMIT
