@@ -70,7 +70,13 @@ print({"b", "a", "c", "d"})
 # **Predict.** What is 2 times 2?
 
 # %%
-2 * 2
+from edugym.notebook import predict
+
+product = predict("2 times 2")
+product
+
+# %%
+product.measured(2 * 2)
 
 # %% [markdown]
 # <details><summary>What was measured</summary> **Measured.** 4. </details>
@@ -213,7 +219,9 @@ def test_the_install_cell_keeps_what_is_there(monkeypatch: pytest.MonkeyPatch) -
         ("# ## Your turn", "# Play.\n# ## Your turn", "opens its cell"),
         ("**Time.** 1 minute.", "", r"must contain '\*\*Time"),
         ("### Limits", "", "must contain '### Limits'"),
-        ("%%\n2 * 2", "%% [markdown]\n# 2 * 2", "needs next a code cell"),
+        ("%%\nproduct.measured(2 * 2)", "%% [markdown]\n# 4", "needs next a code cell"),
+        ("product.measured(2 * 2)", "print(2 * 2)", "needs next a code cell"),
+        ('predict("2 times 2")', "2 * 2", "needs next a code cell"),
         ("<details><summary>What was measured</summary>", "", "needs next a code cell"),
         ('# %%\nprint({"b", "a", "c", "d"})', "", "'## See inside' must have a code cell"),
         ("<details><summary>Hint</summary> Add. </details>", "", "a hint that folds out"),

@@ -25,6 +25,7 @@ from edugym.lessons.exploration import (
     share_of_climbs,
     visits_of,
 )
+from edugym.lessons.exploration.climbs import first_at_top
 from edugym.lessons.exploration.figures import highest_so_far
 from edugym.lessons.exploration.fork import Fork, branches, returns_to, turns
 from edugym.lessons.exploration.stalling import record_frontier
@@ -109,7 +110,7 @@ def test_what_was_learned_is_the_wall() -> None:
 def test_everything_that_the_lesson_claims(tmp_path: Any) -> None:
     """With the lesson's own settings and seed; and its data is where it says."""
     report = exploration.report(folder=tmp_path)
-    assert len(report.claims) == 26
+    assert len(report.claims) == 31
     assert [claim.statement for claim in report.claims if not claim.holds] == []
     assert [figure.name for figure in report.figures] == ["exploration", "visits", "climbs", "frontier", "fork"]
     assert [len(row) for figure in report.figures for row in figure.rows] == [2, 2, 3, 3, 1, 1, 2]
@@ -143,6 +144,7 @@ def test_share_of_climbs_by_hand() -> None:
     visits = np.array([[3, 1, 0], [1, 1, 1]])
     assert share_of_climbs(visits).tolist() == [1.0, 0.5, 0.25]
     assert frontier(visits) == 2
+    assert first_at_top(visits, 1_000) == 500.0
 
 
 def test_visits_of_the_figure() -> None:

@@ -18,6 +18,7 @@ from typing import Any
 from edugym.agents.strategies import EpsilonGreedy
 from edugym.experiments import How, reporting
 from edugym.lessons.exploration.climbs import (
+    first_at_top,
     frontier,
     greedy_leads_to_frontier,
     no_slip,
@@ -35,7 +36,7 @@ from edugym.lessons.exploration.figures import (
     race,
     visit_maps,
 )
-from edugym.lessons.exploration.fork import Fork, compare_on_fork, fork_claims, fork_maps
+from edugym.lessons.exploration.fork import Fork, compare_on_fork, fork_claims, fork_maps, returns_to, turns
 from edugym.lessons.exploration.methods import (
     BONUS,
     DISCOUNT,
@@ -56,7 +57,7 @@ from edugym.lessons.exploration.methods import (
     paper_methods,
     visits_of,
 )
-from edugym.lessons.exploration.stalling import frontier_lines, stalling_claims, watch_frontier
+from edugym.lessons.exploration.stalling import frontier_lines, right_grips, stalling_claims, watch_frontier
 from edugym.plotting import Sheet
 from edugym.plotting.report import Report
 from edugym.results.claims import Above, Below, Claim, Within
@@ -92,7 +93,10 @@ __all__ = [
     "race",
     "random_search_steps",
     "report",
+    "returns_to",
+    "right_grips",
     "share_of_climbs",
+    "turns",
     "visit_maps",
     "visits_of",
     "watch_frontier",
@@ -134,9 +138,11 @@ def measure(how: How) -> tuple[Any, ...]:
         )
         for n_grips in (2, 3)
     }
-    novelty = {NOVELTY: METHODS[NOVELTY]}
-    forks = compare_on_fork(methods=novelty, **how("fork"))
-    return by_height, searches, climbs, without_epsilon(highest, **how()), watch_frontier(**how()), optimism, forks
+    patient = compare(highest, methods={OPTIMISM: OPTIMIST}, n_grips=3, n_steps=2 * N_STEPS, **how("patient"))
+    far_sighted = compare(HEIGHTS[0], methods={NOVELTY: paper_methods(discount=0.99)[NOVELTY]}, **how("far_sighted"))
+    forks = compare_on_fork(methods={NOVELTY: METHODS[NOVELTY]}, **how("fork"))
+    without = without_epsilon(highest, **how())
+    return by_height, searches, climbs, without, far_sighted, watch_frontier(**how()), optimism, patient, forks
 
 
 def judge(
@@ -144,8 +150,10 @@ def judge(
     searches: Mapping[tuple[int, int], Interval],
     climbs: Interval,
     without: Results,
+    far_sighted: Results,
     watched: Results,
     optimism: Mapping[int, Results],
+    patient: Results,
     forks: Results,
 ) -> Report:
     """Return claims and figures."""
@@ -155,7 +163,8 @@ def judge(
         *(random_search_claim(*wall, steps) for wall, steps in searches.items()),
         *explaining_claims(by_height[HEIGHTS[-1]], climbs, without),
         *stalling_claims(watched),
-        *optimism_claims(optimism),
+        far_sighted_claim(far_sighted),
+        *optimism_claims(optimism, patient),
         *fork_claims(forks),
     ]
     return Report(claims, figures(by_height, watched, forks))
@@ -244,10 +253,27 @@ def explaining_claims(highest: Results, climbs: Interval, without: Results) -> l
     ]
 
 
-def optimism_claims(optimism: Mapping[int, Results]) -> list[Claim]:
-    """Return the claims on optimism beside Go-Explore on the highest walls, with two and three grips."""
+def far_sighted_claim(far_sighted: Results) -> Claim:
+    """Return the claim on the novelty reward with a discount of 0.99."""
+    return Claim(
+        f"With discount 0.99 the novelty reward does not even solve height {HEIGHTS[0]}",
+        "share of runs that end at the top",
+        far_sighted.share(NOVELTY, at_least=1.0),
+        Below(0.5),
+        "the bonuses end at the top, and those of a long future add up to more than the reward",
+    )
+
+
+def optimism_claims(optimism: Mapping[int, Results], patient: Results) -> list[Claim]:
+    """Return the claims on optimism beside Go-Explore on the highest walls.
+
+    Args:
+        optimism: the results with two and with three grips.
+        patient: the results of optimism with three grips and twice the steps.
+    """
     height = HEIGHTS[-1]
     two, three = optimism[2], optimism[3]
+    first = {label: [first_at_top(visits, N_STEPS) for visits in visits_of(two, label)] for label in two.methods}
     return [
         Claim(
             f"Optimism solves height {height} as well, without returning first and without a bonus",
@@ -257,16 +283,41 @@ def optimism_claims(optimism: Mapping[int, Results]) -> list[Claim]:
             "what it has not tried looks best, so that it tries every grip: it explores systematically",
         ),
         Claim(
-            f"With three grips optimism does not solve height {height}",
+            "It first gets to the top sooner than Go-Explore",
+            "training steps, optimism less Go-Explore",
+            paired_difference(first[OPTIMISM], first[GO_EXPLORE]),
+            Below(0.0),
+        ),
+        Claim(
+            "but knows the way later",
+            "return averaged over training, optimism less Go-Explore",
+            two.difference(OPTIMISM, GO_EXPLORE, over="training"),
+            Below(0.0),
+            "optimistic values shrink by γ at each try, and until they are all below γ^99 the greedy policy wavers",
+        ),
+        Claim(
+            f"With three grips optimism gets to the top of height {height} in {N_STEPS} steps",
+            "share of runs that were at the top",
+            share_interval([bool(visits[:, -1].any()) for visits in visits_of(three, OPTIMISM)]),
+            Above(0.5),
+        ),
+        Claim(
+            "but does not know the way yet",
             "share of runs that end at the top",
             three.share(OPTIMISM, at_least=1.0),
             Below(0.5),
-            "there are twice as many wrong grips to try, and each costs a climb",
+            "there are twice as many optimistic values of wrong grips as with two grips",
         ),
         Claim(
             "and Go-Explore does",
             "share of runs that end at the top",
             three.share(GO_EXPLORE, at_least=1.0),
+            Above(0.5),
+        ),
+        Claim(
+            f"It is slower, not stuck: in {2 * N_STEPS} steps optimism solves height {height} with three grips",
+            "share of runs that end at the top",
+            patient.share(OPTIMISM, at_least=1.0),
             Above(0.5),
         ),
     ]

@@ -1,5 +1,6 @@
 """How far climbs get: a random climber, one who knows the way, and what the visits of a run say."""
 
+import math
 from functools import partial
 from typing import Any
 
@@ -69,6 +70,17 @@ def watch_climbs(height: int, *, n_steps: int = 500_000, **how: Any) -> Interval
 def frontier(visits: Integers) -> int:
     """Return the highest state that was ever visited; visits have shape (n_intervals, height + 1)."""
     return int(np.flatnonzero(visits.sum(axis=0))[-1])
+
+
+def first_at_top(visits: Integers, n_steps: int) -> float:
+    """Return the training steps at which the interval with the first visit of the top begins; NaN if there is none.
+
+    Args:
+        visits: shape (n_intervals, height + 1): the visits of a run that got to the top.
+        n_steps: the training steps of the run.
+    """
+    there = np.flatnonzero(visits[:, -1])
+    return float(there[0]) * n_steps / len(visits) if len(there) else math.nan
 
 
 def no_slip(height: int) -> float:
