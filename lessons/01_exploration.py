@@ -53,10 +53,11 @@ env.scene()
 # An episode *terminates* at the top. After $10 H$ steps it is *truncated*: a new episode begins, although the task was
 # not at its end.
 #
-# This is the whole environment, the code that runs in every experiment below:
+# These five methods are the environment; they run in every experiment below. (`rng` draws random numbers, which the wall
+# does not need.)
 
 # %%
-source(type(env.mdp))
+source(type(env.mdp), "initial", "transition", "reward", "terminal", "observation")
 
 # %% [markdown]
 # **Play it yourself, blind.** You see what the agent sees: your position. The picture comes when the episode is over.
@@ -151,7 +152,8 @@ for height in (10, 30, 100):
 # $$
 #
 # Now there is something to learn from at every step. Q-learning backs the bonus up along the path, so that it draws
-# the agent to its *frontier*, the highest position so far. Actions are still chosen by ε-greedy.
+# the agent to its *frontier*, the highest position so far. Actions are still chosen by ε-greedy. In the code, `visits`
+# holds $n(s)$, and `bonus` is $\beta$.
 
 # %%
 source(CountBased.learn)
@@ -231,10 +233,10 @@ middle.measured("novelty reward and Go-Explore")
 # <details><summary>What was measured</summary>
 #
 # **Measured.** ε-greedy solves only the low wall, and more slowly than the others: after 2 000 steps it solves it in
-# three runs of ten, and the novelty reward in nearly six. The novelty reward solves the middle wall as well. Go-Explore solves all
-# three. On the high wall the lines of the other two coincide at 0; the last panel shows how high they got there. (On the
-# lower walls even a policy that keeps exploring reaches the top in nearly every episode, so that the two black lines
-# coincide.)
+# three runs of ten, and the novelty reward in nearly six. The novelty reward solves the middle wall as well. Go-Explore
+# solves all three. On the high wall the lines of the other two coincide at 0; the last panel shows how high they got
+# there. (On the lower walls even a policy that keeps exploring reaches the top in nearly every episode, so that the two
+# black lines coincide.)
 # </details>
 
 # %% [markdown]
@@ -271,7 +273,7 @@ sliders(
 exploration.in_pairs("visits", exploration.visit_maps(walls[100], 100))
 
 # %% [markdown]
-# - **ε-greedy** rarely gets higher than a dozen grips, and only by luck. It has nothing to learn from.
+# - **ε-greedy** rarely gets higher than a dozen grips or so, and only by luck. It has nothing to learn from.
 # - **Novelty** climbs fast at first, and then ever more slowly: after 20 000 steps its frontier is near 40.
 # - **Go-Explore** moves its frontier up steadily, to the top.
 #
@@ -355,11 +357,11 @@ two_branches.measured("turns to the other branch and comes back")
 # <details><summary>What was measured</summary>
 #
 # **Measured.** It turns away, sometimes for thousands of steps, and it comes back: about 15 turns in 20 000 steps, and
-# all runs return to both frontiers. So the agent does leave a frontier that it should push on, but lasting detachment does
-# *not* appear here. The bonus $\beta/\sqrt{n}$ fades but never ends: each branch loses its charm while the agent is
-# there, and the other one keeps the values that it had. And a table does not forget the way. Ecoffet et al. describe
-# agents with neural networks, which forget what they do not practise. What two branches do cost is time: the higher of
-# the two frontiers gets to 28, not to 40.
+# all runs return to both frontiers. So the agent does leave a frontier that it should push on, but lasting detachment
+# does *not* appear here. The bonus $\beta/\sqrt{n}$ fades but never ends: the values of a branch fall while the agent is
+# there, and the other branch keeps the values that it had. And a table does not forget the way. Ecoffet et al. speak of
+# agents with neural networks, which can forget what they do not practise. What two branches do cost is time: the higher
+# of the two frontiers gets to 28, not to 40.
 # </details>
 
 # %% [markdown]
@@ -666,8 +668,8 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - A bonus is part of the task as long as it is paid: with a discount near 1 the agent prefers exploring to the goal.
 #
 # ### In one paragraph
-# *Learn it by heart, or better, say it in your own words.* An agent learns only from rewards that it finds, and undirected
-# random steps find a reward behind $H$ right choices among $N$ actions after about $N^H$ tries. So exploration must be
+# *Learn it by heart, or better, say it in your own words.* An agent learns only from rewards that it finds, and
+# undirected random steps find a reward behind $H$ right choices among $N$ actions after about $N^H$ tries. So exploration must be
 # directed. A novelty reward makes rarely visited states attractive, optimistic values make untried actions attractive,
 # and Go-Explore returns to the edge of what it knows before it explores. They work as far as they are systematic: they
 # try what they have not tried, and they get back to where that is. Random slips do neither. They fail more often the

@@ -352,7 +352,7 @@ def test_an_unsolved_notebook_runs_to_its_end(source: Path) -> None:
     said = [o.evalue for cell in filter(is_code, student.cells) for o in cell.outputs if o.output_type == "error"]
     assert said == ["not solved yet: replace this line", "factor = 1 does not double"]
     source.write_text(LESSON.replace("# Choose a", "# %%\ndouble(1)\n\n# %% [markdown]\n# Choose a"), encoding="utf-8")
-    with pytest.raises(build.LessonError, match=r"cell-019 \('double\(1\)'\): NotImplementedError"):
+    with pytest.raises(build.LessonError, match=r"cell-020 \('double\(1\)'\): NotImplementedError"):
         build.execute(all_editions(source)["student"], "01_doubling")
 
 

@@ -26,7 +26,7 @@ from edugym.lessons.exploration import (
     visits_of,
 )
 from edugym.lessons.exploration.climbs import first_at_top
-from edugym.lessons.exploration.figures import highest_so_far
+from edugym.lessons.exploration.figures import highest_so_far, progress
 from edugym.lessons.exploration.fork import Fork, branches, returns_to, turns
 from edugym.lessons.exploration.stalling import record_frontier
 from edugym.results.claims import Above, Below
@@ -205,3 +205,12 @@ def test_attempt_is_an_episode_of_training() -> None:
         state = wall.transition(state, action, rng)
     assert wall.terminal(state) or len(actions) == wall.max_steps
     assert actions == exploration.attempt(METHODS[GO_EXPLORE], wall, after=500)
+
+
+def test_progress_is_drawn_over_the_whole_training() -> None:
+    """From the ground at the start to the top of a low wall at the end."""
+    pytest.importorskip("matplotlib")
+    ax = progress(compare(2, repetitions=2), 2).draw()
+    assert ax.get_xlim() == (0.0, exploration.N_STEPS)
+    curves = [np.asarray(line.get_ydata()) for line in ax.get_lines()]
+    assert [(curve[0], curve[-1]) for curve in curves] == [(0, 2)] * 3

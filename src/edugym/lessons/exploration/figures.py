@@ -98,7 +98,7 @@ def progress(results: Results, height: int) -> Progress:
     """Return the highest position that was visited so far, in the course of training: a mean over the runs."""
     runs = {method: visits_of(results, method) for method in results.methods}
     return Progress(
-        np.linspace(0.0, N_STEPS, 101),
+        np.linspace(0.0, results.table["step"].max(), 101),
         {method: np.mean([highest_so_far(run) for run in visits], axis=0) for method, visits in runs.items() if visits},
         f"how far, on height {height}",
         "training steps",

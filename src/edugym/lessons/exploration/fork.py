@@ -78,7 +78,10 @@ class Fork(NamedTuple):
         return cls(height, np.random.default_rng(layout_seed).integers(0, 2, 2 * height), 10 * height)
 
     def scene(self, state: int) -> Scene:
-        """Draw both walls from the front, as far as they fit around the climber; the grips that hold are grey."""
+        """Draw both walls from the front, as far as they fit; the grips that hold are grey.
+
+        The climber stands below the two grips that it can reach.
+        """
         level = (state - 1) % self.height + 1 if state > 0 else 0
         shown = min(self.height, MOST_LEVELS)
         first = min(max(0, level - shown // 2), self.height - shown)
@@ -97,7 +100,7 @@ class Fork(NamedTuple):
         if first + shown == self.height:
             shapes += flag(6.5, 1.6, 1.2)
         side = 4.0 if state == 0 else 2.0 if state <= self.height else 6.0
-        shapes += smiley(side, bottom - level + first + (0.5 if level == 0 else 0.0), 0.42)
+        shapes += smiley(side, bottom - level + first + 0.5, 0.42)
         return Scene(8.0, bottom + 1.5, shapes, SKY, f"Fork: position {state}", columns=16)
 
 
