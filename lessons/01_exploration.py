@@ -251,7 +251,8 @@ def one_wall(height=20, n_grips=2, epsilon=0.1, beta=1.0, gamma=0.9):
     """Draw the learning curves and the progress of the three methods on walls of one kind."""
     methods = exploration.paper_methods(epsilon, beta, gamma)
     results = exploration.compare(height, methods=methods, n_grips=n_grips, repetitions=10)
-    return exploration.learning_curves({height: results}, n_grips, epsilon)
+    [[curves, progress]] = exploration.learning_curves({height: results}, n_grips, epsilon).rows
+    return Sheet("one wall", [[curves, progress._replace(title=f"ε = {epsilon:g}, β = {beta:g}, γ = {gamma:g}")]])
 
 
 sliders(
