@@ -320,7 +320,7 @@ again.measured(100 * np.mean(exploration.right_grips(watched, "novelty reward", 
 
 # %% [markdown]
 # The two reasons multiply. At a frontier of 40, one climb in eight gets back, and one visit in twenty takes the right
-# grip: that makes about 150 climbs for one more grip. And the two pull in opposite directions: slips are what ends the
+# grip: that makes about 150 climbs after each wrong first try. And the two pull in opposite directions: slips are what ends the
 # climbs, and slips are what it needs at the frontier. (You will switch them off below, and mend both in exercise 3.)
 #
 # Is it *returning first* that solves the high wall? It is sufficient, but it is not the only way: in exercise 2 you
