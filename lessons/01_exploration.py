@@ -5,10 +5,12 @@
 # sequence of right choices, random actions do not find it, and something else must drive the agent on.
 #
 # **You will be able to** explain why random exploration fails on sparse rewards, and by how much; turn a novelty
-# reward into four lines of code, and see where it gets stuck; explain how "first return, then explore" avoids that.
+# reward into four lines of code, and say why it stalls; explain how "first return, then explore" avoids that; and write
+# an explorer of your own.
 #
-# **Time.** 45 minutes. **Before you start.** You should know what a value function and Q-learning are (Sutton and
-# Barto, 2nd edition, sections 3.5 and 6.5), and ε-greedy action selection (section 2.2).
+# **Time.** 60 minutes. **Before you start.** You should know what a value function and Q-learning are (Sutton and
+# Barto, 2nd edition, sections 3.5 and 6.5), and ε-greedy action selection (section 2.2). All symbols are in the
+# [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
 
 # %%
 from typing import NamedTuple
@@ -16,52 +18,79 @@ from typing import NamedTuple
 import gymnasium as gym
 import numpy as np
 
-from edugym import CountBased, EpsilonGreedy, GoExplore, QLearning, repeat
+from edugym import CountBased, EpsilonGreedy, GoExplore, QLearning, make_mdp, repeat
+from edugym.agents.tables import best_value, one_step_target
 from edugym.lessons import exploration
-from edugym.notebook import play, sliders, source
+from edugym.notebook import frames, play, predict, sliders, source
 from edugym.plotting import Sheet
 
 # %% [markdown]
 # ## Meet the environment: a wall on which one grip holds
 #
 # A climber stands before a wall of height $H$. At every height there are $N$ grips. One of them holds, and the others
-# are cracked: a climber who reaches for a cracked grip falls into the rope and is back on the ground. The climber
-# sees its own height, and nothing else. It does not see which grip holds.
+# are cracked: a climber who reaches for a cracked grip falls into the rope and is back on the ground. Which grip holds
+# was drawn at random, for each height by itself. The climber sees its own height, and nothing else.
 
 # %%
-env = gym.make("edugym/Boulder-v0", height=8, n_grips=3).unwrapped
+env = gym.make("edugym/Boulder-v0", height=8, n_grips=3, layout_seed=18).unwrapped
 env.reset(seed=0)
 for action in env.mdp.grips[:3]:  # the first three grips that hold
     env.step(int(action))
 env.scene()
 
 # %% [markdown]
-# As an MDP $(\mathcal{S}, \mathcal{A}, p, r, \gamma)$:
+# As a Markov decision process: $s$ is the state, $a$ the action, $s'$ the next state, and $p$ a probability.
 #
 # | | | in words |
 # |---|---|---|
 # | states | $\mathcal{S} = \{0, 1, \dots, H\}$ | the position: 0 is the ground, $H$ the top |
 # | actions | $\mathcal{A} = \{0, \dots, N-1\}$ | the grip to reach for |
-# | dynamics | $p(s+1 \mid s, g_s) = 1$, else $p(0 \mid s, a) = 1$ | the right grip $g_s$ leads up, the others down |
+# | dynamics | $p(s+1 \mid s, a) = 1$ for the right grip | it leads one position up |
+# | | $p(0 \mid s, a) = 1$ for the other grips | they lead to the ground |
 # | reward | $r(s, a, s') = 1$ if $s' = H$, else $0$ | only the top is rewarded |
 # | discount | $\gamma = 0.9$ | used by the agents; the returns in the figures are not discounted |
 #
-# An episode ends at the top (it *terminates*) or after $10 H$ steps (it is *truncated*).
+# An episode *terminates* at the top. After $10 H$ steps it is *truncated*: a new episode begins, although the task was
+# not at its end.
 #
-# This is the whole environment, the code that runs in every experiment below:
+# These five methods are the environment; they run in every experiment below. (`rng` draws random numbers, which the wall
+# does not need.)
 
 # %%
-source(type(env.mdp))
+source(type(env.mdp), "initial", "transition", "reward", "terminal", "observation")
 
 # %% [markdown]
-# **Play it yourself.** Climb to the top. How many steps did you need? (The picture shows which grips hold. The agent
-# has no picture: cover the wall with your hand, and look only at the position.)
+# **Play it yourself, blind.** You see what the agent sees: your position. The picture comes when the episode is over.
+# How many steps do you need to the top? And what do you *remember* on the way?
 
 # %%
-play("Boulder", height=8, n_grips=2)
+play("Boulder", height=8, n_grips=2, layout_seed=5, blind=True)
 
 # %% [markdown]
 # ## The idea: three ways to explore
+#
+# All three agents of this lesson learn by **Q-learning**. It keeps a table with a value $Q(s, a)$ for each action in
+# each state. After every step from $S$ by $A$ to $S'$ with reward $R$ it moves one value a little, by the learning rate
+# $\alpha$, towards a target (Sutton and Barto, equation 6.8):
+#
+# $$
+# Q(S, A) \leftarrow Q(S, A) + \alpha \left[ R + \gamma \max_a Q(S', a) - Q(S, A) \right]
+# $$
+#
+# After a terminal state there is no future, and the target is $R$ alone. Here are the lines that run, and below them the
+# target:
+
+# %%
+source(QLearning.learn)
+
+# %%
+source(one_step_target)
+
+# %%
+source(best_value)
+
+# %% [markdown]
+# The agents differ in how they *explore*: in what they do before they know anything.
 #
 # ### Try at random
 # **ε-greedy** takes a random action with probability $\varepsilon$, and otherwise the action that it believes best:
@@ -75,16 +104,30 @@ play("Boulder", height=8, n_grips=2)
 source(EpsilonGreedy.choose)
 
 # %% [markdown]
-# Before the first reward all values in $Q$ are zero, all actions are tied, and the climber acts at random. To get from
-# the ground to the top it needs $H$ right choices in a row, each with probability $1/N$, and a wrong choice sends it
-# back to the ground. How many steps does that take? Let $T_h$ be the expected number of steps from the ground to
-# height $h$. To get one higher, the climber first gets to $h$ and then takes one more step. With probability $1 - 1/N$
-# that step is wrong, and everything starts again:
+# Before the first reward all values in $Q$ are zero, all actions are tied, and the climber acts at random. Watch it: this
+# is one episode on a wall of height 12, after 600 steps of training.
+
+
+# %%
+def watch(method, height=12, after=600):
+    """Show one episode of training, after so many steps of training before it."""
+    wall = make_mdp("Boulder", height=height, layout_seed=5)
+    actions = exploration.attempt(exploration.METHODS[method], wall, after, seed=1)
+    return frames(wall, actions, max_steps=120)
+
+
+watch("ε-greedy")
+
+# %% [markdown]
+# How long does that take? To get from the ground to the top it needs $H$ right choices in a row, each with probability
+# $1/N$, and a wrong choice sends it back to the ground. Let $m_h$ be the mean number of steps from the ground to height
+# $h$, with $m_0 = 0$. To get one higher, the climber first gets to $h$ and then takes one more step. With probability
+# $1 - 1/N$ that step is wrong, and everything starts again:
 #
 # $$
-# T_{h+1} = T_h + 1 + \left(1 - \tfrac{1}{N}\right) T_{h+1}
-# \quad\Rightarrow\quad T_{h+1} = N \, (T_h + 1)
-# \quad\Rightarrow\quad T_H = N + N^2 + \dots + N^H = \frac{N^{H+1} - N}{N - 1}
+# m_{h+1} = m_h + 1 + \left(1 - \tfrac{1}{N}\right) m_{h+1}
+# \quad\Rightarrow\quad m_{h+1} = N \, (m_h + 1)
+# \quad\Rightarrow\quad m_H = N + N^2 + \dots + N^H = \frac{N^{H+1} - N}{N - 1}
 # $$
 #
 # (This holds without a step limit. A limit makes the search a little longer, since it cuts off some good climbs.)
@@ -96,7 +139,7 @@ for height in (10, 30, 100):
 
 # %% [markdown]
 # ### Look for what is new
-# **Novelty reward.** Let $n(s)$ count how often state $s$ was entered, and pay a bonus for entering a state that was
+# **Novelty reward.** Let $n(s)$ count how often state $s$ was entered, and pay a *bonus* for entering a state that was
 # rarely entered before. Q-learning then learns from $R^+$, the sum of reward and bonus, where $\beta$ is the size of
 # the first bonus:
 #
@@ -109,167 +152,251 @@ for height in (10, 30, 100):
 # $$
 #
 # Now there is something to learn from at every step. Q-learning backs the bonus up along the path, so that it draws
-# the agent to its *frontier*, the edge of what it knows.
+# the agent to its *frontier*, the highest position so far. Actions are still chosen by ε-greedy. In the code, `visits`
+# holds $n(s)$, and `bonus` is $\beta$.
 
 # %%
 source(CountBased.learn)
 
 # %% [markdown]
+# The same wall, after the same number of steps: it climbs to about the same place again and again.
+
+# %%
+watch("novelty reward")
+
+# %% [markdown]
 # ### First return, then explore
 # **Go-Explore** separates getting back from exploring. It keeps an archive of all states that it has met. For each try
-# it chooses the least visited state as its *goal*, returns to it *without* exploring, and only then takes 20 random
-# steps. To be able to return it learns a table of values for every goal $g$ (where $1\{\cdot\}$ is 1 if the condition
-# is true, and 0 otherwise):
+# it chooses the least visited of them as its *goal* $g$, returns to it *without* exploring, and only then takes 20 random
+# steps. The arrays in `self.now` hold what changes within a try: the goal, the number of exploring steps, and the path.
+
+# %%
+source(GoExplore, "act", "least_visited")
+
+# %% [markdown]
+# To be able to return, it learns a value $Q(g, s, a)$ for every goal: how good is action $a$ in state $s$ if you want to
+# get to $g$? Let $1\{\cdot\}$ be 1 if the condition is true, and 0 otherwise. To reach the goal is worth 1, and ends the
+# task:
 #
 # $$
 # Q(g, S, A) \leftarrow Q(g, S, A) + \alpha \left[ 1\{S' = g\} + \gamma\, 1\{S' \neq g\} \max_a Q(g, S', a) - Q(g, S, A) \right]
 # $$
 #
-# After each try it learns about every state on its path as if that state had been the goal (*hindsight*). The arrays
-# in `self.now` hold what changes within a try: the goal, the number of exploring steps, and the path.
+# After each try it learns about *every* state on its path as if that state had been the goal. This is called
+# *hindsight*: a try that misses its goal still teaches the way to where it went.
 
 # %%
-source(GoExplore.act)
+source(GoExplore, "learn", "learn_to_reach")
+
+# %% [markdown]
+# The same wall once more, after the same number of steps:
 
 # %%
-source(GoExplore.learn_to_reach)
+watch("Go-Explore")
 
 # %% [markdown]
 # ## The experiment: three walls
 #
-# This is the paper's figure, computed here and now: three walls, of height 10, 30 and 100, three methods, 20 000
-# steps.
+# This is the figure of the paper (Moerland et al., 2023), computed here and now. Three walls, of height 10, 30 and 100,
+# two grips, three methods, 20 000 steps.
 #
 # | setting | value |
 # |---|---|
-# | all | tabular Q-learning, learning rate $\alpha = 0.5$, discount $\gamma = 0.9$, ties broken at random |
+# | all | tabular Q-learning, $\alpha = 0.5$, $\gamma = 0.9$, ties broken at random |
 # | ε-greedy and novelty reward | $\varepsilon = 0.1$ |
-# | novelty reward | $\beta = 1$, for the state that is entered |
+# | novelty reward | $\beta = 1$ |
 # | Go-Explore | 20 random steps from each goal |
-# | evaluation | one episode without exploring, every 200 steps; episodes last at most $10 H$ steps |
-# | repetitions | 10, each on its own wall, the same wall for all methods; bands are 95 % intervals |
+# | evaluation | one episode without exploring, every 200 steps |
+# | repetitions | 100, each on its own wall, the same wall for all methods; bands are 95 % intervals |
 #
 # Two black lines show what is possible, computed from the exact model of the task: the optimum (dashed), and the
-# return of the best *ε-soft* policy, the best that takes a random action with probability $\varepsilon = 0.1$ all the
-# time (dotted). Evaluation does not explore, so a learner may rise above the dotted line; an ε-greedy agent cannot
-# while it *trains*.
-
+# return of the best *ε-soft* policy (dotted). An ε-soft policy never stops exploring: it takes a random action with
+# probability $\varepsilon = 0.1$ all the time. Evaluation does not explore, so a learner may rise above the dotted line;
+# an ε-greedy agent cannot while it *trains*.
+#
+# **Predict.** A random climber needs two billion steps to the top of the middle wall. Which methods will solve it in
+# 20 000?
 
 # %%
-def figure(heights=(10, 30, 100), n_grips=2, repetitions=10):
-    """Draw the learning curves of the three methods, one panel for each height."""
-    panels = []
-    for height in heights:
-        results = exploration.compare(height, n_grips=n_grips, repetitions=repetitions)
-        panels.append(exploration.curves(results, height, n_grips))
-    return Sheet("learning curves", [panels])
-
-
-figure()
-
-# %% [markdown]
-# ε-greedy solves only the low wall. The novelty reward solves the middle wall as well. Go-Explore solves all three.
-# (On the high wall the lines of the other two coincide at 0. On the lower walls even a policy that keeps exploring
-# reaches the top in nearly every episode, so that the two black lines coincide.)
-
-# %% [markdown]
-# ## Your turn
-#
-# Move a slider and release it: the whole experiment is computed again. How high can the novelty reward climb? What do
-# more grips change, and for which method?
-
+middle = predict(
+    "Which methods solve the wall of height 30?",
+    ["none", "Go-Explore", "novelty reward and Go-Explore", "all three"],
+)
+middle
 
 # %%
-def one_wall(height=20, n_grips=2):
-    """Draw the learning curves of the three methods on walls of one kind."""
-    return figure((height,), n_grips)
-
-
-sliders(one_wall, height=(5, 100, 5), n_grips=(2, 5))
-
-# %% [markdown]
-# ## See inside: where do they spend their time?
-#
-# Each picture is the mean of three training runs on walls of height 100. Time runs to the right and the wall upwards;
-# darker means more visits, and white means none.
-
-
-# %%
-def visits_over_the_wall(height=100, repetitions=3):
-    """Draw how often each height was visited in the course of training, for every method."""
-    results = exploration.compare(height, repetitions=repetitions)
-    return Sheet("visits", [exploration.visit_maps(results, height)])
-
-
-visits_over_the_wall()
-
-# %% [markdown]
-# - **ε-greedy** rarely gets higher than a dozen grips, and only by luck. It has nothing to learn from.
-# - **Novelty** climbs fast at first, and then ever more slowly: after 20 000 steps its frontier is near 40.
-# - **Go-Explore** moves its frontier up steadily, to the top.
-#
-# Why does novelty slow down? To see something new, the agent must first get back to its frontier, *while it keeps
-# taking random actions*. With two grips, an ε-greedy climber takes the wrong grip with probability $\varepsilon/2 =
-# 0.05$ at every step, so only a share of $0.95^h$ of its climbs gets back to height $h$. This is called
-# **derailment**. Go-Explore returns without exploring, so it cannot derail.
-
-
-# %%
-def climbs_back(height=100, repetitions=10):
-    """Draw the share of climbs that reach each height in the second half of training, beside 0.95^height."""
-    results = exploration.compare(height, repetitions=repetitions)
-    return Sheet("climbs", [[exploration.climb_shares(results, height)]])
-
-
-climbs_back()
-
-# %% [markdown]
-# The novelty agent follows the dashed line, $0.95^h$, as far as all of its runs know the way: up to about 30 here.
-# Above that its line drops faster, because the runs have reached different heights. Go-Explore's line is flat. Four of
-# five of its climbs end near the ground: after a fall it takes the rest of its 20 random steps from there. The other
-# climbs are on their way to a goal, and they arrive.
-#
-# At height 40, one novelty climb in eight gets back; at height 100, six in a thousand would. And once at its frontier,
-# the agent does not know which grip holds. On the first visit it takes the right one about half of the time. After a
-# wrong one it is even worse off: the fall has earned a small bonus, too, so the wrong grip now looks better than the
-# one that it has not tried, and only a random step will try that one. So slips are what ends its climbs, and also what
-# it needs at the frontier. (You will switch them off below.)
-#
-# The paper gives another reason, **detachment**: the bonus at a frontier fades with every visit, so that the agent may
-# turn to another frontier and never come back to this one. A wall has only one frontier, so this experiment cannot
-# show detachment. `edugym reproduce exploration` does show that after training the greedy policy of the novelty agent
-# still leads to its frontier.
-#
-# Is it *returning first* that solves the high wall? It is sufficient, but it is not the only way: in exercise 2 you
-# meet an agent that solves walls without it.
-
-# %% [markdown]
-# ## Predict, then check
-#
-# Write down your answer before you run the cell below each question. You learn most when you are surprised.
-#
-# **Predict.** Random steps end most climbs. So switch them off: train the novelty agent with $\varepsilon = 0$ on a
-# wall of height 100. How high does it get, compared with about 40?
-
-
-# %%
-def highest_visited(height=100, **settings):
-    """Return the highest state that the novelty agent ever visited, a mean over 10 repetitions."""
-    method = {"novelty": lambda wall: CountBased.create(wall, **settings)}
-    results = exploration.compare(height, methods=method, repetitions=10)
-    return np.mean([exploration.frontier(visits) for visits in exploration.visits_of(results, "novelty")])
-
-
-for epsilon in (0.1, 0.02, 0.0):
-    print(f"ε = {epsilon:4}: highest state {highest_visited(exploration=EpsilonGreedy(epsilon)):.1f}")
+walls = {height: exploration.compare(height, repetitions=100) for height in (10, 30, 100)}
+display(exploration.learning_curves(walls))
+middle.measured("novelty reward and Go-Explore")
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** With $\varepsilon = 0$ it hardly leaves the ground: it gets to between 1 and 2 on average. All values
-# start at zero, and a fall earns a bonus as well, for entering the ground. So a wrong grip soon looks better than a
-# grip that was never tried. The novelty reward pulls the agent back to its frontier, and a random step takes it
-# beyond. Exercise 2 shows another way to get beyond: optimistic initial values.
+# **Measured.** ε-greedy solves only the low wall, and more slowly than the others: after 2 000 steps it solves it in
+# three runs of ten, and the novelty reward in nearly six. The novelty reward solves the middle wall as well. Go-Explore
+# solves all three. On the high wall the lines of the other two coincide at 0; the last panel shows how high they got
+# there. (On the lower walls even a policy that keeps exploring reaches the top in nearly every episode, so that the two
+# black lines coincide.)
+# </details>
+
+# %% [markdown]
+# ## Your turn
+#
+# How high can the novelty reward climb? What do more grips change, and for which method? Which methods feel
+# $\varepsilon$, and which $\beta$? Move a slider and release it: the experiment is computed again, with 10 repetitions.
+
+
+# %%
+def one_wall(height=20, n_grips=2, epsilon=0.1, beta=1.0, gamma=0.9):
+    """Draw the learning curves and the progress of the three methods on walls of one kind."""
+    methods = exploration.paper_methods(epsilon, beta, gamma)
+    results = exploration.compare(height, methods=methods, n_grips=n_grips, repetitions=10)
+    [[curves, progress]] = exploration.learning_curves({height: results}, n_grips, epsilon).rows
+    return Sheet("one wall", [[curves, progress._replace(title=f"ε = {epsilon:g}, β = {beta:g}, γ = {gamma:g}")]])
+
+
+sliders(
+    one_wall,
+    height=(5, 100, 5),
+    n_grips=(2, 5),
+    epsilon=(0.0, 1.0, 0.05),
+    beta=(0.0, 5.0, 0.25),
+    gamma=(0.5, 0.99, 0.01),
+)
+
+# %% [markdown]
+# ## See inside: where do they spend their time?
+#
+# Where does each method go in its 20 000 steps on the high wall? Each map is the mean of the 100 runs above. Time runs to
+# the right and the wall upwards; darker means more visits, and white means none.
+
+# %%
+exploration.in_pairs("visits", exploration.visit_maps(walls[100], 100))
+
+# %% [markdown]
+# - **ε-greedy** rarely gets higher than a dozen grips or so, and only by luck. It has nothing to learn from.
+# - **Novelty** climbs fast at first, and then ever more slowly: after 20 000 steps its frontier is near 40.
+# - **Go-Explore** moves its frontier up steadily, to the top.
+#
+# ### Why does novelty stall? The way back
+# To see something new, the agent must first get back to its frontier, *while it keeps taking random actions*. With two
+# grips, an ε-greedy climber takes the wrong grip with probability $\varepsilon/2 = 0.05$ at every step. So even one who
+# knows the way gets back to height $h$ in only a share of $0.95^h$ of its climbs. This is called **derailment**
+# (Ecoffet et al., 2021). Does it happen?
+
+# %%
+Sheet("climbs", [[exploration.climb_shares(walls[100], 100)]])
+
+# %% [markdown]
+# The novelty agent follows the dashed line, $0.95^h$, as far as all of its runs know the way. Above that its line drops
+# faster, because the runs have reached different heights. Go-Explore returns without exploring, and its line is flat.
+# Four of five of its climbs end near the ground: after a fall it takes the rest of its 20 random steps from there. The
+# other climbs are on their way to a goal, and they arrive.
+#
+# At height 40, one novelty climb in eight gets back; at height 100, six in a thousand would.
+#
+# ### Why does novelty stall? The grip at the frontier
+# **Predict.** At its frontier the agent knows neither of the two grips, so on its first visit it takes the right one half
+# of the time. If it took the wrong one, it falls, and comes back some climbs later. How often does it take the right grip
+# then?
+
+# %%
+again = predict("The right grip on later visits of the frontier:", unit="%")
+again
+
+# %%
+watched = exploration.watch_frontier(height=100, repetitions=50)
+display(Sheet("frontier", [[exploration.frontier_lines(watched)]]))
+again.measured(100 * np.mean(exploration.right_grips(watched, "novelty reward", first=2)))
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** On the first visit 51 %, on all later ones 5 %, and that is $\varepsilon/2$: it takes the right grip only
+# when it slips. The reason is the bonus itself. The fall has earned a small bonus too, for entering the ground. So the
+# wrong grip is now worth more than 0, and the grip that was never tried is worth 0. The agent prefers the wrong one, time
+# after time. Go-Explore and ε-greedy act at random at their frontiers, and take the right grip half of the time.
+# </details>
+
+# %% [markdown]
+# The two reasons multiply. At a frontier of 40, one climb in eight gets back, and one visit in twenty takes the right
+# grip: that makes about 150 climbs after each wrong first try. And the two pull in opposite directions: slips are what ends the
+# climbs, and slips are what it needs at the frontier. (You will switch them off below, and mend both in exercise 3.)
+#
+# Is it *returning first* that solves the high wall? It is sufficient, but it is not the only way: in exercise 2 you
+# meet an agent that solves walls without it.
+#
+# ### And detachment?
+# The paper gives another reason, **detachment**: the bonus at a frontier fades with every visit, so that the agent may
+# turn to another frontier and never come back to this one (Ecoffet et al., 2021). One wall has one frontier, so it cannot
+# show that. So let us build a wall with two branches. On the ground the first action is the choice of the branch; the
+# only reward is on top of the right one. Both branches are of height 100.
+
+# %%
+exploration.Fork.create(height=8, layout_seed=8).scene(11)
+
+# %% [markdown]
+# **Predict.** The novelty agent has climbed some way up one branch, and the bonus there has faded. What does it do in the
+# rest of its 20 000 steps?
+
+# %%
+two_branches = predict(
+    "With two branches, the novelty agent ...",
+    ["stays with one branch", "turns to the other branch for good", "turns to the other branch and comes back"],
+)
+two_branches
+
+# %%
+forks = exploration.compare_on_fork(repetitions=10)
+runs = exploration.visits_of(forks, "novelty reward")
+display(exploration.fork_maps(runs[0]))
+print("mean number of turns:", np.mean([exploration.turns(visits) for visits in runs]))
+print("runs that come back to both frontiers:", sum(exploration.returns_to(visits) for visits in runs), "of", len(runs))
+two_branches.measured("turns to the other branch and comes back")
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** It turns away, sometimes for thousands of steps, and it comes back: about 15 turns in 20 000 steps, and
+# all runs return to both frontiers. So the agent does leave a frontier that it should push on, but lasting detachment
+# does *not* appear here. The bonus $\beta/\sqrt{n}$ fades but never ends: the values of a branch fall while the agent is
+# there, and the other branch keeps the values that it had. And a table does not forget the way. Ecoffet et al. speak of
+# agents with neural networks, which can forget what they do not practise. What two branches do cost is time: the higher
+# of the two frontiers gets to 28, not to 40.
+# </details>
+
+# %% [markdown]
+# ## Predict, then check
+#
+# Answer each question before you run the cell below it. You learn most when you are surprised.
+#
+# **Predict.** Random steps end most climbs. So switch them off: train the novelty agent with $\varepsilon = 0$ on a
+# wall of height 100. Its frontier was near 40 with $\varepsilon = 0.1$. Where is it now?
+
+# %%
+no_slips = predict("The highest position with ε = 0, a mean over the runs:", unit="grips")
+no_slips
+
+
+# %%
+def highest_visited(epsilon, height=100):
+    """Return the highest position that the novelty agent ever visited, a mean over 20 repetitions."""
+    methods = {"novelty": exploration.paper_methods(epsilon)["novelty reward"]}
+    results = exploration.compare(height, methods=methods, repetitions=20)
+    return np.mean([exploration.frontier(visits) for visits in exploration.visits_of(results, "novelty")])
+
+
+for epsilon in (0.1, 0.02):
+    print(f"ε = {epsilon}: highest position {highest_visited(epsilon):.1f}")
+no_slips.measured(highest_visited(0.0))
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** With $\varepsilon = 0$ it hardly leaves the ground: it gets to between 0 and 2 on average. After the first
+# wrong grip the untried one looks worse for ever, and there is no slip that would try it. The novelty reward pulls the
+# agent back to its frontier, and a random step takes it beyond. Exercise 2 shows another way to get beyond: optimistic
+# initial values.
 # </details>
 
 # %% [markdown]
@@ -277,12 +404,15 @@ for epsilon in (0.1, 0.02, 0.0):
 # with $\gamma = 0.99$ than with $\gamma = 0.9$?
 
 # %%
-for discount in (0.9, 0.99):
-    method = {"novelty": lambda wall, discount=discount: CountBased.create(wall, discount=discount)}
-    results = exploration.compare(10, methods=method, repetitions=10)
-    print(
-        f"discount {discount}: {results.final('novelty').mean():.0%} of the runs end with a policy that reaches the top"
-    )
+far_sighted = predict("With γ = 0.99 the novelty agent solves height 10 ...", ["more often", "as often", "less often"])
+far_sighted
+
+# %%
+for gamma in (0.9, 0.99):
+    methods = {"novelty": exploration.paper_methods(discount=gamma)["novelty reward"]}
+    results = exploration.compare(10, methods=methods, repetitions=20)
+    print(f"γ = {gamma}: {results.final('novelty').mean():.0%} of the runs end with a policy that reaches the top")
+far_sighted.measured("less often")
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
@@ -298,13 +428,15 @@ for discount in (0.9, 0.99):
 # grips and height 8?
 
 # %%
-print(
-    "N = 2, H = 8:",
-    exploration.random_search_steps(2, 8),
-    "steps;  N = 3, H = 5:",
-    exploration.random_search_steps(3, 5),
-)
-print("measured, for N = 3, H = 5:", round(exploration.watch_random_search(3, 5, climbs=200, repetitions=10).estimate))
+longer = predict("Which takes a random climber longer?", ["three grips, height 5", "two grips, height 8"])
+longer
+
+# %%
+for n_grips, height in ((3, 5), (2, 8)):
+    steps = exploration.random_search_steps(n_grips, height)
+    seen = exploration.watch_random_search(n_grips, height, climbs=200, repetitions=10).estimate
+    print(f"N = {n_grips}, H = {height}: {steps} steps by the formula, {seen:.0f} measured")
+longer.measured("two grips, height 8")
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
@@ -350,8 +482,9 @@ check(exercise_1, epsilon)
 # function that makes this Q-learning agent, with the lesson's learning rate 0.5 and discount 0.9. Before you run the
 # check: which of the three walls will it solve?
 #
-# <details><summary>Hint</summary>One call of QLearning.create is enough. Its settings are learning_rate, discount,
-# exploration and initial_value, and EpsilonGreedy(0.0) never explores.</details>
+# <details><summary>Hint</summary>One call of <code>QLearning.create</code> is enough. Its settings are
+# <code>learning_rate</code>, <code>discount</code>, <code>exploration</code> and <code>initial_value</code>, and
+# <code>EpsilonGreedy(0.0)</code> never explores.</details>
 
 
 # %%
@@ -370,6 +503,37 @@ check(exercise_2, optimist, seed=1, quiet=True)
 display(exploration.race({"optimist": optimist}))
 
 # %% [markdown]
+# **How far does optimism carry?** With the learning rate $\alpha = 1$ the agent believes every step at once. Let it race
+# Go-Explore on the high wall, with two grips and with three.
+#
+# **Predict.** Two grips are no problem for either. Which of the two solves the wall with three grips in 20 000 steps?
+
+# %%
+three_grips = predict("Height 100, three grips:", ["both", "optimism only", "Go-Explore only", "neither"])
+three_grips
+
+# %%
+methods = {"optimism": exploration.OPTIMIST, "Go-Explore": exploration.METHODS["Go-Explore"]}
+panels = []
+for n_grips in (2, 3):
+    results = exploration.compare(100, methods=methods, n_grips=n_grips, repetitions=30)
+    panels.append(exploration.curves(results, 100, n_grips))
+display(Sheet("optimism", [panels]))
+three_grips.measured("Go-Explore only")
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** With two grips optimism solves all walls. It first gets to the top sooner than Go-Explore (after about
+# 7 600 steps, and Go-Explore 9 200), but it *knows the way* later: in between its line goes up and down. An optimistic
+# value shrinks only by the factor $\gamma$ each time it is tried, and at the ground the way to the top is worth no more
+# than $\gamma^{99}$. Until all others have shrunk below that, the greedy policy wavers.
+#
+# With three grips it has been at the top in all runs, but its policy leads there in one run of five, where that of
+# Go-Explore does in three of four. It is slower, not stuck: with 40 000 steps it solves all walls.
+# </details>
+
+# %% [markdown]
 # ### Exercise 3: write your own explorer
 # You have seen two reasons why the novelty agent is stuck. Its slips end its climbs, but without slips it never tries
 # the grip that looks worse. Mend both: let the agent remember what it has tried, so that it needs no slips.
@@ -385,8 +549,9 @@ display(exploration.race({"optimist": optimist}))
 # The fields `learning_rate`, `discount` and `bonus` are $\alpha$, $\gamma$ and $\beta$; read them from `self`. You write
 # plain Python, and it runs as machine code, tens of millions of steps a second. Predict: how high will it climb?
 #
-# <details><summary>Hint</summary>The largest value in the row of the next state is max(self.Q[next_state]). Count
-# before you divide. A loop over range(self.Q.shape[1]) visits every grip.</details>
+# <details><summary>Hint</summary>The largest value in the row of the next state is
+# <code>max(self.Q[next_state])</code>. Count before you divide. A loop over <code>range(self.Q.shape[1])</code> visits
+# every grip.</details>
 
 
 # %%
@@ -457,8 +622,9 @@ display(exploration.race({"my explorer": MyExplorer.create}))
 # of the three with other settings). Call `repeat` with 20 000 steps and 5 repetitions, and assign the results to `frozen`.
 # Can you find a fourth that solves the lake in all five runs?
 #
-# <details><summary>Hint</summary>repeat takes an environment, a dictionary of methods and the number of steps. A method is
-# a function that makes an agent for an environment, and {**exploration.METHODS, "mine": ...} adds one.</details>
+# <details><summary>Hint</summary><code>repeat</code> takes an environment, a dictionary of methods and the number of
+# steps. A method is a function that makes an agent for an environment, and
+# <code>{**exploration.METHODS, "mine": ...}</code> adds one.</details>
 
 # %%
 lake = gym.make("FrozenLake-v1", map_name="8x8", is_slippery=False)
@@ -495,11 +661,20 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #
 # - Random exploration takes a number of steps that grows exponentially with the depth of the reward. It is not slow,
 #   it is hopeless.
-# - A novelty reward gives the agent something to learn from at every step. It draws the agent back to its frontier.
-# - Getting back *while exploring* fails more often the farther away the frontier is. Returning first, and exploring
-#   only then, avoids that. Optimistic initial values are another remedy: what is needed is exploration that is
-#   *systematic*, where ε-greedy only slips.
-# - A bonus is part of the task as long as it is paid: it can make the agent prefer exploring to the goal.
+# - A novelty reward gives the agent something to learn from at every step, and draws it back to its frontier. There it
+#   stalls: slips end its climbs on the way, and once it took the wrong grip, only a slip takes the right one.
+# - With two branches it leaves a frontier and comes back. Lasting detachment did not appear with a table.
+# - Returning first, and exploring only then, solves the high wall. Optimistic initial values solve it too, since they
+#   try everything; with more grips they take longer. Finding the top is not yet knowing the way.
+# - A bonus is part of the task as long as it is paid: with a discount near 1 the agent prefers exploring to the goal.
+#
+# ### In one paragraph
+# *Learn it by heart, or better, say it in your own words.* An agent learns only from rewards that it finds, and
+# undirected random steps find a reward behind $H$ right choices among $N$ actions after about $N^H$ tries. So exploration must be
+# directed. A novelty reward makes rarely visited states attractive, optimistic values make untried actions attractive,
+# and Go-Explore returns to the edge of what it knows before it explores. They work as far as they are systematic: they
+# try what they have not tried, and they get back to where that is. Random slips do neither. They fail more often the
+# longer the way is.
 #
 # ### Limits
 # A table can count visits of a state. The same picture hardly ever comes twice, so for pictures something must stand

@@ -147,12 +147,22 @@ def exercise_problems(cells: Sequence[NotebookNode]) -> Iterator[str]:
 
 
 def prediction_problems(cells: Sequence[NotebookNode]) -> Iterator[str]:
-    """Yields questions that are not followed by the cell to run and then, folded, by what was measured."""
-    for cell, code, answer in zip(cells, cells[1:], cells[2:], strict=False):
+    """Yields questions that are not followed by a field for the answer, the cell to run and, folded, what was measured.
+
+    The cell to run shows the answer beside what was measured.
+    """
+    for index, cell in enumerate(cells):
         if not is_code(cell) and "**Predict.**" in cell.source:
-            folded = "<details>" in answer.source and "**Measured.**" in answer.source
-            if not is_code(code) or is_code(answer) or not folded:
-                yield f"{where(cell)}: **Predict.** needs next a code cell, then text with <details> and **Measured.**"
+            following = [*cells[index + 1 : index + 4]]
+            whole = len(following) == 3 and [is_code(part) for part in following] == [True, True, False]
+            wanted = (("predict(",), (".measured(",), ("<details>", "**Measured.**"))
+            if not whole or not all(
+                text in part.source for part, texts in zip(following, wanted, strict=True) for text in texts
+            ):
+                yield (
+                    f"{where(cell)}: **Predict.** needs next a code cell with predict(...), a code cell with"
+                    " .measured(...), then text with <details> and **Measured.**"
+                )
 
 
 def widget_problems(cells: Sequence[NotebookNode]) -> Iterator[str]:

@@ -12,7 +12,7 @@
 
 # %%
 from edugym import SARSA, EpsilonGreedy, QLearning, finite_model, make_mdp, repeat, train, value_iteration
-from edugym.notebook import frames, play, sliders, source
+from edugym.notebook import frames, play, predict, sliders, source
 from edugym.plotting import Curves, Sheet
 
 # %% [markdown]
@@ -91,7 +91,12 @@ frames(mdp, run.agent)
 # **Predict.** Which of the two is ahead while it learns, with $\varepsilon = 0.3$?
 
 # %%
-compare(epsilon=0.3)
+ahead = predict("With ε = 0.3, which is ahead while it learns?", ["Q-learning", "SARSA"])
+ahead
+
+# %%
+display(compare(epsilon=0.3))
+ahead.measured("SARSA")
 
 # %% [markdown]
 # <details><summary>What was measured</summary>

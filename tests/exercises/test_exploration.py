@@ -9,7 +9,7 @@ import pytest
 from edugym import CountBased, make_mdp
 from edugym.exercises import exploration as exercises
 from edugym.lessons.exploration import EPSILON_GREEDY, METHODS, compare, race
-from edugym.plotting import Curves
+from edugym.plotting import Curves, Lines
 from tests.lessons.answers import read_exercises
 
 LESSON = Path(__file__).parents[2] / "lessons" / "01_exploration.py"
@@ -57,15 +57,18 @@ def test_what_the_solutions_reach() -> None:
 
 @pytest.mark.slow
 def test_a_race_shows_all_methods() -> None:
-    """The paper's three and the reader's own, one panel for each height."""
+    """The paper's three and the reader's own, one panel for each height, and their progress on the highest."""
 
     def mine(wall: Any) -> CountBased:
         return CountBased.create((wall.height + 1, wall.n_grips), bonus=2.0)
 
     sheet = race({"mine": mine}, (3, 4), repetitions=2, n_steps=200)
-    [panels] = sheet.rows
+    *panels, progress = [panel for row in sheet.rows for panel in row]
     shown = [panel.results.methods for panel in panels if isinstance(panel, Curves)]
     assert shown == [[*METHODS, "mine"]] * 2
+    assert isinstance(progress, Lines)
+    assert [*progress.lines] == [*METHODS, "mine"]
+    assert progress.x[-1] == 200
 
 
 def test_walls_of_the_lesson_can_be_given() -> None:

@@ -70,7 +70,13 @@ print({"b", "a", "c", "d"})
 # **Predict.** What is 2 times 2?
 
 # %%
-2 * 2
+from edugym.notebook import predict
+
+product = predict("2 times 2")
+product
+
+# %%
+product.measured(2 * 2)
 
 # %% [markdown]
 # <details><summary>What was measured</summary> **Measured.** 4. </details>
@@ -213,7 +219,9 @@ def test_the_install_cell_keeps_what_is_there(monkeypatch: pytest.MonkeyPatch) -
         ("# ## Your turn", "# Play.\n# ## Your turn", "opens its cell"),
         ("**Time.** 1 minute.", "", r"must contain '\*\*Time"),
         ("### Limits", "", "must contain '### Limits'"),
-        ("%%\n2 * 2", "%% [markdown]\n# 2 * 2", "needs next a code cell"),
+        ("%%\nproduct.measured(2 * 2)", "%% [markdown]\n# 4", "needs next a code cell"),
+        ("product.measured(2 * 2)", "print(2 * 2)", "needs next a code cell"),
+        ('predict("2 times 2")', "2 * 2", "needs next a code cell"),
         ("<details><summary>What was measured</summary>", "", "needs next a code cell"),
         ('# %%\nprint({"b", "a", "c", "d"})', "", "'## See inside' must have a code cell"),
         ("<details><summary>Hint</summary> Add. </details>", "", "a hint that folds out"),
@@ -344,7 +352,7 @@ def test_an_unsolved_notebook_runs_to_its_end(source: Path) -> None:
     said = [o.evalue for cell in filter(is_code, student.cells) for o in cell.outputs if o.output_type == "error"]
     assert said == ["not solved yet: replace this line", "factor = 1 does not double"]
     source.write_text(LESSON.replace("# Choose a", "# %%\ndouble(1)\n\n# %% [markdown]\n# Choose a"), encoding="utf-8")
-    with pytest.raises(build.LessonError, match=r"cell-019 \('double\(1\)'\): NotImplementedError"):
+    with pytest.raises(build.LessonError, match=r"cell-020 \('double\(1\)'\): NotImplementedError"):
         build.execute(all_editions(source)["student"], "01_doubling")
 
 

@@ -25,6 +25,10 @@ from edugym.lessons.exploration import (
     share_of_climbs,
     visits_of,
 )
+from edugym.lessons.exploration.climbs import first_at_top
+from edugym.lessons.exploration.figures import highest_so_far, progress
+from edugym.lessons.exploration.fork import Fork, branches, returns_to, turns
+from edugym.lessons.exploration.stalling import record_frontier
 from edugym.results.claims import Above, Below
 from edugym.results.statistics import proportion_interval
 
@@ -106,10 +110,10 @@ def test_what_was_learned_is_the_wall() -> None:
 def test_everything_that_the_lesson_claims(tmp_path: Any) -> None:
     """With the lesson's own settings and seed; and its data is where it says."""
     report = exploration.report(folder=tmp_path)
-    assert len(report.claims) == 17
+    assert len(report.claims) == 31
     assert [claim.statement for claim in report.claims if not claim.holds] == []
-    assert [figure.name for figure in report.figures] == ["exploration", "visits", "climbs"]
-    assert [len(row) for figure in report.figures for row in figure.rows] == [3, 3, 3, 1]
+    assert [figure.name for figure in report.figures] == ["exploration", "visits", "climbs", "frontier", "fork"]
+    assert [len(row) for figure in report.figures for row in figure.rows] == [2, 2, 3, 3, 1, 1, 2]
     for height in exploration.HEIGHTS:
         assert Results.load(tmp_path / f"height_{height}.csv").complete
 
@@ -140,6 +144,7 @@ def test_share_of_climbs_by_hand() -> None:
     visits = np.array([[3, 1, 0], [1, 1, 1]])
     assert share_of_climbs(visits).tolist() == [1.0, 0.5, 0.25]
     assert frontier(visits) == 2
+    assert first_at_top(visits, 1_000) == 500.0
 
 
 def test_visits_of_the_figure() -> None:
@@ -147,3 +152,65 @@ def test_visits_of_the_figure() -> None:
     for method in METHODS:
         for visits in visits_of(trained(30), method):
             assert visits[:, :30].sum() == exploration.N_STEPS
+
+
+def test_frontier_recorder_by_hand() -> None:
+    """On a wall of two: wrong, right at the ground; then from the ground up, wrong and right at height 1."""
+    wall = make_mdp("Boulder", height=2)
+    recorder = record_frontier(METHODS[EPSILON_GREEDY], wall)
+    for state, next_state in ((0, 0), (0, 1), (1, 0), (0, 1), (1, 2)):
+        recorder.learn(state, 0, 0.0, next_state, next_state == 2, False)
+    assert recorder.visits[:3].tolist() == [2, 2, 0]
+    assert recorder.right[:3].tolist() == [0, 2, 0]
+
+
+def test_highest_so_far_by_hand() -> None:
+    """It never falls."""
+    assert highest_so_far(np.array([[3, 1, 0, 0], [2, 1, 1, 0], [4, 0, 0, 0]])).tolist() == [0, 1, 2, 2]
+
+
+def test_both_walls_of_the_fork() -> None:
+    """Only the top of the right wall ends the episode; the top of the left one, and every wrong grip, is a fall."""
+    fork, rng = Fork.create(height=3, layout_seed=1), np.random.default_rng(0)
+    assert [fork.transition(0, action, rng) for action in (0, 1)] == [1, 4]
+    for state in (1, 2, 4, 5):
+        right = int(fork.grips[state])
+        assert (fork.transition(state, right, rng), fork.transition(state, 1 - right, rng)) == (state + 1, 0)
+    assert [fork.transition(3, action, rng) for action in (0, 1)] == [0, 0]
+    assert [fork.terminal(state) for state in range(7)] == [False] * 6 + [True]
+    assert fork.reward(5, 0, 6, rng) == 1.0
+    assert fork.reward(2, 0, 3, rng) == 0.0
+    assert len({fork.scene(state)._repr_svg_() for state in range(7)}) == 7
+
+
+def test_visits_of_two_branches_by_hand() -> None:
+    """Ground, two positions on the left, two on the right; the run turns twice and gives up the right top."""
+    visits = np.array([[1, 3, 0, 1, 0], [1, 1, 0, 2, 1], [1, 4, 1, 1, 0], [1, 2, 0, 0, 0]])
+    left, right = branches(visits)
+    assert left.tolist() == [[3, 0], [1, 0], [4, 1], [2, 0]]
+    assert right.tolist() == [[1, 0], [2, 1], [1, 0], [0, 0]]
+    assert turns(visits) == 2
+    assert not returns_to(visits)
+    visits[3, 4] = 1
+    assert returns_to(visits)
+
+
+def test_attempt_is_an_episode_of_training() -> None:
+    """It begins after the steps asked for, and what it does can be replayed."""
+    wall = make_mdp("Boulder", height=3)
+    actions = exploration.attempt(METHODS[GO_EXPLORE], wall, after=500)
+    rng, state = np.random.default_rng(0), 0
+    for action in actions:
+        assert not wall.terminal(state)
+        state = wall.transition(state, action, rng)
+    assert wall.terminal(state) or len(actions) == wall.max_steps
+    assert actions == exploration.attempt(METHODS[GO_EXPLORE], wall, after=500)
+
+
+def test_progress_is_drawn_over_the_whole_training() -> None:
+    """From the ground at the start to the top of a low wall at the end."""
+    pytest.importorskip("matplotlib")
+    ax = progress(compare(2, repetitions=2), 2).draw()
+    assert ax.get_xlim() == (0.0, exploration.N_STEPS)
+    curves = [np.asarray(line.get_ydata()) for line in ax.get_lines()]
+    assert [(curve[0], curve[-1]) for curve in curves] == [(0, 2)] * 3
