@@ -1,7 +1,5 @@
 """The depth of credit assignment on Study: the claims hold with other seeds than those the lesson shows."""
 
-import threading
-
 import numpy as np
 import pytest
 
@@ -14,7 +12,6 @@ from edugym.lessons.depth import (
     compare,
     expected_returns,
     layouts,
-    report,
 )
 from edugym.lessons.depth.targets import DAYS, noise_share, soft_policy, target
 
@@ -68,18 +65,3 @@ def test_expected_returns_are_within_the_optimum() -> None:
         assert returns[repetition] <= optimum + 1e-9
     optimum, soft = best_returns(tasks, 0.0, 0.1)
     assert soft < optimum
-
-
-def test_an_interrupted_lesson_reports_nothing() -> None:
-    """With the event set, nothing is measured, claimed or drawn."""
-    stop = threading.Event()
-    stop.set()
-    assert report(repetitions=2, stop=stop) == ([], [])
-
-
-@pytest.mark.slow
-def test_report() -> None:
-    """Every claim of the lesson holds, with other seeds."""
-    claims = report(seed=7).claims
-    assert [claim.statement for claim in claims if not claim.holds] == []
-    assert len(claims) >= 20

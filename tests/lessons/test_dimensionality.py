@@ -1,9 +1,6 @@
 """Tables over the images of Catch: the claims hold with other seeds than those the lesson shows."""
 
-import threading
-
 import numpy as np
-import pytest
 
 from edugym.envs.catch import Catch, Fall
 from edugym.lessons.dimensionality import (
@@ -19,7 +16,6 @@ from edugym.lessons.dimensionality import (
     learn,
     new_share,
     pixels,
-    report,
     returns_by_column,
     rows_of_table,
 )
@@ -83,18 +79,3 @@ def test_what_generalises() -> None:
     assert (table[[*TRAINED]] == 1.0).all()
     assert (table[[*WITHHELD]] < 0.5).all()
     assert (offset == 1.0).all()
-
-
-def test_an_interrupted_lesson_reports_nothing() -> None:
-    """With the event set, nothing is measured, claimed or drawn."""
-    stop = threading.Event()
-    stop.set()
-    assert report(repetitions=2, stop=stop) == ([], [])
-
-
-@pytest.mark.slow
-def test_report() -> None:
-    """Every claim of the lesson holds, with other seeds."""
-    claims = report(seed=7).claims
-    assert [claim.statement for claim in claims if not claim.holds] == []
-    assert len(claims) >= 13

@@ -1,7 +1,5 @@
 """Rewards, returns and the discount in Supermarket: the claims hold with other seeds than those the lesson shows."""
 
-import threading
-
 import numpy as np
 import pytest
 
@@ -20,7 +18,6 @@ from edugym.lessons.loop import (
     myopic_return,
     play_and_learn,
     random_return,
-    report,
     rewards_along,
 )
 
@@ -54,18 +51,3 @@ def test_the_discount_makes_the_difference() -> None:
     """The same agent, steps and seeds, with discount 0 and 0.99."""
     results = play_and_learn(n_steps=20_000, repetitions=4, seed=3)
     assert results.difference(Q_LEARNING, MYOPIC).low > 100.0
-
-
-def test_an_interrupted_lesson_reports_nothing() -> None:
-    """With the event set, nothing is measured, claimed or drawn."""
-    stop = threading.Event()
-    stop.set()
-    assert report(repetitions=2, stop=stop) == ([], [])
-
-
-@pytest.mark.slow
-def test_report() -> None:
-    """Every claim of the lesson holds, with other seeds."""
-    claims = report(seed=7).claims
-    assert [claim.statement for claim in claims if not claim.holds] == []
-    assert len(claims) >= 14

@@ -1,7 +1,5 @@
 """Partial observability in MemoryCorridor: the claims hold with other seeds than those the lesson shows."""
 
-import threading
-
 import numpy as np
 import pytest
 
@@ -14,7 +12,6 @@ from edugym.lessons.memory import (
     name,
     perfect_play,
     remember,
-    report,
     smallest_window,
     window_law,
 )
@@ -57,18 +54,3 @@ def test_a_window_that_is_enough_is_learned() -> None:
     """Two frames with the action between get through corridor 2, which one frame does not."""
     short, long = (learn(k, actions=True, n_steps=50_000, repetitions=3).final(name(k)).mean() for k in (1, 2))
     assert long > 3.0 > short
-
-
-def test_an_interrupted_lesson_reports_nothing() -> None:
-    """With the event set, nothing is measured, claimed or drawn."""
-    stop = threading.Event()
-    stop.set()
-    assert report(repetitions=2, stop=stop) == ([], [])
-
-
-@pytest.mark.slow
-def test_report() -> None:
-    """Every claim of the lesson holds, with other seeds."""
-    claims = report(seed=7).claims
-    assert [claim.statement for claim in claims if not claim.holds] == []
-    assert len(claims) >= 14

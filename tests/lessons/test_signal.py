@@ -1,7 +1,6 @@
 """The amount of signal on Tamagotchi: the claims hold with other seeds than those the lesson shows."""
 
 import math
-import threading
 
 import numpy as np
 import pytest
@@ -11,7 +10,6 @@ from edugym.lessons.signal import (
     LENGTHS,
     OPTIMUM,
     play,
-    report,
     rows_of_table,
     vote,
 )
@@ -79,18 +77,3 @@ def test_rows_of_table() -> None:
     """The table of four-word messages is 64 times that of one word, and that of 28 words has 7e18 rows."""
     assert rows_of_table(4) == 64 * rows_of_table(1) == 25_856
     assert f"{rows_of_table(28):.0e}" == "7e+18"
-
-
-def test_an_interrupted_lesson_reports_nothing() -> None:
-    """With the event set, nothing is measured, claimed or drawn."""
-    stop = threading.Event()
-    stop.set()
-    assert report(repetitions=2, stop=stop) == ([], [])
-
-
-@pytest.mark.slow
-def test_report() -> None:
-    """Every claim of the lesson holds, with other seeds."""
-    claims = report(seed=7).claims
-    assert [claim.statement for claim in claims if not claim.holds] == []
-    assert len(claims) >= 24

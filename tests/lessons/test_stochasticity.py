@@ -1,7 +1,5 @@
 """Stochasticity in Golf: the claims hold with other seeds than those the lesson shows."""
 
-import threading
-
 import numpy as np
 import pytest
 
@@ -14,7 +12,6 @@ from edugym.lessons.stochasticity import (
     Player,
     learn,
     play,
-    report,
 )
 from edugym.lessons.stochasticity.exact import crossing, from_the_tee, interpolated
 
@@ -87,18 +84,3 @@ def test_without_noise_there_is_no_risk() -> None:
         played = play(results, level=0.0)[method]
         assert played.lost.tolist() == [0.0] * 3
         assert played.spread == pytest.approx(0.0, abs=1e-6)
-
-
-def test_an_interrupted_lesson_reports_nothing() -> None:
-    """With the event set, nothing is measured, claimed or drawn."""
-    stop = threading.Event()
-    stop.set()
-    assert report(repetitions=2, stop=stop) == ([], [])
-
-
-@pytest.mark.slow
-def test_report() -> None:
-    """Every claim of the lesson holds, with other seeds."""
-    claims = report(seed=7).claims
-    assert [claim.statement for claim in claims if not claim.holds] == []
-    assert len(claims) >= 15

@@ -81,9 +81,9 @@ class Roadrunner(NamedTuple):
       read as adding +1 or R to the -1.)
     - The paper does not say that the speed changes before the position, and does not list the fall among the ends of an
       episode.
-    - The paper is not consistent about the drop. Its text speaks of moving beyond W and of hitting W; its description
-      of the task has a drop beyond the target only. Here it is as in the description. A runner that has fallen is given
-      x = W.
+    - The paper gives the place of the drop in different ways: under Dynamics as beyond W, under Reward as W itself, and
+      in its description of the task as anything beyond the target T = W - 1. Here it is as in the description. A runner
+      that has fallen is given x = W.
     - The paper's space has W positions and `max_speed` speeds; here both have one more, since W and `max_speed`
       themselves can be reached.
     - The paper's main text speaks of "how close it ends up to the edge"; its appendix does not. The parameter
@@ -230,7 +230,7 @@ class Roadrunner(NamedTuple):
 
 
 def _runner(x: float, y: float, radius: float, dx: int, mood: Mood) -> list[Shape]:
-    """The smiley with its speed on a plate, and a line behind it for each of its first three units of speed."""
+    """The smiley, with its speed on a plate. Behind it there is a line for each unit of speed, at most three."""
     wind = [
         Line(((x - (1.3 + length) * radius, y + dy * radius), (x - 1.3 * radius, y + dy * radius)), colour=WHITE)
         for dy, length in ((0.0, 1.2), (-0.5, 0.8), (0.5, 0.8))[: max(dx, 0)]

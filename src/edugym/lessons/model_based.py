@@ -2,7 +2,7 @@
 
 Every method trains for 10 000 steps with discount 0.99, learning rate 1 and ε-greedy exploration with ε = 0.1, except
 for R-max, which needs neither rate nor ε. Dyna-Q and prioritised sweeping plan with 10 updates a step (Dyna-50 with
-50), R-max with up to 1 000. 60 repetitions; the seeds are the same for every method.
+50), R-max with up to 1 000. 60 repetitions (100 of the remedies); the seeds are the same for every method.
 
 The given model has wrong rewards where `noise` is above 0: each repetition has a layout of its own, which draws the
 errors, the same for every method; 24 repetitions. With a given model discount is 0.95.
@@ -148,8 +148,10 @@ def early(results: Results, method: str) -> Reals:
 
 
 def difference(one: Results, method: str, other: Results, compared: str) -> Interval:
-    """Return the final return of a method less that of another one, paired by repetition."""
-    return paired_difference(one.final(method), other.final(compared))
+    """Return the final return of a method less that of another one, paired by the repetitions that both have."""
+    returns, others = one.final(method), other.final(compared)
+    shared = min(len(returns), len(others))
+    return paired_difference(returns[:shared], others[:shared])
 
 
 class Plan(NamedTuple):
@@ -188,7 +190,8 @@ def follow_plan(noise: float, layout_seed: int, discount: float = PLANNING_DISCO
 def measure(how: How) -> tuple[Any, ...]:
     """Run the experiments."""
     learned = compare(LEARNED, **how("learned"))
-    remedied = compare(REMEDIES, **how("remedies"))
+    more = {"repetitions": 5 * how.repetitions // 3}  # final returns differ much from run to run
+    remedied = compare({DYNA_10: LEARNED[DYNA_10], **REMEDIES}, **how("remedies", **more))
     fewer: dict[str, Any] = {"repetitions": max(2 * how.repetitions // 5, 2)}  # the effects of errors are large
     right = compare(with_right_model(GIVEN), **how("noise_0", **fewer))
     wrong = compare(GIVEN, noise=WRONG, **how(f"noise_{WRONG:g}", **fewer))
@@ -269,18 +272,14 @@ def end_claims(learned: Results, remedied: Results) -> list[Claim]:
 def remedy_claims(learned: Results, remedied: Results) -> list[Claim]:
     """Return the claims on exploring more, and on planning to explore."""
     return [
-        Claim(
-            f"More exploration at first mends it: {DECAYING} ends above {DYNA_10} with ε = {EPSILON:g}",
-            "final return, difference",
-            difference(remedied, DECAYING, learned, DYNA_10),
-            Above(0.0),
-        ),
-        Claim(
-            f"So much exploration to the end does no harm: {MORE_RANDOM} ends no more than 4 below",
-            "final return, difference",
-            difference(remedied, MORE_RANDOM, learned, DYNA_10),
-            Above(-4.0),
-            "it seems to end some 5 above, which 60 runs do not always show",
+        *(
+            Claim(
+                f"More exploration mends it: {method} ends above {DYNA_10} with ε = {EPSILON:g}",
+                "final return, difference",
+                difference(remedied, method, remedied, DYNA_10),
+                Above(0.0),
+            )
+            for method in (DECAYING, MORE_RANDOM)
         ),
         Claim(
             f"Planning to explore mends it: R-max is at the optimum after {EARLY} steps",
@@ -330,7 +329,6 @@ def plan_claims(plans: Mapping[float, list[Plan]]) -> list[Claim]:
         1.0: ("With noise 1 a few plans never get to the exit", Within(0.0, 0.5)),
         1.5: ("With noise 1.5 most plans never get to the exit", Above(0.5)),
     }
-    bumps = [plan.bumps for plan in lost[WRONG]]
     return [
         *(
             Claim(statement, f"share of layouts, discount {PLANNING_DISCOUNT:g}", share[noise], expected)
@@ -339,7 +337,7 @@ def plan_claims(plans: Mapping[float, list[Plan]]) -> list[Claim]:
         Claim(
             "The reason: a wall that seems to pay for each bump is farmed for ever",
             f"share of the plans that never end, noise {WRONG:g}",
-            share_interval(bumps),
+            share_interval([plan.bumps for plan in lost[WRONG]]),
             Above(0.5),
             "an error above 1 makes a step without end worth more than the exit",
         ),
@@ -363,10 +361,10 @@ def noise_claims(right: Results, wrong: Results) -> list[Claim]:
             )
         ),
         Claim(
-            "With learning rate 0.1 Dyna-10 gets over it, or nearly: it loses less than 25",
-            "final return less that without noise",
-            difference(wrong, SLOW_DYNA, right, SLOW_DYNA),
-            Above(-25.0),
+            "With learning rate 0.1 Dyna-10 gets over it in most runs: it loses less than 50",
+            "share of runs",
+            share_interval(wrong.final(SLOW_DYNA) - right.final(SLOW_DYNA) > -50.0),
+            Above(0.7),
             "where it walks, real steps are more frequent than imagined ones, and they win",
         ),
     ]
@@ -381,12 +379,11 @@ def figures(
     greedy = Curves(learned, "learned model", optimum=OPTIMUM, y_range=y_range)
     exploring = Curves(learned, "while exploring", "training_return", soft_optimum=soft, y_range=y_range)
     better = Curves(remedied, "more exploration", optimum=OPTIMUM, y_range=y_range)
-    titled = (right, "given model, right"), (wrong, f"given model, noise {WRONG:g}")
-    given = [Curves(results, title, optimum=OPTIMUM) for results, title in titled]
+    titles = {"given model, right": right, f"given model, noise {WRONG:g}": wrong}
     return [
         Sheet("model_based", [[greedy, exploring]]),
         Sheet("remedies", [[better]]),
-        Sheet("given_model", [given]),
+        Sheet("given_model", [[Curves(results, title, optimum=OPTIMUM) for title, results in titles.items()]]),
         Sheet("wrong_plans", [[plan_lines(plans)]]),
     ]
 
