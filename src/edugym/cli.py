@@ -308,5 +308,7 @@ def main() -> None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         if isinstance(error, BrokenPipeError):  # as in `edugym list | head`: nobody reads on
             raise SystemExit(1) from None
+        if isinstance(error.__context__, SystemExit) and error.__context__.code:  # it has failed already, and said why
+            raise SystemExit(error.__context__.code) from None
         about_a_file = error.filename is not None or error.strerror is None
         raise SystemExit(f"edugym: {error if about_a_file else f'cannot write the output: {error.strerror}'}") from None

@@ -216,13 +216,10 @@ def test_a_terminal_that_goes_away_ends_the_program() -> None:
 
 
 def command(arguments: str) -> subprocess.CompletedProcess[str]:
-    """Run `edugym` in a shell, where EDUGYM stands for it, with the same locale everywhere."""
+    """Run `edugym` in a shell, where EDUGYM stands for it."""
     code = f"{sys.executable} -c 'from edugym.cli import main; main()'"
     line = arguments.replace("EDUGYM", code)
-    environment = os.environ | {"LC_ALL": "C.UTF-8"}
-    return subprocess.run(
-        ["bash", "-c", line], env=environment, capture_output=True, text=True, timeout=60, check=False
-    )
+    return subprocess.run(["bash", "-c", line], capture_output=True, text=True, timeout=60, check=False)
 
 
 @pytest.mark.parametrize(
