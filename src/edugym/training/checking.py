@@ -1,7 +1,7 @@
-"""The first steps of students' code: what agents and Gymnasium environments return is checked as they are taken.
+"""Checks of the first steps of students' code: what agents and Gymnasium environments return.
 
-What is checked does what it does without, draws nothing, and is called as often: the steps are those of the run. The
-package's own classes are covered by its tests, and are left alone.
+The checks change nothing: they draw no random numbers, and each method is called as often as without them. The
+package's own classes are not checked here; the tests cover them.
 """
 
 import math
@@ -23,11 +23,11 @@ from edugym.training.contract import tables_of
 NEXT = ("next_action", "next_observation")
 LOOPS = ("edugym.training.loops", "edugym.training.gymnasium_loops")
 SMALL = 10_000
-"""Entries of a table that is looked at after each step."""
+"""A table with more entries is not searched for NaN after each step."""
 
 
 def checked_mdp(mdp: Any, steps: float = CHECKED_STEPS) -> Any:
-    """The MDP with a student's one, or that in the package's wrappers around it, checked."""
+    """Return the MDP with checks around a student's MDP, also where that is inside the package's wrappers."""
     if is_own(mdp):
         return mdp
     if type(mdp).__module__.startswith("edugym.") and not is_own(getattr(mdp, "mdp", None)):
@@ -36,11 +36,11 @@ def checked_mdp(mdp: Any, steps: float = CHECKED_STEPS) -> Any:
 
 
 def checked_agent(agent: Any, task: Any, steps: float = CHECKED_STEPS) -> Any:
-    """The agent, in the form that the loops ask for, with a student's one that is in it checked.
+    """Return the agent, in the form that the loops use, with checks around a student's agent inside it.
 
     Args:
         agent: a tuple with the student's agent somewhere in it.
-        task: what it acts in.
+        task: the MDP or environment in which it acts.
         steps: how many actions are checked; later ones are passed on as they are.
     """
     if is_own(agent):
@@ -53,9 +53,9 @@ def checked_agent(agent: Any, task: Any, steps: float = CHECKED_STEPS) -> Any:
 
 @contextmanager
 def explained(agent: Any, task: Any) -> Iterator[None]:
-    """Say what a late mistake is: one after the first steps, in a loop that the interpreter runs.
+    """Explain a late mistake: one that comes after the checked steps, in a loop that the interpreter runs.
 
-    Where the block ends in an error, what the loop was given at that step is looked at.
+    If the block ends in an error, look at the values of the step in which it was raised.
 
     Raises:
         ValueError: the agent has returned no action, or the task no reward.
@@ -89,14 +89,14 @@ def _late_mistake(error: Exception, agent: Any, task: Any) -> str | None:
 
 
 def _innermost(task: Any) -> Any:
-    """What the package's wrappers are around."""
+    """Return the task inside the package's wrappers."""
     if isinstance(task, gymnasium.Env):
         return task.unwrapped
     return _innermost(task.mdp) if type(task).__module__.startswith("edugym.") else task
 
 
 def students_parts(agent: Any) -> list[str]:
-    """The names of the student's classes that one of the package's agents is made of, such as a strategy."""
+    """Return the names of the student's classes, such as a strategy, that are parts of one of the package's agents."""
     if not isinstance(agent, tuple) or not type(agent).__module__.startswith("edugym."):
         return []
     return [type(part).__name__ for part in tuple.__iter__(agent) if not is_own(part)]
@@ -107,7 +107,7 @@ class CheckedAgent:
 
     Args:
         agent: the agent.
-        task: what it acts in.
+        task: the MDP or environment in which it acts.
         steps: how many actions are checked.
     """
 
@@ -176,7 +176,7 @@ class CheckedAgent:
         return action
 
     def _with_sizes(self, call: Callable[[], Any]) -> Any:
-        """The result of a call; an index that is too large is explained by the sizes of tables."""
+        """Return the result of a call; explain an index that is too large by the sizes of tables."""
         try:
             return call()
         except IndexError as error:
@@ -184,7 +184,7 @@ class CheckedAgent:
             raise
 
     def _sizes(self) -> str:
-        """What is wrong with the size of a table, if it is."""
+        """Return what is wrong with the size of a table; nothing if all fit."""
         rows, actions = self._task.observation_space, self._task.action_space
         if not (isinstance(rows, spaces.Discrete) and isinstance(actions, spaces.Discrete)):
             return ""
@@ -199,9 +199,9 @@ class CheckedAgent:
 
 @contextmanager
 def checked_env(env: gymnasium.Env[Any, Any]) -> Iterator[gymnasium.Env[Any, Any]]:
-    """Yield the environment with what is in our outermost wrapper checked, and undo that afterwards.
+    """Yield the environment with checks around what is inside our outermost wrapper, and take them away afterwards.
 
-    An environment that plays an MDP looks after itself.
+    An environment that plays an MDP has checks of its own.
     """
     if is_own(env.unwrapped):
         yield env
@@ -281,7 +281,7 @@ class CheckedEnv(gymnasium.Wrapper[Any, Any, Any, Any]):
 
 
 def _of_action(name: str, method: str, space: spaces.Space[Any], action: Any, state: Any) -> str:
-    """What an agent has returned, and what it should."""
+    """Return the sentence about a wrong action: what the agent returned, and what it should return."""
     allowed = f"an action, an element of {space}"
     if isinstance(space, spaces.Discrete):
         allowed = f"an action, a whole number from {space.start} to {space.start + space.n - 1}"
@@ -290,7 +290,7 @@ def _of_action(name: str, method: str, space: spaces.Space[Any], action: Any, st
 
 
 def _is_action(space: spaces.Space[Any], action: Any) -> bool:
-    """Whether the loops can give it to an MDP; bounds of real numbers are the business of the MDP."""
+    """Whether the loops can give the action to an MDP (which checks the bounds of real numbers itself)."""
     if isinstance(space, spaces.Discrete):
         scalar = action[()] if isinstance(action, np.ndarray) and action.ndim == 0 else action
         return isinstance(scalar, int | np.integer) and fits(space, scalar)
