@@ -572,7 +572,7 @@ three_grips.measured({0: "neither", 1: f"{''.join(solvers)} only", 2: "both"}[le
 # - `learn` first adds one try of the action in the state, and one visit of the next state. Then it learns as the novelty
 #   agent does, with the bonus $\beta / \sqrt{n(S')}$, where $n$ are the visits, and no future after a terminal state.
 # - `act` takes a grip that was never tried in this state, if there is one; with several, any of them will do. Otherwise
-#   it takes the best grip, which `self.greedy(state, rng)` gives. It never takes a random step.
+#   it takes the best grip, ties broken at random: `self.greedy(state, rng)`. It never takes another random step.
 #
 # The fields `learning_rate`, `discount` and `bonus` are $\alpha$, $\gamma$ and $\beta$; read them from `self`. You write
 # plain Python, and it runs as machine code, tens of millions of steps a second. Before you run the check: how high will
@@ -656,8 +656,8 @@ display(exploration.race({"my explorer": MyExplorer.create}))
 # map of 8 by 8, not slippery, is a sparse task too: its only reward is in the far corner, 14 steps away, and a fall into
 # one of its holes ends the episode. Predict first: will the novelty reward help as much as on the wall?
 #
-# Compare *four* methods there: the three in `exploration.METHODS`, and a fourth of your own choice (another agent, or one
-# of the three with other settings). Call `repeat` with 20 000 steps and 5 repetitions, and assign the results to `frozen`.
+# Compare *four* methods there: the three in `exploration.METHODS`, under their names, and a fourth of your own choice
+# (another agent, or one of the three with other settings). Call `repeat` with 20 000 steps and 5 repetitions, and assign the results to `frozen`.
 # Can you find a fourth *without goals* that solves the lake in all five runs, as Go-Explore does?
 #
 # <details><summary>Hint</summary><code>repeat</code> takes an environment, a dictionary of methods and the number of

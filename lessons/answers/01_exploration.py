@@ -919,6 +919,17 @@ def learn(state, action, reward, next_state, terminated):
     MyExplorer.visits[next_state] += 1
 
 
+# %% exercise 3, wrong: counts the visit after it has divided
+# says: count before you divide
+def learn(self, state, action, reward, next_state, terminated):
+    n = max(1, self.visits[next_state])  # not by zero
+    target = reward + self.bonus / np.sqrt(n)
+    if not terminated:
+        target += self.discount * max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+
 # %% exercise 4, right: a union of dictionaries
 frozen = repeat(
     lake,

@@ -133,7 +133,9 @@ def _with_methods(solution: str, answer: str) -> str | None:
     """Return the solution with methods from the answer in the place of its own; None if the answer is a whole cell."""
     classes = [node for node in ast.parse(solution).body if isinstance(node, ast.ClassDef)]
     methods = {part.name: part for node in classes for part in node.body if isinstance(part, ast.FunctionDef)}
-    given = ast.parse(answer).body
+    parts = ast.parse(answer).body
+    imports = [ast.unparse(part) for part in parts if isinstance(part, ast.Import | ast.ImportFrom)]
+    given = [part for part in parts if not isinstance(part, ast.Import | ast.ImportFrom)]
     if not all(isinstance(part, ast.FunctionDef) and part.name in methods for part in given):
         return None
     lines = solution.splitlines()
@@ -143,4 +145,4 @@ def _with_methods(solution: str, answer: str) -> str | None:
     for name in sorted(mine, key=lambda name: -methods[name].lineno):
         old = methods[name]
         lines[old.lineno - 1 : old.end_lineno] = textwrap.indent(mine[name], " " * old.col_offset).splitlines()
-    return "\n".join(lines) + "\n"
+    return "\n".join([*imports, *lines]) + "\n"

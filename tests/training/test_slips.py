@@ -223,7 +223,7 @@ def test_a_late_reward_that_is_missing() -> None:
     mdp = task(source)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        says = "reward of Walk must return a finite number as reward, but returned None"
+        says = "reward of Walk must return a finite number, but returned None"
         answered(Slip("", "", says), lambda: train(mdp, QLearning.create((6, 2)), 9_000))
 
 

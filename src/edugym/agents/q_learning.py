@@ -29,7 +29,7 @@ class QLearning(NamedTuple):
     exploration: Exploration = EpsilonGreedy(0.1)
 
     def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool) -> None:
-        """Move Q(S, A) towards the reward plus γ times the highest value in the next state (0 after a terminal one)."""
+        """Move Q(S, A) towards the reward plus γ times the highest value in the next state (0 if it is terminal)."""
         target = one_step_target(reward, self.discount, best_value(self.Q, next_state), terminated)
         self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
 

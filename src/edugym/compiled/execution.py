@@ -84,7 +84,7 @@ def _machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, rehearsed:
     as_before, before = copied(constants), Snapshot()
     before.take(constants)
     try:
-        result = loop(rehearsed, *rehearsal)  # a mistake in it ends here, at its line
+        result = (replay or loop)(rehearsed, *rehearsal)  # a mistake in it ends here, at its line
     finally:
         changed = difference(constants, as_before, "an array", close=0.0)
         before.put_back()

@@ -82,6 +82,7 @@ def explorer_update(
     tries: str = "taken",
     looks_up: str = "entered",
     late: bool = False,
+    least: int = 0,
     **one_step: Any,
 ) -> None:
     """Count, and apply Q-learning on the reward plus β/√n; other arguments than the defaults are mistakes."""
@@ -93,7 +94,7 @@ def explorer_update(
     if tries != "nothing":
         swapped = action % n_states, state % n_actions
         tables["tries"][{"taken": (state, action), "next": (next_state, action), "swapped": swapped}[tries]] += 1
-    n = old_count if late else _count(tables, looks_up, now)
+    n = max(old_count, least) if late else _count(tables, looks_up, now)
     share = {
         "1/√n": 1 / np.sqrt(n),
         "1/n": 1 / np.float64(n),
@@ -134,6 +135,10 @@ NOVELTY_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "`tries` counts next_state; count the state in which the action was *taken*": {"tries": "next"},
     "state and action have changed places in `tries`": {"tries": "swapped"},
     "the bonus comes from the old count: count first, so that a first visit has n = 1": {"late": True},
+    "the bonus comes from the old count, or from 1 at the first visit: count before you divide": {
+        "late": True,
+        "least": 1,
+    },
     "the bonus is β/√(n + 1), one visit too many": {"novelty": "1/√(n+1)"},
     "the root is missing: the bonus is β/√n": {"novelty": "1/n"},
     "`** 1 / 2` is `(... ** 1) / 2`: write `** 0.5` for the root": {"novelty": "1/n/2"},

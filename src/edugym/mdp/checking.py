@@ -129,17 +129,18 @@ def checked_step(mdp: MDP[Any, Any], state: Any, action: Any, rng: Random) -> tu
 
 
 class CheckedMDP:
-    """An MDP whose first steps are checked: it does what the MDP inside it does, and draws nothing itself.
+    """An MDP that checks what its methods return: it does what the MDP inside it does, and draws nothing itself.
 
     Args:
         mdp: the task.
-        steps: how many transitions are checked; later ones are passed on as they are.
+        steps: for how many transitions it also checks that no method changes a state or draws from global streams,
+            which takes longer.
     """
 
     def __init__(self, mdp: MDP[Any, Any], steps: float = CHECKED_STEPS) -> None:
         """See the class."""
         self._mdp, self._left = mdp, steps
-        self._draws = GlobalDraws(type(mdp).__name__)
+        self._draws, self._space = GlobalDraws(type(mdp).__name__), mdp.observation_space
 
     def __getattr__(self, name: str) -> Any:
         """Everything else that the MDP has."""
@@ -156,13 +157,8 @@ class CheckedMDP:
         Raises:
             ValueError: it is None, or the state was changed.
         """
-        if self._left <= 0:
-            return self._mdp.transition(state, action, rng)
         self._left -= 1
-        before = kept(state)
-        with self._draws.refused("transition"):
-            next_state = self._mdp.transition(state, action, rng)
-        refuse_change(self._mdp, "transition", before, state)
+        next_state = self._unchanging("transition", (state,), action, rng)
         if next_state is None:
             raise ValueError(_sentence(self._mdp, "transition", None, "the next state", state, action))
         return next_state
@@ -173,13 +169,7 @@ class CheckedMDP:
         Raises:
             ValueError: it is no finite number, or a state was changed.
         """
-        if self._left <= 0:
-            return self._mdp.reward(state, action, next_state, rng)
-        before, after = kept(state), kept(next_state)
-        with self._draws.refused("reward"):
-            reward = self._mdp.reward(state, action, next_state, rng)
-        refuse_change(self._mdp, "reward", before, state)
-        refuse_change(self._mdp, "reward", after, next_state)
+        reward = self._unchanging("reward", (state, action, next_state), rng)
         if not is_finite_number(reward):
             raise ValueError(_sentence(self._mdp, "reward", reward, "a finite number", state, action, next_state))
         return reward
@@ -190,12 +180,7 @@ class CheckedMDP:
         Raises:
             ValueError: the answer is neither True nor False, or the state was changed.
         """
-        if self._left <= 0:
-            return self._mdp.terminal(state)
-        before = kept(state)
-        with self._draws.refused("terminal"):
-            terminated = self._mdp.terminal(state)
-        refuse_change(self._mdp, "terminal", before, state)
+        terminated = self._unchanging("terminal", (state,))
         if not isinstance(terminated, bool | np.bool_ | int | np.integer):
             raise ValueError(_sentence(self._mdp, "terminal", terminated, "True or False", state))
         return terminated
@@ -206,12 +191,7 @@ class CheckedMDP:
         Raises:
             ValueError: it is not in the observation space, or the state was changed.
         """
-        if self._left <= 0:
-            return self._mdp.observation(state, rng)
-        before = kept(state)
-        with self._draws.refused("observation"):
-            observation = self._mdp.observation(state, rng)
-        refuse_change(self._mdp, "observation", before, state)
+        observation = self._unchanging("observation", (state,), rng)
         self._require_observation(observation, state)
         return observation
 
@@ -226,8 +206,20 @@ class CheckedMDP:
         refuse_change(self._mdp, "observe_into", before, state)
         self._require_observation(out, state)
 
+    def _unchanging(self, method: str, given: tuple[Any, ...], *others: Any) -> Any:
+        """Return what a method returns for states (and an action) that it may not change, and other arguments."""
+        call = getattr(self._mdp, method)
+        if self._left < 0:
+            return call(*given, *others)
+        before = [kept(value) for value in given]
+        with self._draws.refused(method):
+            returned = call(*given, *others)
+        for was, value in zip(before, given, strict=True):
+            refuse_change(self._mdp, method, was, value)
+        return returned
+
     def _require_observation(self, observation: Any, state: Any) -> None:
-        space = self._mdp.observation_space
+        space = self._space
         if not fits(space, observation):
             if state is None:  # an initial one; where nothing is wrong with what is seen, None is a state like others
                 raise ValueError(

@@ -49,7 +49,7 @@ compiler sees only the methods of the class itself, so the class needs all five.
 def wrapper(kind: Kind) -> Kind:
     """Class decorator: turn a NamedTuple into an MDP; its field `mdp` is the inner MDP.
 
-    It behaves like the inner MDP, except for the methods and properties that the class defines:
+    It behaves like the inner MDP, except for what the class defines:
 
         @wrapper
         class Noisy(NamedTuple):
@@ -61,9 +61,10 @@ def wrapper(kind: Kind) -> Kind:
             def reward(self, state, action, next_state, rng):
                 return self.mdp.reward(state, action, next_state, rng) + rng.normal(0.0, self.sigma)
 
-    Spaces, step limit, names of actions, picture and info are those of the inner MDP, unless the class defines them. If
-    the wrapper's states differ from those of the inner MDP, the class must define `inside(state)`, which returns the
-    corresponding state of the inner MDP (for picture and info).
+    Spaces, step limit, names of actions, picture (`scene`) and info are those of the inner MDP, unless the class
+    defines them. (`observe_into` and private attributes are not passed on.) If the wrapper's states differ from those
+    of the inner MDP, the class must define `inside(state)`: it returns the inner MDP's state, from which `scene` and
+    `info` are made.
 
     Raises:
         TypeError: the class has no field `mdp`.

@@ -1,7 +1,8 @@
-"""Checks of the first steps of students' code: what agents and Gymnasium environments return.
+"""Checks of students' code: what agents and Gymnasium environments return.
 
-The checks change nothing: they draw no random numbers, and each method is called as often as without them. The
-package's own classes are not checked here; the tests cover them.
+The first steps are checked in every way. Later steps that the interpreter runs are still checked for what would spread
+silently: actions, rewards and observations that may not be. The checks change nothing: they draw no random numbers, and
+each method is called as often as without them. The package's own classes are not checked here; the tests cover them.
 """
 
 import math
@@ -20,8 +21,8 @@ from edugym.mdp.protocol import Random
 from edugym.mdp.values import GlobalDraws, fits, is_finite_number, kept, shown
 from edugym.training.contract import tables_of
 
-NEXT = ("next_action", "next_observation")
-LOOPS = ("edugym.training.loops", "edugym.training.gymnasium_loops")
+ENDLESS = 1_000
+"""After so many steps without the end of an episode a word is said."""
 SMALL = 10_000
 """A table with more entries is not searched for NaN after each step."""
 
@@ -41,7 +42,7 @@ def checked_agent(agent: Any, task: Any, steps: float = CHECKED_STEPS) -> Any:
     Args:
         agent: a tuple with the student's agent somewhere in it.
         task: the MDP or environment in which it acts.
-        steps: how many actions are checked; later ones are passed on as they are.
+        steps: how many of its first actions are checked in every way.
     """
     if is_own(agent):
         return agent
@@ -51,48 +52,38 @@ def checked_agent(agent: Any, task: Any, steps: float = CHECKED_STEPS) -> Any:
     return CheckedAgent(agent, task, steps) if hasattr(agent, "act") else agent
 
 
-@contextmanager
-def explained(agent: Any, task: Any) -> Iterator[None]:
-    """Explain a late mistake: one that comes after the checked steps, in a loop that the interpreter runs.
+def doubts(task: Any, agent: Any, limit: int | None, n_steps: int, n_episodes: int) -> list[str]:
+    """Return what is probably wrong with a student's task or agent after training, in a sentence each.
 
-    If the block ends in an error, look at the values of the step in which it was raised.
-
-    Raises:
-        ValueError: the agent has returned no action, or the task no reward.
+    Args:
+        task: the MDP or environment.
+        agent: the agent.
+        limit: the step limit of its episodes, if there is one.
+        n_steps: the training steps taken.
+        n_episodes: how many episodes ended in them.
     """
-    try:
-        yield
-    except Exception as error:
-        found = _late_mistake(error, agent, task)
-        if found is None:
-            raise
-        raise ValueError(found) from None
-
-
-def _late_mistake(error: Exception, agent: Any, task: Any) -> str | None:
-    last = error.__traceback__
-    while last is not None and last.tb_frame.f_globals.get("__name__") not in LOOPS:
-        last = last.tb_next
-    if last is None:
-        return None
-    step = last.tb_frame.f_locals
-    if not is_own(agent) and not hasattr(agent, "act_into"):
-        method = "greedy" if "actor" in step and hasattr(agent, "greedy") else "act"
-        for action, state in (("action", "observation" if "observation" in step else "state"), NEXT):
-            if action in step and not _is_action(task.action_space, step[action]):
-                return _of_action(type(agent).__name__, method, task.action_space, step[action], step.get(state))
-    if not is_own(task) and not is_finite_number(step.get("reward", 0.0)):
-        method = "step" if isinstance(task, gymnasium.Env) else "reward"
-        name = type(_innermost(task)).__name__
-        return f"{method} of {name} must return a finite number as reward, but returned {shown(step['reward'])}"
-    return None
+    found = []
+    innermost = _innermost(task)
+    if not is_own(innermost) and limit is None and n_episodes == 0 and n_steps >= ENDLESS:
+        method = "step never returned terminated" if isinstance(task, gymnasium.Env) else "terminal never returned"
+        found.append(
+            f"no episode of {type(innermost).__name__} has ended in {n_steps} steps: {method} True, and there is no"
+            " limit (max_steps)"
+        )
+    if not is_own(agent):
+        found += [
+            f"{name} of {type(agent).__name__} holds nan after training: an update has no finite number as its result"
+            for name, table in tables_of(agent).items()
+            if table.dtype.kind == "f" and np.isnan(table).any()
+        ]
+    return found
 
 
 def _innermost(task: Any) -> Any:
     """Return the task inside the package's wrappers."""
     if isinstance(task, gymnasium.Env):
         return task.unwrapped
-    return _innermost(task.mdp) if type(task).__module__.startswith("edugym.") else task
+    return _innermost(task.mdp) if type(task).__module__.startswith("edugym.") and hasattr(task, "mdp") else task
 
 
 def students_parts(agent: Any) -> list[str]:
@@ -103,17 +94,17 @@ def students_parts(agent: Any) -> list[str]:
 
 
 class CheckedAgent:
-    """An agent whose first steps are checked.
+    """An agent that checks the actions that it returns.
 
     Args:
         agent: the agent.
         task: the MDP or environment in which it acts.
-        steps: how many actions are checked.
+        steps: for how many actions it also checks tables, states and global streams, which takes longer.
     """
 
     def __init__(self, agent: Any, task: Any, steps: float = CHECKED_STEPS) -> None:
         """See the class."""
-        self._agent, self._task, self._left = agent, task, steps
+        self._agent, self._task, self._left, self._space = agent, task, steps, task.action_space
         self._name = ", with ".join([type(agent).__name__, *students_parts(agent)])
         self._draws = GlobalDraws(self._name)
 
@@ -164,14 +155,15 @@ class CheckedAgent:
 
     def _chosen(self, method: str, state: Any, rng: Random) -> Any:
         choose = getattr(self._agent, method)
-        if self._left <= 0:
-            return choose(state, rng)
-        self._left -= 1
-        before = kept(state)
-        with self._draws.refused(method):
-            action = self._with_sizes(lambda: choose(state, rng))
-        refuse_change(self._agent, method, before, state)
-        if not _is_action(self._task.action_space, action):
+        if self._left > 0:
+            self._left -= 1
+            before = kept(state)
+            with self._draws.refused(method):
+                action = self._with_sizes(lambda: choose(state, rng))
+            refuse_change(self._agent, method, before, state)
+        else:
+            action = choose(state, rng)
+        if not _is_action(self._space, action):
             raise ValueError(_of_action(self._name, method, self._task.action_space, action, state) + self._sizes())
         return action
 
@@ -198,30 +190,34 @@ class CheckedAgent:
 
 
 @contextmanager
-def checked_env(env: gymnasium.Env[Any, Any]) -> Iterator[gymnasium.Env[Any, Any]]:
+def checked_env(env: gymnasium.Env[Any, Any], steps: float = CHECKED_STEPS) -> Iterator[gymnasium.Env[Any, Any]]:
     """Yield the environment with checks around what is inside our outermost wrapper, and take them away afterwards.
 
     An environment that plays an MDP has checks of its own.
+
+    Args:
+        env: the environment.
+        steps: how many steps are checked in every way.
     """
     if is_own(env.unwrapped):
         yield env
     elif isinstance(env, TabularObservation | FlattenObservation):
         inner = env.env
-        env.env = CheckedEnv(inner)
+        env.env = CheckedEnv(inner, steps)
         try:
             yield env
         finally:
             env.env = inner
     else:
-        yield CheckedEnv(env)
+        yield CheckedEnv(env, steps)
 
 
 class CheckedEnv(gymnasium.Wrapper[Any, Any, Any, Any]):
-    """A student's Gymnasium environment whose first steps are checked.
+    """A student's Gymnasium environment that checks its rewards, and in its first steps everything else.
 
     Args:
         env: the environment.
-        steps: how many steps are checked.
+        steps: how many steps are checked in every way.
     """
 
     def __init__(self, env: gymnasium.Env[Any, Any], steps: float = CHECKED_STEPS) -> None:
@@ -252,9 +248,9 @@ class CheckedEnv(gymnasium.Wrapper[Any, Any, Any, Any]):
                 not what it must be.
         """
         returned: Any = self.env.step(action)
-        if self._left <= 0:
-            return returned
         self._left -= 1
+        if self._left < 0 and isinstance(returned, tuple) and len(returned) == 5 and is_finite_number(returned[1]):
+            return returned
         if not (isinstance(returned, tuple) and len(returned) == 5):
             raise ValueError(
                 f"step of {self._of} must return (observation, reward, terminated, truncated, info), but returned"

@@ -38,7 +38,7 @@ class GreedyActor(NamedTuple):
         return self.agent.greedy(state, rng)
 
     def act_into(self, state: Any, rng: Any, action: Any) -> None:
-        """Write the agent's greedy action into the array `action` (only for agents that have `greedy_into`)."""
+        """Write the agent's greedy action into the array `action` (for agents whose actions are vectors)."""
         self.agent.greedy_into(state, rng, action)
 
 
@@ -77,9 +77,9 @@ def require_agent(agent: Any) -> None:
     """Refuse what is no agent. An agent needs the methods `act` and `learn`, and may have `greedy`.
 
     Raises:
-        ValueError: it is a class; `act` or `learn` is missing; `act` or `greedy` cannot be called with (state, rng);
-            `learn` has no `self`; a table contains NaN; or a table has an integer or bool dtype. (An object of
-            one of EduGym's own classes is accepted if it has `act` and `learn`; the other checks are skipped.)
+        ValueError: it is a class; `act` or `learn` is missing; `act` or `greedy` does not take (state, rng), or
+            `greedy` is misspelt; `learn` has no `self`; a table contains NaN, or has an integer or bool dtype. (Agents
+            that consist only of EduGym's own classes are not checked further once they have `act` and `learn`.)
     """
     needed = "agent must be an object with the methods act and learn, but is"
     if isinstance(agent, type):
@@ -131,7 +131,7 @@ def learner(agent: Any) -> Any:
 
         def act(self, state, rng):
             return self.agent.act(state, rng)
-        def act_into(self, state, rng, action):  # always there, but works only if the agent has `act_into`
+        def act_into(self, state, rng, action):  # for agents whose actions are vectors
             self.agent.act_into(state, rng, action)
         def learn(self, state, action, reward, next_state, terminated, truncated):
             self.agent.learn(state=state, action=action, reward=reward, terminated=terminated)

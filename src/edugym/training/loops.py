@@ -60,8 +60,8 @@ def off_policy(
     Args:
         n_steps: how many steps to take; episodes follow each other.
         mdp: the task.
-        agent: the agent inside the wrapper that `edugym.training.contract.learner` makes. The wrapper's `learn` takes
-            all the arguments that this loop passes.
+        agent: what `edugym.training.contract.learner` returns for an agent: its `learn` takes all the arguments that
+            this loop passes.
         max_steps: after how many steps an episode is truncated.
         environment_rng: what the task draws from.
         agent_rng: what the agent draws from.

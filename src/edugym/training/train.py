@@ -2,6 +2,7 @@
 
 import math
 import time
+import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -108,6 +109,9 @@ def train(
     except Exception as error:
         raise at_students_line(error)  # noqa: B904
     run = Run(*curve.columns(), agent, seed, time.perf_counter() - began, complete=curve.last == n_steps)
+    if run.complete:
+        for doubt in training.doubts(n_steps, int(run.episodes.sum())):
+            warnings.warn(doubt, stacklevel=2)
     if interrupted:
         raise Interrupted(f"after {done} of {n_steps} steps; the agent keeps what it has learned", lambda: run)
     return run

@@ -8,7 +8,7 @@ import copy
 import math
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, nullcontext
+from contextlib import contextmanager
 from typing import Any, Protocol
 
 import gymnasium
@@ -27,8 +27,9 @@ from edugym.mdp.protocol import coerced, step_limit
 from edugym.mdp.values import shown
 from edugym.registration import full_id
 from edugym.training import gymnasium_loops, loops
-from edugym.training.checking import checked_agent, checked_env, checked_mdp, explained
+from edugym.training.checking import checked_agent, checked_env, checked_mdp, doubts
 from edugym.training.contract import actor, is_on_policy, learner, learns_from, tables_of
+from edugym.training.guarded import guarded
 from edugym.training.loops import Log
 from edugym.training.machine_agent import MachineAgent
 
@@ -64,6 +65,9 @@ class Trainer(Protocol):
     def play_episodes(self, at_most: int) -> list[float]:
         """Play an episode or more without learning, as the agent believes best; return their undiscounted returns."""
 
+    def doubts(self, n_steps: int, n_episodes: int) -> list[str]:
+        """Return what is probably wrong, in a sentence each, after so many training steps and episodes that ended."""
+
 
 def trainer(environment: Any, agent: Any, seed: int, max_steps: int | None, expected: int) -> Trainer:
     """Return the trainer for an environment and an agent.
@@ -94,6 +98,7 @@ class MDPTrainer:
     def __init__(self, mdp: Any, agent: Any, seed: int, limit: int | None, expected: int) -> None:
         """See `trainer`; the limit is None where the task has none."""
         self.agent, self.log, self._pace, self._task, self._expected = agent, new_log(), Pace(), mdp, expected
+        mdp = guarded(mdp)
         environment_rng, agent_rng, self._evaluation_rng, self._actor_rng = streams(seed)
         self._evaluation_limit = limit or EVALUATION_LIMIT
         training, self._playing = View(mdp, agent, is_on_policy(agent)), View(mdp, agent)
@@ -108,6 +113,7 @@ class MDPTrainer:
         )
         self._first = mdp, learning, *_ = self._checked(*self._rest)
         self._loop: Callable[..., Any]
+        self._advance: Callable[..., Any]
         self._moment: Any
         if is_on_policy(agent):
             self._loop, self._moment = loops.on_policy, loops.start_on_policy(mdp, learning, environment_rng, agent_rng)
@@ -127,8 +133,10 @@ class MDPTrainer:
     def learn(self, at_most: int) -> int:
         """Take training steps, as many as take about `CALL_SECONDS`; return their number."""
         if not self._steps_to_check:
-            with self._pace.steps(at_most) as n_steps, explained(self.agent, self._task):
-                self._moment = self._advance(n_steps, *self._rest, self._moment)
+            interpreted = self._advance is self._loop
+            arguments = self._first if interpreted else self._rest
+            with self._pace.steps(at_most) as n_steps:
+                self._moment = self._advance(n_steps, *arguments, self._moment)
             return n_steps
         with self._pace.steps(min(at_most, self._steps_to_check)) as n_steps:
             self._moment = self._loop(n_steps, *self._first, self._moment)
@@ -149,15 +157,22 @@ class MDPTrainer:
         together = compiled and hasattr(self.agent, "greedy")
         n_episodes = min(at_most, max(1, MOST_STEPS // self._evaluation_limit)) if together else 1
         evaluation = self._evaluation(n_episodes)
-        if self._has_played:
-            with held() if compiled else nullcontext(), explained(self.agent, self._task):
+        if compiled:
+            with held():
                 self._play(n_episodes, *evaluation)
+        elif self._has_played:
+            self._play(n_episodes, *self._checked(*evaluation, steps=0))
         else:
             self._has_played = True
             loops.play_episodes(1, *self._checked(*evaluation))
             self._compile_playing()
         returns: list[float] = evaluation[-1].tolist()
         return returns
+
+    def doubts(self, n_steps: int, n_episodes: int) -> list[str]:
+        """Return what is probably wrong, in a sentence each, after so many training steps and episodes that ended."""
+        limit = self._rest[2]
+        return doubts(self._task, self.agent, None if limit == NO_LIMIT else limit, n_steps, n_episodes)
 
     def _compile_training(self) -> None:
         """From now on train by machine code, if that pays and is possible; where that fails, checks say why."""
@@ -216,8 +231,8 @@ class GymnasiumTrainer:
     def learn(self, at_most: int) -> int:
         """Take training steps, as many as take about `CALL_SECONDS`; return their number."""
         if not self._steps_to_check:
-            with self._pace.steps(at_most) as n_steps, explained(self.agent, self._env):
-                self._advance(n_steps, self._env)
+            with self._pace.steps(at_most) as n_steps, checked_env(self._env, steps=0) as env:
+                self._advance(n_steps, env)
             return n_steps
         with self._pace.steps(min(at_most, self._steps_to_check)) as n_steps, checked_env(self._env) as env:
             self._advance(n_steps, env)
@@ -228,11 +243,13 @@ class GymnasiumTrainer:
 
     def play_episodes(self, at_most: int) -> list[float]:
         """Play one episode without learning, as the agent believes best; return its undiscounted return."""
-        if self._has_played:
-            return [self._played(self._evaluated, self._actor or actor(self.agent))]
-        self._has_played = True
-        with checked_env(self._evaluated) as env:
-            return [self._played(env, self._actor or checked_agent(actor(self.agent), self._evaluated))]
+        steps, self._has_played = 0 if self._has_played else CHECKED_STEPS, True
+        with checked_env(self._evaluated, steps) as env:
+            return [self._played(env, self._actor or checked_agent(actor(self.agent), self._evaluated, steps))]
+
+    def doubts(self, n_steps: int, n_episodes: int) -> list[str]:
+        """Return what is probably wrong, in a sentence each, after so many training steps and episodes that ended."""
+        return doubts(self._env, self.agent, self._limit, n_steps, n_episodes)
 
     def _advance(self, n_steps: int, env: Any) -> None:
         limit = self._limit or NO_LIMIT
@@ -244,9 +261,9 @@ class GymnasiumTrainer:
 
     def _compile(self, observation: Any) -> None:
         """From now on the agent alone runs as machine code, where it takes vectors and that pays."""
-        self._learner = learner(self.agent)
+        self._learner = checked_agent(learner(self.agent), self._env, steps=0)
         if takes_vectors(self.agent):
-            self._learner = MachineAgent(self._learner, self._agent_rng, observation, self._expected)
+            self._learner = MachineAgent(learner(self.agent), self._agent_rng, observation, self._expected)
             self._actor = MachineAgent(actor(self.agent), self._actor_rng, observation, self._expected)
 
 

@@ -1,0 +1,123 @@
+"""Mistakes that come after the first steps get the same sentence in machine code and in the interpreter."""
+
+import warnings
+from typing import Any
+
+import gymnasium as gym
+import numpy as np
+import pytest
+from gymnasium import spaces
+
+from edugym import QLearning, train
+from tests.compiled.cells import LEARNER, WALK, cell
+from tests.training.slips import END, MOVE, PAY, SEE
+
+N_STEPS = 60_000
+RARE = "rng.random() < 0.0002"
+OUTSIDE = {"machine code": "", "interpreted": "notes = {}\n        "}
+"""What to write before a line: a dict is outside what can be compiled."""
+
+LATE = {
+    "NaN for a reward": (PAY, f"return np.nan if {RARE} else -0.25", "reward of Walk .* returned nan for state"),
+    "an infinite reward": (PAY, f"return np.inf if {RARE} else -0.25", "reward of Walk .* returned inf for state"),
+    "below the space": (SEE, f"return -1 if {RARE} else state\n", "observation of Walk .* returned -1 for state"),
+    "beyond the space": (SEE, f"return 6 if {RARE} else state\n", "observation of Walk .* returned 6 for state"),
+}
+
+
+def changed(source: str, old: str, new: str) -> str:
+    """Replace a text that stands in the source once."""
+    assert source.count(old) == 1
+    return source.replace(old, new)
+
+
+def walk(source: str = WALK) -> Any:
+    """Make a walk of five steps."""
+    return cell(source)["Walk"](5)
+
+
+def learner(source: str = LEARNER) -> Any:
+    """Make an agent for it."""
+    return cell(source)["Learner"](np.zeros((6, 2)))
+
+
+@pytest.mark.parametrize("way", OUTSIDE)
+@pytest.mark.parametrize("name", LATE)
+@pytest.mark.filterwarnings("ignore:Walk.* cannot be compiled")
+def test_rare_mistakes_in_an_mdp(name: str, way: str) -> None:
+    """They come after some thousands of steps that are right."""
+    old, new, says = LATE[name]
+    source = changed(changed(WALK, old, new), MOVE, OUTSIDE[way] + MOVE)
+    with pytest.raises(ValueError, match=says):
+        train(walk(source), QLearning.create((6, 2)), N_STEPS, seed=2)
+
+
+@pytest.mark.parametrize("way", OUTSIDE)
+@pytest.mark.filterwarnings("ignore:Walk, Learner cannot be compiled")
+def test_a_rare_action(way: str) -> None:
+    """An agent that returns an action that does not exist is named, with the state."""
+    wrong = f"if {RARE}:\n            return 2\n        "
+    source = changed(LEARNER, "if rng.random() < 0.1:", f"{OUTSIDE[way]}{wrong}if rng.random() < 0.1:")
+    with pytest.raises(ValueError, match=r"act of Learner .* from 0 to 1, but returned 2 for state \d"):
+        train(walk(), learner(source), N_STEPS, seed=2)
+
+
+def test_what_is_right_is_left_alone() -> None:
+    """The control: without a mistake there is not a word."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert train(walk(), learner(), N_STEPS, seed=2).complete
+
+
+class Rooms(gym.Env[Any, Any]):
+    """A Gymnasium environment of a student's that never ends, with one wrong reward.
+
+    Args:
+        wrong_at: the step with the reward NaN; 0 for none.
+    """
+
+    observation_space = spaces.Discrete(3)
+    action_space = spaces.Discrete(2)
+
+    def __init__(self, wrong_at: int) -> None:
+        """See the class."""
+        self.steps, self.wrong_at = 0, wrong_at
+
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
+        """Start an episode."""
+        super().reset(seed=seed, options=options)
+        return 0, {}
+
+    def step(self, action: int) -> tuple[int, float, bool, bool, dict[str, Any]]:
+        """Take a step."""
+        self.steps += 1
+        return self.steps % 3, np.nan if self.steps == self.wrong_at else 0.0, False, False, {}
+
+
+def test_a_rare_reward_of_a_gymnasium_environment() -> None:
+    """It is checked at every step."""
+    with pytest.raises(ValueError, match="step of Rooms must return a finite number as reward, but returned nan"):
+        train(Rooms(3_000), QLearning.create((3, 2)), 4_000)
+
+
+def test_episodes_that_never_end() -> None:
+    """A warning says so after training, unless there is a step limit or there were only few steps."""
+    endless = walk(changed(changed(WALK, END, "return False"), MOVE, "return min(5, max(0, state + 2 * action - 1))"))
+    with pytest.warns(UserWarning, match=r"no episode of Walk has ended in 2000 steps: terminal never returned True"):
+        train(endless, QLearning.create((6, 2)), 2_000)
+    with pytest.warns(UserWarning, match=r"no episode of Rooms has ended .* step never returned terminated True"):
+        train(Rooms(0), QLearning.create((3, 2)), 2_000)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        train(endless, QLearning.create((6, 2)), 2_000, max_steps=100)
+        train(endless, QLearning.create((6, 2)), 999)
+
+
+def test_a_table_that_comes_to_hold_nan() -> None:
+    """A warning says so after training, and the run is kept."""
+    wrong = (
+        "self.Q[5, 0] += 1.0\n        if self.Q[5, 0] > 30_000:\n            self.Q[5, 1] = np.nan\n        value = 0.0"
+    )
+    with pytest.warns(UserWarning, match="Q of Learner holds nan after training"):
+        run = train(walk(), learner(changed(LEARNER, "value = 0.0", wrong)), N_STEPS)
+    assert run.complete
