@@ -231,9 +231,10 @@ middle
 # %%
 walls = {height: exploration.compare(height, repetitions=100) for height in (10, 30, 100)}
 display(exploration.learning_curves(walls))
+print("runs that solve height 10 by step 2 000, and heights 10, 30 and 100 at the end:")
 for method in exploration.METHODS:
-    early, *last = walls[10].curves(method).loc[2_000].mean(), *(wall.final(method).mean() for wall in walls.values())
-    print(f"{method:14} height 10 at step 2 000: {early:4.0%}; at the end: {last[0]:4.0%}, {last[1]:4.0%}, {last[2]:4.0%}")
+    early, at_the_end = walls[10].curves(method).loc[2_000].mean(), [walls[h].final(method).mean() for h in walls]
+    print(f"{method:14} {early:4.0%};", *(f"{share:4.0%}" for share in at_the_end))
 solvers = [method for method in walls[30].methods if walls[30].final(method).mean() > 0.5]
 middle.measured({0: "none", 1: "Go-Explore", 2: "novelty reward and Go-Explore", 3: "all three"}[len(solvers)])
 
@@ -545,7 +546,7 @@ for n_grips in (2, 3):
     results = exploration.compare(100, methods=methods, n_grips=n_grips, repetitions=30)
     panels.append(exploration.curves(results, 100, n_grips))
 display(Sheet("optimism", [panels]))
-solvers = [method for method in ("optimism", "Go-Explore") if results.final(method).mean() > 0.5]  # of the last wall, with three grips
+solvers = [method for method in ("optimism", "Go-Explore") if results.final(method).mean() > 0.5]  # three grips
 three_grips.measured({0: "neither", 1: f"{''.join(solvers)} only", 2: "both"}[len(solvers)])
 
 # %% [markdown]

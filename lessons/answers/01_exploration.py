@@ -930,6 +930,7 @@ def learn(self, state, action, reward, next_state, terminated):
     self.visits[next_state] += 1
     self.tries[state, action] += 1
 
+
 # %% exercise 4, right: a union of dictionaries
 frozen = repeat(
     lake,
