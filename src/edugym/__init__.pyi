@@ -58,6 +58,7 @@ from edugym.mdp.frame_stack import stack_size as stack_size
 from edugym.mdp.hashed import Hashed as Hashed
 from edugym.mdp.hashed_table import HashedTable as HashedTable
 from edugym.mdp.noisy_observation import NoisyObservation as NoisyObservation
+from edugym.mdp.separate_frames import SeparateFrames as SeparateFrames
 from edugym.mdp.tabular import Tabular as Tabular
 from edugym.mdp.wrapper import wrapper as wrapper
 from edugym.registration import ENVIRONMENTS as ENVIRONMENTS

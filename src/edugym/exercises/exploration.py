@@ -63,7 +63,7 @@ def exercise_1(answer: Any, seed: int) -> str:
         mistakes,
         tolerance=2e-5,
         says=says,
-        otherwise="give ε with four digits after the decimal point" if close else otherwise,
+        otherwise=f"{otherwise}, by a little: give four digits or more" if close else otherwise,
     )
     return "Right: ε = 1.38 % is little, and yet one wrong grip in 145 costs half of the climbs."
 

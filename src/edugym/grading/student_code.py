@@ -28,6 +28,7 @@ HINTS = (
     ("too many indices", "a table of values has two indices, Q[state, action], and counts of states have one"),
     ("out of bounds", "the first index of a table is the state, the second one the action"),
     ("only integer", "an index is a whole number"),
+    (r"create\(\) (missing|takes)", "`create` takes the environment first, and then settings by their names"),
     ("positional argument", "its parameters are not those of the exercise"),
     ("unexpected keyword argument", "its parameters are not those of the exercise"),
     ("has no attribute", "is the name spelt as in the exercise?"),

@@ -36,7 +36,15 @@ from edugym.lessons.exploration.figures import (
     race,
     visit_maps,
 )
-from edugym.lessons.exploration.fork import Fork, compare_on_fork, fork_claims, fork_maps, returns_to, turns
+from edugym.lessons.exploration.fork import (
+    Fork,
+    compare_on_fork,
+    fork_claims,
+    fork_maps,
+    higher_frontier,
+    returns_to,
+    turns,
+)
 from edugym.lessons.exploration.methods import (
     BONUS,
     DISCOUNT,
@@ -87,6 +95,7 @@ __all__ = [
     "fork_maps",
     "frontier",
     "frontier_lines",
+    "higher_frontier",
     "in_pairs",
     "learning_curves",
     "paper_methods",

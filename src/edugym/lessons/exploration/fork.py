@@ -136,10 +136,15 @@ def turns(visits: Integers) -> int:
     return int(np.count_nonzero(np.diff(left > right)))
 
 
+def higher_frontier(visits: Integers) -> int:
+    """Return how high the agent got on the branch on which it got higher."""
+    return max(int(part.any(axis=0).sum()) for part in branches(visits))
+
+
 def fork_claims(results: Results) -> list[Claim]:
     """Return the claims on the two branches."""
     runs = visits_of(results, NOVELTY)
-    higher = [max(int(part.any(axis=0).sum()) for part in branches(run)) for run in runs]
+    higher = [higher_frontier(run) for run in runs]
     return [
         Claim(
             "On a wall with two branches the novelty agent turns from one frontier to the other",

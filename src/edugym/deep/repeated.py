@@ -1,0 +1,119 @@
+"""Deep agents trained several times, each run in a process of its own, as the same table that `edugym.repeat` gives."""
+
+import dataclasses
+import functools
+import json
+import os
+from collections.abc import Callable, Mapping
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from edugym.checks import whole_number
+from edugym.extras import require
+from edugym.results.tables import MEASURED, Results, with_types
+from edugym.training.checkpoints import Checkpoints
+from edugym.training.configuration import Planned, planned_runs
+from edugym.training.fingerprints import versions
+from edugym.training.train import Run
+
+Trainer = Callable[..., Run]
+"""What trains an agent: it is called with the number of steps and `seed`."""
+
+
+def repeat_deep(
+    trainers: Mapping[str, Trainer],
+    n_steps: int,
+    *,
+    repetitions: int = 10,
+    seed: int = 0,
+    jobs: int = -1,
+    checkpoints: str | os.PathLike[str] | None = None,
+) -> Results:
+    """Train every agent `repetitions` times, and collect the learning curves.
+
+        repeat_deep({"PPO": PPO.create("Catch").train}, 50_000)
+        repeat_deep({"DQN": partial(stable_baselines3_run, "Catch", "DQN", num_envs=8)}, 50_000)
+
+    Args:
+        trainers: by label, functions that train an agent and return its `Run`. They must be pickled, so none is defined
+            inside another function.
+        n_steps: the training steps of each run. Algorithms that play whole rounds may take a few more, which count as
+            `n_steps` in the table.
+        repetitions: the number of runs of each method.
+        seed: the number from which the seeds of all repetitions are spawned; the same for every method.
+        jobs: the number of processes; -1 is one for each core.
+        checkpoints: a folder in which finished runs are kept. The same call goes on from there.
+
+    Returns:
+        The table of `edugym.repeat`, with the settings of each method, and no agents.
+
+    Raises:
+        ValueError: an argument is not as above.
+        gymnasium.error.DependencyNotInstalled: pandas or joblib is missing.
+    """
+    require("experiments", "joblib", "pandas")
+    import joblib
+
+    whole_number("n_steps", n_steps, 1)
+    whole_number("repetitions", repetitions, 1)
+    plan = planned_runs(list(trainers), repetitions, whole_number("seed", seed, 0))
+    store = Checkpoints(None if checkpoints is None else Path(checkpoints))
+    for label, trainer in trainers.items():
+        store.describe(label, _settings(trainer), n_steps)
+    runs = store.found(plan)
+    to_do = [planned for planned in plan if planned not in runs]
+    calls = (joblib.delayed(_do)(trainers[planned.method], n_steps, planned) for planned in to_do)
+    for planned, run in joblib.Parallel(jobs, return_as="generator_unordered", batch_size=1)(calls):
+        store.save(planned, run)
+        runs[planned] = run
+    return _collected(trainers, plan, runs, n_steps, repetitions, seed)
+
+
+def _do(trainer: Trainer, n_steps: int, planned: Planned) -> tuple[Planned, Run]:
+    """Do one run; the agent stays in its process."""
+    run = trainer(n_steps, seed=planned.repetition.seed)
+    return planned, dataclasses.replace(run, agent=None)
+
+
+def _collected(
+    trainers: Mapping[str, Trainer], plan: list[Planned], runs: Mapping[Planned, Run], n_steps: int, n: int, seed: int
+) -> Results:
+    import pandas
+
+    parts = []
+    for planned in plan:
+        run = runs[planned]
+        columns = {
+            "method": planned.method,
+            "repetition": planned.repetition.number,
+            "seed": planned.repetition.seed,
+            "layout_seed": None,
+            "step": np.append(run.steps[:-1], n_steps),
+            "return": run.returns,
+            "training_return": run.training_returns,
+            "episodes": run.episodes,
+            "complete": run.complete,
+        }
+        same = {"n_steps": n_steps, "repetitions": n, "runs": len(plan), "experiment_seed": seed}
+        settings = json.dumps(_settings(trainers[planned.method]), default=str)
+        parts.append(pandas.DataFrame(columns | same | {"settings": settings, "versions": _versions()}))
+    table = pandas.concat(parts, ignore_index=True)
+    return Results(with_types(table.astype({"layout_seed": "Int64"})[[*MEASURED, *table.columns.drop(list(MEASURED))]]))
+
+
+def _versions() -> str:
+    """Return the versions of what the numbers depend on."""
+    deep = (f"{package} {version(package)}" for package in ("torch", "stable-baselines3", "sb3-contrib"))
+    return ", ".join([versions(), *deep])
+
+
+def _settings(trainer: Any) -> Any:
+    """Return what determines a trainer, in plain values: its function, and what is bound to it."""
+    if isinstance(trainer, functools.partial):
+        return [_settings(trainer.func), *map(_settings, trainer.args), trainer.keywords]
+    if hasattr(trainer, "__self__"):  # a method of an agent
+        return [trainer.__name__, trainer.__self__._asdict()]
+    return getattr(trainer, "__qualname__", trainer)
