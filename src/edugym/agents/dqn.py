@@ -82,9 +82,10 @@ class DQN(NamedTuple):
     Deviations from Mnih et al.: one fully connected hidden layer on the whole observation instead of convolutions on
     four frames; Adam instead of RMSProp; rewards are not clipped; ε is constant by default (for theirs, see
     `ScheduledEpsilonGreedy` with `LinearDecay`), also before step `learn_from`, where theirs act uniformly at random;
-    the memory is a hundredth of theirs, `learn_from` a fiftieth and `copy_every` a fortieth; and a batch is drawn
-    before the step after which it is learned from, so that the newest transition is in it only if it took the place of
-    one that was drawn.
+    the memory is a hundredth of theirs, `learn_from` a fiftieth and `copy_every` a fortieth, and the learning rate four
+    times theirs; actions are not repeated, and episodes do not start with idle steps; evaluation is greedy, theirs has
+    ε = 0.05; at a truncation the agent bootstraps; and a batch is drawn before the step after which it is learned from,
+    so that the newest transition is in it only if it took the place of one that was drawn.
 
     References: Mnih et al. (2015), Human-level control through deep reinforcement learning, algorithm 1 and extended
     data table 1; Kingma and Ba (2015), Adam, algorithm 1; He et al. (2015) for the first weights; Sutton and Barto,

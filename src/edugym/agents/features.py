@@ -49,7 +49,7 @@ class Features(Protocol):
 class Identity(NamedTuple):
     """The observation itself, x(s) = s, and a constant.
 
-    Of a whole number this is a 1 in the place of the number: the agent then learns a table.
+    Of a whole number this is a 1 in the place of the number: with `constant=0` the agent then learns a table.
 
     Attributes:
         active: shape (n_inputs + 1,): which features are not 0.

@@ -32,9 +32,9 @@ class GaussianActorCritic(NamedTuple):
         drawn: shape (n_actions,): the latest action as it was drawn.
         low: shape (n_actions,): the lower bounds of the action space.
         high: shape (n_actions,): the upper bounds.
-        features: x(s): tile coding of the whole observation by default, which is fit for three or four numbers; see
+        features: x(s): tile coding of the whole observation by default, whose 8 tilings suit one or two numbers; see
             `TileCoding`.
-        learning_rate: α^θ times the number of features that are 1 at once, greater than 0 and up to 1.
+        learning_rate: α^θ times the number of tilings, greater than 0 and up to 1.
         value_learning_rate: α^w times the same, likewise.
         discount: γ, from 0 to 1.
         spread: σ, greater than 0.

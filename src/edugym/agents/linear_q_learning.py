@@ -23,6 +23,8 @@ class LinearQLearning(NamedTuple):
 
         w_A <- w_A + α [R + γ max_a q̂(S', a, w) - q̂(S, A, w)] x(S)
 
+    q̂ of a terminal state is 0; at a truncation the agent bootstraps.
+
     Function approximation, bootstrapping and off-policy learning together are the *deadly triad*: the weights may grow
     without bound, as in Baird's counterexample.
 
@@ -30,8 +32,8 @@ class LinearQLearning(NamedTuple):
         weights: shape (n_features, n_actions): w, a column for each action.
         Q: shape (1, n_actions): room for the action values of one state.
         features: x(s): by default the observation itself; see `TileCoding`.
-        learning_rate: α times the number of features that are 1 at once (`features.at_once`), greater than 0 and up to
-            1.
+        learning_rate: α times `features.at_once`, which is the number of tilings with tile coding (equation 9.19), and 1
+            with the observation itself; greater than 0 and up to 1.
         discount: γ, from 0 to 1.
         exploration: how actions are chosen.
 

@@ -35,8 +35,8 @@ class REINFORCE(NamedTuple):
         V(S_t) <- V(S_t) + α^w δ
         θ(S_t, ·) <- θ(S_t, ·) + α^θ γ^t δ ∇ln π(A_t|S_t, θ)     with π(a|s, θ) ∝ exp(θ(s, a))
 
-    The baseline V changes nothing in the mean of the gradient, and makes it less noisy; `value_learning_rate=0` goes
-    without one. Where an episode is truncated, V of the last state stands for the rewards that are missing (so without
+    The baseline V makes the gradient less noisy, and hardly changes its mean (not at all in episodes that visit no state
+    twice); `value_learning_rate=0` goes without one. Where an episode is truncated, V of the last state stands for the rewards that are missing (so without
     a baseline they count as 0).
 
     Attributes:

@@ -96,7 +96,8 @@ class TileCoding(NamedTuple):
             tiles: into how many tiles each number is divided, 1 or more: one number for all, or one for each; 1 leaves
                 a number out.
             tilings: how many grids there are, 1 or more; best a power of two, and at least four times as many as the
-                numbers that are not left out.
+                numbers that are not left out. (The grids are displaced by 1, 3, 5, ... steps in the first, second,
+                third, ... number. With 3 tilings, for example, nothing would be displaced in the second number.)
             low: the lowest value that each number takes; by default that of the observation space.
             high: the highest, likewise. Both must be given where the observation space has no bounds.
 

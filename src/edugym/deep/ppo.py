@@ -41,13 +41,16 @@ class PPO(NamedTuple):
         clip: ε, greater than 0.
         entropy_bonus: c, 0 or more.
 
-    Choices where Schulman et al. (2017) leave them open, or deviations: policy and value function are two networks, so
-    the value loss has no coefficient to weigh it; advantages are normalised in each minibatch; the gradient is clipped
-    to a norm of 0.5; weights are orthogonal, and small in the last layers; σ of real actions does not depend on the
-    state, and actions are cut off at the bounds of the space; a truncated episode is worth V of its last state.
+    Choices where Schulman et al. (2017) leave them open, or deviations: policy and value function are two networks, and
+    the coefficient of the value loss is 1; advantages are normalised in each minibatch, and values are not clipped; the
+    gradient of both networks together is clipped to a norm of 0.5; ε of Adam is 1e-5; weights are orthogonal, and small
+    in the last layer of the policy; inputs are divided by their bounds, and rewards are not scaled; σ of real actions
+    starts at e^-0.5 and does not depend on the state, and actions are cut off at the bounds of the space; a terminal
+    state is worth 0, and a truncated episode V of its last state.
 
     References: Schulman et al. (2017), Proximal policy optimization algorithms, equations 7, 9, 11 and 12 and algorithm
-    1; Schulman et al. (2016) for Â; Huang et al. (2022), The 37 implementation details of PPO.
+    1; Schulman et al. (2016) for Â; Huang et al. (2022), The 37 implementation details of proximal policy
+    optimization.
     """
 
     environment: Any
