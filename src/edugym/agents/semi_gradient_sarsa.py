@@ -30,8 +30,8 @@ class SemiGradientSARSA(NamedTuple):
         weights: shape (n_features, n_actions): w, a column for each action.
         Q: shape (1, n_actions): room for the action values of one state.
         features: x(s): by default the observation itself; see `TileCoding`.
-        learning_rate: α times `features.at_once`, which is the number of tilings with tile coding (equation 9.19), and 1
-            with the observation itself; greater than 0 and up to 1.
+        learning_rate: α times `features.at_once`, greater than 0 and up to 1. With tile coding that is the number of
+            tilings (equation 9.19), with the observation itself it is 1.
         discount: γ, from 0 to 1.
         exploration: how actions are chosen.
 
