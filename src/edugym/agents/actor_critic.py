@@ -67,6 +67,6 @@ class ActorCritic(NamedTuple):
         The settings are those attributes of the class that have a default.
 
         Raises:
-            ValueError: a setting is not as the class says, or the environment does not fit a table.
+            ValueError: a setting is unknown or out of range, or the environment does not fit a table.
         """
         return new(cls, environment, settings)

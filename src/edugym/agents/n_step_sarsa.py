@@ -89,7 +89,7 @@ class NStepSARSA(NamedTuple):
             **settings: see the class, and `initial_value`.
 
         Raises:
-            ValueError: a setting is not as the class says, or the environment does not fit a table.
+            ValueError: a setting is unknown or out of range, or the environment does not fit a table.
         """
         most = whole_number("longest", longest, 1)
         if n != math.inf:

@@ -122,7 +122,7 @@ class PrioritisedSweeping(NamedTuple):
             **settings: see the class, and `initial_value`.
 
         Raises:
-            ValueError: a setting is not as the class says, or the environment does not fit a table.
+            ValueError: a setting is unknown or out of range, or the environment does not fit a table.
         """
         known = empty_model(environment, memory) if model is None else given_model(environment, model)
         n_states, n_actions = table_size(environment)

@@ -134,7 +134,7 @@ class RMax(NamedTuple):
             **settings: see the class.
 
         Raises:
-            ValueError: a setting is not as the class says, or the environment does not fit a table.
+            ValueError: a setting is unknown or out of range, or the environment does not fit a table.
         """
         known = empty_model(environment, memory) if model is None else given_model(environment, model)
         n_states, n_actions = table_size(environment)

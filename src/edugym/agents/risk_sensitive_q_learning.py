@@ -59,12 +59,12 @@ class RiskSensitiveQLearning(NamedTuple):
 
     @classmethod
     def create(cls, environment: Any, **settings: Any) -> "RiskSensitiveQLearning":
-        """A new agent for an environment, or for a table of a given shape (n_states, n_actions).
+        """Create an agent with new tables; `environment` is an environment, or the shape of Q, (n_states, n_actions).
 
-        The settings are those attributes of the class that have a default. There is one more, `initial_value`: every
-        entry of the table starts with it.
+        Settings: every field that has a default, and `initial_value`. Every entry of Q starts at `initial_value`, by
+        default 0.
 
         Raises:
-            ValueError: a setting is not as the class says, or the environment does not fit a table.
+            ValueError: a setting is unknown or out of range, or the environment does not fit a table.
         """
         return new(cls, environment, settings)

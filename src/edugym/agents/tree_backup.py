@@ -85,7 +85,7 @@ class TreeBackup(NamedTuple):
             **settings: see the class, and `initial_value`.
 
         Raises:
-            ValueError: a setting is not as the class says, or the environment does not fit a table.
+            ValueError: a setting is unknown or out of range, or the environment does not fit a table.
         """
         n = whole_number("n", n, 1)
         agent = new(cls, environment, {**settings, "n": n}, **{"n": n, "n + 1": n + 1})

@@ -94,7 +94,7 @@ def _from_inside(self: Any, name: str) -> Any:
 
 
 def _of_inner_states(self: Any, method: Callable[..., Any]) -> Callable[..., Any]:
-    """Adapt `scene` or `info` of the inner MDP to the states of the wrapper, keeping its signature."""
+    """Return the inner MDP's `scene` or `info`, with the same parameters, for states of the wrapper."""
 
     @wraps(method)
     def of_wrapped(state: Any, *arguments: Any, **named: Any) -> Any:

@@ -78,8 +78,8 @@ def require_agent(agent: Any) -> None:
 
     Raises:
         ValueError: it is a class; `act` or `learn` is missing; `act` or `greedy` does not take (state, rng), or
-            `greedy` is misspelt; `learn` has no `self`; a table contains NaN, or has an integer or bool dtype. (Agents
-            that consist only of EduGym's own classes are not checked further once they have `act` and `learn`.)
+            `greedy` is misspelt; `learn` has no `self`; a table contains NaN, or has an integer or bool dtype. (For
+            EduGym's own agents only `act` and `learn` are checked.)
     """
     needed = "agent must be an object with the methods act and learn, but is"
     if isinstance(agent, type):

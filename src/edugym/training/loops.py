@@ -60,7 +60,7 @@ def off_policy(
     Args:
         n_steps: how many steps to take; episodes follow each other.
         mdp: the task.
-        agent: what `edugym.training.contract.learner` returns for an agent: its `learn` takes all the arguments that
+        agent: the agent, wrapped by `edugym.training.contract.learner`. The wrapper's `learn` takes everything that
             this loop passes.
         max_steps: after how many steps an episode is truncated.
         environment_rng: what the task draws from.
