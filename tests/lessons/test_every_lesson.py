@@ -11,7 +11,7 @@ CLAIMS = {
     "on_off_policy": 12,
     "depth": 20,
     "dimensionality": 13,
-    "memory": 14,
+    "memory": 19,
     "signal": 24,
     "stochasticity": 15,
     "model_based": 20,

@@ -99,12 +99,12 @@ def _collected(
         }
         same = {"n_steps": n_steps, "repetitions": n, "runs": len(plan), "experiment_seed": seed}
         settings = json.dumps(_settings(trainers[planned.method]), default=str)
-        parts.append(pandas.DataFrame(columns | same | {"settings": settings, "versions": _versions()}))
+        parts.append(pandas.DataFrame(columns | same | {"settings": settings, "versions": deep_versions()}))
     table = pandas.concat(parts, ignore_index=True)
     return Results(with_types(table.astype({"layout_seed": "Int64"})[[*MEASURED, *table.columns.drop(list(MEASURED))]]))
 
 
-def _versions() -> str:
+def deep_versions() -> str:
     """Return the versions of what the numbers depend on."""
     deep = (f"{package} {version(package)}" for package in ("torch", "stable-baselines3", "sb3-contrib"))
     return ", ".join([versions(), *deep])

@@ -5,11 +5,14 @@ with the actions between them: learning rate 0.1, discount 0.8, ε-greedy explor
 seeds are the same for every stack. Each point of a learning curve is the mean of 40 greedy evaluation episodes.
 Returns are undiscounted.
 
+DQN learns from the same windows with a number for each observation (100 000 steps), and recurrent PPO from single
+observations (150 000 steps; its results are stored).
+
 The best policy with full memory returns 1 a step without end; perfect play through corridor L has returned L(L+1)/2.
 The state has no finite model, since the corridor grows without end.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Sequence
 from functools import partial
 from itertools import product
 from typing import Annotated, Any, NamedTuple
@@ -21,6 +24,8 @@ from edugym.agents.settings import Counter, Table, new
 from edugym.agents.strategies import EpsilonGreedy
 from edugym.envs.memory_corridor import MemoryCorridor
 from edugym.experiments import How, reporting
+from edugym.lessons.memory.network import WINDOWS, learn_with_network, network_claims
+from edugym.lessons.memory.recurrent import STORED, recurrent_claims
 from edugym.mdp.frame_stack import FrameStack, stack_size
 from edugym.mdp.protocol import Integers, Random
 from edugym.plotting.curves import Curves
@@ -121,12 +126,12 @@ def name(k: int) -> str:
     return f"k = {k}"
 
 
-def joined(results: Mapping[int, Results]) -> Results:
-    """Join the results of several stacks, with the stacks as methods."""
+def joined(results: Sequence[Results]) -> Results:
+    """Join the results of several windows, with the windows as methods."""
     import pandas
 
-    table = pandas.concat([part.table for part in results.values()], ignore_index=True)
-    return Results(table, {label: agents for part in results.values() for label, agents in part.agents.items()})
+    table = pandas.concat([part.table for part in results], ignore_index=True)
+    return Results(table, {label: agents for part in results for label, agents in part.agents.items()})
 
 
 def perfect_play(doors: tuple[int, ...]) -> Iterator[tuple[int, int]]:
@@ -180,23 +185,27 @@ def dense_table(k: int) -> int:
 def measure(how: How) -> tuple[Any, ...]:
     """Run the experiments."""
     one = learn(1, **how("frames_1"))
-    frames = joined({1: one, **{k: learn(k, **how(f"frames_{k}")) for k in FRAMES[1:]}})
-    with_actions = {k: learn(k, actions=True, **how(f"frames_and_actions_{k}")) for k in WITH_ACTIONS}
-    both = joined({1: one, **with_actions})  # one frame has no actions between
-    quick = joined({k: learn(k, actions=True, **how(n_steps=SHORT)) for k in (3, 5)})
-    return frames, both, quick, remember(**how())
+    frames = joined([one, *(learn(k, **how(f"frames_{k}")) for k in FRAMES[1:])])
+    with_actions = [learn(k, actions=True, **how(f"frames_and_actions_{k}")) for k in WITH_ACTIONS]
+    both = joined([one, *with_actions])  # one frame has no actions between
+    quick = joined([learn(k, actions=True, **how(n_steps=SHORT)) for k in (3, 5)])
+    networks = joined([learn_with_network(window, **how(f"network_{i}")) for i, window in enumerate(WINDOWS)])
+    return frames, both, quick, remember(**how()), networks
 
 
-def judge(frames: Results, both: Results, quick: Results, watched: Results) -> Report:
+def judge(frames: Results, both: Results, quick: Results, watched: Results, networks: Results) -> Report:
     """Return claims and figures."""
+    recurrent = STORED.load()
     claims = [
         *window_claims(),
         *frame_claims(frames),
         *action_claims(frames, both, quick),
         notes_claim(watched),
         size_claim(),
+        *network_claims(networks),
+        *recurrent_claims(recurrent),
     ]
-    return Report(claims, figures(frames, both))
+    return Report(claims, figures(frames, both, networks, recurrent))
 
 
 report = reporting(measure, judge, REPETITIONS)
@@ -316,8 +325,8 @@ def at(results: Results, k: int, step: int) -> Any:
     return results.curves(name(k)).reindex([step]).reindex(columns=columns).to_numpy(float)[0]
 
 
-def figures(frames: Results, both: Results) -> list[Sheet]:
-    """Return the figures: learning curves of both kinds of stacks, and the windows that perfect play needs."""
+def figures(frames: Results, both: Results, networks: Results, recurrent: Results) -> list[Sheet]:
+    """Return the figures: learning curves of tables and networks, and the windows that perfect play needs."""
     labels = [name(k) for k in sorted({*FRAMES, *WITH_ACTIONS})]
     windows = Lines(
         np.array(LENGTHS, float),
@@ -331,4 +340,5 @@ def figures(frames: Results, both: Results) -> list[Sheet]:
         {"L(L-1)/2 + 1": np.array([window_law(length) for length in LENGTHS], float)},
     )
     panels = [Curves(frames, "frames alone", methods=labels[:-1]), Curves(both, "frames and actions", methods=labels)]
-    return [Sheet("memory", [panels]), Sheet("window", [[windows]])]
+    learned = [Curves(networks, "DQN on windows"), Curves(recurrent, "recurrent PPO, no window")]
+    return [Sheet("memory", [panels]), Sheet("window", [[windows]]), Sheet("networks", [learned])]

@@ -11,21 +11,17 @@ N_STEPS = 150_000
 RECURRENT = "recurrent PPO"
 
 
-def learn_with_memory(**how: Any) -> Results:
-    """Train recurrent PPO, which takes about half a minute a run.
+def trainer() -> Any:
+    """Return the function that trains recurrent PPO.
 
     64 copies, rounds of 32 steps, batches of 512, learning rate 0.003, 4 epochs, discount 0.9, one LSTM of 64 units for
     policy and value.
-
-    Args:
-        **how: arguments of `edugym.deep.repeated.repeat_deep`, such as `repetitions`, `seed` and `jobs`.
     """
     from edugym.deep.baselines import stable_baselines3_run
-    from edugym.deep.repeated import repeat_deep
 
     lstm = {"lstm_hidden_size": 64, "shared_lstm": True, "enable_critic_lstm": False, "net_arch": []}
     rounds: dict[str, Any] = {"n_steps": 32, "batch_size": 512, "n_epochs": 4}
-    train = partial(
+    return partial(
         stable_baselines3_run,
         "MemoryCorridor",
         "RecurrentPPO",
@@ -36,7 +32,17 @@ def learn_with_memory(**how: Any) -> Results:
         evaluate_every=N_STEPS // 10,
         **rounds,
     )
-    return repeat_deep({RECURRENT: train}, N_STEPS, **how)
+
+
+def learn_with_memory(**how: Any) -> Results:
+    """Train recurrent PPO, which takes about half a minute a run.
+
+    Args:
+        **how: arguments of `edugym.deep.repeated.repeat_deep`, such as `repetitions`, `seed` and `jobs`.
+    """
+    from edugym.deep.repeated import repeat_deep
+
+    return repeat_deep({RECURRENT: trainer()}, N_STEPS, **how)
 
 
 STORED = Stored("memory.recurrent", learn_with_memory, ("edugym.envs.memory_corridor", "edugym.deep.baselines"))

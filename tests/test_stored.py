@@ -1,0 +1,68 @@
+"""Results that are stored with the package: they were made by the code that is there now."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import edugym.lessons
+from edugym import stored
+from edugym.stored import REPETITIONS, Stored, stored_in
+
+ROOT = Path(edugym.lessons.__path__[0])
+MODULES = [".".join(path.relative_to(ROOT).with_suffix("").parts) for path in sorted(ROOT.rglob("*.csv"))]
+
+
+def test_they_are_found() -> None:
+    """Or the other tests would test nothing."""
+    assert "memory.recurrent" in MODULES
+
+
+@pytest.mark.parametrize("module", MODULES)
+def test_they_are_current(module: str) -> None:
+    """If not, run `python -m edugym.stored MODULE`."""
+    found = stored_in(module)
+    assert found.is_current()
+    results = found.load()
+    assert results.complete
+    assert results.table["repetition"].nunique() == REPETITIONS
+    assert found.path.stat().st_size < 100_000
+
+
+def test_changed_code_is_noticed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Another number is other code; another docstring or comment is not."""
+    path = tmp_path / "lesson.py"
+    monkeypatch.setattr(stored, "_source", lambda module: path)
+    found = Stored("lesson", lambda **how: stored_in("memory.recurrent").load(), ())
+
+    def code(text: str) -> str:
+        path.write_text(text)
+        return found.code()
+
+    before = code('"""Before."""\n\ndef rate():\n    """The rate."""\n    return 0.1\n')
+    assert code('"""After."""\n\ndef rate():\n    """Its rate."""\n    return 0.1  # small\n') == before
+    assert code('"""Before."""\n\ndef rate():\n    """The rate."""\n    return 0.2\n') != before
+
+
+def test_what_stores_nothing() -> None:
+    """A sentence says so."""
+    with pytest.raises(ValueError, match=r"edugym.lessons.depth stores no results: it has no STORED"):
+        stored_in("depth")
+    with pytest.raises(ValueError, match=r"there is no module edugym.lessons.width"):
+        stored_in("width")
+
+
+@pytest.mark.slow
+def test_recurrent_ppo_again() -> None:
+    """The first points of a stored run, computed once more, are the same where the versions are."""
+    pytest.importorskip("sb3_contrib")
+    from edugym.deep.repeated import deep_versions
+    from edugym.lessons.memory.recurrent import N_STEPS, RECURRENT, trainer
+
+    table = stored_in("memory.recurrent").load().table
+    if set(table["versions"]) != {deep_versions()}:
+        pytest.skip("the results were made with other versions")
+    first = table[table["repetition"] == 0]
+    again = trainer()(N_STEPS // 10, seed=int(first["seed"].iloc[0]))
+    np.testing.assert_array_equal(again.returns[:2], first["return"].iloc[:2])
+    assert first["method"].iloc[0] == RECURRENT
