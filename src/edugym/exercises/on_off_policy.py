@@ -55,8 +55,8 @@ def exercise_1(answer: Any, seed: int) -> str:
         otherwise=f"R is {side}" + ("; you are close, give one digit after the decimal point" if near else ""),
     )
     return (
-        "Right: near -37. The estimate of the lesson gives -30, because it looks at the last step alone: a slip earlier "
-        "in the run costs steps too."
+        "Right: near -37. The estimate of the lesson gives -30, since it looks at the last step alone; slips earlier in "
+        "the run cost something too."
     )
 
 
@@ -233,8 +233,8 @@ def exercise_3(answer: Any, seed: int) -> str:
         table_of(make(), "Q", (n_states, n_actions))
         TWO_POLICIES.check(make, (n_states, n_actions), settings, seed)
     return (
-        "Right: one number says which policy the values belong to. ε_π = 0 is Q-learning, and ε_π = ε is expected SARSA. "
-        "See it race:"
+        "Right: one number says which policy the values belong to. ε_π = 0 is Q-learning, ε_π = ε expected SARSA. See "
+        "it race:"
     )
 
 
