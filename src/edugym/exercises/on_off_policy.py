@@ -55,8 +55,8 @@ def exercise_1(answer: Any, seed: int) -> str:
         otherwise=f"R is {side}" + ("; you are close, give one digit after the decimal point" if near else ""),
     )
     return (
-        "Right: near -37. The estimate of the lesson gives -30, since it looks at the last step alone; slips earlier in "
-        "the run cost something too."
+        "Right: near -37. The estimate of the lesson gives -30, since it looks at the last step alone; a slip on "
+        "the way costs something too."
     )
 
 
@@ -226,8 +226,8 @@ def exercise_3(answer: Any, seed: int) -> str:
         settings = {
             "learning_rate": float(rng.choice([0.125, 0.25, 0.75])),
             "discount": float(rng.choice([0.5, 0.625, 0.75])),
-            "epsilon": float(rng.choice([0.25, 0.3])),
-            "target_epsilon": float(rng.choice([0.4, 0.6, 0.8])),
+            "epsilon": float(rng.choice([0.2, 0.25])),
+            "target_epsilon": float(rng.choice([0.3, 0.6, 0.8])),
         }
         make = partial(_made, answer, (n_states, n_actions), settings)
         table_of(make(), "Q", (n_states, n_actions))

@@ -9,7 +9,7 @@ import numpy as np
 from edugym.envs.roadrunner import Roadrunner
 from edugym.exact.model import finite_model
 from edugym.exact.tables import FiniteModel
-from edugym.lessons.on_off_policy.exact import ROAD, best_run, best_soft_return, deadly_actions, soft_return_of
+from edugym.lessons.on_off_policy.exact import ROAD, best_run, best_soft_return, deadly_actions, soft_return_of, switch
 from edugym.lessons.on_off_policy.methods import (
     EPSILON,
     KINDS,
@@ -119,7 +119,7 @@ class Paths(NamedTuple):
             x, y = np.array(path, float).T + shift
             color, linestyle = stroke(i)
             ax.plot(x, y, color=color, linestyle=linestyle, linewidth=1.8, label=label)
-            ax.plot(x, y, "o", color=color, markersize=3.5)
+            ax.plot(x, y, "o", color=color, markersize=5)
         ax.set_xticks(np.arange(columns))
         ax.set_yticks(np.arange(rows))
         ax.set_xticks(np.arange(columns + 1) - 0.5, minor=True)
@@ -160,10 +160,29 @@ def learning_curves(
     return Sheet("on_off_policy", [[greedy, exploring]])
 
 
-def switch_lines(model: FiniteModel) -> Lines:
+class Switch(Lines):
+    """Lines, and the ε at which the best of them changes."""
+
+    __slots__ = ()
+
+    @property
+    def change(self) -> float:
+        """The ε from which on the safe run is the better one."""
+        return switch(finite_model(ROAD))
+
+    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
+        """Draw the lines on `ax`, by default in a new figure, and return the axes."""
+        ax = own_axes(ax)
+        ax.axvline(self.change, label=f"the change, ε = {self.change:.3f}", **SOFT_REFERENCE)
+        super().draw(ax, place)
+        ax.lines[-1].set_zorder(3)  # the best one lies on the other two
+        return ax
+
+
+def switch_lines(model: FiniteModel) -> Switch:
     """Return the exact returns of the fast and of the safe run, and the best ε-soft return, against ε."""
-    epsilons = np.linspace(0.0, 0.15, 31)
-    return Lines(
+    epsilons = np.linspace(0.0, EPSILON, 41)
+    return Switch(
         epsilons,
         {
             FAST_RUN: np.array([soft_return_of(model, epsilon, 0.01) for epsilon in epsilons]),
@@ -200,9 +219,9 @@ def shortfall_against_epsilon(
     return Against(
         epsilons,
         {method: [online(run, method) - most for run, most in zip(runs, best, strict=True)] for method in KINDS},
-        "what the methods lose against the best",
+        "what the methods lose while exploring",
         "ε",
-        "return less that of the best ε-soft policy",
+        "return, less the best possible",
         {"best ε-soft policy": (np.array([0.0, max(epsilons)]), np.zeros(2))},
     )
 

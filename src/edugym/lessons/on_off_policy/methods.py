@@ -157,6 +157,13 @@ def first_fall(agent: Any, seed: int = 0) -> tuple[list[int], int]:
             return actions, episodes
 
 
+def mean_values(results: Results, method: str, *, x: int, dx: int) -> Reals:
+    """Return the values of the three actions in a state of the usual road, a mean over the complete runs."""
+    row = _row(Roadrunner.create(), Runner(x, dx))
+    mean: Reals = np.mean([agent.Q[row] for agent in results.complete_agents(method).values()], axis=0)
+    return mean
+
+
 def _row(task: Roadrunner, state: Runner) -> int:
     """Return the row of a table for a state."""
     return int(state.x) * (task.max_speed + 1) + max(int(state.dx), 0)
