@@ -79,25 +79,28 @@ play("Roadrunner")
 # - A method is **on-policy** if both are the same: it learns what its own behaviour is worth, slips included.
 # - A method is **off-policy** if they differ: it learns about another policy than the one that it follows.
 #
-# The values of a policy $\pi$ fulfil an equation (Sutton and Barto, 4.6; $\pi(a' \mid s')$ is the probability of action
-# $a'$ in state $s'$). On the road, where nothing is random, it is short:
+# The value $q_\pi(s, a)$ is the expected return of an agent that takes action $a$ in state $s$ and follows the policy $\pi$ from
+# then on. So it is the next reward, and what the policy earns from the next state on: there it takes action $a'$ with the
+# probability $\pi(a' \mid s')$. On the road, where the next state is certain, that is (Sutton and Barto, equation 4.6):
 #
 # $$
 # q_\pi(s, a) = r(s, a, s') + \gamma \sum_{a'} \pi(a' \mid s')\, q_\pi(s', a')
 # $$
 #
-# A learning agent does not know $q_\pi$. It keeps a table $Q$, and after each step from $S$ by $A$ to $S'$ with reward $R$
-# it moves one value a little, by the learning rate $\alpha$, towards a *target* that looks like the right side:
+# A learning agent does not know $q_\pi$. It keeps a table $Q(s, a)$, and after each step from $S$ by $A$ to $S'$ with reward $R$
+# it moves one value a little, by the learning rate $\alpha$, towards a target $R + \gamma\, V(S')$ that looks like the right
+# side:
 #
 # $$
 # Q(S, A) \leftarrow Q(S, A) + \alpha \left[ R + \gamma\, V(S') - Q(S, A) \right]
 # $$
 #
 # The three methods of this lesson differ in one thing only: what they take for $V(S')$, the value of the next state.
+# $A'$ is the action that the agent has chosen to take there.
 #
 # | method | $V(S')$ | in the book | target policy |
 # |---|---|---|---|
-# | SARSA | $Q(S', A')$ | 6.7 | the ε-greedy policy itself: $A'$ is the action that comes next, slips included |
+# | SARSA | $Q(S', A')$ | 6.7 | the ε-greedy policy that it follows: $A'$ may be a slip |
 # | expected SARSA | $\sum_a \pi(a \mid S')\, Q(S', a)$ | 6.9 | the same, but with the mean over all $A'$ instead of one |
 # | Q-learning | $\max_a Q(S', a)$ | 6.8 | the greedy policy, which never slips |
 #
@@ -215,19 +218,22 @@ frames("Roadrunner", actions)
 # %% [markdown]
 # ## Your turn
 #
-# What makes the gap between the two families wider, and what closes it? Try the penalty $R$ of a fall, and $\varepsilon$. Find
-# a longer road ($W$) where Q-learning and SARSA learn the same run. What does a large learning rate do, and to which
-# method? Move a slider and release it: the experiment is computed again, with 10 repetitions of 50 000 steps.
+# What makes the gap between Q-learning and SARSA wider, and what closes it? Try the reward of a `fall`, and $\varepsilon$.
+# Find a road, by its length $W$, on which both learn the same run. What does a large learning rate do, and to which method?
+# Move a slider and release it: the experiment is computed again, with 10 repetitions of 50 000 steps. (Some lines lie on
+# each other, and a line that is missing lies below the panel.)
 
 
 # %%
-def one_road(epsilon=0.1, alpha=0.03, gamma=1.0, R=-100, W=10):
+def one_road(epsilon=0.1, alpha=0.03, gamma=1.0, fall=-100, W=10):
     """Draw the greedy and the online returns of the three methods on one road."""
-    parameters = {"size": W, "negative_reward": R}
+    parameters = {"size": W, "negative_reward": fall}
     results = on_off_policy.compare(
         epsilon=epsilon, learning_rate=alpha, discount=gamma, parameters=parameters, n_steps=50_000, repetitions=10
     )
-    return on_off_policy.learning_curves(results, make_mdp("Roadrunner", **parameters), epsilon, f"W = {W}, R = {R}")
+    return on_off_policy.learning_curves(
+        results, make_mdp("Roadrunner", **parameters), epsilon, f"W = {W}, fall {fall}"
+    )
 
 
 sliders(
@@ -235,8 +241,8 @@ sliders(
     epsilon=(0.0, 0.5, 0.01),
     alpha=(0.01, 1.0, 0.01),
     gamma=(0.5, 1.0, 0.01),
-    R=(-200, -1),
-    W=(5, 20),
+    fall=(-200, -1),
+    W=(5, 15),
 )
 
 # %% [markdown]
@@ -315,7 +321,7 @@ for method in rare.methods:
     print(f"{method:14} at position 3, speed 2: slower (safe run) {slower:z.2f}, faster (fast run) {faster:z.2f}")
 mild = on_off_policy.compare(parameters={"negative_reward": -10.0}, repetitions=30)
 earned = ", ".join(f"{method} {on_off_policy.online(mild, method).mean():.2f}" for method in mild.methods)
-print(f"R = -10, ε = 0.1, while exploring: {earned}")
+print(f"a fall costs 10, ε = 0.1: {earned} while exploring")
 more, less = ("SARSA", "Q-learning") if lead > 0 else ("Q-learning", "SARSA")
 rarely.measured("both earn the same, up to 0.1" if abs(lead) < 0.1 else f"{more} earns more than {less}")
 
@@ -473,9 +479,9 @@ from edugym.grading import check
 
 # %% [markdown]
 # ### Exercise 1: change a parameter
-# With $\varepsilon = 0.1$ the safe run is the best, since a fall costs 100. Make the fall cheaper. What is the *most severe*
-# $R$ for which the fast run is still the best at $\varepsilon = 0.1$? Set `negative_reward` to that number, with one digit after
-# the decimal point. Before you compute: what does the estimate of the section "See inside" say?
+# With $\varepsilon = 0.1$ the safe run is the best, since the reward of a fall or a stall is −100. Make it milder. What is the
+# *lowest* reward of a fall for which the fast run is still the best at $\varepsilon = 0.1$? Set `negative_reward` to that number,
+# with one digit after the decimal point. Before you compute: what does the estimate of the section "See inside" say?
 #
 # <details><summary>Hint</summary><code>on_off_policy.best_run(0.1, negative_reward=-100)</code> gives the states of the best run,
 # planned on the exact model and played without slips. The fast run has 4 steps, so 5 states. Try some values, or write a
@@ -494,8 +500,8 @@ check(exercise_1, negative_reward)
 # %% [markdown]
 # ### Exercise 2: compute the change on the exact model
 # Write a function that finds the smallest $\varepsilon$, to 0.001, at which the best ε-soft policy no longer takes the
-# fastest run. It is given the exact model of a road; the roads of the check have other lengths and penalties. The change
-# is below 0.2 on all of them.
+# fastest run. It is given the exact model of a road; the roads of the check have other lengths and other rewards for a fall.
+# The change is below 0.2 on all of them.
 #
 # The two functions that you need are imported. `value_iteration(model, epsilon=ε, horizon=50)` plans for an agent that
 # slips with probability ε; the method `.greedy_policy()` of what it returns is the greedy policy of that agent. And
@@ -615,7 +621,7 @@ display(
 
 # %% [markdown]
 # ### The open challenge: every fall counts
-# The same road, $W = 10$ and $R = -100$, and 5 000 steps in all, about 1 200 runs. This time *all* training episodes count,
+# The same road, and 5 000 steps in all, about 1 200 runs. This time *all* training episodes count,
 # with every fall and every stall: how much does your agent earn while it learns? Of the task it is told only its observation
 # space and its action space. It needs `act` and `learn`, like yours of exercise 3, and it may explore as it likes. It is
 # trained ten times, with seeds that belong to your name.

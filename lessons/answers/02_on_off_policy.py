@@ -58,17 +58,17 @@ negative_reward = -30.0
 negative_reward = -1 / 0.1
 
 # %% exercise 1, wrong: no minus
-# says: it must be negative
+# says: the number must be negative
 negative_reward = 37.0
 
 # %% exercise 1, wrong: rounded to tens
 # says: the best run at ε = 0.1 takes 5 steps
-# says: too severe
+# says: it is too low
 negative_reward = -40
 
 # %% exercise 1, wrong: rounded to fives
 # says: takes 4 steps
-# says: milder than it need be
+# says: higher than it need be
 negative_reward = -35
 
 # %% exercise 1, wrong: half a point off
@@ -92,7 +92,7 @@ negative_reward = on_off_policy.best_run(0.1, negative_reward=-37)
 negative_reward = on_off_policy.best_run
 
 # %% exercise 1, wrong: zero
-# says: milder than it need be
+# says: higher than it need be
 negative_reward = 0
 
 # %% exercise 1, wrong: the change of the path
@@ -102,7 +102,7 @@ while on_off_policy.best_run(0.1, negative_reward=negative_reward)[2] == (2, 1):
     negative_reward += 0.1
 
 # %% exercise 1, wrong: one digit too few states
-# says: too severe
+# says: it is too low
 negative_reward = -100.0
 while len(on_off_policy.best_run(0.1, negative_reward=negative_reward)) > 6:
     negative_reward += 0.1
@@ -287,7 +287,7 @@ def switch(model):
 
 
 # %% exercise 2, wrong: the estimate
-# says: that is the estimate 3/|R|
+# says: that is the estimate, 3 divided by
 def switch(model):
     return 3 / abs(model.mdp.negative_reward)
 

@@ -1,5 +1,7 @@
 """The exercises of lesson 2: their rule is the package's, and what the text says of the road is so."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -16,7 +18,7 @@ def test_the_rule_is_that_of_the_packages_agents(target_epsilon: float) -> None:
     cases = rule.cases((6, 3), 5)
     outcomes = rule.outcomes(cases, {**settings, "epsilon": 0.9, "target_epsilon": target_epsilon})
     for case, outcome in zip(cases, outcomes, strict=True):
-        agent = ExpectedSARSA.create((6, 3), exploration=EpsilonGreedy(target_epsilon), **settings)
+        agent: Any = ExpectedSARSA.create((6, 3), exploration=EpsilonGreedy(target_epsilon), **settings)
         if target_epsilon == 0:
             agent = QLearning.create((6, 3), **settings)
         agent.Q[:] = case.tables["Q"]

@@ -21,30 +21,30 @@ from edugym.lessons.on_off_policy.exact import FAST, best_run, best_soft_return,
 from edugym.lessons.on_off_policy.methods import EPSILON, methods_with
 
 PENALTY = -36.985
-"""The R at which the fast run stops to be the best for ε = 0.1, by bisection on the exact model."""
+"""The reward of a fall at which the fast run stops to be the best for ε = 0.1, by bisection on the exact model."""
 CLOSE = 0.1
 
 
 def exercise_1(answer: Any, seed: int) -> str:
-    """Check the most severe R for which the fast run is still the best at ε = 0.1."""
+    """Check the lowest reward of a fall for which the fast run is still the best at ε = 0.1."""
     mistakes = {
         "that is the value with which the cell began": -100.0,
         "that is the estimate 3/ε, which leaves out all slips but the last; let best_run work it out exactly": -30.0,
         "that is 1/ε; a random action is the deadly one in only one of three cases, and the rest of the run slips"
         " too": -10.0,
-        "that is the other side of the change; R is a reward, so it must be negative": -PENALTY,
-        "at this R the *path* of the safe run changes; the number of its steps changes elsewhere": _path_changes(),
+        "a fall is no gain, so the number must be negative": -PENALTY,
+        "there the *path* of the safe run changes; the number of its steps changes elsewhere": _path_changes(),
     }
 
     def says(penalty: float) -> str:
-        told = f"R = {digits(penalty, PENALTY)}"
+        told = f"negative_reward = {digits(penalty, PENALTY)}"
         if not -1_000_000 <= penalty <= 0:
             return f"{told} is not from -1 000 000 to 0"
         return f"with {told} the best run at ε = 0.1 takes {len(best_run(EPSILON, negative_reward=penalty)) - 1} steps"
 
     found = number("negative_reward", answer)
     near = abs(found - PENALTY) < 1.0
-    side = "too severe, and the fast run of 4 steps should be best" if found < PENALTY else "milder than it need be"
+    side = "too low, and the fast run of 4 steps should be best" if found < PENALTY else "higher than it need be"
     compare(
         "negative_reward",
         answer,
@@ -52,7 +52,7 @@ def exercise_1(answer: Any, seed: int) -> str:
         mistakes,
         tolerance=CLOSE,
         says=says,
-        otherwise=f"R is {side}" + ("; you are close, give one digit after the decimal point" if near else ""),
+        otherwise=f"it is {side}" + ("; you are close, give one digit after the decimal point" if near else ""),
     )
     return (
         "Right: near -37. The estimate of the lesson gives -30, since it looks at the last step alone; a slip on "
@@ -61,7 +61,7 @@ def exercise_1(answer: Any, seed: int) -> str:
 
 
 def _path_changes(low: float = -100.0, high: float = -60.0) -> float:
-    """Return the R below which the best run of five steps takes its slow step earlier, by bisection."""
+    """Return the reward of a fall below which the best run of five steps takes its slow step earlier, by bisection."""
     early = best_run(EPSILON, negative_reward=low)
     while high - low > 1e-3:
         middle = (low + high) / 2
@@ -81,7 +81,7 @@ def exercise_2(answer: Any, seed: int) -> str:
     for size, low, high in ((10, 60, 90), (int(rng.integers(11, 16)), 110, 200), (int(rng.integers(11, 16)), 40, 60)):
         task = Roadrunner.create(size=size, negative_reward=-float(rng.integers(low, high)))
         model = finite_model(task)
-        call = f"switch(model) for W = {size} and R = {task.negative_reward:g}"
+        call = f"switch(model) for W = {size} and negative_reward = {task.negative_reward:g}"
         with running(call):
             found = answer(model)
         expected = switch(model, tolerance=1e-7)
@@ -99,7 +99,7 @@ def exercise_2(answer: Any, seed: int) -> str:
         )
     return (
         "Right: planning on the model finds at once what expected SARSA needs thousands of steps for. (It is close to "
-        "3/|R| where one step more avoids the one deadly action.)"
+        "3 divided by the cost of a fall where one step more avoids the one deadly action.)"
     )
 
 
@@ -107,9 +107,10 @@ def _switch_mistakes(model: FiniteModel, task: Roadrunner, right: float) -> dict
     """Return what the usual mistakes give on a road."""
     fastest = best_soft_return(model, 0.0)
     one_less = _falls_below(model, fastest - 1)
+    estimate = -3.0 / task.negative_reward
     return {
         "that is the ε of the lesson's road; compute it from the `model` that is given": 0.03198,
-        "that is the estimate 3/|R|, not the exact value: plan on the model": -3.0 / task.negative_reward,
+        "that is the estimate, 3 divided by the cost of a fall, not the exact value: plan on the model": estimate,
         "for every ε above 0 the best ε-soft policy earns less than the optimum, since it slips; look at its greedy"
         " policy, played *without* slips": 0.0,
         "that is the first ε of a search in steps of 0.001: compare the greedy policy, played *without* slips, and not"
