@@ -8,18 +8,18 @@
 # expected SARSA as one update with three targets; predict which of them earns more, and when it turns round; and compute
 # on the exact model where that happens.
 #
-# **Time.** 60 minutes. **Before you start.** You should know what a value function and Q-learning are (Sutton and
+# **Time.** 60 minutes, and 10 more for the section "Stopping before the edge". **Before you start.** You should know what a value function and Q-learning are (Sutton and
 # Barto, 2nd edition, sections 3.5 and 6.5), and ε-greedy action selection (section 2.2). All symbols are in the
 # [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
 
 # %%
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import gymnasium as gym
 import numpy as np
 
 from edugym import SARSA, EpsilonGreedy, ExpectedSARSA, QLearning, finite_model, make_mdp, policy_evaluation
-from edugym import table_size, value_iteration
+from edugym import table_size, value_iteration, wrapper
 from edugym.agents.tables import best_value, epsilon_greedy_value, one_step_target
 from edugym.lessons import on_off_policy
 from edugym.notebook import frames, play, predict, sliders, source
@@ -46,7 +46,7 @@ env.scene()
 # |---|---|---|
 # | states | $s = (x, \mathit{dx})$ | the position $x$, from 0 to $W - 1$, and the speed $\mathit{dx}$ |
 # | actions | $\mathcal{A} = \{0, 1, 2\}$ | slower, same speed, faster |
-# | dynamics | $\mathit{dx}' = \mathit{dx} + a - 1$, then $x' = x + \mathit{dx}'$ | nothing is random |
+# | dynamics | $\mathit{dx}' = \mathit{dx} + a - 1$, then $x' = x + \mathit{dx}'$ | nothing is random; the top speed is 10 |
 # | reward | $+1$ at the last cell | the target, $x' = W - 1$ |
 # | | $-100$ for a fall or a stall | a fall: $x' > W - 1$; a stall: $\mathit{dx}' < 0$ |
 # | | $-1$ for every other step | so a fast run is better than a slow one |
@@ -73,8 +73,8 @@ play("Roadrunner")
 # ## The idea: which policy do the values belong to?
 #
 # Two policies are at work in an agent that learns. The **behaviour policy** chooses the actions. Here it is ε-greedy: with
-# probability $\varepsilon$ it takes an action at random, which we call a *slip*, and otherwise the action with the largest
-# value. The **target policy** $\pi$ is the one whose values are learned.
+# probability $\varepsilon$ it *slips*, that is, it takes an action at random (which may happen to be the best one), and
+# otherwise it takes the action with the largest value. The **target policy** $\pi$ is the one whose values are learned.
 #
 # - A method is **on-policy** if both are the same: it learns what its own behaviour is worth, slips included.
 # - A method is **off-policy** if they differ: it learns about another policy than the one that it follows.
@@ -386,6 +386,54 @@ decay.measured(
 # </details>
 
 # %% [markdown]
+# ### Somebody else slips
+# Is Q-learning blind to danger? Let the *road* slip. On an icy road something else happens with probability 0.1 than the
+# runner wants: a random action. The class below puts ice on any road; all that it does not define stays as it was.
+
+
+# %%
+@wrapper
+class Icy(NamedTuple):
+    """A road that makes the runner slip."""
+
+    mdp: Any  # the dry road
+    ice: float  # the probability of a slip
+
+    def transition(self, state, action, rng):
+        """Take the action, or with the probability of a slip a random one."""
+        if rng.random() < self.ice:
+            action = int(rng.random() * 3)
+        return self.mdp.transition(state, action, rng)
+
+
+icy_road = Icy(make_mdp("Roadrunner"), ice=0.1)
+
+# %% [markdown]
+# **Predict.** Q-learning explores with $\varepsilon = 0.1$ as before, now on the icy road. Which run does it learn?
+
+# %%
+on_ice = predict("On ice Q-learning learns ...", ["the fast run, as before", "the safe run", "neither, in most runs"])
+on_ice
+
+# %%
+slippery = on_off_policy.compare(environment=icy_road, repetitions=10)
+steps = [len(on_off_policy.greedy_run(agent)) - 1 for agent in slippery.complete_agents("Q-learning").values()]
+print("steps of its greedy run, once the ice has melted:", steps)
+print(f"the optimum on ice {value_iteration(finite_model(icy_road), horizon=50).start:.3f}")
+print(f"the best ε-soft policy on the dry road, ε = 0.1: {on_off_policy.best_soft_return(model, 0.1):.3f}")
+often = {name: np.mean(np.array(steps) == n) for name, n in (("the fast run, as before", 4), ("the safe run", 5))}
+likely = max(often, key=often.get)
+on_ice.measured(likely if often[likely] > 0.5 else "neither, in most runs")
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** The safe run, every time. Q-learning leaves out its *own* slips, those of the behaviour policy. The slips of the
+# road are part of the task: they are in every reward and every next state that it sees. The last two lines are equal, since
+# a value does not care who slips. But the slips of an agent end when it stops exploring, and the ice stays.
+# </details>
+
+# %% [markdown]
 # ### The learning rate
 # **Predict.** Raise the learning rate from 0.03 to 0.5. The online return of which method suffers most?
 
@@ -407,32 +455,6 @@ rough.measured(max(losses, key=losses.get))
 # **Measured.** SARSA: its lead over Q-learning is gone at $\alpha = 0.3$, and at 0.5 it earns less. With a large learning rate
 # its values follow the last few actions $A'$, slips or not. The road itself has no noise, so the other two, whose targets draw
 # nothing at random, do not mind even $\alpha = 0.7$. This is Figure 6.3 of Sutton and Barto, on another cliff.
-# </details>
-
-# %% [markdown]
-# ### Stopping before the edge
-# In the description of the paper (Moerland et al., 2023) the agent may also stop *close* to the edge. The parameter
-# `stop_zone = 2` allows that: an episode ends well in one of the last three cells, 7, 8 and 9, and each cell short of the
-# last costs 1.
-#
-# **Predict.** With $\varepsilon = 0.2$ and $\alpha = 0.1$, in which cell does SARSA stop, without slips and on average over 30 runs?
-
-# %%
-stop = predict("SARSA stops in cell ...", unit="(7 to 9)")
-stop
-
-# %%
-zone = on_off_policy.compare(epsilon=0.2, learning_rate=0.1, parameters={"stop_zone": 2}, repetitions=30)
-for method in zone.methods:
-    places = on_off_policy.stopping_places(zone, method, stop_zone=2)
-    print(f"{method:14} stops in cell", ", ".join(f"{cell}: {places.count(cell)} times" for cell in (7, 8, 9)))
-stop.measured(np.mean(on_off_policy.stopping_places(zone, "SARSA", stop_zone=2)))
-
-# %% [markdown]
-# <details><summary>What was measured</summary>
-#
-# **Measured.** Between 8 and 9: in about half of its runs SARSA stops one cell before the edge, and expected SARSA does so
-# in all. Q-learning stops at the edge, always. This is the picture that the paper draws of the two.
 # </details>
 
 # %% [markdown]
@@ -464,6 +486,32 @@ edge_walkers.measured(names.get(tuple(walkers), "all three"))
 # While exploring they earn about −26 a walk, and Q-learning about −49. The left panel shows the walk that most of the five
 # runs end with. One run of SARSA ends with −500, a policy that never arrives when it is greedy: its values are noisy, and
 # without slips it does not get out of a circle before the step limit of 500.
+# </details>
+
+# %% [markdown]
+# ### Stopping before the edge
+# In the description of the paper (Moerland et al., 2023) the agent may also stop *close* to the edge. The parameter
+# `stop_zone = 2` allows that: an episode ends well in one of the last three cells, 7, 8 and 9, and each cell short of the
+# last costs 1.
+#
+# **Predict.** With $\varepsilon = 0.2$ and $\alpha = 0.1$, in which cell does SARSA stop, without slips and on average over 30 runs?
+
+# %%
+stop = predict("SARSA stops in cell ...", unit="(7 to 9)")
+stop
+
+# %%
+zone = on_off_policy.compare(epsilon=0.2, learning_rate=0.1, parameters={"stop_zone": 2}, repetitions=30)
+for method in zone.methods:
+    places = on_off_policy.stopping_places(zone, method, stop_zone=2)
+    print(f"{method:14} stops in cell", ", ".join(f"{cell}: {places.count(cell)} times" for cell in (7, 8, 9)))
+stop.measured(np.mean(on_off_policy.stopping_places(zone, "SARSA", stop_zone=2)))
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** Between 8 and 9: in about half of its runs SARSA stops one cell before the edge, and expected SARSA does so
+# in all. Q-learning stops at the edge, always. This is the picture that the paper draws of the two.
 # </details>
 
 # %% [markdown]
@@ -651,6 +699,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #   three is deadly.
 # - Expected SARSA earned as much as the best of the two, or nearly so, for every $\varepsilon$ and every learning rate that
 #   we tried.
+# - Q-learning leaves out only its own slips. On an icy road it learned the safe run.
 # - A falling $\varepsilon$ freed expected SARSA from the safe run, and did not free SARSA.
 #
 # ### In one paragraph

@@ -59,7 +59,7 @@ def compare(
     repetitions: int = REPETITIONS,
     seed: int = 0,
     parameters: Mapping[str, Any] = MappingProxyType({}),
-    environment: str = "Roadrunner",
+    environment: Any = "Roadrunner",
     **how: Any,
 ) -> Results:
     """Train the three methods: one panel of the figure.
@@ -73,7 +73,7 @@ def compare(
         repetitions: the number of runs of each method.
         seed: the number from which all seeds are spawned.
         parameters: those of the environment, such as `stop_zone`.
-        environment: its name or id.
+        environment: its name or id, or a task itself, as for `repeat`.
         **how: more arguments of `edugym.training.repeat`, such as `jobs`, `progress` and `stop`.
     """
     methods = {**methods_with(epsilon, learning_rate, discount), **own}
@@ -104,7 +104,7 @@ def let_epsilon_decay(*, n_steps: int = 2_000_000, **how: Any) -> Results:
     return _train({label: partial(decaying, kind) for label, kind in KINDS.items()}, n_steps, **how)
 
 
-def _train(methods: Mapping[str, Maker], n_steps: int, *, environment: str = "Roadrunner", **how: Any) -> Results:
+def _train(methods: Mapping[str, Maker], n_steps: int, *, environment: Any = "Roadrunner", **how: Any) -> Results:
     return repeat(environment, methods, n_steps, evaluate_every=max(1, n_steps // POINTS), **how)
 
 
