@@ -13,13 +13,13 @@
 # [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
 
 # %%
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import gymnasium as gym
 import numpy as np
 
 from edugym import SARSA, EpsilonGreedy, ExpectedSARSA, QLearning, finite_model, make_mdp, policy_evaluation
-from edugym import table_size, value_iteration, wrapper
+from edugym import table_size, value_iteration
 from edugym.agents.tables import best_value, epsilon_greedy_value, one_step_target
 from edugym.lessons import on_off_policy
 from edugym.notebook import frames, play, predict, sliders, source
@@ -388,25 +388,11 @@ decay.measured(
 # %% [markdown]
 # ### Somebody else slips
 # Is Q-learning blind to danger? Let the *road* slip. On an icy road something else happens with probability 0.1 than the
-# runner wants: a random action. The class below puts ice on any road; all that it does not define stays as it was.
-
+# runner wants: a random action. The class below puts ice on any road. What it does not define stays as it was.
 
 # %%
-@wrapper
-class Icy(NamedTuple):
-    """A road that makes the runner slip."""
-
-    mdp: Any  # the dry road
-    ice: float  # the probability of a slip
-
-    def transition(self, state, action, rng):
-        """Take the action, or with the probability of a slip a random one."""
-        if rng.random() < self.ice:
-            action = int(rng.random() * 3)
-        return self.mdp.transition(state, action, rng)
-
-
-icy_road = Icy(make_mdp("Roadrunner"), ice=0.1)
+icy_road = on_off_policy.Icy(make_mdp("Roadrunner"), ice=0.1)
+source(on_off_policy.Icy)
 
 # %% [markdown]
 # **Predict.** Q-learning explores with $\varepsilon = 0.1$ as before, now on the icy road. Which run does it learn?

@@ -3,10 +3,13 @@
 On Roadrunner, with its defaults (W = 10, R = -100) and discount 1, every method trains for 200 000 steps with ε-greedy
 exploration: ε = 0.1 and learning rate 0.03; in the stop zone, ε = 0.2 and learning rate 0.1. 30 repetitions; the seeds
 are the same for every method. "Greedy" is the return of the last evaluation episode. "Online" is the mean return of the
-training episodes in the second half of training, explored as the method does.
+training episodes in the second half of training, explored as the method does. On an icy road the road makes the runner
+slip, with probability 0.1. On CliffWalking: 20 000 steps, learning rate 0.1, episodes of at most 500 steps, 10 repetitions.
 """
 
 from typing import Any
+
+import numpy as np
 
 from edugym.envs.roadrunner import Roadrunner
 from edugym.exact.model import finite_model
@@ -43,8 +46,10 @@ from edugym.lessons.on_off_policy.methods import (
     Q_LEARNING,
     REPETITIONS,
     SARSA_,
+    Icy,
     compare,
     compare_on_cliff,
+    compare_on_ice,
     first_fall,
     greedy_run,
     let_epsilon_decay,
@@ -76,11 +81,13 @@ __all__ = [
     "SAFE",
     "SAFE_RUN",
     "SARSA_",
+    "Icy",
     "best_run",
     "best_soft_return",
     "cliff_figure",
     "compare",
     "compare_on_cliff",
+    "compare_on_ice",
     "first_fall",
     "greedy_run",
     "in_the_plane",
@@ -102,6 +109,12 @@ __all__ = [
 ]
 
 
+CLIFF_REPETITIONS = 10
+"""Fewer than elsewhere, since an environment of Gymnasium does not run as machine code."""
+EDGE_WALK = -13.0
+"""The return of the shortest walk on CliffWalking, which is along the edge."""
+
+
 def measure(how: How) -> tuple[Any, ...]:
     """Run the experiments."""
     return (
@@ -111,15 +124,27 @@ def measure(how: How) -> tuple[Any, ...]:
         compare(epsilon=0.01, **how()),
         compare(learning_rate=0.5, **how()),
         let_epsilon_decay(**how()),
+        compare_on_ice(**how("ice")),
+        compare_on_cliff(**how("cliff", repetitions=min(CLIFF_REPETITIONS, how.repetitions))),
     )
 
 
-def judge(edge: Results, zone: Results, mild: Results, tiny: Results, rough: Results, decayed: Results) -> Report:
+def judge(
+    edge: Results,
+    zone: Results,
+    mild: Results,
+    tiny: Results,
+    rough: Results,
+    decayed: Results,
+    ice: Results,
+    cliff: Results,
+) -> Report:
     """Return claims and figures."""
     claims = [
         *edge_claims(edge),
         *zone_claims(zone),
         *condition_claims(mild, tiny, rough, decayed),
+        *other_cliff_claims(ice, cliff),
         switch_claim(),
     ]
     return Report(claims, figures(edge, zone))
@@ -232,6 +257,44 @@ def condition_claims(mild: Results, tiny: Results, rough: Results, decayed: Resu
             share_interval(decayed.final(EXPECTED_SARSA) >= FAST),
             Above(0.5),
             "its target follows ε at once, in every state that it still visits",
+        ),
+    ]
+
+
+def other_cliff_claims(ice: Results, cliff: Results) -> list[Claim]:
+    """Return the claims on the road with ice, and on the cliff walk of Gymnasium."""
+    steps = np.array([len(greedy_run(agent)) - 1 for agent in ice.complete_agents(Q_LEARNING).values()])
+    return [
+        Claim(
+            "On an icy road Q-learning too learns the safe run",
+            "share of greedy runs with 5 steps, once the ice has melted",
+            share_interval(steps == 5),
+            Above(0.5),
+            "it leaves out its own slips only; those of the road are part of the task",
+        ),
+        Claim(
+            "On CliffWalking Q-learning walks along the edge when it is greedy",
+            f"share of runs with return {EDGE_WALK:g}",
+            cliff.share(Q_LEARNING, at_least=EDGE_WALK),
+            Above(0.5),
+        ),
+        *(
+            Claim(
+                f"On CliffWalking {method} keeps away from the edge",
+                f"share of runs with return {EDGE_WALK:g}",
+                cliff.share(method, at_least=EDGE_WALK),
+                Below(0.5),
+            )
+            for method in (SARSA_, EXPECTED_SARSA)
+        ),
+        *(
+            Claim(
+                f"On CliffWalking {method} earns more than Q-learning while exploring",
+                f"online return of {method} less that of Q-learning",
+                online_lead(cliff, method),
+                Above(10.0),
+            )
+            for method in (SARSA_, EXPECTED_SARSA)
         ),
     ]
 

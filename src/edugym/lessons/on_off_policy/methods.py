@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from types import MappingProxyType
-from typing import Any
+from typing import Any, NamedTuple
 
 import gymnasium
 import numpy as np
@@ -13,7 +13,9 @@ from edugym.agents.q_learning import QLearning
 from edugym.agents.sarsa import SARSA
 from edugym.agents.strategies import EpsilonGreedy, LinearDecay, ScheduledEpsilonGreedy
 from edugym.envs.roadrunner import Roadrunner, Runner
-from edugym.mdp.protocol import Reals
+from edugym.mdp.protocol import Random, Reals
+from edugym.mdp.wrapper import wrapper
+from edugym.registration import make_mdp
 from edugym.results.statistics import Interval, paired_difference
 from edugym.results.tables import Results
 from edugym.training.repeat import repeat
@@ -31,6 +33,20 @@ CLIFF_STEPS = 500
 """The step limit of an episode of CliffWalking, which has none of its own."""
 
 Maker = Callable[..., Any]
+
+
+@wrapper
+class Icy(NamedTuple):
+    """A road that makes the runner slip."""
+
+    mdp: Any  # the dry road
+    ice: float  # the probability of a slip
+
+    def transition(self, state: Runner, action: int, rng: Random) -> Any:
+        """Take the action, or with the probability of a slip a random one."""
+        if rng.random() < self.ice:
+            action = int(rng.random() * 3)
+        return self.mdp.transition(state, action, rng)
 
 
 def methods_with(
@@ -92,6 +108,11 @@ def compare_on_cliff(*, n_steps: int = 20_000, repetitions: int = 5, learning_ra
         max_steps=CLIFF_STEPS,
         **how,
     )
+
+
+def compare_on_ice(**how: Any) -> Results:
+    """Train the three methods on the road with ice, which makes the runner slip with probability 0.1."""
+    return compare(environment=Icy(make_mdp("Roadrunner"), ice=EPSILON), **how)
 
 
 def let_epsilon_decay(*, n_steps: int = 2_000_000, **how: Any) -> Results:
