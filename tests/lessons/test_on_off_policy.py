@@ -72,7 +72,7 @@ def test_best_runs() -> None:
     assert deadly[3, 6] == 1
     assert deadly[2, 6] == 0
     assert deadly[3, 8] == 3
-    assert np.isnan(deadly[4, 0])
+    assert np.isnan(deadly[3, 0])
 
 
 def test_share_lost() -> None:

@@ -4,7 +4,8 @@ On Roadrunner, with its defaults (W = 10, R = -100) and discount 1, every method
 exploration: ε = 0.1 and learning rate 0.03; in the stop zone, ε = 0.2 and learning rate 0.1. 30 repetitions; the seeds
 are the same for every method. "Greedy" is the return of the last evaluation episode. "Online" is the mean return of the
 training episodes in the second half of training, explored as the method does. On an icy road the road makes the runner
-slip, with probability 0.1. On CliffWalking: 20 000 steps, learning rate 0.1, episodes of at most 500 steps, 10 repetitions.
+slip, with probability 0.1. On CliffWalking: 20 000 steps, learning rate 0.1, at most 500 steps in an episode, and 10
+repetitions.
 """
 
 from typing import Any

@@ -69,7 +69,7 @@ def best_run(epsilon: float, **parameters: float) -> list[Runner]:
     return states
 
 
-def deadly_actions(task: Roadrunner, top_speed: int = 4) -> Reals:
+def deadly_actions(task: Roadrunner, top_speed: int = 3) -> Reals:
     """Return in how many of the three actions a runner falls or stalls, shape (top_speed + 1, size): [dx, x].
 
     NaN where no run can be, and at the target.

@@ -91,7 +91,7 @@ class Paths(NamedTuple):
         y_label: the label of the rows.
         most: the number that gets the darkest colour.
         numbers: whether the numbers are written into the cells.
-        down: whether row 0 is at the top.
+        down: whether row 0 is at the top, as on a grid that is seen from above.
         strokes: which stroke each path has; by default the first, second, ...
     """
 
@@ -110,6 +110,7 @@ class Paths(NamedTuple):
         ax = own_axes(ax)
         rows, columns = self.danger.shape
         ax.imshow(self.danger, cmap="Reds", vmin=0, vmax=2 * self.most, origin="upper" if self.down else "lower")
+        ax.set_aspect("equal" if self.down else "auto")
         if self.numbers:
             for (row, column), number in np.ndenumerate(self.danger):
                 if not np.isnan(number):
