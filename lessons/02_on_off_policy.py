@@ -333,6 +333,7 @@ rarely.measured("both earn the same, up to 0.1" if abs(lead) < 0.1 else f"{more}
 # **Measured.** Q-learning earns more, by about 0.6. The figure shows how much each method loses against the best ε-soft policy.
 # Q-learning loses nothing for small $\varepsilon$, and more and more above 0.03, since it runs as if it never slipped. SARSA is
 # the other way round: good for large $\varepsilon$, too slow for small ones. Expected SARSA is close to the best everywhere.
+# (Where a line is above 0, that is chance.)
 #
 # So SARSA is not slow here because caution pays. It was unlucky, and does not get over it. At position 3 with speed 2 the
 # two runs part. SARSA believes that the fast run is the worse one there, about −1.3, and its true value, which expected
