@@ -658,7 +658,7 @@ display(
 #
 # The agent that plans for 0.02 learns the fast run, and its line lies on that of Q-learning: 0.02 is below the change at 0.032.
 # The one that plans for 0.1 is expected SARSA, line for line. The third one learns the safe run too, although it never made
-# a careful run in its life; while it acts at random it earns about −90, far below the panel. So what an agent learns need not
+# a careful run in its life; while it acts at random it earns about −89 a run, far below the panel. So what an agent learns need not
 # depend on how it behaves. (In a large task the behaviour decides *where* it learns something.)
 # </details>
 
