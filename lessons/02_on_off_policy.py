@@ -19,8 +19,17 @@ from typing import NamedTuple
 import gymnasium as gym
 import numpy as np
 
-from edugym import SARSA, EpsilonGreedy, ExpectedSARSA, QLearning, finite_model, make_mdp, policy_evaluation
-from edugym import table_size, value_iteration
+from edugym import (
+    SARSA,
+    EpsilonGreedy,
+    ExpectedSARSA,
+    QLearning,
+    finite_model,
+    make_mdp,
+    policy_evaluation,
+    table_size,
+    value_iteration,
+)
 from edugym.agents.tables import best_value, epsilon_greedy_value, one_step_target
 from edugym.lessons import on_off_policy
 from edugym.notebook import frames, play, predict, sliders, source
@@ -553,7 +562,7 @@ check(exercise_1, negative_reward)
 
 # %%
 def switch(model):
-    """Return the smallest ε at which the best ε-soft policy, played without slips, takes longer than the fastest run."""
+    """Return the smallest ε at which the best ε-soft policy no longer takes the fastest run."""
     ### BEGIN SOLUTION
     fastest = value_iteration(model, horizon=50).start
     for epsilon in np.arange(0.0, 0.2, 0.001):
