@@ -8,7 +8,7 @@ from edugym.lessons import lesson_names, load_experiments
 
 CLAIMS = {
     "loop": 14,
-    "on_off_policy": 12,
+    "on_off_policy": 18,
     "depth": 20,
     "dimensionality": 13,
     "memory": 19,

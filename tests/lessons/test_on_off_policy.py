@@ -3,20 +3,33 @@
 import numpy as np
 import pytest
 
-from edugym import make_mdp
-from edugym.exact.model import finite_model
+from edugym import Results, finite_model, make_mdp
+from edugym.lessons import on_off_policy
 from edugym.lessons.on_off_policy import (
     EXPECTED_SARSA,
+    KINDS,
     Q_LEARNING,
+    ROAD,
     SARSA_,
+    best_run,
     best_soft_return,
     compare,
+    first_fall,
+    greedy_run,
+    in_the_plane,
+    mean_values,
     online,
     online_lead,
+    share_lost,
+    shortfall_against_epsilon,
     soft_return_of,
     stopping_places,
     switch,
+    switch_lines,
 )
+from edugym.lessons.on_off_policy.exact import deadly_actions
+from edugym.lessons.on_off_policy.methods import most_frequent, walk
+from edugym.plotting import Sheet
 
 
 def test_exact_returns() -> None:
@@ -47,3 +60,78 @@ def test_stopping_places() -> None:
     assert np.mean(stopping_places(results, Q_LEARNING, stop_zone=2)) >= np.mean(
         stopping_places(results, SARSA_, stop_zone=2)
     )
+
+
+def test_best_runs() -> None:
+    """The fast run passes the state where one action of three is deadly, and the safe one does not."""
+    fast, safe = best_run(0.0), best_run(0.1)
+    assert [tuple(state) for state in fast] == [(0, 0), (1, 1), (3, 2), (6, 3), (9, 3)]
+    assert len(safe) == 6
+    assert tuple(safe[-2]) == (6, 2)
+    deadly = deadly_actions(ROAD)
+    assert deadly[3, 6] == 1
+    assert deadly[2, 6] == 0
+    assert deadly[3, 8] == 3
+    assert np.isnan(deadly[3, 0])
+
+
+def test_share_lost() -> None:
+    """Nobody is lost without slips. Of the safe runs nearly all losses are stalls at the start, ε/3."""
+    model = finite_model(ROAD)
+    assert share_lost(model, 0.0, 0.01) == share_lost(model, 0.0, 0.1) == 0.0
+    assert share_lost(model, 0.1, 0.01) == pytest.approx(0.068, abs=0.001)
+    assert share_lost(model, 0.1, 0.1) == pytest.approx(0.041, abs=0.001)
+    assert share_lost(model, 0.1, 0.1) > 0.1 / 3
+
+
+@pytest.fixture(scope="module")
+def trained() -> Results:
+    """The three methods, trained for a quarter of the lesson's steps."""
+    return compare(n_steps=50_000, repetitions=4, seed=5)
+
+
+def test_runs_of_trained_agents(trained: Results) -> None:
+    """Greedy runs are those of the text; a fall is found, and it ends beyond the edge."""
+    assert greedy_run(trained.agents[Q_LEARNING][0]) == best_run(0.0)
+    assert len(greedy_run(trained.agents[EXPECTED_SARSA][0])) == 6
+    actions, episodes = first_fall(trained.agents[Q_LEARNING][0])
+    state = ROAD.initial(np.random.default_rng(0))
+    for action in actions:
+        state = ROAD.transition(state, action, np.random.default_rng(0))
+    assert state.x == ROAD.size
+    assert episodes >= 1
+    slower, _, faster = mean_values(trained, Q_LEARNING, x=3, dx=2)
+    assert faster > slower
+
+
+def test_figures(trained: Results) -> None:
+    """They show the three methods in the same order, and draw."""
+    assert switch_lines(finite_model(ROAD)).change == pytest.approx(0.032, abs=0.001)
+    shortfall = shortfall_against_epsilon([0.05, 0.1], repetitions=2, n_steps=2_000)
+    assert [*shortfall.measured] == [*KINDS]
+    rates = on_off_policy.online_against_rate([0.03, 0.5], repetitions=2, n_steps=2_000)
+    sheets = [
+        on_off_policy.learning_curves(trained),
+        on_off_policy.learning_curves(trained, epsilon=None, title="ε falls"),
+        Sheet("more", [[in_the_plane(), switch_lines(finite_model(ROAD)), shortfall, rates]]),
+        on_off_policy.race({"mine": KINDS[SARSA_].create}, repetitions=2, n_steps=2_000),
+    ]
+    for sheet in sheets:
+        figure = sheet.draw()
+        assert all(ax.get_xlabel() for ax in figure.axes)
+    for panel in (in_the_plane(), shortfall):
+        ax = panel.draw()
+        assert ax.get_legend() is not None
+
+
+def test_another_cliff() -> None:
+    """The walk begins in the lower left corner; the most frequent path is found."""
+    results = on_off_policy.compare_on_cliff(n_steps=600, repetitions=1)
+    assert walk(results.agents[Q_LEARNING][0], max_steps=5)[0] == (0, 3)
+    assert len(on_off_policy.cliff_figure(results).draw().axes) == 2
+    assert most_frequent([[(0, 0)], [(1, 1)], [(1, 1)]]) == [(1, 1)]
+
+
+def test_warming_up() -> None:
+    """It runs."""
+    on_off_policy.warm_up()

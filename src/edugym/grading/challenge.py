@@ -61,7 +61,8 @@ class Score:
 
     Attributes:
         name: whose tasks it was tried on.
-        points: 0 to 100: the average return over training, of the best possible one. The mean over the tasks.
+        points: 0 to 100: the average return over training, of the best possible one. The mean over the tasks. Where
+            returns are costs, below 0, it is the best possible cost as a share of the agent's.
         rows: by label, the mean return at the end and the average return over training.
         ahead: how much the average return of the agent is above that of the best baseline, paired by task.
         best_baseline: the label of that baseline.
@@ -100,13 +101,15 @@ class Challenge:
     """A task for an agent of the student's own.
 
     Attributes:
-        environment: the name of the environment; it has a parameter `layout_seed`.
+        environment: the name of the environment; if it has a parameter `layout_seed`, every name has its layouts.
         parameters: its other parameters.
         n_steps: the training steps.
         baselines: by label, functions that make the agents to beat.
         optimum: the highest return of an episode, by planning on the exact model.
         best_average: the highest average return over training: that of an explorer which takes no avoidable step.
         repetitions: on how many tasks agents are tried; each has a layout of its own.
+        column: which returns count: "return" (of evaluation episodes, without exploring) or "training_return" (of all
+            training episodes, so that exploring costs).
     """
 
     environment: str
@@ -116,6 +119,7 @@ class Challenge:
     optimum: float
     best_average: float
     repetitions: int = 10
+    column: str = "return"
 
     def score(self, agent: Any, name: str | int) -> Score:
         """Train an agent, and the baselines, on the tasks that belong to a name.
@@ -142,18 +146,23 @@ class Challenge:
                 seed=seed,
                 parameters=self.parameters,
             )
-        averages = {label: float(results.average(label).mean()) for label in results.methods}
+        averages = {label: float(results.average(label, self.column).mean()) for label in results.methods}
         best_baseline = max(self.baselines, key=lambda label: averages[label])
         rows = {label: (float(results.final(label).mean()), averages[label]) for label in results.methods}
         possible = {"possible": (self.optimum, self.best_average)}
         return Score(
             str(name),
-            100.0 * min(max(averages[YOURS] / self.best_average, 0.0), 1.0),
+            self._points(averages[YOURS]),
             MappingProxyType(possible | rows),
-            paired_difference(results.average(YOURS), results.average(best_baseline)),
+            paired_difference(results.average(YOURS, self.column), results.average(best_baseline, self.column)),
             best_baseline,
             results,
         )
+
+    def _points(self, average: float) -> float:
+        """Return 0 to 100 points for an average return, or 0 if no episode ended (NaN)."""
+        share = average / self.best_average if self.best_average > 0 else self.best_average / min(average, -1e-9)
+        return 100.0 * min(share, 1.0) if share > 0 else 0.0
 
     def _maker(self, agent: Any, sizes: Sizes) -> Callable[[Any], Any]:
         """Refuse what makes no agent."""
@@ -166,11 +175,11 @@ class Challenge:
         if hasattr(agent, "act"):
             raise WrongAnswer(
                 "your agent should be a function that makes a new agent, so that no run knows what another has learned,"
-                f" but is a {type(agent).__name__}: write `lambda wall: ...`"
+                f" but is a {type(agent).__name__}: write `lambda task: ...`"
             )
         with running("making your agent"):
             made = agent(sizes)
-        given("my_agent(wall)", made)
+        given("my_agent(...)", made)
         try:
             learner(made)
         except ValueError as error:

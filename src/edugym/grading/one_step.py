@@ -1,5 +1,6 @@
 """One-step updates of action values, and the mistakes that are usually made in them: for every lesson that has one."""
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,7 @@ def one_step_update(
     learning_rate: float,
     discount: float,
     extra: float = 0.0,
-    backup: str = "max",
+    backup: str | Callable[[Any, Transition], float] = "max",
     ends: str = "terminated",
     target: str = "all",
     step: str = "difference",
@@ -28,7 +29,8 @@ def one_step_update(
         learning_rate: α.
         discount: γ.
         extra: what is added to the reward.
-        backup: what V(S') is: "max" for Q-learning, "next action" for SARSA; any other one is a mistake.
+        backup: what V(S') is: "max" for Q-learning, "next action" for SARSA, or a function of the table and the
+            transition; any other one is a mistake.
         ends: after which steps V(S') counts as 0, and what else happens there.
         target: what the target is made of.
         step: how Q(S, A) moves to the target.
@@ -74,8 +76,10 @@ def one_step_update(
     }[step]
 
 
-def _value(Q: Any, now: Transition, backup: str) -> float:
+def _value(Q: Any, now: Transition, backup: str | Callable[[Any, Transition], float]) -> float:
     """Return the value of the next state, or what a mistake takes for it."""
+    if not isinstance(backup, str):
+        return backup(Q, now)
     row = Q[now.next_state]
     values = {
         "max": row.max(),

@@ -20,7 +20,10 @@ HINTS = (
     ("can't set attribute", "the fields of a NamedTuple are fixed, so change the entries of its arrays instead"),
     ("object does not support item assignment", "only arrays and lists have entries that can be changed"),
     ("truth value of an array", "compare single entries, not whole rows"),
-    (r"name '(Q|visits|tries|learning_rate|discount|bonus|epsilon)' is not defined", "write `self.` before a field"),
+    (
+        r"name '(Q|visits|tries|learning_rate|discount|bonus|epsilon|target_epsilon)' is not defined",
+        "write `self.` before a field",
+    ),
     ("cannot access local variable", "it gets a value on some paths only"),
     ("'NoneType'", "something is None there: is a `return` missing?"),
     ("division by zero", "nothing was counted yet: count first, then divide"),
