@@ -334,8 +334,9 @@ again.measured(100 * np.mean(exploration.right_grips(watched, "novelty reward", 
 # **Measured.** On the first visit 51 %, on all later ones 5 %, and that is $\varepsilon/2$: it takes the right grip only
 # when it slips. The reason is the bonus itself. The fall has earned a small bonus too, for entering the ground. So the
 # wrong grip is now worth more than 0, and the grip that was never tried is worth 0. The agent prefers the wrong one, time
-# after time. Go-Explore and ε-greedy act at random at their frontiers, and take the right grip half of the time. (A line ends
-# where there were fewer than 30 such visits.)
+# after time. Go-Explore and ε-greedy act at random at their frontiers, and take the right grip about half of the time (ε-greedy
+# comes back to a frontier so rarely that its share is not exact). In the figure a line ends after the ninth visit, or where
+# there were fewer than 30 such visits.
 # </details>
 
 # %% [markdown]
@@ -350,8 +351,9 @@ again.measured(100 * np.mean(exploration.right_grips(watched, "novelty reward", 
 # The paper gives another reason, **detachment**: the bonus at a frontier fades with every visit, so that the agent may
 # turn to another frontier and never come back to this one (Ecoffet et al., 2021). One wall has one frontier, so it cannot
 # show that. So let us build a wall with two branches, of height 100 each. On the ground the first action is the choice of
-# the branch, left or right. The only reward is at the flag, on top of the branch on the right-hand side. The picture
-# shows lower branches, and a climber at the third position of the right-hand one.
+# the branch, left or right, and leads to its lowest position. From there on each position has two grips, as before. The
+# only reward is at the flag, on top of the branch on the right-hand side. The picture shows lower branches, and a climber
+# that has chosen the right-hand one and has taken two grips on it.
 
 # %%
 low_fork = exploration.Fork.create(height=8, layout_seed=8)

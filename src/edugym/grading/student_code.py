@@ -32,6 +32,7 @@ HINTS = (
     ("out of bounds", "the first index of a table is the state, the second one the action"),
     ("only integer", "an index is a whole number"),
     (r"create\(\) (missing|takes)", "`create` takes the environment first, and then settings by their names"),
+    (r"missing \d+ required", "it has more parameters than the call gives it values"),
     ("positional argument", "its parameters are not those of the exercise"),
     ("unexpected keyword argument", "its parameters are not those of the exercise"),
     ("has no attribute", "is the name spelt as in the exercise?"),

@@ -134,6 +134,6 @@ def climb_shares(results: Results, height: int) -> Lines:
         f"climbs on a wall of {height}, second half of training",
         "height",
         "share of climbs that get there",
-        {"never slipping: 0.95^height": np.array([no_slip(h) for h in range(height + 1)])},
+        {"no slip on the way: 0.95^height": np.array([no_slip(h) for h in range(height + 1)])},
         log=True,
     )
