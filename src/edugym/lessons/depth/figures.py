@@ -26,7 +26,7 @@ from edugym.plotting.sheet import Sheet
 from edugym.results.statistics import by_point
 from edugym.results.tables import Results
 
-MANY_RATES = (0.01, 0.03, 0.1, 0.3, 1.0)
+MANY_RATES = (0.003, 0.01, 0.03, 0.1, 0.3, 1.0)
 
 
 def curves(results: Results, title: str, epsilon: float = EPSILON) -> Curves:

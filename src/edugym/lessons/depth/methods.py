@@ -165,4 +165,4 @@ def _best_return(key: tuple[tuple[int, ...], tuple[float, ...]], epsilon: float)
     lectures, rewards = (np.array(part) for part in key)
     standard = Study.create(len(lectures), len(rewards))
     task = standard._replace(lectures=lectures, action_rewards=rewards)
-    return value_iteration(finite_model(task), epsilon=epsilon).start
+    return task.reward_threshold if epsilon == 0 else value_iteration(finite_model(task), epsilon=epsilon).start

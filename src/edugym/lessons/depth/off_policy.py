@@ -41,8 +41,8 @@ def uncorrected(model: FiniteModel, epsilon: float = EPSILON) -> tuple[Reals, Re
 def weighted_deviation(value: float, n: int, epsilon: float = EPSILON, n_actions: int = 5) -> float:
     """Return the standard deviation of the target weighted by the importance-sampling ratio.
 
-    All n - 1 later actions are greedy with probability g^(n - 1), g = 1 - ε + ε/N. Then the ratio is 1/g^(n - 1) and the
-    return is `value`; otherwise the ratio is 0. So the mean is `value`, and the variance (1/g^(n - 1) - 1) value².
+    All n - 1 later actions are greedy with probability g^(n - 1), g = 1 - ε + ε/N. Then the ratio is 1/g^(n - 1) and
+    the return is `value`; otherwise the ratio is 0. So the mean is `value`, and the variance (1/g^(n - 1) - 1) value².
     """
     g = 1 - epsilon + epsilon / n_actions
     return abs(value) * math.sqrt(1 / g ** (n - 1) - 1)
@@ -56,7 +56,7 @@ def off_policy_sheet(epsilon: float = EPSILON, layout_seed: int = 0) -> Sheet:
     depths = np.arange(1.0, DAYS + 1)
     weighted = np.array([weighted_deviation(value, n, epsilon, n_actions) for n in range(1, DAYS + 1)])
     none = np.zeros(DAYS)
-    lines = ({UNCORRECTED: bias, WEIGHTED: none, CUT: none}, {UNCORRECTED: deviation, WEIGHTED: weighted, CUT: none})
+    lines = ({CUT: none, UNCORRECTED: bias, WEIGHTED: none}, {CUT: none, UNCORRECTED: deviation, WEIGHTED: weighted})
     return Sheet(
         "off_policy",
         [
