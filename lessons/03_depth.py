@@ -231,16 +231,16 @@ ahead.measured(f"{first} is ahead early and late" if early == late else f"{first
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Monte Carlo is ahead early, by far, and $n = 1$ is ahead at the end, by a little. The values between, $n = 3$ and $n = 5$,
-# lie between the two early on. (The small waves of all lines in the last two panels are the noise of the evaluation, which has the
-# same random numbers for all methods.)
+# **Measured.** Monte Carlo is ahead early, by far, and $n = 1$ is ahead at the end, by a little. Early on, $n = 3$ and
+# $n = 5$ lie between the two. Late, all lines are close together and partly hide each other. (The small waves at
+# $\sigma = 1$ are noise of the evaluation, which draws the same random numbers for all methods.)
 # </details>
 
 # %% [markdown]
-# Early, depth helps at every $\sigma$. The staircase says why. To see what happens late, we need a closer look, for some
-# runs never pass the exam, and those count 10 each in the mean. So let us take them apart: the share of runs that pass
-# the exam in the end, and the difference in return *among the layouts on which both methods pass*. Here returns are
-# computed without noise.
+# Early, depth helps at every $\sigma$, and the staircase says why. Late, we need a closer look. Some runs never pass the
+# exam, and each of those lowers the mean by about 10, which hides small differences. So let us take this apart: which
+# share of the runs passes in the end? And how much better is one method *on the layouts on which both pass*? These
+# returns are computed without noise.
 
 # %%
 for sigma, results in by_sigma.items():
@@ -252,11 +252,11 @@ for sigma, results in by_sigma.items():
     )
 
 # %% [markdown]
-# Among runs that pass, Monte Carlo ends behind at *every* $\sigma$, without any noise too. So reward noise cannot be the
-# reason. Hold on to this puzzle until "See inside".
+# Among the runs that pass, Monte Carlo ends behind at *every* $\sigma$, even without any noise. So noise of the rewards
+# cannot be the reason. Keep this puzzle in mind until "See inside".
 #
-# **Predict.** The paper says that noise makes Monte Carlo suffer more. Compare Monte Carlo at $\sigma = 1$ with Monte Carlo at
-# $\sigma = 0$: its mean final return over all layouts, computed without noise.
+# **Predict.** The paper says that more noise makes Monte Carlo suffer more. Compare the mean final return of Monte Carlo
+# at $\sigma = 1$ and at $\sigma = 0$, over all layouts and computed without noise.
 
 # %%
 noisy = predict("With more noise in its rewards, Monte Carlo ends ...", ["better", "the same, within 0.3", "worse"])
@@ -271,9 +271,9 @@ noisy.measured("the same, within 0.3" if abs(change) < 0.3 else "better" if chan
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Better, by more than one. Without noise about one run in five never passes the exam: it has settled on a cheap
-# life before its random actions ever passed the exam often enough. With noise the order of the values changes all the time, so that every
-# action is tried again. *Noise also explores.* The claim of the paper does not hold so simply: what noise costs is less than what it brings.
+# **Measured.** Better, by more than one. At $\sigma = 0$ one run in five never passes: what it knows looks best, and it
+# repeats that. With noise the order of the values keeps changing, so that other actions are tried as well, and all runs
+# pass. *Noise also explores.* So this claim of the paper does not hold in general: here noise brings more than it costs.
 # </details>
 
 # %% [markdown]
@@ -317,8 +317,9 @@ sliders(
 # ## See inside: bias and variance of the target
 #
 # A target is a random number. Two things can be wrong with it. Its *bias* is how far its mean is from the true value
-# $q_\pi$. Its *variance* is how much it scatters around its mean. Both can be computed exactly here, because we have the
-# model. We take the target of the first day, for an agent that acts by the best ε-soft policy.
+# $q_\pi$ of the policy $\pi$ that acts. Its *variance* says how much it scatters around its mean. We know the model of
+# this task, so we can compute both exactly. We take the target of the first day, for the best ε-soft policy, on the
+# layout with number 0.
 #
 # ### Bias: early it is large, late it is zero
 
@@ -333,11 +334,10 @@ Sheet("bias", [[depth.bias_series()]])
 # So bias separates the methods early only. What is left late is the variance.
 #
 # ### Variance: where does it come from?
-# Many textbooks say that deep targets are noisy because they add up many random rewards. Each reward adds $\sigma^2$ to the variance, so
-# $n$ rewards add $n \sigma^2$.
+# A deep target is a sum of many random rewards. The noise of each adds $\sigma^2$ to the variance, so $n$ of them add
+# $n \sigma^2$. "Larger $n$ means more noise from the environment", one often reads.
 #
-# **Predict.** At $\sigma = 0.2$, how much of the variance of the Monte Carlo target comes from the noise of the
-# rewards?
+# **Predict.** At $\sigma = 0.2$, how much of the variance of the Monte Carlo target comes from the noise of the rewards?
 
 # %%
 noise = predict("The share of reward noise in the variance of the Monte Carlo target at σ = 0.2:", unit="%")
@@ -354,19 +354,20 @@ noise.measured(100 * depth.noise_share(0.2))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** 4 %, and at the default of the environment, $\sigma = 0.05$, it is 0.3 %. Nearly everything else comes from
-# *the agent's own exploration*. With $\varepsilon = 0.1$ an agent takes at least one random action in two of three episodes
-# ($1 - 0.9^{10} = 0.65$), and some of those miss a lecture or the exam, which costs 10. All of that ends up in the target of the first
-# day, although the first day is not to blame. Only at $\sigma = 1$ is half of it the noise of the rewards.
+# **Measured.** 4 %. At the default of the environment, $\sigma = 0.05$, it is 0.3 %. All the rest comes from *the agent's
+# own exploration*. With $\varepsilon = 0.1$ two episodes of three have a random action or more ($1 - 0.9^{10} = 0.65$),
+# and some of these actions miss a lecture or the exam, which costs 10. That goes into the target of the first day,
+# although the first day is not to blame. Only at $\sigma = 1$ is half of the variance noise of the rewards.
 # </details>
 
 # %% [markdown]
-# Here is the picture that explains the puzzle. "Larger $n$ means more noise" is half of the truth: *most of that noise the agent makes itself.*
-# A deep target hands back the agent's own random actions. The bar for $n = 10$ jumps up because only this target contains the last day, and a random action on
-# the day of the exam costs 10.
+# This figure explains the puzzle. "Larger $n$ is only noise" is half of the truth: *most of that noise the agent makes
+# itself.* A deep target hands back the agent's own random actions. The last bar is so high because only the target with
+# ten rewards contains the day of the exam, on which a random action costs 10.
 #
-# **How much does it hurt?** With a constant $\alpha$ a value keeps moving, even when it is right on average. Let $x$ be the
-# variance of the value and $v$ that of its targets, which are independent. One update, $Q \leftarrow (1 - \alpha) Q + \alpha G$, gives
+# **How much does it hurt?** With a constant $\alpha$ a value never comes to rest. Let $v$ be the variance of its targets,
+# and $x$ the variance of the value itself after many updates. One more update, $Q \leftarrow (1 - \alpha) Q + \alpha G$,
+# must leave $x$ as it is. If each target is independent of those before, this means
 #
 # $$
 # x = (1 - \alpha)^2 x + \alpha^2 v \quad\Rightarrow\quad x = \frac{\alpha}{2 - \alpha}\, v .
@@ -378,15 +379,16 @@ for n in (1, 3, 5, 10):
     print(
         f"n = {n:2}: the value of the first day scatters by ± {math.sqrt(0.1 / (2 - 0.1) * v):.2f} (σ = 0.2, α = 0.1)"
     )
-print("prices of the actions differ by", np.round(np.diff(np.sort(make_mdp("Study").action_rewards)), 2))
+print("from one action to the next dearer one:", np.diff(np.sort(-make_mdp("Study").action_rewards)).round(2))
 
 # %% [markdown]
-# On a free day the best action and the second best differ by about 0.1, or less. A value that scatters by ± 0.05 can tell them apart, and one that
-# scatters by ± 0.7 cannot. So Monte Carlo passes the exam and wastes its free days. This holds without any reward noise, and that was the puzzle.
+# The last line compares this with the task: on a free day, two actions differ by a few
+# hundredths. A value that scatters by ± 0.05 can nearly tell them apart, and one that scatters by ± 0.69 cannot. So
+# Monte Carlo passes the exam and wastes its free days. Noise of the rewards is not needed for that.
 #
 # ### The price of depth can be paid by the learning rate
-# The formula also offers a remedy: a smaller $\alpha$. But a smaller $\alpha$ slows the staircase down, $\lceil H/n \rceil / \alpha$
-# episodes.
+# The formula also shows a remedy: a smaller $\alpha$. But a smaller $\alpha$ makes the staircase longer, which takes
+# $\lceil H/n \rceil / \alpha$ episodes.
 #
 # **Predict.** Which $n$ likes the *smallest* learning rate in its first 500 episodes?
 
@@ -404,12 +406,13 @@ smallest.measured(depth.label(min(best, key=best.get)))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Monte Carlo: the best of these five rates is 0.01 for it, 0.1 for $n = 5$, and 0.3 for $n = 1$ and $n = 3$. The deeper
-# the target, the more it varies, and the more of its targets must be averaged. One-step targets vary little, and need a large rate to
-# get down the staircase. With a rate of 1 a value keeps its last target only, and all fail.
+# **Measured.** Monte Carlo. Of these six rates, 0.003 is the best for Monte Carlo, 0.1 for $n = 5$, and 0.3 for $n = 3$
+# and $n = 1$. The deeper the target, the more it varies, and the more targets must be averaged. One-step targets vary
+# little, and they need a large rate to get down the staircase in time. With a rate of 1 a value keeps only its last
+# target, and all methods fail.
 #
-# Each with its best rate, $n = 1$ is the last over these 500 episodes. Sutton and Barto's figure 7.2 has such curves
-# for a random walk, and there a middle $n$ wins. *Never compare two $n$ at one learning rate only.*
+# Sutton and Barto's figure 7.2 shows such curves for another task, and there a middle $n$ is best. Here Monte Carlo with a
+# tiny rate is. *Never compare two values of $n$ at one learning rate only.*
 # </details>
 
 # %% [markdown]
@@ -425,34 +428,35 @@ gap = depth.difference_where_both_pass(tuned, "Monte Carlo", "n = 1")
 print(f"where both pass, Monte Carlo less n = 1: {gap.estimate:+.2f} (95 % interval {gap.low:+.2f} to {gap.high:+.2f})")
 
 # %% [markdown]
-# With a small rate Monte Carlo keeps its early lead and passes nearly everywhere. Where both pass, $n = 1$ is still a
-# little better in the details.
-
-# %% [markdown]
-# ### Why not look deep with Q-learning?
-# The variance comes from exploring actions. Q-learning learns about the greedy policy, so can it not simply ignore
-# them? Let us try: $n$ rewards, and then the largest value, $\max_a Q(S_{t+n}, a)$.
+# With a small rate Monte Carlo keeps its early lead, and it passes in all runs. Where both pass, $n = 1$ is still a
+# little better.
 #
-# For $n = 1$ that is Q-learning, and it is right. For $n > 1$ the $n$ rewards were earned by the policy that acted, with
-# its random actions, and no longer by the greedy one. Here is what that does to the target of the first day, when all values are already the
-# optimal ones and rewards have no noise.
+# ### Why not look deep with Q-learning?
+# The variance comes from exploring actions. Q-learning learns about the greedy policy, which never explores. So why not
+# take $n$ rewards and then the largest value, $\max_a Q(S_{t+n}, a)$?
+#
+# For $n = 1$ that *is* Q-learning (equation 6.8). For $n > 1$ the rewards on the way were earned by the policy that
+# acted, with its random actions, and not by the greedy one. The next figure shows what that does to the target of the
+# first day, when all values are already the optimal ones $q_*$, rewards have no noise, and the first action is the best.
 
 # %%
 depth.off_policy_sheet()
 
 # %% [markdown]
-# The uncorrected target (light blue) is biased: with $n = 10$ it is 1.2 below the optimum, and that does not get better with training. There
-# are two remedies. **Importance sampling** weights each target by a ratio that makes the mean right again, and pays for it
-# by a standard deviation as large as the optimum itself (exercise 2). **Cutting** the target at the first exploring action keeps the mean
-# right and adds no variance at all (exercise 3). In both panels the line of cutting lies on 0.
+# The *uncorrected* target has a bias: with $n = 10$ its mean is 1.2 below the optimum, and no amount of training changes
+# that. There are two remedies.
+#
+# - **Importance sampling** weights each target by a ratio that makes its mean right again. The price is a standard
+#   deviation as large as the optimum itself (exercise 2). In the left panel its line lies on that of cutting, at 0.
+# - **Cutting** the target at the first exploring action keeps the mean right and adds no variance (exercise 3).
 
 # %% [markdown]
 # ## Predict, then check
 #
 # Answer each question before you run the cell below it. You learn most when you are surprised.
 #
-# **Predict.** There are five actions, and two of them have no effect. Add five more without any effect, so that $N = 10$. Who suffers
-# most?
+# **Predict.** Two of the five actions have no effect. Let us add five more such actions, so that $N = 10$, at
+# $\sigma = 0.2$ and $\alpha = 0.1$. Who loses most?
 
 # %%
 suffers = predict(
@@ -473,11 +477,54 @@ suffers.measured(max(loss, key=loss.get))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Monte Carlo: it hardly passes any more, and the order is that of $n$. Now four exploring
-# actions of five ruin nothing but also help nothing, a lucky episode is rare, and after one the next episodes mostly fail.
-# Monte Carlo blames those failures on *all* its actions of these days, the good ones included. One-step SARSA keeps what it has learned
-# about the last days, whatever happens before them. This claim of the paper holds, and strongly.
+# **Measured.** Monte Carlo loses most, and $n = 1$ least. As the paper says, actions without effect make deep methods
+# suffer.
 # </details>
+
+# %% [markdown]
+# Is that the variance again? Let us check before we believe it. If variance were the reason, Monte Carlo would pass the
+# exam now and then in training, and lose it again. So we ask two questions. In which share of the runs did the agent
+# pass *at least once* in training? And how many of those runs pass in the end?
+#
+# **Predict.** Of the runs of Monte Carlo that passed at least once, how many pass in the end?
+
+# %%
+kept = predict("Of the Monte Carlo runs that ever passed, this share passes in the end:", unit="%")
+kept
+
+# %%
+for method in many.methods:
+    met, passed = depth.met_exam(many, method), depth.passes(many, method)
+    print(
+        f"{method:12} passed at least once in {met.mean():4.0%} of runs; of these, {passed[met == 1].mean():4.0%} pass now"
+    )
+kept.measured(100 * passed[met == 1].mean())  # of the last method, Monte Carlo
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** All of them. Monte Carlo does not lose what it found: in four runs of five it *never met the exam at all*.
+# So this is a problem of exploration, not of credit.
+#
+# Why does one-step SARSA meet the exam more often? All values start at 0, and every action has a price. So what was
+# tried is worth less than what was not tried. One-step SARSA hands this back as well: a state from which untried actions
+# can be reached looks good, so it goes there (compare optimistic values in Sutton and Barto, section 2.6). Monte Carlo
+# learns only from returns that it got, and those were all bad.
+# </details>
+
+# %% [markdown]
+# If this explanation is right, then one-step SARSA must lose its advantage when untried actions look *bad* at first. So we
+# let all values start at −5, with five actions, and keep everything else.
+
+# %%
+wary = depth.compare(depths=depth.BY_DEPTH, initial_value=-5.0, repetitions=60, points=32)
+for method in wary.methods:
+    print(f"{method:12} passes in {depth.passes(wary, method).mean():4.0%} of runs with start values of -5,", end=" ")
+    print(f"and in {depth.passes(by_sigma[0.2], method).mean():4.0%} with 0")
+
+# %% [markdown]
+# All lose, and Monte Carlo is now ahead by far. What a figure shows is one thing, and why it shows it is another. Before
+# you say "variance", take the runs apart.
 
 # %% [markdown]
 # **Predict.** The same agents learn in any Gymnasium environment with whole numbers for observations and actions.
@@ -505,8 +552,9 @@ cards.measured(
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Hardly at all. A game takes about 1.4 actions, so most targets of one step *are* the return: the staircase has one step. And most of the variance
-# comes from the cards, which no choice of $n$ removes. Depth matters when there is a long way between an action and its reward.
+# **Measured.** Hardly at all; $n = 1$ is a little ahead. A game takes 1.4 actions on average, so that most one-step
+# targets *are* the return: the staircase has one step. And most of the variance comes from the cards, which no choice
+# of $n$ removes. Depth matters where the way from an action to its reward is long.
 # </details>
 
 # %% [markdown]
@@ -547,22 +595,22 @@ check(exercise_1, quiet, seed=1, quiet=True)
 display(depth.race({"quiet": quiet}, repetitions=30))
 
 # %% [markdown]
-# It ends far below the others. It does try some things, since everything it tries has a price, and what it has not tried is still worth 0. But it stops
-# at the first life that looks good enough, and on many layouts it never passes. So exploration makes the
-# variance *and* is needed. An agent should explore, and yet not learn from its exploring actions as if they were its policy.
+# It ends far below the others. It tries a few things at first, since all it has tried was worse than 0. But it stops at
+# the first life that looks best, and on many layouts it never passes. So exploration makes the variance, *and* it is
+# needed. An agent should explore, and yet not learn from its exploring actions as if they were its policy.
 #
 # ### Exercise 2: the importance-sampling ratio
-# An agent acts by a policy $b$ and wants to learn about another policy $\pi$. The return after $(S_t, A_t)$ was earned by $b$. It counts for $\pi$
-# when it is weighted by how much more likely $\pi$ takes the *later* actions than $b$ does (Sutton and Barto, equation 7.10), up to the
-# last action before the end of the episode, $A_{T-1}$:
+# An agent acts by a policy $b$ and wants to learn about another policy $\pi$. The return after $(S_t, A_t)$ was earned
+# by $b$. To make it count for $\pi$, we multiply it by a ratio: how much more likely $\pi$ takes the *later* actions than
+# $b$ does (Sutton and Barto, equation 7.10). Let $A_{T-1}$ be the last action of the episode. The ratio is
 #
 # $$
 # \rho = \prod_{k=t+1}^{T-1} \frac{\pi(A_k \mid S_k)}{b(A_k \mid S_k)}
 # $$
 #
-# The action $A_t$ is not in the product: its value is what we learn, whoever chose it. Here $\pi$ is greedy and $b$ is
-# ε-greedy, there are $N$ actions, and in each state one of them is the best. Write the function. It gets `greedy`, a list with `True` for each of the actions
-# $A_t, A_{t+1}, \dots, A_{T-1}$ that was the best one, and `False` for the others.
+# The action $A_t$ is not in the product: we learn *its* value, whoever chose it. Here $\pi$ is greedy, $b$ is ε-greedy,
+# there are $N$ actions, and one of them is the best in each state. Write the function. Its argument `greedy` is a list
+# that says for each of the actions $A_t, A_{t+1}, \dots, A_{T-1}$ whether it was the best one, `True` or `False`.
 #
 # <details><summary>Hint</summary>A random action is the best one with probability 1/N. So an ε-greedy policy takes the
 # best action with probability 1 − ε + ε/N. What is the ratio for an action that the greedy policy never takes?</details>
@@ -586,17 +634,16 @@ check(exercise_2, importance_ratio, seed=1, quiet=True)
 ### END HIDDEN TESTS
 
 # %% [markdown]
-# On the first day, nine actions are later. With $\varepsilon = 0.1$ and $N = 5$ all nine are greedy in $0.92^9 = 47$ % of the
-# episodes. These count 2.1 times, and the other 53 % are thrown away. The mean is right, and the variance is huge. That is why plain
-# importance sampling is rarely the method of choice for deep targets.
+# After the first day there are nine more actions. With $\varepsilon = 0.1$ and $N = 5$ all nine are greedy in
+# $0.92^9 = 47$ % of the episodes. These count 2.1 times, and the other 53 % count nothing. The mean is right, and the
+# variance is huge. That is why plain importance sampling is rarely used for deep targets.
 #
 # ### Exercise 3: as deep as your actions were greedy
-# There is a better way. Let the reward travel back as far as the actions were greedy, and no further. Where an
-# action was exploring, whatever came after it is not what the greedy policy would have got. So *cut* there, and go on
-# with the best value of that state.
+# There is a better way. Let the reward travel back through greedy actions, and no further. What came after an exploring
+# action is not what the greedy policy would have got. So *cut* there, and go on with the best value of that state.
 #
-# The agent below stores its episode and learns at its end. Complete `hand_back`. It goes backwards through the steps $k = T-1, \dots, 1, 0$ of
-# the episode. At the end there is no future, so $G$ starts with 0:
+# The agent below stores its episode and learns at the end. Complete `hand_back`. It goes backwards through the steps
+# $k = T-1, \dots, 1, 0$ of the episode. After the end there is no future, so $G$ starts at 0. At each step:
 #
 # $$
 # \begin{aligned}
@@ -606,8 +653,8 @@ check(exercise_2, importance_ratio, seed=1, quiet=True)
 # \end{aligned}
 # $$
 #
-# Without the third line this is Monte Carlo. With it, $G$ goes on through greedy actions and is cut at the others. You write plain Python, and it runs
-# as machine code. Predict: can one line beat all four depths?
+# Without the third line this is Monte Carlo. With it, $G$ passes through greedy actions and is cut at the others. You write
+# plain Python, and it runs as machine code. Predict: can this line beat all four depths?
 #
 # <details><summary>Hint</summary><code>for k in range(length - 1, -1, -1)</code> goes backwards. The largest value in a row is
 # <code>max(self.Q[s])</code>. The fields <code>self.learning_rate</code> and <code>self.discount</code> are α and γ.</details>
@@ -672,18 +719,22 @@ check(exercise_3, MyAgent, seed=1, quiet=True)
 display(depth.race({"my agent": MyAgent.create}, repetitions=60))
 
 # %% [markdown]
-# As early as Monte Carlo, and late above one-step SARSA: the reward travels through the greedy actions at once, and the exploring ones no
-# longer blur it. The idea is old. Watkins cut his Q(λ) at exploring actions in 1989. The **tree backup** algorithm (Sutton and Barto,
-# section 7.5) does nearly the same for any target policy, step by step; the package has it as `TreeBackup`.
+# Early it is about as fast as Monte Carlo, since the reward passes through all greedy actions at once. Late it is above
+# all four depths. It is precise, since exploring actions do not blur its targets. And it passes on more layouts, since
+# at a cut it hands back what untried actions are worth.
+#
+# The idea is old. Watkins cut the targets of his Q(λ) at exploring actions in 1989. The **tree backup** algorithm (Sutton
+# and Barto, section 7.5) does nearly the same for any policy; in the package it is `TreeBackup`.
 #
 # ### The open challenge: 1 000 episodes with eight actions
-# Eight actions, five of them useless, and 10 000 steps in all. In this challenge actions are free ($r_a = 0$), so the optimum is
-# 10 on every layout. Write an agent of your own. It is tried on ten layouts that belong to your name, and nobody else
-# has the same ones. It is told only its observation space and its action space. Its points are its average return over training, in percent of 10. To get 100
-# points an agent would have to know the task before it starts, so aim for more than the best of the three that it is compared with.
+# Eight actions, five of them useless, and 10 000 steps in all. In this challenge actions are free ($r_a = 0$), so the
+# optimum is 10 on every layout. Write an agent of your own. It is tried on ten layouts that belong to your name, and
+# nobody else has the same ones. It is told only its observation space and its action space. Its points are its average
+# return over training, in percent of 10. For 100 points an agent would have to know the task before it starts; more than
+# the best of the three baselines is good, and 80 is very good.
 #
-# Everything is allowed that learns from its own steps. Half a page with it: how does your agent find the exam for the first
-# time, how does it hand the reward back, and where would it fail?
+# Everything is allowed that learns from its own steps. Half a page with it: how does your agent find the exam for the
+# first time, how does it hand the reward back, and where would it fail?
 
 
 # %%
@@ -697,26 +748,29 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # %% [markdown]
 # ## What you saw
 #
-# - One episode carries a reward back by $n$ steps. From the end to the start of $H$ steps it takes about $\lceil H/n \rceil / \alpha$
-#   equal episodes. That is why deep targets are ahead early.
-# - Bootstrapping is biased while the values are wrong, and unbiased once they are right.
-# - Deep targets vary more, and on this task most of that is not noise of the rewards: it is the agent's own exploration. That is why Monte Carlo ends
-#   behind among the runs that pass, even without noise.
-# - More noise did not make Monte Carlo end worse. Noise also explores. More actions without effect did, by far.
-# - The best learning rate falls as $n$ grows.
-# - $n$-step Q-learning needs a correction, since the rewards on the way were earned by the exploring policy. Cutting at exploring actions gets early
-#   speed and late precision together.
+# - One episode carries a reward back by $n$ steps. To the start of $H$ steps it takes about $\lceil H/n \rceil / \alpha$
+#   equal episodes. So deep targets are ahead early.
+# - Targets that bootstrap are biased while the values are wrong, and unbiased once they are right.
+# - Deep targets vary more, and here most of that is the agent's own exploration, not noise of the rewards. So Monte
+#   Carlo ends behind among the runs that pass, even without noise.
+# - More noise did not make Monte Carlo end worse: noise also explores. More actions without effect did, but not by
+#   variance: Monte Carlo met the exam less often.
+# - The best learning rate falls as $n$ grows. With a rate of its own Monte Carlo is hard to beat here.
+# - $n$-step Q-learning needs a correction, since the rewards on the way were earned by an exploring policy. Cutting at
+#   exploring actions is fast early and precise late.
 #
 # ### In one paragraph
-# *Learn it by heart, or better, say it in your own words.* The number $n$ says how many real rewards a target contains before it trusts a
-# learned value. With small $n$ a reward comes back one step an episode, through values that are wrong at first: slow and biased early, precise late. With large
-# $n$ it comes back at once, together with everything else that happened, and most of that is what the agent itself did when it explored:
-# fast early, blurred late. A smaller learning rate averages the blur away. Cutting the target where the agent explored avoids it.
+# *Learn it by heart, or better, say it in your own words.* The number $n$ says how many real rewards a target contains
+# before it trusts a learned value. With small $n$ a reward comes back step by step, through values that are wrong at
+# first: slow and biased early, precise late. With large $n$ it comes back at once, together with everything else that
+# happened, and much of that the agent did itself when it explored: fast early, blurred late. A smaller learning rate
+# averages the blur away, and a target that is cut where the agent explored avoids it.
 #
 # ### Limits
-# Dynamics here are deterministic, an episode has ten steps, and the state says everything. Where the environment itself is random, cutting at exploring actions
-# removes only the agent's part of the variance. Where exploring actions are frequent, targets are cut early, and the agent is nearly
-# one-step again. And with networks in place of tables, $n$ also decides how much a target trusts a network that may be wrong.
+# The dynamics of this task are deterministic, an episode has ten steps, and the agent sees the whole state. Where the
+# environment itself is random, cutting at exploring actions removes the agent's part of the variance only. Where
+# exploring actions are frequent, targets are cut early, and the agent nearly becomes a one-step agent again. With a
+# neural network in place of the table, $n$ also decides how much a target trusts a network that may be wrong.
 #
 # ### Further reading
 # - Moerland et al. (2023), *EduGym: An environment and notebook suite for reinforcement learning education*: the

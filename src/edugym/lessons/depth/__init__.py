@@ -49,6 +49,7 @@ from edugym.lessons.depth.methods import (
     label,
     layouts,
     maker,
+    met_exam,
     passes,
     pupil,
 )
@@ -90,6 +91,7 @@ __all__ = [
     "layouts",
     "learning_curves",
     "maker",
+    "met_exam",
     "noise_share",
     "off_policy_sheet",
     "passes",
@@ -139,15 +141,17 @@ def measure(how: How) -> tuple[Any, ...]:
         for sigma in SIGMAS
     }
     many = compare(n_actions=10, depths=DEPTHS[:3], **how("ten_actions"))
-    return by_sigma, many, tune(depths=DEPTHS[:3], **how())
+    wary = compare(initial_value=-5.0, depths=DEPTHS[:2], **how("start_values"))
+    return by_sigma, many, wary, tune(depths=DEPTHS[:3], **how())
 
 
-def judge(by_sigma: Mapping[float, Results], many: Results, by_rate: Mapping[float, Results]) -> Report:
+def judge(by_sigma: Mapping[float, Results], many: Results, wary: Results, by_rate: Mapping[float, Results]) -> Report:
     """Return claims and figures."""
     claims = [
         *early_claims(by_sigma),
         *late_claims(by_sigma),
         *action_claims(by_sigma[0.2], many),
+        *meeting_claims(many, wary),
         *rate_claims(by_rate),
         *target_claims(),
     ]
@@ -226,7 +230,7 @@ def action_claims(few: Results, many: Results) -> list[Claim]:
             "final return less that of n = 1",
             final_difference(many, label(n), ONE_STEP),
             Below(0.0),
-            "every exploring step of the ten days changes the whole return, and now it is rarely a useful one",
+            "deep targets hand less of the value of untried actions back, so that more runs never meet the exam",
         )
         for n in DEPTHS[1:3]
     ] + [
@@ -239,6 +243,33 @@ def action_claims(few: Results, many: Results) -> list[Claim]:
             ),
             Above(0.0),
         )
+    ]
+
+
+def meeting_claims(many: Results, wary: Results) -> list[Claim]:
+    """Return the claims on who meets the exam at all, with ten actions, and with start values of -5."""
+    met = {method: met_exam(many, method) for method in (ONE_STEP, MONTE_CARLO)}
+    return [
+        Claim(
+            "With ten actions Monte Carlo meets the exam in fewer runs than n = 1",
+            "share of runs that ever passed in training, less that of n = 1",
+            paired_difference(met[MONTE_CARLO], met[ONE_STEP]),
+            Below(0.0),
+            "untried actions are worth 0 and tried ones less; bootstrapping hands that on, and returns do not",
+        ),
+        Claim(
+            "and hardly ever loses it again",
+            "share of runs that pass in the end, less the share that ever passed",
+            paired_difference(passes(many, MONTE_CARLO), met[MONTE_CARLO]),
+            Within(-0.1, 0.1),
+            "so its loss is one of exploration, not of credit",
+        ),
+        Claim(
+            "Negative control: with start values of -5, where untried actions look worst, Monte Carlo passes more",
+            "share of runs that pass, less that of n = 1 (five actions, σ = 0.2)",
+            paired_difference(passes(wary, MONTE_CARLO), passes(wary, ONE_STEP)),
+            Above(0.0),
+        ),
     ]
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from edugym.agents.n_step_sarsa import NStepSARSA
 from edugym.agents.strategies import EpsilonGreedy
-from edugym.envs.study import Study
+from edugym.envs.study import STUDY, Study
 from edugym.exact.model import finite_model
 from edugym.exact.value_iteration import value_iteration
 from edugym.lessons.depth.targets import DAYS, DISCOUNT, EPSILON
@@ -31,6 +31,8 @@ DEPTHS = (1, math.inf, 5, 3)
 BY_DEPTH = (1, 3, 5, math.inf)
 """The same in their order, as the figures of the lesson show them."""
 SIGMAS = (0.0, 0.2, 1.0)
+MET = 0.5
+"""A value of studying above this comes from the exam, whose first reward makes it about 1 at the learning rate 0.1."""
 PASSING = 5.0
 """A policy that passes the exam returns more than this, and one that fails returns less than 0."""
 
@@ -53,6 +55,7 @@ def maker(
     epsilon: float = EPSILON,
     discount: float = DISCOUNT,
     total_days: int = DAYS,
+    initial_value: float = 0.0,
 ) -> Maker:
     """Return a function that makes an n-step SARSA agent for an environment, with the settings of the lesson."""
     return partial(
@@ -62,6 +65,7 @@ def maker(
         discount=discount,
         exploration=EpsilonGreedy(epsilon),
         longest=total_days,
+        initial_value=initial_value,
     )
 
 
@@ -75,6 +79,7 @@ def compare(
     sigma: float = 0.2,
     n_actions: int = 5,
     total_days: int = DAYS,
+    initial_value: float = 0.0,
     own: Mapping[str, Maker] = NONE,
     points: int = 16,
     **how: Any,
@@ -90,11 +95,19 @@ def compare(
         sigma: the standard deviation of the reward noise.
         n_actions: the number of actions.
         total_days: the number of days of an episode.
+        initial_value: the value of everything that was not tried yet.
         own: by label, functions that make other agents for an environment, such as a reader's own.
         points: the number of points of the learning curve.
         **how: more arguments of `edugym.training.repeat`, such as `repetitions`, `seed` and `jobs`.
     """
-    make = partial(maker, learning_rate=learning_rate, epsilon=epsilon, discount=discount, total_days=total_days)
+    make = partial(
+        maker,
+        learning_rate=learning_rate,
+        epsilon=epsilon,
+        discount=discount,
+        total_days=total_days,
+        initial_value=initial_value,
+    )
     methods = {label(n): make(n) for n in depths}
     parameters = {"action_reward_noise_sigma": sigma, "n_actions": n_actions, "total_days": total_days}
     every = max(n_steps // points, total_days)
@@ -146,6 +159,18 @@ def passes(results: Results, method: str) -> Reals:
     """Return for every complete run whether its final greedy policy passes the exam: 1, 0 or NaN."""
     returns = expected_returns(results, method)
     return np.where(np.isnan(returns), np.nan, returns > PASSING)
+
+
+def met_exam(results: Results, method: str) -> Reals:
+    """Return for every complete run whether it ever passed the exam in training: 1, 0 or NaN.
+
+    Only the exam makes a value of studying large, and nothing makes it small again. (The noise of rewards must be
+    small, and the values must not start above 0.)
+    """
+    met = np.full(len(results.final(method)), np.nan)
+    for repetition, agent in results.complete_agents(method).items():
+        met[repetition] = agent.Q[:, STUDY].max() > MET
+    return met
 
 
 def best_returns(tasks: Mapping[int, Study], *epsilons: float) -> list[float]:
