@@ -14,7 +14,6 @@
 
 # %%
 import math
-from functools import partial
 from typing import NamedTuple
 
 import gymnasium as gym
@@ -23,7 +22,7 @@ import numpy as np
 from edugym import EpsilonGreedy, NStepSARSA, TreeBackup, make_mdp, repeat
 from edugym.lessons import depth
 from edugym.notebook import frames, play, predict, sliders, source
-from edugym.plotting import Curves, Sheet
+from edugym.plotting import Sheet
 
 # %% [markdown]
 # ## Meet the environment: ten days until the exam
@@ -31,12 +30,12 @@ from edugym.plotting import Curves, Sheet
 # A student has $H = 10$ days. On each day the student does one thing: study, sleep, go out, or something else. On the
 # last day there is an exam, and whoever studies on that day and is prepared passes it. To be prepared takes knowledge
 # and energy. Studying gives knowledge on three days only, the days with a lecture, and two of those are needed. Sleep
-# gives energy, on any day, and two nights of it are needed. On the other days it does not matter what the student
-# does, except that everything has a small price.
+# gives energy, on any day, and two nights of it are needed. On the other days it does not matter what the student does,
+# except that everything has a small price.
 
 # %%
 study = make_mdp("Study", layout_seed=5, action_reward_noise_sigma=0.2)
-print("price of each action:", dict(zip(study.action_names, study.action_rewards.round(2).tolist(), strict=True)))
+print("mean reward of each action:", dict(zip(study.action_names, study.action_rewards.round(2).tolist(), strict=True)))
 frames(study, ["go out", "study", "study", "sleep", "other 1", "sleep", "study", "other 2", "sleep", "study"])
 
 # %% [markdown]
@@ -46,7 +45,7 @@ frames(study, ["go out", "study", "study", "sleep", "other 1", "sleep", "study",
 # |---|---|---|
 # | states | $s = (\text{knowledge}, \text{energy}, \text{day})$ | all of it is observed; days count from 0 |
 # | actions | $\mathcal{A} = \{0, \dots, N-1\}$, $N = 5$ | study, sleep, go out, and $N - 3$ others without any effect |
-# | dynamics | deterministic | study on a lecture day: knowledge + 1; sleep: energy + 1 (up to 4); go out: energy − 1 |
+# | dynamics | deterministic | study on a lecture day: knowledge + 1; sleep: energy + 1 (up to 4); go out: energy − 1 (down to 0) |
 # | reward | drawn from $\mathcal{N}(r_a, \sigma)$ | each action $a$ has a mean reward $r_a$ from −0.5 to 0; $\sigma$ is its noise |
 # | | $+10$ | for studying on day $H - 1$, the exam, with knowledge ≥ 2 and energy ≥ 2 |
 # | discount | $\gamma = 1$ | |
@@ -85,7 +84,8 @@ play(
 #
 # All agents of this lesson keep a table of action values $Q(s, a)$ and act ε-greedily: they take a random action with
 # probability $\varepsilon$, and otherwise the one with the largest value. After each step they move a value towards a
-# *target*. They differ in one number, $n$: how many real rewards the target contains before it ends with a learned value.
+# *target*. They differ in one number, $n$: how many real rewards the target contains before it ends with a learned
+# value.
 #
 # SARSA uses one reward. The **$n$-step target** uses $n$ of them (Sutton and Barto, equation 7.4):
 #
@@ -108,10 +108,10 @@ play(
 #
 # To use a learned value in the target is called *bootstrapping*. Monte Carlo does not bootstrap at all.
 #
-# Here are the lines that run. After each step, `t` is the number of this step, and `first` is the step whose $n$ rewards
-# are now complete. The first loop adds up the rewards backwards, from the last one to that of step `first`, which gives
-# `G`. The second loop is the update, where `tau` is the step that learns. When the episode ends, all steps that are left
-# learn. (`% n` is there because only the last $n$ steps are kept.)
+# Here are the lines that run. After each step, `t` is the number of this step, and `first` is the step whose $n$
+# rewards are now complete. The first loop adds up the rewards backwards, from the last one to that of step `first`,
+# which gives `G`. The second loop is the update, where `tau` is the step that learns. When the episode ends, all steps
+# that are left learn. (`% n` is there because only the last $n$ steps are kept.)
 
 # %%
 source(NStepSARSA.learn)
@@ -122,8 +122,8 @@ source(NStepSARSA.learn)
 # start at 0, and $\alpha = 0.1$. Monte Carlo moves the values of *all* days towards 10 in every episode. One-step SARSA
 # moves only the value of the last day at first, because the next value is still 0 for every other day.
 #
-# **Predict.** After 7 such episodes the value of the first day has come half of its way with Monte Carlo ($0.9^7 < 0.5$).
-# How many episodes does one-step SARSA need?
+# **Predict.** After 7 such episodes the value of the first day has come half of its way with Monte Carlo
+# ($0.9^7 < 0.5$). How many episodes does one-step SARSA need?
 
 # %%
 half_way = predict("One-step SARSA: the value of the first day is half of 10 after ...", unit="episodes")
@@ -139,12 +139,12 @@ half_way.measured(depth.episodes_until(depth.handed_back(1)))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** 97 episodes with $n = 1$, 37 with $n = 3$, 17 with $n = 5$, and 7 with Monte Carlo. Each map shows the
-# values of the ten days (upwards) in the course of the episodes (to the right); dark means close to 10. With $n = 1$ the
-# reward climbs down a staircase with ten steps, one for each day. With $n = 3$ the staircase has four steps, since three
-# days learn together: $\lceil H/n \rceil = \lceil 10/3 \rceil = 4$. With Monte Carlo there is one step only.
+# values of the ten days (upwards) in the course of the episodes (to the right); dark means close to 10. With $n = 1$
+# the reward climbs down a staircase with ten steps, one for each day. With $n = 3$ the staircase has four steps, since
+# three days learn together: $\lceil H/n \rceil = \lceil 10/3 \rceil = 4$. With Monte Carlo there is one step only.
 #
-# A rule to remember: the reward needs about $\lceil H/n \rceil / \alpha$ episodes to the first day. Here that is 100, 40,
-# 20 and 10.
+# A rule to remember: the reward needs about $\lceil H/n \rceil / \alpha$ episodes to the first day. Here that is 100,
+# 40, 20 and 10.
 # </details>
 
 # %% [markdown]
@@ -179,15 +179,16 @@ for n in (1, math.inf):
 print(f"optimum      {study.reward_threshold:.2f}")
 
 # %% [markdown]
-# Both pass now. On this layout, going out and sleeping are cheap, and studying and the other things are dear. One-step SARSA
-# has found that out and is near the optimum. Monte Carlo still spends free days on dear things. Is that so in general?
+# Both pass now. On this layout, going out and sleeping are cheap, and studying and the other things are dear. One-step
+# SARSA has found that out and is near the optimum. Monte Carlo still spends free days on dear things. Is that so in
+# general?
 
 # %% [markdown]
 # ## The experiment: early and late
 #
 # The paper (Moerland et al., 2023) made this environment for that question. It says: Monte Carlo learns fast after its
-# first success and then has trouble with details; one-step methods learn slowly and end better; and more noise in
-# the rewards makes Monte Carlo suffer more. We test all three, here and now, with three amounts of reward noise.
+# first success and then has trouble with details; one-step methods learn slowly and end better; and more noise in the
+# rewards makes Monte Carlo suffer more. We test all three, here and now, with three amounts of reward noise.
 #
 # | setting | value |
 # |---|---|
@@ -202,7 +203,8 @@ print(f"optimum      {study.reward_threshold:.2f}")
 # does not explore, so it may rise above the dotted line. The last panel shows training itself, and there an ε-greedy
 # agent cannot.
 #
-# **Predict.** With the noisiest rewards, $\sigma = 1$: who is ahead after 250 episodes (2 500 steps), and who at the end?
+# **Predict.** With the noisiest rewards, $\sigma = 1$: who is ahead after 250 episodes (2 500 steps), and who at the
+# end?
 
 # %%
 ahead = predict(
@@ -237,10 +239,10 @@ ahead.measured(f"{first} is ahead early and late" if early == late else f"{first
 # </details>
 
 # %% [markdown]
-# Early, depth helps at every $\sigma$, and the staircase says why. Late, we need a closer look. Some runs never pass the
-# exam, and each of those lowers the mean by about 10, which hides small differences. So let us take this apart: which
-# share of the runs passes in the end? And how much better is one method *on the layouts on which both pass*? These
-# returns are computed without noise.
+# Early, depth helps at every $\sigma$, and the staircase says why. Late, we need a closer look. Some runs never pass
+# the exam, and each of those lowers the mean by about 10, which hides small differences. So let us take this apart:
+# which share of the runs passes in the end? And how much better is one method *on the layouts on which both pass*?
+# These returns are computed without noise.
 
 # %%
 for sigma, results in by_sigma.items():
@@ -255,8 +257,8 @@ for sigma, results in by_sigma.items():
 # Among the runs that pass, Monte Carlo ends behind at *every* $\sigma$, even without any noise. So noise of the rewards
 # cannot be the reason. Keep this puzzle in mind until "See inside".
 #
-# **Predict.** The paper says that more noise makes Monte Carlo suffer more. Compare the mean final return of Monte Carlo
-# at $\sigma = 1$ and at $\sigma = 0$, over all layouts and computed without noise.
+# **Predict.** The paper says that more noise makes Monte Carlo suffer more. Compare the mean final return of Monte
+# Carlo at $\sigma = 1$ and at $\sigma = 0$, over all layouts and computed without noise.
 
 # %%
 noisy = predict("With more noise in its rewards, Monte Carlo ends ...", ["better", "the same, within 0.3", "worse"])
@@ -273,7 +275,8 @@ noisy.measured("the same, within 0.3" if abs(change) < 0.3 else "better" if chan
 #
 # **Measured.** Better, by more than one. At $\sigma = 0$ one run in five never passes: what it knows looks best, and it
 # repeats that. With noise the order of the values keeps changing, so that other actions are tried as well, and all runs
-# pass. *Noise also explores.* So this claim of the paper does not hold in general: here noise brings more than it costs.
+# pass. *Noise also explores.* So this claim of the paper does not hold in general: here noise brings more than it
+# costs.
 # </details>
 
 # %% [markdown]
@@ -281,7 +284,8 @@ noisy.measured("the same, within 0.3" if abs(change) < 0.3 else "better" if chan
 #
 # Move a slider and release it: the experiment is computed again, with 10 repetitions of 1 000 episodes. The slider for
 # $n$ adds a line for one more $n$. What does a longer semester change, and for which $n$? Who feels $\varepsilon$, and
-# who $\alpha$? With which settings is $n = 1$ the best? (Returns in the figures are not discounted, whatever $\gamma$ is.)
+# who $\alpha$? With which settings is $n = 1$ the best? (Returns in the figures are not discounted, whatever $\gamma$
+# is.)
 
 
 # %%
@@ -337,7 +341,8 @@ Sheet("bias", [[depth.bias_series()]])
 # A deep target is a sum of many random rewards. The noise of each adds $\sigma^2$ to the variance, so $n$ of them add
 # $n \sigma^2$. "Larger $n$ means more noise from the environment", one often reads.
 #
-# **Predict.** At $\sigma = 0.2$, how much of the variance of the Monte Carlo target comes from the noise of the rewards?
+# **Predict.** At $\sigma = 0.2$, how much of the variance of the Monte Carlo target comes from the noise of the
+# rewards?
 
 # %%
 noise = predict("The share of reward noise in the variance of the Monte Carlo target at σ = 0.2:", unit="%")
@@ -354,10 +359,11 @@ noise.measured(100 * depth.noise_share(0.2))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** 4 %. At the default of the environment, $\sigma = 0.05$, it is 0.3 %. All the rest comes from *the agent's
-# own exploration*. With $\varepsilon = 0.1$ two episodes of three have a random action or more ($1 - 0.9^{10} = 0.65$),
-# and some of these actions miss a lecture or the exam, which costs 10. That goes into the target of the first day,
-# although the first day is not to blame. Only at $\sigma = 1$ is half of the variance noise of the rewards.
+# **Measured.** 4 %. At the default of the environment, $\sigma = 0.05$, it is 0.3 %. All the rest comes from *the
+# agent's own exploration*. With $\varepsilon = 0.1$ two episodes of three have a random action or more
+# ($1 - 0.9^{10} = 0.65$), and some of these actions miss a lecture or the exam, which costs 10. That goes into the
+# target of the first day, although the first day is not to blame. Only at $\sigma = 1$ is half of the variance noise of
+# the rewards.
 # </details>
 
 # %% [markdown]
@@ -365,9 +371,10 @@ noise.measured(100 * depth.noise_share(0.2))
 # itself.* A deep target hands back the agent's own random actions. The last bar is so high because only the target with
 # ten rewards contains the day of the exam, on which a random action costs 10.
 #
-# **How much does it hurt?** With a constant $\alpha$ a value never comes to rest. Let $v$ be the variance of its targets,
-# and $x$ the variance of the value itself after many updates. One more update, $Q \leftarrow (1 - \alpha) Q + \alpha G$,
-# must leave $x$ as it is. If each target is independent of those before, this means
+# **How much does it hurt?** With a constant $\alpha$ a value never comes to rest. Let $v$ be the variance of its
+# targets, and $x$ the variance of the value itself after many updates. One more update,
+# $Q \leftarrow (1 - \alpha) Q + \alpha G$, must leave $x$ as it is. If each target is independent of those before, this
+# means
 #
 # $$
 # x = (1 - \alpha)^2 x + \alpha^2 v \quad\Rightarrow\quad x = \frac{\alpha}{2 - \alpha}\, v .
@@ -382,9 +389,9 @@ for n in (1, 3, 5, 10):
 print("from one action to the next dearer one:", np.diff(np.sort(-make_mdp("Study").action_rewards)).round(2))
 
 # %% [markdown]
-# The last line compares this with the task: on a free day, two actions differ by a few
-# hundredths. A value that scatters by ± 0.05 can nearly tell them apart, and one that scatters by ± 0.69 cannot. So
-# Monte Carlo passes the exam and wastes its free days. Noise of the rewards is not needed for that.
+# The last line compares this with the task: on a free day, two actions differ by a few hundredths. A value that
+# scatters by ± 0.05 can nearly tell them apart, and one that scatters by ± 0.69 cannot. So Monte Carlo passes the exam
+# and wastes its free days. Noise of the rewards is not needed for that.
 #
 # ### The price of depth can be paid by the learning rate
 # The formula also shows a remedy: a smaller $\alpha$. But a smaller $\alpha$ makes the staircase longer, which takes
@@ -411,8 +418,8 @@ smallest.measured(depth.label(min(best, key=best.get)))
 # little, and they need a large rate to get down the staircase in time. With a rate of 1 a value keeps only its last
 # target, and all methods fail.
 #
-# Sutton and Barto's figure 7.2 shows such curves for another task, and there a middle $n$ is best. Here Monte Carlo with a
-# tiny rate is. *Never compare two values of $n$ at one learning rate only.*
+# Sutton and Barto's figure 7.2 shows such curves for another task, and there a middle $n$ is best. Here Monte Carlo
+# with a tiny rate is. *Never compare two values of $n$ at one learning rate only.*
 # </details>
 
 # %% [markdown]
@@ -428,8 +435,21 @@ gap = depth.difference_where_both_pass(tuned, "Monte Carlo", "n = 1")
 print(f"where both pass, Monte Carlo less n = 1: {gap.estimate:+.2f} (95 % interval {gap.low:+.2f} to {gap.high:+.2f})")
 
 # %% [markdown]
-# With a small rate Monte Carlo keeps its early lead, and it passes in all runs. Where both pass, $n = 1$ is still a
-# little better.
+# With a small rate Monte Carlo keeps its early lead, and it passes in all runs. But where both pass, $n = 1$ is still
+# better in the details. Does that contradict the formula? No: with a small rate the details take time. Here is Monte
+# Carlo without any noise of the rewards, after 4 000 episodes and after ten times as many: how far below the optimum
+# are the policies that pass?
+
+# %%
+for episodes in (4_000, 40_000):
+    own = {f"α = {rate}": depth.maker(math.inf, learning_rate=rate) for rate in (0.1, 0.01)}
+    longer = depth.compare(depths=(), own=own, sigma=0.0, n_steps=10 * episodes, repetitions=40)
+    for method in longer.methods:
+        print(f"{episodes:6} episodes, {method:8}: {depth.shortfall(longer, method):.2f} below the optimum")
+
+# %% [markdown]
+# With $\alpha = 0.1$ ten times the training changes hardly anything, as the formula says: the values keep scattering.
+# With $\alpha = 0.01$ it pays.
 #
 # ### Why not look deep with Q-learning?
 # The variance comes from exploring actions. Q-learning learns about the greedy policy, which never explores. So why not
@@ -437,14 +457,15 @@ print(f"where both pass, Monte Carlo less n = 1: {gap.estimate:+.2f} (95 % inter
 #
 # For $n = 1$ that *is* Q-learning (equation 6.8). For $n > 1$ the rewards on the way were earned by the policy that
 # acted, with its random actions, and not by the greedy one. The next figure shows what that does to the target of the
-# first day, when all values are already the optimal ones $q_*$, rewards have no noise, and the first action is the best.
+# first day, when all values are already the optimal ones $q_*$, rewards have no noise, and the first action is the
+# best.
 
 # %%
 depth.off_policy_sheet()
 
 # %% [markdown]
-# The *uncorrected* target has a bias: with $n = 10$ its mean is 1.2 below the optimum, and no amount of training changes
-# that. There are two remedies.
+# The *uncorrected* target has a bias: with $n = 10$ its mean is 1.2 below the optimum, and no amount of training
+# changes that. There are two remedies.
 #
 # - **Importance sampling** weights each target by a ratio that makes its mean right again. The price is a standard
 #   deviation as large as the optimum itself (exercise 2). In the left panel its line lies on that of cutting, at 0.
@@ -503,18 +524,18 @@ kept.measured(100 * passed[met == 1].mean())  # of the last method, Monte Carlo
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** All of them. Monte Carlo does not lose what it found: in four runs of five it *never met the exam at all*.
-# So this is a problem of exploration, not of credit.
+# **Measured.** All of them. Monte Carlo does not lose what it found: in four runs of five it *never met the exam at
+# all*. So this is a problem of exploration, not of credit.
 #
 # Why does one-step SARSA meet the exam more often? All values start at 0, and every action has a price. So what was
-# tried is worth less than what was not tried. One-step SARSA hands this back as well: a state from which untried actions
-# can be reached looks good, so it goes there (compare optimistic values in Sutton and Barto, section 2.6). Monte Carlo
-# learns only from returns that it got, and those were all bad.
+# tried is worth less than what was not tried. One-step SARSA hands this back as well: a state from which untried
+# actions can be reached looks good, so it goes there (compare optimistic values in Sutton and Barto, section 2.6).
+# Monte Carlo learns only from returns that it got, and those were all bad.
 # </details>
 
 # %% [markdown]
-# If this explanation is right, then one-step SARSA must lose its advantage when untried actions look *bad* at first. So we
-# let all values start at −5, with five actions, and keep everything else.
+# If this explanation is right, then one-step SARSA must lose its advantage when untried actions look *bad* at first. So
+# we let all values start at −5, with five actions, and keep everything else.
 
 # %%
 wary = depth.compare(depths=depth.BY_DEPTH, initial_value=-5.0, repetitions=60, points=32)
@@ -523,13 +544,13 @@ for method in wary.methods:
     print(f"and in {depth.passes(by_sigma[0.2], method).mean():4.0%} with 0")
 
 # %% [markdown]
-# All lose, and Monte Carlo is now ahead by far. What a figure shows is one thing, and why it shows it is another. Before
-# you say "variance", take the runs apart.
+# All lose, and Monte Carlo is now ahead by far. What a figure shows is one thing, and why it shows it is another.
+# Before you say "variance", take the runs apart.
 
 # %% [markdown]
 # **Predict.** The same agents learn in any Gymnasium environment with whole numbers for observations and actions.
-# Blackjack is the classic example of Monte Carlo methods (Sutton and Barto, section 5.1). The reward, 1, 0 or −1, comes at the end of the
-# game. How much does $n$ matter there?
+# Blackjack is the classic example of Monte Carlo methods (Sutton and Barto, section 5.1). The reward, 1, 0 or −1, comes
+# at the end of the game. How much does $n$ matter there?
 
 # %%
 cards = predict(
@@ -570,9 +591,9 @@ from edugym.grading import check
 
 # %% [markdown]
 # ### Exercise 1: Monte Carlo without exploration
-# Nearly all the variance of Monte Carlo comes from its own exploration. So switch it off. Write the function that makes a
-# Monte Carlo agent with $\varepsilon = 0$, and otherwise with the settings of the experiment: $\alpha = 0.1$, $\gamma = 1$, all values 0 at
-# first. Before you run the check: will it end better than the others, or worse?
+# Nearly all the variance of Monte Carlo comes from its own exploration. So switch it off. Write the function that makes
+# a Monte Carlo agent with $\varepsilon = 0$, and otherwise with the settings of the experiment: $\alpha = 0.1$,
+# $\gamma = 1$, all values 0 at first. Before you run the check: will it end better than the others, or worse?
 #
 # <details><summary>Hint</summary>One call of <code>NStepSARSA.create</code> is enough. Its settings are <code>n</code>,
 # <code>learning_rate</code>, <code>discount</code> and <code>exploration</code>. Infinity is <code>math.inf</code>, and
@@ -601,8 +622,8 @@ display(depth.race({"quiet": quiet}, repetitions=30))
 #
 # ### Exercise 2: the importance-sampling ratio
 # An agent acts by a policy $b$ and wants to learn about another policy $\pi$. The return after $(S_t, A_t)$ was earned
-# by $b$. To make it count for $\pi$, we multiply it by a ratio: how much more likely $\pi$ takes the *later* actions than
-# $b$ does (Sutton and Barto, equation 7.10). Let $A_{T-1}$ be the last action of the episode. The ratio is
+# by $b$. To make it count for $\pi$, we multiply it by a ratio: how much more likely $\pi$ takes the *later* actions
+# than $b$ does (Sutton and Barto, equation 7.10). Let $A_{T-1}$ be the last action of the episode. The ratio is
 #
 # $$
 # \rho = \prod_{k=t+1}^{T-1} \frac{\pi(A_k \mid S_k)}{b(A_k \mid S_k)}
@@ -613,7 +634,8 @@ display(depth.race({"quiet": quiet}, repetitions=30))
 # that says for each of the actions $A_t, A_{t+1}, \dots, A_{T-1}$ whether it was the best one, `True` or `False`.
 #
 # <details><summary>Hint</summary>A random action is the best one with probability 1/N. So an ε-greedy policy takes the
-# best action with probability 1 − ε + ε/N. What is the ratio for an action that the greedy policy never takes?</details>
+# best action with probability 1 − ε + ε/N. What is the ratio for an action that the greedy policy never
+# takes?</details>
 
 
 # %%
@@ -653,11 +675,12 @@ check(exercise_2, importance_ratio, seed=1, quiet=True)
 # \end{aligned}
 # $$
 #
-# Without the third line this is Monte Carlo. With it, $G$ passes through greedy actions and is cut at the others. You write
-# plain Python, and it runs as machine code. Predict: can this line beat all four depths?
+# Without the third line this is Monte Carlo. With it, $G$ passes through greedy actions and is cut at the others. You
+# write plain Python, and it runs as machine code. Predict: can this line beat all four depths?
 #
-# <details><summary>Hint</summary><code>for k in range(length - 1, -1, -1)</code> goes backwards. The largest value in a row is
-# <code>max(self.Q[s])</code>. The fields <code>self.learning_rate</code> and <code>self.discount</code> are α and γ.</details>
+# <details><summary>Hint</summary><code>for k in range(length - 1, -1, -1)</code> goes backwards. The largest value in a
+# row is <code>max(self.Q[s])</code>. The fields <code>self.learning_rate</code> and <code>self.discount</code> are α
+# and γ.</details>
 
 
 # %%
@@ -720,18 +743,18 @@ display(depth.race({"my agent": MyAgent.create}, repetitions=60))
 
 # %% [markdown]
 # Early it is about as fast as Monte Carlo, since the reward passes through all greedy actions at once. Late it is above
-# all four depths. It is precise, since exploring actions do not blur its targets. And it passes on more layouts, since
-# at a cut it hands back what untried actions are worth.
+# all four depths. It is precise, since exploring actions do not blur its targets. And it passes on more layouts: at a
+# cut it also hands back what untried actions are worth, as one-step targets do.
 #
-# The idea is old. Watkins cut the targets of his Q(λ) at exploring actions in 1989. The **tree backup** algorithm (Sutton
-# and Barto, section 7.5) does nearly the same for any policy; in the package it is `TreeBackup`.
+# The idea is old. Watkins cut the targets of his Q(λ) at exploring actions in 1989. The **tree backup** algorithm
+# (Sutton and Barto, section 7.5) does nearly the same for any policy; in the package it is `TreeBackup`.
 #
 # ### The open challenge: 1 000 episodes with eight actions
 # Eight actions, five of them useless, and 10 000 steps in all. In this challenge actions are free ($r_a = 0$), so the
 # optimum is 10 on every layout. Write an agent of your own. It is tried on ten layouts that belong to your name, and
 # nobody else has the same ones. It is told only its observation space and its action space. Its points are its average
-# return over training, in percent of 10. For 100 points an agent would have to know the task before it starts; more than
-# the best of the three baselines is good, and 80 is very good.
+# return over training, in percent of 10. For 100 points an agent would have to know the task before it starts; more
+# than the best of the three baselines is good, and 80 is very good.
 #
 # Everything is allowed that learns from its own steps. Half a page with it: how does your agent find the exam for the
 # first time, how does it hand the reward back, and where would it fail?
@@ -748,8 +771,8 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # %% [markdown]
 # ## What you saw
 #
-# - One episode carries a reward back by $n$ steps. To the start of $H$ steps it takes about $\lceil H/n \rceil / \alpha$
-#   equal episodes. So deep targets are ahead early.
+# - One episode carries a reward back by $n$ steps. To the start of $H$ steps it takes about
+#   $\lceil H/n \rceil / \alpha$ equal episodes. So deep targets are ahead early.
 # - Targets that bootstrap are biased while the values are wrong, and unbiased once they are right.
 # - Deep targets vary more, and here most of that is the agent's own exploration, not noise of the rewards. So Monte
 #   Carlo ends behind among the runs that pass, even without noise.
@@ -764,7 +787,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # before it trusts a learned value. With small $n$ a reward comes back step by step, through values that are wrong at
 # first: slow and biased early, precise late. With large $n$ it comes back at once, together with everything else that
 # happened, and much of that the agent did itself when it explored: fast early, blurred late. A smaller learning rate
-# averages the blur away, and a target that is cut where the agent explored avoids it.
+# averages the blur away, if there is time, and a target that is cut where the agent explored avoids it.
 #
 # ### Limits
 # The dynamics of this task are deterministic, an episode has ten steps, and the agent sees the whole state. Where the
@@ -773,10 +796,9 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # neural network in place of the table, $n$ also decides how much a target trusts a network that may be wrong.
 #
 # ### Further reading
-# - Moerland et al. (2023), *EduGym: An environment and notebook suite for reinforcement learning education*: the
-#   paper.
-# - Sutton and Barto, *Reinforcement Learning*, 2nd edition: 6.2–6.3 (why bootstrapping works), 7.1–7.3 ($n$-step methods and importance
-#   sampling; figure 7.2), 7.5 (tree backup), 12.1 (all $n$ at once: λ).
+# - Moerland et al. (2023), *EduGym: An environment and notebook suite for reinforcement learning education*: the paper.
+# - Sutton and Barto, *Reinforcement Learning*, 2nd edition: 6.2–6.3 (why bootstrapping works), 7.1–7.3 ($n$-step
+#   methods and importance sampling; figure 7.2), 7.5 (tree backup), 12.1 (all $n$ at once: λ).
 # - Watkins (1989), *Learning from delayed rewards*: Q-learning, and cutting at exploring actions.
 # - Precup, Sutton and Singh (2000), *Eligibility traces for off-policy policy evaluation*: tree backup and importance
 #   sampling.

@@ -3,8 +3,8 @@
 # An answer stands in the place of the exercise's cell. Methods without their class replace those of the solution.
 
 # %% setup
-from fractions import Fraction
-from edugym import Greedy, QLearning, SARSA, Softmax
+from functools import partial
+from edugym import Greedy, SARSA, Softmax
 
 
 # %% exercise 1, right: as many days as there are

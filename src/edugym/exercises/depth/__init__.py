@@ -115,7 +115,7 @@ def exercise_3(answer: Any, seed: int) -> str:
     if not isinstance(answer, type):
         raise WrongAnswer(f"MyAgent should be the class, but is of the type {type(answer).__name__}")
     rng = np.random.default_rng(seed)
-    settings = {"learning_rate": float(rng.choice([0.25, 0.5, 0.75])), "discount": float(rng.choice([0.5, 0.625]))}
+    settings = {"learning_rate": float(rng.choice([0.25, 0.75])), "discount": float(rng.choice([0.5, 0.625]))}
     all_cases, found = cases(seed), []
     for Q, episodes in all_cases:
         agent = _with_settings(answer, settings)

@@ -52,6 +52,7 @@ from edugym.lessons.depth.methods import (
     met_exam,
     passes,
     pupil,
+    shortfall,
 )
 from edugym.lessons.depth.off_policy import off_policy_sheet, uncorrected, weighted_deviation
 from edugym.lessons.depth.targets import DAYS, DISCOUNT, EPSILON, noise_share, target_claims, target_lines
@@ -99,6 +100,7 @@ __all__ = [
     "race",
     "rate_series",
     "report",
+    "shortfall",
     "split",
     "through_rates",
     "uncorrected",

@@ -161,6 +161,14 @@ def passes(results: Results, method: str) -> Reals:
     return np.where(np.isnan(returns), np.nan, returns > PASSING)
 
 
+def shortfall(results: Results, method: str) -> float:
+    """Return how far the final policies that pass are below the optimum of their layouts, in the mean."""
+    returns = expected_returns(results, method)
+    optimum = np.array([task.reward_threshold for task in layouts(results).values()])
+    passing = returns > PASSING
+    return float((optimum - returns)[passing].mean()) if passing.any() else math.nan
+
+
 def met_exam(results: Results, method: str) -> Reals:
     """Return for every complete run whether it ever passed the exam in training: 1, 0 or NaN.
 
