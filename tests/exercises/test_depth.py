@@ -68,7 +68,7 @@ def test_hand_back_by_hand() -> None:
 def test_without_the_cut_it_is_monte_carlo() -> None:
     """The same as the package's agent with n = ∞."""
     for case in cases(3):
-        agent = maker(math.inf, **SETTINGS)((6, 3))
+        agent = maker(math.inf, learning_rate=0.25, discount=0.5)((6, 3))
         agent.Q[:] = case.Q
         for episode, mine in zip(case.episodes, outcomes([case], {**SETTINGS, "cut": "never"}), strict=True):
             learn_from(agent, episode)
