@@ -404,7 +404,7 @@ smallest = predict("The smallest best learning rate is that of ...", ["n = 1", "
 smallest
 
 # %%
-by_rate = depth.through_rates(repetitions=60)
+by_rate = depth.through_rates(repetitions=40)
 display(Sheet("rates", [[depth.rate_series(by_rate)]]))
 best = depth.best_rates(by_rate)
 print("best learning rate:", {depth.label(n): rate for n, rate in best.items()})
@@ -560,7 +560,7 @@ cards
 
 # %%
 methods = {depth.label(n): depth.maker(n, learning_rate=0.02, total_days=30) for n in (1, math.inf)}
-blackjack = repeat(gym.make("Blackjack-v1"), methods, 10_000, repetitions=4, evaluation_episodes=1)
+blackjack = repeat(gym.make("Blackjack-v1"), methods, 10_000, repetitions=3)
 for method in methods:
     print(f"{method:12} mean return of all games {blackjack.average(method, 'training_return').mean():.3f}")
 games = blackjack.curves("Monte Carlo", "episodes").sum().mean()
@@ -739,7 +739,7 @@ check(exercise_3, MyAgent)
 ### BEGIN HIDDEN TESTS
 check(exercise_3, MyAgent, seed=1, quiet=True)
 ### END HIDDEN TESTS
-display(depth.race({"my agent": MyAgent.create}, repetitions=60))
+display(depth.race({"my agent": MyAgent.create}, repetitions=40))
 
 # %% [markdown]
 # Early it is about as fast as Monte Carlo, since the reward passes through all greedy actions at once. Late it is above

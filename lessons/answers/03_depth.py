@@ -464,6 +464,17 @@ def hand_back(self, length):
         G = G if self.Q[s, a] >= best else best
 
 
+# %% exercise 3, right: by argmax
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if a != np.argmax(self.Q[s]):
+            G = np.max(self.Q[s])
+
+
 # %% exercise 3, right: two names
 def hand_back(self, length):
     future = 0.0
@@ -510,6 +521,51 @@ def hand_back(self, length):
 # says: Not solved yet
 def hand_back(self, length):
     raise NotImplementedError("not solved yet: replace this line")
+
+
+# %% exercise 3, wrong: the smallest value
+# says: Q[
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] > min(self.Q[s]):
+            G = min(self.Q[s])
+
+
+# %% exercise 3, wrong: the best value goes into the update
+# says: Q[
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+
+
+# %% exercise 3, wrong: the numbers of Q-learning
+# says: cut at every action
+def hand_back(self, length):
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        best = 0.0 if k == length - 1 else max(self.Q[self.states[k + 1]])
+        self.Q[s, a] += self.learning_rate * (self.rewards[k] + self.discount * best - self.Q[s, a])
+
+
+# %% exercise 3, wrong: a whole number for G
+# says: Q[
+def hand_back(self, length):
+    G = 0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = int(self.rewards[k] + self.discount * G)
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
 
 
 # %% exercise 3, wrong: nothing

@@ -136,9 +136,10 @@ def cases(seed: int) -> list[Case]:
     """Make cases up: episodes of one to five steps, and sometimes a second one."""
     rng = np.random.default_rng(seed)
     values = np.arange(-4.0, 8.5, 0.5)
+    no_ties = 0.1 * np.arange(N_ACTIONS)  # so that an answer may choose the best action by `argmax`
     return [
         Case(
-            rng.choice(values, (N_STATES, N_ACTIONS)),
+            rng.choice(values, (N_STATES, N_ACTIONS)) + no_ties,
             [make_episode(1 + i % 5, rng), *([make_episode(3, rng)] if i % 3 == 2 else [])],
         )
         for i in range(24)
