@@ -240,9 +240,9 @@ ahead.measured(f"{first} is ahead early and late" if early == late else f"{first
 
 # %% [markdown]
 # Early, depth helps at every $\sigma$, and the staircase says why. Late, we need a closer look. Some runs never pass
-# the exam, and each of those lowers the mean by about 10, which hides small differences. So let us take this apart:
-# which share of the runs passes in the end? And how much better is one method *on the layouts on which both pass*?
-# These returns are computed without noise.
+# the exam, and each of those returns about 10 less, which hides small differences in the mean. So let us take this
+# apart: which share of the runs passes in the end? And how much better is one method *on the layouts on which both
+# pass*? These returns are computed without noise.
 
 # %%
 for sigma, results in by_sigma.items():
@@ -360,7 +360,7 @@ noise.measured(100 * depth.noise_share(0.2))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** 4 %. At the default of the environment, $\sigma = 0.05$, it is 0.3 %. All the rest comes from *the
-# agent's own exploration*. With $\varepsilon = 0.1$ two episodes of three have a random action or more
+# agent's own exploration*. With $\varepsilon = 0.1$ two of three episodes contain at least one random action
 # ($1 - 0.9^{10} = 0.65$), and some of these actions miss a lecture or the exam, which costs 10. That goes into the
 # target of the first day, although the first day is not to blame. Only at $\sigma = 1$ is half of the variance noise of
 # the rewards.
@@ -742,9 +742,9 @@ check(exercise_3, MyAgent, seed=1, quiet=True)
 display(depth.race({"my agent": MyAgent.create}, repetitions=40))
 
 # %% [markdown]
-# Early it is about as fast as Monte Carlo, since the reward passes through all greedy actions at once. Late it is above
-# all four depths. It is precise, since exploring actions do not blur its targets. And it passes on more layouts: at a
-# cut it also hands back what untried actions are worth, as one-step targets do.
+# Early it is about as fast as Monte Carlo, since the reward passes through all greedy actions at once. Late its mean is
+# above those of all four depths. It is precise, since exploring actions do not blur its targets. And it passes on more
+# layouts: at a cut it also hands back what untried actions are worth, as one-step targets do.
 #
 # The idea is old. Watkins cut the targets of his Q(λ) at exploring actions in 1989. The **tree backup** algorithm
 # (Sutton and Barto, section 7.5) does nearly the same for any policy; in the package it is `TreeBackup`.
