@@ -31,7 +31,8 @@ from edugym.plotting import Sheet
 # last day there is an exam, and whoever studies on that day and is prepared passes it. To be prepared takes knowledge
 # and energy. Studying gives knowledge on three days only, the days with a lecture, and two of those are needed. Sleep
 # gives energy, on any day, and two nights of it are needed. On the other days it does not matter what the student does,
-# except that everything has a small price.
+# except that everything has a small price. In the picture, what brought the student closer to passing is green, what
+# led away from it is red, and what did neither is grey.
 
 # %%
 study = make_mdp("Study", layout_seed=5, action_reward_noise_sigma=0.2)
@@ -187,8 +188,9 @@ print(f"optimum      {study.reward_threshold:.2f}")
 # ## The experiment: early and late
 #
 # The paper (Moerland et al., 2023) made this environment for that question. It says: Monte Carlo learns fast after its
-# first success and then has trouble with details; one-step methods learn slowly and end better; and more noise in the
-# rewards makes Monte Carlo suffer more. We test all three, here and now, with three amounts of reward noise.
+# first success and then has trouble with details; one-step methods learn slowly and end better; and Monte Carlo suffers
+# more when rewards are noisier, or when there are more actions that do not matter. We test all of this. Here are three
+# amounts of noise; more actions follow below.
 #
 # | setting | value |
 # |---|---|
