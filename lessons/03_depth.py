@@ -236,8 +236,9 @@ ahead.measured(f"{first} is ahead early and late" if early == late else f"{first
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Monte Carlo is ahead early, by far, and $n = 1$ is ahead at the end, by a little. Early on, $n = 3$ and
-# $n = 5$ lie between the two. Late, all lines are close together and partly hide each other. (The small waves at
-# $\sigma = 1$ are noise of the evaluation, which draws the same random numbers for all methods.)
+# $n = 5$ lie between the two; with less noise a middle $n$ can even be the best. Late, all lines are close together and
+# partly hide each other. (The small waves at $\sigma = 1$ are noise of the evaluation, which draws the same random
+# numbers for all methods.)
 # </details>
 
 # %% [markdown]
@@ -275,10 +276,10 @@ noisy.measured("the same, within 0.3" if abs(change) < 0.3 else "better" if chan
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Better, by more than one. At $\sigma = 0$ one run in five never passes: what it knows looks best, and it
-# repeats that. With noise the order of the values keeps changing, so that other actions are tried as well, and all runs
-# pass. *Noise also explores.* So this claim of the paper does not hold in general: here noise brings more than it
-# costs.
+# **Measured.** Better, by more than one. At $\sigma = 0$ one run in five does not pass in the end: what it knows looks
+# best, and it repeats that. With noise the order of the values keeps changing, so that other actions are tried as well,
+# and all runs pass. *Noise also explores.* So this claim of the paper does not hold in general: here noise brings more
+# than it costs.
 # </details>
 
 # %% [markdown]
@@ -618,9 +619,10 @@ check(exercise_1, quiet, seed=1, quiet=True)
 display(depth.race({"quiet": quiet}, repetitions=30))
 
 # %% [markdown]
-# It ends far below the others. It tries a few things at first, since all it has tried was worse than 0. But it stops at
-# the first life that looks best, and on many layouts it never passes. So exploration makes the variance, *and* it is
-# needed. An agent should explore, and yet not learn from its exploring actions as if they were its policy.
+# With five actions it ends far below the others. It tries a few things at first, since all it has tried was worse than
+# 0. But it stops at the first life that looks best, and on many layouts it never passes. So exploration makes the
+# variance, *and* it is needed. An agent should explore, and yet not learn from its exploring actions as if they were
+# its policy.
 #
 # ### Exercise 2: the importance-sampling ratio
 # An agent acts by a policy $b$ and wants to learn about another policy $\pi$. The return after $(S_t, A_t)$ was earned
