@@ -862,7 +862,7 @@ def hand_back(self, length):
 
 
 # %% exercise 3, wrong: one step too many
-# says: should become
+# says: a value changes that is not on the path
 def hand_back(self, length):
     G = 0.0
     for k in range(length, -1, -1):

@@ -14,6 +14,7 @@ from edugym.mdp.protocol import Reals
 Settings = Mapping[str, Any]
 
 NO_CHANGE: Settings = MappingProxyType({})
+UNUSUAL = "that is none of the usual mistakes, so compare your loop with the three lines, term by term"
 
 
 def hand_back(
@@ -167,7 +168,12 @@ def explained(all_cases: Sequence[Case], found: Sequence[Reals], settings: Setti
     steps = [(Q, episode, number) for Q, episodes in all_cases for number, episode in enumerate(episodes)]
     Q, episode, number = steps[wrong]
     before = right[wrong - 1] if number else Q
-    return _where(before, episode, number, right[wrong], found[wrong], settings) + _why(all_cases, found, settings)
+    elsewhere = np.ones(Q.shape, bool)
+    elsewhere[episode.states, episode.actions] = False
+    why = _why(all_cases, found, settings)
+    if why == UNUSUAL and not alike(before[elsewhere], found[wrong][elsewhere]):
+        why = "a value changes that is not on the path: the steps of the episode are 0 to length - 1"
+    return _where(before, episode, number, right[wrong], found[wrong], settings) + why
 
 
 def _where(before: Reals, episode: Episode, number: int, right: Reals, found: Reals, settings: Settings) -> str:
@@ -206,7 +212,7 @@ def _why(all_cases: Sequence[Case], found: Sequence[Reals], settings: Settings) 
     for sentence, change in MISTAKES.items():
         if written := _numbers(fits, settings, change):
             return f"{sentence}; and {written}"
-    return "that is none of the usual mistakes, so compare your loop with the three lines, term by term"
+    return UNUSUAL
 
 
 def _numbers(fits: Callable[[Settings], bool], settings: Settings, change: Settings = NO_CHANGE) -> str:
