@@ -12,18 +12,50 @@ policy come from the exact model, as means over the layouts.
 
 import math
 from collections.abc import Mapping, Sequence
-from functools import partial
 from typing import Any
 
 import numpy as np
 
-from edugym.agents.n_step_sarsa import NStepSARSA
-from edugym.agents.strategies import EpsilonGreedy
-from edugym.envs.study import Study
-from edugym.exact.model import finite_model
-from edugym.exact.value_iteration import value_iteration
 from edugym.experiments import How, reporting
-from edugym.lessons.depth.targets import DAYS, DISCOUNT, EPSILON, target_claims, target_lines
+from edugym.lessons.depth.credit import credit_maps, handed_back
+from edugym.lessons.depth.figures import (
+    best_rates,
+    bias_series,
+    curves,
+    episodes_until,
+    learning_curves,
+    race,
+    rate_series,
+    split,
+    through_rates,
+    variance_sheet,
+)
+from edugym.lessons.depth.methods import (
+    BY_DEPTH,
+    DEPTHS,
+    EARLY,
+    LEARNING_RATE,
+    MONTE_CARLO,
+    N_STEPS,
+    ONE_STEP,
+    PASSING,
+    REPETITIONS,
+    SHORT,
+    SIGMAS,
+    best_returns,
+    compare,
+    expected_returns,
+    greedy_return,
+    label,
+    layouts,
+    maker,
+    met_exam,
+    passes,
+    pupil,
+    shortfall,
+)
+from edugym.lessons.depth.off_policy import off_policy_sheet, uncorrected, weighted_deviation
+from edugym.lessons.depth.targets import DAYS, DISCOUNT, EPSILON, noise_share, target_claims, target_lines
 from edugym.mdp.protocol import Reals
 from edugym.plotting.curves import Curves
 from edugym.plotting.lines import Lines
@@ -32,108 +64,57 @@ from edugym.plotting.sheet import Sheet
 from edugym.results.claims import Above, Below, Claim, Within
 from edugym.results.statistics import Interval, paired_difference
 from edugym.results.tables import Results
-from edugym.training.repeat import repeat
 
-N_STEPS = 40_000
-EARLY = 2_500
-"""The steps, 250 episodes, after which methods are compared early in training."""
-SHORT = 5_000
-"""The training steps for the comparison of learning rates."""
-REPETITIONS = 80
-LEARNING_RATE = 0.1
-DEPTHS = (1, math.inf, 5, 3)
-"""All values of n. The first two are compared at every σ, the first three with ten actions and over learning rates."""
-SIGMAS = (0.0, 0.2, 1.0)
+__all__ = [
+    "BY_DEPTH",
+    "DAYS",
+    "DISCOUNT",
+    "EPSILON",
+    "LEARNING_RATE",
+    "MONTE_CARLO",
+    "N_STEPS",
+    "ONE_STEP",
+    "PASSING",
+    "best_rates",
+    "best_returns",
+    "bias_series",
+    "compare",
+    "credit_maps",
+    "curves",
+    "difference_where_both_pass",
+    "early_difference",
+    "episodes_until",
+    "expected_returns",
+    "final_difference",
+    "greedy_return",
+    "handed_back",
+    "label",
+    "layouts",
+    "learning_curves",
+    "maker",
+    "met_exam",
+    "noise_share",
+    "off_policy_sheet",
+    "passes",
+    "pupil",
+    "race",
+    "rate_series",
+    "report",
+    "shortfall",
+    "split",
+    "through_rates",
+    "uncorrected",
+    "variance_sheet",
+    "warm_up",
+    "weighted_deviation",
+]
+
 RATES = (0.01, 0.1, 0.3, 1.0)
-PASSING = 5.0
-"""A policy that passes the exam returns more than this, and one that fails returns less than 0."""
-
-
-def label(n: float) -> str:
-    """Return the label of a depth."""
-    return "Monte Carlo" if n == math.inf else f"n = {n:g}"
-
-
-ONE_STEP, MONTE_CARLO = label(1), label(math.inf)
-
-
-def compare(
-    *,
-    depths: Sequence[float] = DEPTHS,
-    learning_rate: float = LEARNING_RATE,
-    epsilon: float = EPSILON,
-    n_steps: int = N_STEPS,
-    sigma: float = 0.2,
-    n_actions: int = 5,
-    **how: Any,
-) -> Results:
-    """Train n-step SARSA with several n: one panel of the figure.
-
-    Args:
-        depths: the values of n.
-        learning_rate: α of all.
-        epsilon: ε of all.
-        n_steps: the training steps of each run; an episode takes ten.
-        sigma: the standard deviation of the reward noise.
-        n_actions: the number of actions.
-        **how: more arguments of `edugym.training.repeat`, such as `repetitions`, `seed` and `jobs`.
-    """
-    exploration = EpsilonGreedy(epsilon)
-    settings: dict[str, Any] = {
-        "learning_rate": learning_rate,
-        "discount": DISCOUNT,
-        "exploration": exploration,
-        "longest": DAYS,
-    }
-    methods = {label(n): partial(NStepSARSA.create, n=n, **settings) for n in depths}
-    parameters = {"action_reward_noise_sigma": sigma, "n_actions": n_actions, "total_days": DAYS}
-    every = max(n_steps // 16, DAYS)
-    return repeat("Study", methods, n_steps, parameters=parameters, evaluate_every=every, evaluation_episodes=3, **how)
-
-
-def layouts(results: Results) -> dict[int, Study]:
-    """Return the task of each repetition of an experiment, which differ in their layouts."""
-    if results.table.empty:
-        return {}
-    first = results.table.iloc[0]
-    n_actions = int(first["environment.n_actions"])
-    seeds = results.table.groupby("repetition")["layout_seed"].first()
-    return {i: Study.create(DAYS, n_actions, layout_seed=int(seeds.loc[i])) for i in seeds.index.tolist()}
-
-
-def expected_returns(results: Results, method: str) -> Reals:
-    """Return the exact return of the final greedy policy of every complete run, shape (n_repetitions,); else NaN."""
-    returns = np.full(len(results.final(method)), np.nan)
-    tasks = layouts(results)
-    for repetition, agent in results.complete_agents(method).items():
-        returns[repetition] = greedy_return(tasks[repetition], agent)
-    return returns
-
-
-def greedy_return(task: Study, agent: Any) -> float:
-    """Return the expected return of an agent's greedy policy: the rewards along its path, without their noise."""
-    quiet = task._replace(sigma=0.0)
-    rng = np.random.default_rng(0)  # for ties
-    state, total = quiet.initial(rng), 0.0
-    sizes = [int(size) for size in quiet.observation_space.nvec]
-    while not quiet.terminal(state):
-        row = int(np.ravel_multi_index(quiet.observation(state, rng), sizes))
-        action = agent.greedy(row, rng)
-        next_state = quiet.transition(state, action, rng)
-        total += quiet.reward(state, action, next_state, rng)
-        state = next_state
-    return total
 
 
 def final_difference(results: Results, method: str, other: str) -> Interval:
     """Return the exact final return of a method less that of another, paired by repetition."""
     return paired_difference(expected_returns(results, method), expected_returns(results, other))
-
-
-def passes(results: Results, method: str) -> Reals:
-    """Return for every complete run whether its final greedy policy passes the exam: 1, 0 or NaN."""
-    returns = expected_returns(results, method)
-    return np.where(np.isnan(returns), np.nan, returns > PASSING)
 
 
 def early_difference(results: Results, method: str, other: str) -> Interval:
@@ -150,12 +131,6 @@ def difference_where_both_pass(results: Results, method: str, other: str) -> Int
     return paired_difference(returns[0][both], returns[1][both])
 
 
-def best_returns(tasks: Mapping[int, Study], *epsilons: float) -> list[float]:
-    """Return for each ε the best expected return with random actions with this probability, a mean over layouts."""
-    models = [finite_model(task) for task in tasks.values()]
-    return [float(np.mean([value_iteration(model, epsilon=one).start for model in models])) for one in epsilons]
-
-
 def tune(*, rates: Sequence[float] = RATES, **how: Any) -> dict[float, Results]:
     """Train every n with several learning rates, for a short time; arguments as in `compare`."""
     return {rate: compare(learning_rate=rate, n_steps=SHORT, **how) for rate in rates}
@@ -168,15 +143,17 @@ def measure(how: How) -> tuple[Any, ...]:
         for sigma in SIGMAS
     }
     many = compare(n_actions=10, depths=DEPTHS[:3], **how("ten_actions"))
-    return by_sigma, many, tune(depths=DEPTHS[:3], **how())
+    wary = compare(initial_value=-5.0, depths=DEPTHS[:2], **how("start_values"))
+    return by_sigma, many, wary, tune(depths=DEPTHS[:3], **how())
 
 
-def judge(by_sigma: Mapping[float, Results], many: Results, by_rate: Mapping[float, Results]) -> Report:
+def judge(by_sigma: Mapping[float, Results], many: Results, wary: Results, by_rate: Mapping[float, Results]) -> Report:
     """Return claims and figures."""
     claims = [
         *early_claims(by_sigma),
         *late_claims(by_sigma),
         *action_claims(by_sigma[0.2], many),
+        *meeting_claims(many, wary),
         *rate_claims(by_rate),
         *target_claims(),
     ]
@@ -185,6 +162,11 @@ def judge(by_sigma: Mapping[float, Results], many: Results, by_rate: Mapping[flo
 
 report = reporting(measure, judge, REPETITIONS)
 """Run the experiments of the lesson (see `edugym.experiments.Reporter`)."""
+
+
+def warm_up() -> None:
+    """Compile what the cells of the lesson need."""
+    compare(repetitions=1, n_steps=100, jobs=1)
 
 
 def early_claims(by_sigma: Mapping[float, Results]) -> list[Claim]:
@@ -250,7 +232,7 @@ def action_claims(few: Results, many: Results) -> list[Claim]:
             "final return less that of n = 1",
             final_difference(many, label(n), ONE_STEP),
             Below(0.0),
-            "every exploring step of the ten days changes the whole return, and now it is rarely a useful one",
+            "deep targets hand less of the value of untried actions back, so that more runs never meet the exam",
         )
         for n in DEPTHS[1:3]
     ] + [
@@ -263,6 +245,33 @@ def action_claims(few: Results, many: Results) -> list[Claim]:
             ),
             Above(0.0),
         )
+    ]
+
+
+def meeting_claims(many: Results, wary: Results) -> list[Claim]:
+    """Return the claims on who meets the exam at all, with ten actions, and with start values of -5."""
+    met = {method: met_exam(many, method) for method in (ONE_STEP, MONTE_CARLO)}
+    return [
+        Claim(
+            "With ten actions Monte Carlo meets the exam in fewer runs than n = 1",
+            "share of runs that ever passed in training, less that of n = 1",
+            paired_difference(met[MONTE_CARLO], met[ONE_STEP]),
+            Below(0.0),
+            "untried actions are worth 0 and tried ones less; bootstrapping hands that on, and returns do not",
+        ),
+        Claim(
+            "and hardly ever loses it again",
+            "share of runs that pass in the end, less the share that ever passed",
+            paired_difference(passes(many, MONTE_CARLO), met[MONTE_CARLO]),
+            Within(-0.1, 0.1),
+            "so its loss is one of exploration, not of credit",
+        ),
+        Claim(
+            "Negative control: with start values of -5, where untried actions look worst, Monte Carlo passes more",
+            "share of runs that pass, less that of n = 1 (five actions, σ = 0.2)",
+            paired_difference(passes(wary, MONTE_CARLO), passes(wary, ONE_STEP)),
+            Above(0.0),
+        ),
     ]
 
 

@@ -1,0 +1,155 @@
+"""The exercises of lesson 3: Monte Carlo without exploration, a ratio of importance, and targets that are cut."""
+
+import math
+from collections.abc import Mapping
+from functools import partial
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+from gymnasium.spaces import Discrete, MultiDiscrete
+
+from edugym.exercises.depth.cutting import alike, cases, explained, outcomes
+from edugym.exercises.depth.episodes import N_ACTIONS, N_STATES, learn_from, made_by
+from edugym.exercises.depth.quiet import check_depth
+from edugym.exercises.depth.ratio import RatioCase, compare_ratios, ratio
+from edugym.grading.challenge import Challenge, Sizes
+from edugym.grading.choices import check_choices
+from edugym.grading.student_code import running
+from edugym.grading.updates import table_of
+from edugym.grading.values import given, number, same
+from edugym.grading.wrong import WrongAnswer
+from edugym.lessons.depth import label, maker
+from edugym.registration import make_mdp
+
+
+def exercise_1(answer: Any, seed: int) -> str:
+    """Check the function that makes a Monte Carlo agent without exploration."""
+    given("quiet", answer)
+    if isinstance(answer, type) or not callable(answer):
+        kind = answer.__name__ if isinstance(answer, type) else type(answer).__name__
+        raise WrongAnswer(f"quiet should be a function of the task that returns an agent, but is of the type {kind}")
+    study = make_mdp("Study", layout_seed=seed)
+    shape = int(np.prod(study.observation_space.nvec)), len(study.action_rewards)
+    made, other = made_by("quiet(study)", answer, study), made_by("quiet(study)", answer, study)
+    Q = table_of(made, "Q", shape)
+    if np.shares_memory(Q, other.Q):
+        raise WrongAnswer("two calls of quiet(study) share one table: make a new one in every call")
+    if Q.any():
+        raise WrongAnswer(f"every value in Q should be 0 at first, but one is {Q.ravel()[np.abs(Q).argmax()]:g}")
+    small = make_mdp("Study", n_actions=2, layout_seed=seed)
+    table_of(made_by("quiet(study)", answer, small), "Q", (shape[0], 2))
+    epsilon = getattr(getattr(made, "exploration", None), "epsilon", 0.0)
+    if epsilon != 0.0:
+        raise WrongAnswer(f"the quiet agent never explores, so ε should be 0, but it is {epsilon:g}")
+    check_depth(made, study.total_days, seed)
+    n_actions = shape[1]
+    Q[:] = 0.0
+    Q[1, 1], Q[2, :] = 0.5, [-0.5, *[0.25] * (n_actions - 1)]
+    others = n_actions - 1
+    for state, expected in ((1, np.eye(n_actions)[1].tolist()), (2, [0.0, *[1 / others] * others])):
+        check_choices(
+            f"act({state}, rng)",
+            partial(made.act, state),
+            expected,
+            {
+                "it acts at random": [1 / n_actions] * n_actions,
+                "ties should be broken at random, and it takes the first of equals": np.eye(n_actions)[1].tolist(),
+                "ties should be broken at random, and it takes the last of equals": np.eye(n_actions)[-1].tolist(),
+            },
+            tables={"Q": Q},
+            where=f"where Q[{state}] = {Q[state].tolist()}",
+        )
+    return "Right: its targets are all its own doing, and no action in them is random. See it race:"
+
+
+def exercise_2(answer: Any, seed: int) -> str:
+    """Check the importance-sampling ratio of a greedy policy against an ε-greedy one."""
+    given("importance_ratio", answer)
+    if not callable(answer):
+        raise WrongAnswer(f"importance_ratio should be a function, but is of the type {type(answer).__name__}")
+    rng = np.random.default_rng(seed)
+    length = 4 + int(rng.integers(3))
+    epsilon, n_actions = float(rng.choice([0.2, 0.4, 0.5])), int(rng.choice([4, 8]))
+    later = 2 + int(rng.integers(length - 2))
+    explored = [True] * length
+    explored[later - 1] = False
+    cases: list[RatioCase] = [
+        ([True] * length, epsilon, n_actions),
+        ([False] + [True] * (length - 1), epsilon, n_actions),
+        (explored, epsilon, n_actions),
+        ([True], epsilon, n_actions),
+        ([False], epsilon, n_actions),
+        ([True, True, False], 0.3, 5),
+        ([True] * 3, 0.0, n_actions),
+        ([True] * 3, 1.0, n_actions),
+    ]
+    found: list[Any] = []
+    for case in cases:
+        try:
+            found.append(_answered(answer, *case))
+        except WrongAnswer:
+            if all(same(one, ratio(*case)) for one, case in zip(found, cases, strict=False)):
+                raise  # an error says more than a wrong number, unless that came first
+            break
+    compare_ratios(cases, found)
+    return (
+        "Right: one exploring action on the way makes the ratio 0, whatever the others were. With nine later actions, "
+        f"ε = 0.1 and N = 5 a target counts {1 / 0.92**9:.1f} times or not at all."
+    )
+
+
+def _answered(answer: Any, greedy: list[bool], epsilon: float, n_actions: int) -> float:
+    """Return what a student's function gives, a number."""
+    call, mine = f"importance_ratio({greedy}, {epsilon:g}, {n_actions})", list(greedy)
+    with running(call):
+        found = answer(mine, epsilon, n_actions)
+    if mine != greedy:
+        raise WrongAnswer(f"{call} changes its list `greedy`; leave it as it is, for the caller still needs it")
+    return number(call, found)
+
+
+def exercise_3(answer: Any, seed: int) -> str:
+    """Check the class of an agent that looks as deep as its actions were greedy."""
+    given("MyAgent", answer)
+    if not isinstance(answer, type):
+        raise WrongAnswer(f"MyAgent should be the class, but is of the type {type(answer).__name__}")
+    rng = np.random.default_rng(seed)
+    settings = {"learning_rate": float(rng.choice([0.25, 0.75])), "discount": float(rng.choice([0.5, 0.625]))}
+    all_cases, found = cases(seed), []
+    for Q, episodes in all_cases:
+        agent = _with_settings(answer, settings)
+        table_of(agent, "Q", Q.shape)[...] = Q
+        for episode in episodes:
+            learn_from(agent, episode)
+            found.append(table_of(agent, "Q", Q.shape).copy())
+    if not all(map(alike, outcomes(all_cases, settings), found)):
+        raise WrongAnswer(explained(all_cases, found, settings))
+    return "Right: greedy actions hand the reward on, and exploring ones do not blur it. See it race:"
+
+
+def _with_settings(answer: Any, settings: Mapping[str, float]) -> Any:
+    """Make a student's agent for a small task, with other settings than its own."""
+    small = Sizes(MultiDiscrete([2, N_STATES // 2]), Discrete(N_ACTIONS))
+    made = made_by("MyAgent.create(study)", answer.create, small)
+    missing = [name for name in settings if not hasattr(made, name)]
+    if missing:
+        raise WrongAnswer(f"MyAgent should keep its field `{missing[0]}`, from which `hand_back` reads the number")
+    if hasattr(made, "_replace"):
+        return made._replace(**settings)
+    for name, value in settings.items():
+        setattr(made, name, value)
+    return made
+
+
+CHALLENGE = Challenge(
+    environment="Study",
+    parameters=MappingProxyType(
+        {"n_actions": 8, "action_reward_noise_mean": 0.0, "action_reward_noise_sigma": 0.2},
+    ),
+    n_steps=10_000,
+    baselines=MappingProxyType({label(n): maker(n) for n in (1, 3, math.inf)}),
+    optimum=10.0,
+    best_average=10.0,
+)
+"""The open challenge: 1 000 episodes with eight actions, none of which costs anything."""

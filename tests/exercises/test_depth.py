@@ -1,0 +1,122 @@
+"""The exercises of lesson 3: their rules are right, and what the text says of the solutions is so."""
+
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from edugym import EpsilonGreedy, QLearning, TreeBackup
+from edugym.exercises.depth import CHALLENGE
+from edugym.exercises.depth.cutting import MISTAKES, alike, cases, hand_back, outcomes
+from edugym.exercises.depth.episodes import Episode, learn_from
+from edugym.exercises.depth.ratio import ratio
+from edugym.lessons.depth import (
+    BY_DEPTH,
+    MONTE_CARLO,
+    ONE_STEP,
+    compare,
+    expected_returns,
+    label,
+    maker,
+    passes,
+    race,
+)
+from edugym.plotting import Curves
+from tests.lessons.answers import read_exercises
+
+LESSON = Path(__file__).parents[2] / "lessons" / "03_depth.py"
+SETTINGS = {"learning_rate": 0.25, "discount": 0.5}
+
+
+def solution(number: int, name: str) -> Any:
+    """What the lesson's solution of an exercise defines."""
+    imports, all_exercises = read_exercises(LESSON)
+    namespace: dict[str, Any] = {"__name__": "__main__"}
+    exec(imports, namespace)
+    exec(all_exercises[number - 1].solution, namespace)
+    return namespace[name]
+
+
+def test_the_ratio_by_hand() -> None:
+    """ε = 0.4 and four actions: the greedy one has probability 0.7; the first action does not count."""
+    assert ratio([True, True, True], 0.4, 4) == pytest.approx(1 / 0.7**2)
+    assert ratio([False, True], 0.4, 4) == pytest.approx(1 / 0.7)
+    assert ratio([True, True, False], 0.4, 4) == 0.0
+    assert ratio([False], 0.4, 4) == 1.0
+
+
+def test_ratio_makes_the_mean_right() -> None:
+    """Weighted by their ratios, the probabilities of what ε-greedy does add up to that of the greedy policy."""
+    epsilon, n_actions = 0.3, 5
+    g = 1 - epsilon + epsilon / n_actions
+    ways = [(g if one else 1 - g) * (g if two else 1 - g) for one in (True, False) for two in (True, False)]
+    ratios = [ratio([True, one, two], epsilon, n_actions) for one in (True, False) for two in (True, False)]
+    assert np.dot(ways, ratios) == pytest.approx(1.0)
+
+
+def test_hand_back_by_hand() -> None:
+    """Two steps, α = γ = 1/2. The last action is exploring after its update, and cuts."""
+    Q = np.zeros((6, 3))
+    Q[1] = [4.0, 0.0, -1.0]
+    hand_back(Q, Episode([0, 1], [2, 1], [1.0, 2.0]), learning_rate=0.5, discount=0.5)
+    assert Q[1].tolist() == [4.0, 1.0, -1.0]  # G = 2, Q = 0 + (2 - 0) / 2; then G = 4
+    assert Q[0].tolist() == [0.0, 0.0, 1.5]  # G = 1 + 4 / 2 = 3
+
+
+def test_without_the_cut_it_is_monte_carlo() -> None:
+    """The same as the package's agent with n = ∞."""
+    for case in cases(3):
+        agent = maker(math.inf, learning_rate=0.25, discount=0.5)((6, 3))
+        agent.Q[:] = case.Q
+        for episode, mine in zip(case.episodes, outcomes([case], {**SETTINGS, "cut": "never"}), strict=True):
+            learn_from(agent, episode)
+            np.testing.assert_allclose(agent.Q, mine, rtol=1e-12)
+
+
+def test_every_mistake_shows() -> None:
+    """The cases tell each mistake from the rule, with any seed."""
+    for seed in range(3):
+        all_cases = cases(seed)
+        right = [*outcomes(all_cases, SETTINGS)]
+        for sentence, change in MISTAKES.items():
+            assert not all(map(alike, right, outcomes(all_cases, {**SETTINGS, **change}))), sentence
+
+
+@pytest.mark.slow
+def test_what_the_solutions_reach() -> None:
+    """Without exploration Monte Carlo passes on fewer layouts; cut targets end above all depths, and start early."""
+    own = {"quiet": solution(1, "quiet"), "mine": solution(3, "MyAgent").create}
+    results = compare(depths=BY_DEPTH, own=own, repetitions=40, seed=1)
+    share = {method: passes(results, method).mean() for method in results.methods}
+    assert share["quiet"] < share[MONTE_CARLO] - 0.1
+    ends = {method: expected_returns(results, method).mean() for method in results.methods}
+    assert ends["mine"] > max(ends[label(n)] for n in BY_DEPTH)
+    early = {method: results.curves(method).loc[2_500].mean() for method in results.methods}
+    assert early["mine"] > early[ONE_STEP] + 2
+
+
+@pytest.mark.slow
+def test_a_race_shows_all_methods() -> None:
+    """The four depths and the reader's own, with five and with ten actions."""
+
+    def mine(study: Any) -> QLearning:
+        return QLearning.create((int(np.prod(study.observation_space.nvec)), len(study.action_rewards)))
+
+    sheet = race({"mine": mine}, repetitions=2, n_steps=200)
+    shown = [panel.results.methods for row in sheet.rows for panel in row if isinstance(panel, Curves)]
+    assert shown == [[*map(label, BY_DEPTH), "mine"]] * 2
+
+
+@pytest.mark.slow
+def test_the_challenge() -> None:
+    """Its layouts share the optimum 10; a good agent gets 80 points, and the baselines do not."""
+
+    def good(study: Any) -> TreeBackup:
+        settings: dict[str, Any] = {"learning_rate": 0.5, "discount": 1.0, "exploration": EpsilonGreedy(0.0)}
+        return TreeBackup.create(study, n=10, initial_value=5.0, **settings)
+
+    score = CHALLENGE.score(good, "Ada Lovelace")
+    assert score.points > 75
+    assert score.ahead.low > 0
