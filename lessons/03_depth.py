@@ -252,9 +252,7 @@ for sigma, results in by_sigma.items():
     one, deep = (depth.passes(results, method).mean() for method in ("n = 1", "Monte Carlo"))
     gap = depth.difference_where_both_pass(results, "Monte Carlo", "n = 1")
     print(f"σ = {sigma:3g}: n = 1 passes in {one:4.0%} of runs, Monte Carlo in {deep:4.0%};", end=" ")
-    print(
-        f"where both pass, Monte Carlo less n = 1: {gap.estimate:+.2f} (95 % interval {gap.low:+.2f} to {gap.high:+.2f})"
-    )
+    print(f"where both pass, Monte Carlo less n = 1: {gap.estimate:+.2f} (95 %: {gap.low:+.2f} to {gap.high:+.2f})")
 
 # %% [markdown]
 # Among the runs that pass, Monte Carlo ends behind at *every* $\sigma$, even without any noise. So noise of the rewards
@@ -354,9 +352,7 @@ noise
 # %%
 display(depth.variance_sheet(sigmas=(0.2, 1.0)))
 for sigma in (0.05, 0.2, 1.0):
-    print(
-        f"σ = {sigma:4g}: {depth.noise_share(sigma):6.1%} of the variance of the Monte Carlo target is noise of the rewards"
-    )
+    print(f"σ = {sigma:4g}: {depth.noise_share(sigma):6.1%} of the variance of the Monte Carlo target is reward noise")
 noise.measured(100 * depth.noise_share(0.2))
 
 # %% [markdown]
@@ -435,7 +431,7 @@ display(Sheet("tuned", [[depth.curves(tuned, "σ = 0.2, each with its best learn
 for method in tuned.methods:
     print(f"{method:12} passes in {depth.passes(tuned, method).mean():4.0%} of runs")
 gap = depth.difference_where_both_pass(tuned, "Monte Carlo", "n = 1")
-print(f"where both pass, Monte Carlo less n = 1: {gap.estimate:+.2f} (95 % interval {gap.low:+.2f} to {gap.high:+.2f})")
+print(f"where both pass, Monte Carlo less n = 1: {gap.estimate:+.2f} (95 %: {gap.low:+.2f} to {gap.high:+.2f})")
 
 # %% [markdown]
 # With a small rate Monte Carlo keeps its early lead, and it passes in all runs. But where both pass, $n = 1$ is still
@@ -519,9 +515,7 @@ kept
 # %%
 for method in many.methods:
     met, passed = depth.met_exam(many, method), depth.passes(many, method)
-    print(
-        f"{method:12} passed at least once in {met.mean():4.0%} of runs; of these, {passed[met == 1].mean():4.0%} pass now"
-    )
+    print(f"{method:12} has passed in {met.mean():4.0%} of runs; of these {passed[met == 1].mean():4.0%} pass now")
 kept.measured(100 * passed[met == 1].mean())  # of the last method, Monte Carlo
 
 # %% [markdown]
