@@ -162,19 +162,19 @@ IMAGINED_MISTAKES: Mapping[str, Mapping[str, str]] = MappingProxyType(
 def exercise_2(answer: Any, seed: int) -> str:
     """Check the imagined target of Dyna-Q+."""
     agent = _made("DynaPlus", answer)
-    settings = {"discount": 0.75, "kappa": 2.0}
-    agent = _with("DynaPlus", agent, settings)
+    agent = _with("DynaPlus", agent, {"discount": 0.75, "kappa": 2.0})
     if not hasattr(agent, "imagine"):
         raise WrongAnswer("DynaPlus should have the method `imagine`")
     cases = [*_memories(seed)]
-    right = [imagined(case, **settings) for case in cases]
+    right = [imagined(case, discount=0.75, kappa=2.0) for case in cases]
     found = [_imagined_by(agent, case) for case in cases]
     wrong = [k for k in range(len(cases)) if not same(found[k], right[k])]
     if wrong:
         why = _first_that_fits(
             IMAGINED_MISTAKES,
             lambda change: all(
-                same(imagined(case, **(settings | change)), mine) for case, mine in zip(cases, found, strict=True)
+                same(imagined(case, discount=0.75, kappa=2.0, **change), mine)
+                for case, mine in zip(cases, found, strict=True)
             ),
         )
         case, mine, expected = cases[wrong[0]], found[wrong[0]], right[wrong[0]]
@@ -190,7 +190,10 @@ def exercise_2(answer: Any, seed: int) -> str:
             f"imagine({s}, {a}), where γ = 0.75, κ = 2, {told}, should be {digits(expected, mine)}, but is"
             f" {digits(mine, expected)}: {why}"
         )
-    return "Right: what was not tried for a long time looks better and better, until the agent goes and sees. Its race:"
+    return (
+        "Right: what was not tried for a long time looks better and better, until the agent goes and sees. "
+        "See its race:"
+    )
 
 
 def _memories(seed: int) -> Iterator[Memory]:
@@ -288,7 +291,10 @@ def exercise_3(answer: Any, seed: int) -> str:
     """Check R-max in ten lines: what it remembers, and how it sweeps."""
     _check_sweep(answer, seed)
     _check_learn(answer, seed)
-    return "Right: what is unknown is worth U, so that the way to it is planned like any other way. Its race:"
+    return (
+        "Right: the unknown is worth U, so the way to it is planned like any other way. In the race its policy goes on"
+        " exploring, since it has one table only, until all that matters is known; then it jumps to the optimum:"
+    )
 
 
 def _check_sweep(answer: Any, seed: int) -> None:
@@ -309,7 +315,7 @@ def _check_sweep(answer: Any, seed: int) -> None:
             first = agent.sweep()
             if first is None:
                 raise WrongAnswer("sweep() gives None: it should return the largest change of a value")
-            for _ in range(SETTLED):
+            for _ in range(SETTLED - 1):
                 last = agent.sweep()
         right = swept(case, known, discount=0.5)
         wrong = np.argwhere(~np.isclose(agent.Q, right, atol=1e-6))
@@ -351,11 +357,13 @@ def _check_learn(answer: Any, seed: int) -> None:
         "next_states": np.zeros(SHAPE, np.int64),
         "ends": np.zeros(SHAPE, np.int64),
     }
-    pairs = [(int(s), int(a)) for s, a in rng.permutation([*np.ndindex(*SHAPE)])[:4]]
-    for k, (state, action) in enumerate([*pairs, pairs[0]]):
-        again = k == len(pairs)  # a known pair, and something else seems to follow: nothing changes
-        ended = k == 1
-        next_state = int(rng.choice([s for s in range(1, SHAPE[0]) if s != state]))
+    *others, low, middle, high = [int(s) for s in rng.permutation(np.arange(1, SHAPE[0]))]
+    low, middle, high = sorted((low, middle, high))
+    # Two ways lead to the middle, from both sides, and then all of its actions become known: one sweep is not enough.
+    steps = [(low, 1, middle), (high, 0, middle), *((middle, a, others[a % 2]) for a in range(SHAPE[1]))]
+    for k, (state, action, next_state) in enumerate([*steps, (low, 1, high)]):
+        again = k == len(steps)  # a known pair, and something else seems to follow: nothing changes
+        ended = k == 3
         reward = float(rng.choice([-1.0, 4.0, 7.0])) if not again else 9.0
         call = f"learn({state}, {action}, {reward:g}, {next_state}, {ended})"
         with running(call):
@@ -365,8 +373,9 @@ def _check_learn(answer: Any, seed: int) -> None:
                 seen[name][state, action] = value
         for name in names:
             _compare_memory(agent, name, seen[name], call, (state, action), next_state, again)
-        stored = (seen[name] for name in names[1:])
-        right = swept(Memory(np.full(SHAPE, 100.0), *stored, seen["known"], 0, 0, 0), seen["known"], discount=0.5)
+        stored = {name: seen[name] for name in names[1:]}
+        case = Memory(Q=np.full(SHAPE, 100.0), **stored, last=seen["known"], now=0, state=0, action=0)
+        right = swept(case, seen["known"], discount=0.5)
         wrong = np.argwhere(~np.isclose(agent.Q, right, atol=1e-2))
         if len(wrong):
             s, a = (int(index) for index in wrong[0])
@@ -434,9 +443,10 @@ def _first_that_fits(mistakes: Mapping[str, Any], fits: Callable[[Any], bool]) -
 
 def exercise_4(answer: Any, seed: int) -> str:
     """Check the results of three methods, and of one more, on the slippery lake."""
-    lake = gymnasium.make("FrozenLake-v1", is_slippery=True)
+    lake = gymnasium.make("FrozenLake-v1", map_name="4x4", is_slippery=True)
     asked = {
         "environment": "FrozenLake-v1",
+        "environment.map_name": "4x4",
         "environment.is_slippery": True,
         "n_steps": LAKE_STEPS,
         "repetitions": 5,
