@@ -129,7 +129,8 @@ model_based.dynamic_programming()
 # \end{aligned}
 # $$
 #
-# It is the update of Q-learning, from a step that is only imagined. The model knows nothing but what was tried. (In
+# It is the update of Q-learning, from a step that is only imagined; as it uses one sample of the model, it is called a
+# *sample update*. The model knows nothing but what was tried. (In
 # `imagined_target`, ignore `exploration_bonus` for now: it is 0 until exercise 2.)
 
 # %%
@@ -298,13 +299,13 @@ free.measured(min(learned.methods, key=lambda method: simulator.seconds_to(metho
 # ## Your turn
 #
 # How many updates are enough? Can exploration make up for what the planners lack? What does a learning rate below 1 do in a
-# shop without chance? Does $\gamma$ matter? Move a slider and release it: three methods train again, with 12 repetitions.
+# shop without chance? Does $\gamma$ matter? Move a slider and release it: three methods train again, with 10 repetitions.
 
 
 # %%
 def one_shop(n=10, epsilon=0.1, alpha=1.0, gamma=0.99):
     """Draw the learning curves of Q-learning, and of two planners with n updates a step."""
-    results = model_based.compare_planners(n, epsilon, alpha, gamma, repetitions=12)
+    results = model_based.compare_planners(n, epsilon, alpha, gamma, repetitions=10)
     title = f"n = {n}, ε = {epsilon:g}, α = {alpha:g}, γ = {gamma:g}"
     return Sheet("one shop", [[model_based.learning(results, title)]])
 
@@ -361,13 +362,14 @@ more_planning.measured(known["Dyna-10"][1].mean())
 # So here is the paradox of the experiment: *the better you plan, the earlier you exploit*, and the less you get to know.
 #
 # ### Explore more
-# The first remedy is more random steps: a constant $\varepsilon = 0.5$, or an $\varepsilon$ that falls from 1 to 0.02.
+# The first remedy is more random steps for Dyna-10: a constant $\varepsilon = 0.5$, or an $\varepsilon$ that falls from 1
+# to 0.02 over the 10 000 steps.
 #
 # ### Plan to explore: R-max
 # The second remedy is to *plan* for what is not known. **R-max** (Brafman and Tennenholtz, 2002) believes that all it has
 # not tried is wonderful. A pair $(s, a)$ is *known* when it was tried $m$ times ($m = 1$ is right where nothing is random).
-# Known pairs have the values of value iteration with the learned model $\hat p$, $\hat r$; all others have the highest
-# value possible, $U = 100$:
+# Known pairs have the values of value iteration with the learned model $\hat p$, $\hat r$. All others have the value
+# $U = 100$, which is more than any return in this shop:
 #
 # $$
 # Q(s, a) = \begin{cases}
@@ -380,8 +382,8 @@ more_planning.measured(known["Dyna-10"][1].mean())
 # steps, and it plans the way there like any other way. Compare that with the optimistic initial values of lesson 1: those
 # fade as they are tried, and nobody plans with them.
 #
-# The code keeps two tables. `optimistic` is the one above, by which it acts. `Q` is the same with a low value in the
-# place of $U$, and says how to use what is known, for evaluation. (`sweep` holds the list of known pairs, and where the
+# The code keeps two tables. `optimistic` is the one above, by which it acts. `Q` is the same with $-100$ in the
+# place of $U$: it says how to use what is known, for evaluation. (`sweep` holds the list of known pairs, and where the
 # sweep has got to; planning goes on until a whole sweep changes nothing.)
 
 # %%
@@ -391,6 +393,9 @@ source(RMax, "learn", "plan", "act")
 source(TabularModel.expected_target)
 
 # %% [markdown]
+# The experiment has the settings from above, and 40 repetitions. R-max has no $\varepsilon$ and no $\alpha$, and makes up to
+# 1 000 updates a step.
+#
 # **Predict.** Dyna-10 ends at the optimum, 95, in about 4 of 10 runs, after 10 000 steps. In how many runs does R-max have a
 # policy that returns 95 after 2 000 steps?
 
@@ -400,7 +405,7 @@ wants_to_know
 
 # %%
 makers = {"Dyna-10": model_based.LEARNED["Dyna-10"], **model_based.REMEDIES, "R-max": model_based.LEARNED["R-max"]}
-remedied = model_based.compare(makers, repetitions=60)
+remedied = model_based.compare(makers, repetitions=40)
 knowing = model_based.Knowledge(model_based.used_and_seen(remedied), "what they do with what they know")
 display(Sheet("remedies", [[model_based.learning(remedied, "remedies", y_range=(0.0, 100.0)), knowing]]))
 wants_to_know.measured(100 * np.mean(remedied.curves("R-max").loc[2_000] >= 95))
@@ -427,8 +432,9 @@ watch("R-max", after=300)
 # (sections 8.8 to 8.11): it looks $d$ steps ahead in the model, takes the best first step, and plans again. That is what a
 # chess program does. Where the look ahead ends, it uses the values in a table, or 0 if it has none.
 #
-# **Predict.** The right model is given, and the agent has learned nothing: the value is 0 where its look ahead
-# ends. How many steps must it look ahead to get all three items and leave, a way of 30 steps?
+# The right model is given; $\gamma = 0.99$.
+#
+# **Predict.** An agent has learned nothing: all values are 0 where its look ahead ends. How many steps must it look ahead to get all three items and leave, a way of 30 steps?
 
 # %%
 depth = predict("To return 95 it must look ahead", unit="steps")
@@ -444,8 +450,11 @@ depth.measured(int(looking.x[looking.lines["knows nothing"] >= 95][0]))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** 12 steps: far enough to see the *next* reward from wherever the best way takes it. With fewer than 8 it
-# sees no reward from the entrance at all, and goes nowhere. The other lines have values of 2 000 steps of training at the
+# **Measured.** 12 steps. With fewer than 8 it sees no reward from the entrance at all, and goes nowhere. With 8 it gets the
+# first item, and from there the exit, worth 50, looks better than one more item, worth 25: it leaves with a return of 59.
+# It goes for an item only when it sees that it can have both, the item *and the exit behind it*, and that takes 12.
+#
+# The other lines have values of 2 000 steps of training at the
 # end of the look ahead. Good values make a short look enough: Dyna-10 needs none to get its 84. Bad ones can do harm:
 # with a look ahead of 8, half-learned values of Q-learning lead the agent astray where zeros do not. And only a look ahead
 # of 11 or 12 shows Dyna-10 the items that it has never seen: the *given* model knows them.
@@ -457,8 +466,8 @@ depth.measured(int(looking.x[looking.lines["knows nothing"] >= 95][0]))
 # distribution with mean 0 and standard deviation $\sigma$. The shop itself has none. Now plan by value iteration with such
 # a model, and follow the plan in the real shop.
 #
-# **Predict.** At $\sigma = 1.5$, an error is about as large as the cost of a step, and small beside an item (25) and the exit
-# (50). With $\gamma = 0.95$, how many of the plans never get to the exit?
+# **Predict.** At $\sigma = 1.5$ an error is about as large as the cost of a step (1), and small beside an item (25) and the
+# exit (50). With $\gamma = 0.95$, how many of the plans never get to the exit?
 
 # %%
 never = predict("With noise 1.5, plans that never end:", unit="%")
@@ -487,8 +496,12 @@ never.measured(100 * len(lost) / 40)
 sliders(model_based.wrong_plan, noise=(0.0, 3.0, 0.25), layout=(0, 20), gamma=(0.8, 0.98, 0.02))
 
 # %% [markdown]
-# **Predict.** Now agents *learn*, and plan with the wrong model ($\sigma = 1.5$, $\gamma = 0.95$): prioritised sweeping with
-# up to 1 000 updates a step, and Dyna with 10. Dyna also learns from its real steps, which show the real rewards. Does that save it?
+# Now agents *learn*, and plan with a given model. Prioritised sweeping makes up to 1 000 expected updates a step, all with
+# the model: it needs a descriptive one. Dyna makes 10 sample updates, for which a generative model is enough, and also
+# learns from its real steps, which show the real rewards. Each has 10 000 steps, $\varepsilon = 0.1$, $\gamma = 0.95$ and
+# 24 repetitions, each with errors of its own; $\alpha = 1$, and for Dyna also 0.1.
+#
+# **Predict.** The model has the noise $\sigma = 1.5$. Do its real steps save Dyna?
 
 # %%
 saved = predict(
@@ -734,7 +747,7 @@ check(exercise_3, MyRMax)
 ### BEGIN HIDDEN TESTS
 check(exercise_3, MyRMax, seed=1, quiet=True)
 ### END HIDDEN TESTS
-display(model_based.race({"my R-max": MyRMax.create}, n_steps=5_000))
+display(model_based.race({"my R-max": MyRMax.create}, n_steps=5_000, repetitions=8))
 
 # %% [markdown]
 # ### Exercise 4: swap in a slippery lake
