@@ -160,12 +160,10 @@ source(PrioritisedSweeping, "consider", "plan")
 # **Predict.** After 200 updates, who knows a way from the entrance to the exit?
 
 # %%
-spread = predict("After one walk and 200 updates, the entrance has a way in the table of ...", [
-    "none of the two",
-    "Dyna",
-    "prioritised sweeping",
-    "both",
-])  # fmt: skip
+spread = predict(
+    "After one walk and 200 updates, the entrance has a way in the table of ...",
+    ["none of the two", "Dyna", "prioritised sweeping", "both"],
+)
 spread
 
 # %%
@@ -452,10 +450,9 @@ depth.measured(int(looking.x[looking.lines["knows nothing"] >= 95][0]))
 #
 # **Measured.** 12 steps. With fewer than 8 it sees no reward from the entrance at all, and goes nowhere. With 8 it gets the
 # first item, and from there the exit, worth 50, looks better than one more item, worth 25: it leaves with a return of 59.
-# It goes for an item only when it sees that it can have both, the item *and the exit behind it*, and that takes 12.
+# It goes for a second item only when it sees that it can have both, the item *and the exit behind it*. That takes 12.
 #
-# The other lines have values of 2 000 steps of training at the
-# end of the look ahead. Good values make a short look enough: Dyna-10 needs none to get its 84. Bad ones can do harm:
+# The other two lines use the values of agents with 2 000 steps of training where the look ahead ends. Good values make a short look enough: Dyna-10 needs none to get its 84. Bad ones can do harm:
 # with a look ahead of 8, half-learned values of Q-learning lead the agent astray where zeros do not. And only a look ahead
 # of 11 or 12 shows Dyna-10 the items that it has never seen: the *given* model knows them.
 # </details>
@@ -483,10 +480,10 @@ never.measured(100 * len(lost) / 40)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** More than nine of ten. A plan is a search for the largest value, so it finds the largest *error*. Among
-# more than a thousand pairs some wall seems to pay for each bump, and that goes on for ever, while the exit ends all rewards. So small
-# errors add up, and the more the larger $\gamma$ is (exercise 1). Up to $\sigma = 0.5$ hardly a plan is lost: no wall pays
-# enough.
+# **Measured.** More than nine of ten. A plan is a search for the largest value, so it finds the largest *errors*. There
+# are 428 states with four actions each, and some wall among them seems to pay for each bump. Bumps can go on for ever, and
+# the exit ends all rewards. So a small error adds up, and the more so the larger $\gamma$ is (exercise 1). Up to
+# $\sigma = 0.5$ no plan was lost here: no wall pays enough.
 # </details>
 
 # %% [markdown]
@@ -544,7 +541,8 @@ from edugym.grading import check
 # the reward of that bump has the error $e$, so that it seems to be $e - 1$. The best way from this cell is worth $v$. From
 # which $e$ on does it seem better to bump for ever? Write it as a function of $v$ and $\gamma$.
 #
-# <details><summary>Hint</summary>What is the sum of $x + \gamma x + \gamma^2 x + \dots$? Set it equal to $v$.</details>
+# <details><summary>Hint</summary>What is the sum of $x + \gamma x + \gamma^2 x + \dots$? Put the reward of a bump in the
+# place of $x$, and set the sum equal to $v$.</details>
 
 
 # %%

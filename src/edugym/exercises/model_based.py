@@ -1,6 +1,7 @@
 """The exercises of lesson 9: an error that pays, Dyna-Q+, R-max in ten lines, another lake."""
 
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -321,12 +322,7 @@ def _check_sweep(answer: Any, seed: int) -> None:
         wrong = np.argwhere(~np.isclose(agent.Q, right, atol=1e-6))
         if len(wrong):
             found = agent.Q.copy()
-            why = _first_that_fits(
-                SWEEP_MISTAKES,
-                lambda change, case=case, known=known, found=found: np.allclose(  # type: ignore[misc]
-                    swept(case, known, discount=0.5, **change), found, atol=1e-6, rtol=1e-6
-                ),
-            )
+            why = _first_that_fits(SWEEP_MISTAKES, partial(_sweeps_to, found, case))
             s, a = wrong[0]
             what = "known" if known[s, a] else "not known"
             raise WrongAnswer(
@@ -345,6 +341,11 @@ def _check_sweep(answer: Any, seed: int) -> None:
                 f"the first sweep() changes values by much more than the {first:.4g} that it returns: it should return"
                 " the *largest* change, without its sign, so that planning goes on until nothing changes"
             )
+
+
+def _sweeps_to(found: Any, case: Memory, change: Mapping[str, str]) -> bool:
+    """Whether a mistake gives the values that were found."""
+    return np.allclose(swept(case, case.last, discount=0.5, **change), found, atol=1e-6, rtol=1e-6)
 
 
 def _check_learn(answer: Any, seed: int) -> None:
@@ -415,8 +416,11 @@ def _made(name: str, answer: Any) -> Any:
     given(name, answer)
     if not isinstance(answer, type):
         raise WrongAnswer(f"{name} should be the class, but is of the type {type(answer).__name__}")
+    create: Any = getattr(answer, "create", None)
+    if create is None:
+        raise WrongAnswer(f"{name} should keep its method `create`, which makes a new agent for a shop")
     with running(f"{name}.create(shop)"):
-        made = answer.create(Sizes())  # type: ignore[attr-defined]
+        made = create(Sizes())
     given(f"{name}.create(shop)", made)
     return made
 
