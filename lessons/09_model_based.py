@@ -109,7 +109,7 @@ source(FiniteModel.action_values)
 
 # %% [markdown]
 # Watch the values spread, from the exit and from the items, one cell a sweep. The maps show the shop with an *empty bag*:
-# there is a value in every cell, and the arrow is the best action. After 40 sweeps nothing changes any more, and the best
+# there is a value in every cell, and the arrow is the best action. After 30 sweeps nothing changes any more, and the best
 # way is known, before the first step.
 
 # %%
@@ -129,9 +129,9 @@ model_based.dynamic_programming()
 # \end{aligned}
 # $$
 #
-# It is the update of Q-learning, from a step that is only imagined; as it uses one sample of the model, it is called a
-# *sample update*. The model knows nothing but what was tried. (In
-# `imagined_target`, ignore `exploration_bonus` for now: it is 0 until exercise 2.)
+# It is the update of Q-learning, from a step that is only imagined. As it uses one sample of the model, it is called a
+# *sample update*. The model knows nothing but what was tried. (In `imagined_target`, `exploration_bonus` is 0 until
+# exercise 2, so read the line with `self.model.sample`.)
 
 # %%
 source(DynaQ, "learn", "plan", "imagined_target")
@@ -187,7 +187,8 @@ spread.measured({(): "none of the two", ("Dyna", "prioritised sweeping"): "both"
 sliders(model_based.spreading, updates=(0, 600, 20))
 
 # %% [markdown]
-# And in training? This is one episode of each method, after 1 000 steps of training.
+# And in training? This is one episode of each method, after 1 000 steps of training. Who knows where it is going, and
+# which items does it leave out?
 
 
 # %%
@@ -244,9 +245,9 @@ at_the_end.measured(max(learned.methods, key=lambda method: learned.final(method
 # <details><summary>What was measured</summary>
 #
 # **Measured.** The planners need about a quarter of the steps of Q-learning, or less: that is what a model is for. And then they
-# stop improving. Q-learning, which does not plan, ends highest; prioritised sweeping, the best planner, ends lowest. The
-# more an agent plans, the *worse* its last policy is here. (The left panel cuts off the bad start of all methods.) Section
-# "See inside" shows why, and what to do about it.
+# stop improving. Q-learning, which does not plan, ends highest. All three planners end below it, and prioritised
+# sweeping, whose updates do most, ends lowest. *Planning makes the last policy worse* here. (Among the three the bands
+# overlap. The left panel cuts off the bad start of all methods.) The section "See inside" shows why, and what to do.
 # </details>
 
 # %% [markdown]
@@ -270,8 +271,8 @@ print("more than 10 updates in the 0.02 seconds of a step, on average:", updates
 
 # %% [markdown]
 # So let us count time. Say an update takes 10 microseconds, and updates are made while a step is under way. Then a step
-# takes as long as the world needs, or as long as its updates need if that is longer. (Machine code is faster than 10
-# microseconds, plain Python about as fast. The figure computes the time, so that it is the same on every machine.)
+# takes as long as the world needs, or as long as its updates need if that is longer. (The figure
+# computes the time from the number of updates, so that it is the same on every machine.)
 #
 # **Predict.** In a simulator steps may cost nothing, and updates are all that takes time. Who gets a return of 70 first
 # then?
@@ -357,7 +358,7 @@ more_planning.measured(known["Dyna-10"][1].mean())
 # **Planning invents no knowledge.** It makes the most of what was seen, and it does so at once: as soon as a planner has
 # found some way to the exit, its policy takes it (that was the map above). From then on only random steps leave that way,
 # one in ten, and the planner goes straight back. Q-learning has no way for a long time, wanders about, and sees everything.
-# So here is the paradox of the experiment: *the better you plan, the earlier you exploit*, and the less you get to know.
+# So the better an agent plans, the earlier it *exploits*, and the less it gets to know. (The paper names the same reason.)
 #
 # ### Explore more
 # The first remedy is more random steps for Dyna-10: a constant $\varepsilon = 0.5$, or an $\varepsilon$ that falls from 1

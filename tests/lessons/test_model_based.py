@@ -35,6 +35,7 @@ from edugym.lessons.model_based import (
     spreading,
     steps_to,
     used_and_seen,
+    warm_up,
     who_knows_the_way,
     wrong_plan,
 )
@@ -143,8 +144,14 @@ def test_methods_keep_their_colours() -> None:
     assert {*LEARNED} <= {*STROKES}
 
 
+def test_thirty_sweeps_are_enough() -> None:
+    """As the lesson says: with an empty bag, and with any other."""
+    assert np.allclose(*(value_iteration(exact_model(), 0.99, horizon=sweeps).V for sweeps in (30, 200)))
+
+
 def test_figures_are_drawn() -> None:
-    """Each of them, from few runs."""
+    """Each of them, from few runs; the warm-up trains what they need."""
+    warm_up()
     results = compare_planners(4, 0.1, 1.0, 0.99, n_steps=400, repetitions=2)
     assert results.methods == [Q_LEARNING, "Dyna-4", "prioritised sweeping"]
     for sheet in (
