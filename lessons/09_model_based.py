@@ -162,20 +162,20 @@ source(PrioritisedSweeping, "consider", "plan")
 # %%
 spread = predict(
     "After one walk and 200 updates, the entrance has a way in the table of ...",
-    ["none of the two", "Dyna", "prioritised sweeping", "both"],
+    ["neither", "Dyna", "prioritised sweeping", "both"],
 )
 spread
 
 # %%
 display(model_based.spreading(200))
 knows = model_based.who_knows_the_way(200)
-spread.measured({(): "none of the two", ("Dyna", "prioritised sweeping"): "both"}.get(knows, knows[0] if knows else ""))
+spread.measured({(): "neither", ("Dyna", "prioritised sweeping"): "both"}.get(knows, knows[0] if knows else ""))
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Prioritised sweeping does, and Dyna does not: with the same walk and as many updates, its values have got
-# two cells far. Q-learning has a value in one cell, the last one before the exit. Grey cells were never seen, and no
+# **Measured.** Prioritised sweeping does, and Dyna does not: with the same walk and as many updates, only two cells have
+# a value above 0. Q-learning has a value in one cell, the last one before the exit. Grey cells were never seen, and no
 # update says anything about them. (White cells were seen, and seem to be worth nothing.) Look at the way that
 # prioritised sweeping has found: it passes the items by. We will come back to that.
 # </details>
@@ -349,7 +349,7 @@ more_planning.measured(known["Dyna-10"][1].mean())
 # <details><summary>What was measured</summary>
 #
 # **Measured.** No better: planning is not what Dyna lacks. Its policy already is the best one by what it has seen, and
-# so are those of Dyna-50 and prioritised sweeping. Their models lack an item, most often the second one: nearly half of
+# so, within a fraction of a point, are those of Dyna-50 and prioritised sweeping. Their models lack an item, most often the second one: nearly half of
 # the runs of prioritised sweeping never stepped on it. With Q-learning it is the other way round: it has seen the whole
 # shop, and makes less of it.
 # </details>
@@ -414,7 +414,7 @@ wants_to_know.measured(100 * np.mean(remedied.curves("R-max").loc[2_000] >= 95))
 #
 # **Measured.** In nearly all runs, and soon after in all. R-max needs no more steps than the other planners, and it gets
 # everything. More random steps help too, but they take their time, since random steps go nowhere in particular. All that
-# the remedies change is what the agents have *seen*: in the right panel the two dots of each method stay together.
+# the remedies change is what the agents have *seen*: in the right panel the two dots of each method stay close together.
 # </details>
 
 # %% [markdown]
@@ -433,7 +433,8 @@ watch("R-max", after=300)
 #
 # The right model is given; $\gamma = 0.99$.
 #
-# **Predict.** An agent has learned nothing: all values are 0 where its look ahead ends. How many steps must it look ahead to get all three items and leave, a way of 30 steps?
+# **Predict.** An agent has learned nothing: all values are 0 where its look ahead ends. How many steps must it look ahead
+# to get all three items and leave, a way of 30 steps?
 
 # %%
 depth = predict("To return 95 it must look ahead", unit="steps")
@@ -519,7 +520,7 @@ saved.measured(saved.options[slow + 2 * fast])
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Only with $\alpha = 0.1$. With $\alpha = 1$ a value is what the last update says, and of eleven updates ten
+# **Measured.** Only with $\alpha = 0.1$ (in the right panel). With $\alpha = 1$ a value is what the last update says, and of eleven updates ten
 # are imagined. With $\alpha = 0.1$ a value is a mean over many updates. The imagined ones are spread evenly over the whole
 # model, and the real ones are all on the way of the agent. Where it walks often, reality wins: a bump that disappoints again and again is
 # given up. With the right model (left) the small rate is the slowest. What is best depends on how far you trust your model.

@@ -146,7 +146,8 @@ def test_methods_keep_their_colours() -> None:
 
 def test_thirty_sweeps_are_enough() -> None:
     """As the lesson says: with an empty bag, and with any other."""
-    assert np.allclose(*(value_iteration(exact_model(), 0.99, horizon=sweeps).V for sweeps in (30, 200)))
+    after_30, at_last = (value_iteration(exact_model(), 0.99, horizon=sweeps).V for sweeps in (30, 200))
+    assert np.allclose(after_30, at_last)
 
 
 def test_figures_are_drawn() -> None:
