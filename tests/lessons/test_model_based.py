@@ -1,22 +1,47 @@
 """Model-based learning in Supermarket: the claims hold with other seeds than those the lesson shows."""
 
+import math
 from functools import partial
 
 import numpy as np
+import pytest
 
 from edugym.agents.dyna_q import DynaQ
 from edugym.agents.prioritised_sweeping import PrioritisedSweeping
 from edugym.exact.value_iteration import value_iteration
 from edugym.lessons.model_based import (
     DYNA_10,
+    LEARNED,
     LOST,
     OPTIMUM,
+    Q_LEARNING,
+    R_MAX,
+    Clock,
+    FloorMap,
+    Knowledge,
+    best_by_what_was_seen,
     compare,
+    compare_planners,
+    dynamic_programming,
     early,
     exact_model,
     follow_plan,
+    items_found,
+    look_ahead,
+    look_ahead_lines,
     make,
+    race,
+    random_walk,
+    spreading,
+    steps_to,
+    used_and_seen,
+    warm_up,
+    who_knows_the_way,
+    wrong_plan,
 )
+from edugym.lessons.model_based.figures import STROKES, stroke_of
+from edugym.lessons.model_based.maps import after_walk
+from edugym.plotting import Sheet
 
 
 def test_plans() -> None:
@@ -58,3 +83,84 @@ def test_without_planning_dyna_has_no_head_start() -> None:
     methods = {"none": partial(make, DynaQ, planning_steps=0), DYNA_10: partial(make, DynaQ, planning_steps=10)}
     results = compare(methods, n_steps=4_000, repetitions=10, seed=2)
     assert early(results, "none").mean() < -200.0 < early(results, DYNA_10).mean()
+
+
+def test_a_plan_keeps_its_path() -> None:
+    """From the entrance to the exit with all items; a bump ends where it was."""
+    best = follow_plan(0.0, 0)
+    assert len(best.path) == 31
+    assert (best.path[0], best.path[-1]) == (8, 80 * 9 + 8 * 8 + 7)
+    lost = next(plan for plan in (follow_plan(1.5, seed) for seed in range(12)) if plan.bumps)
+    assert lost.path[-1] == lost.path[-2]
+
+
+def test_planning_to_act() -> None:
+    """With the optimal values no look ahead is needed; with none it must see the next reward."""
+    values = value_iteration(exact_model(), 0.99).table()
+    assert look_ahead(np.nan_to_num(values), 0) == OPTIMUM
+    assert look_ahead(None, 7) == -500.0
+    assert look_ahead(None, 12) == OPTIMUM
+
+
+def test_the_walk_of_the_maps() -> None:
+    """It leaves with an empty bag, and 200 updates in the right places are enough to know the way."""
+    walk = random_walk()
+    assert len(walk) == 518
+    assert all(step[3] % 8 == 0 for step in walk)
+    assert [step[4] for step in walk] == [False] * 517 + [True]
+    assert who_knows_the_way(0) == ()
+    assert who_knows_the_way(200) == ("prioritised sweeping",)
+    assert np.nanmax(after_walk(DynaQ, 0)) == 49.0
+    assert np.isnan(FloorMap(after_walk(DynaQ, 0)).values()[7, 2])  # the blue item was never seen
+
+
+def test_planning_invents_no_knowledge() -> None:
+    """Perfect planning makes nothing more of what planners have seen, and something more of what Q-learning has."""
+    results = compare({label: LEARNED[label] for label in (Q_LEARNING, DYNA_10, R_MAX)}, repetitions=20, seed=4)
+    known = used_and_seen(results)
+    for policy, seen in known.values():
+        assert (seen >= policy).mean() > 0.9  # the best by discounted returns
+    assert known[DYNA_10][1].mean() - known[DYNA_10][0].mean() < 1.0
+    assert known[Q_LEARNING][1].mean() > known[Q_LEARNING][0].mean()
+    assert items_found(results, R_MAX).tolist() == [1.0, 1.0, 1.0]
+    assert best_by_what_was_seen(DynaQ.create((800, 4))) == -500.0
+
+
+def test_the_clock() -> None:
+    """A step takes as long as the world or as its updates need, whichever is longer."""
+    results = compare({label: LEARNED[label] for label in (Q_LEARNING, DYNA_10)}, n_steps=2_000, repetitions=4)
+    clock = Clock(results, step_ms=0.05, update_us=10.0)
+    assert clock.seconds_per_step(Q_LEARNING) == pytest.approx(5e-5)
+    assert clock.seconds_per_step(DYNA_10) == pytest.approx(1.1e-4)
+    assert steps_to(results, DYNA_10, 1_000.0) == math.inf
+    assert steps_to(results, DYNA_10, -600.0) == 0.0
+
+
+def test_methods_keep_their_colours() -> None:
+    """Whatever else is in a figure; a reader's own has another one."""
+    assert stroke_of("Dyna-30") == stroke_of(DYNA_10)
+    assert len({tuple(map(str, stroke_of(method).values())) for method in LEARNED}) == len(LEARNED)
+    assert stroke_of("mine") not in [stroke_of(method) for method in LEARNED]
+    assert {*LEARNED} <= {*STROKES}
+
+
+def test_thirty_sweeps_are_enough() -> None:
+    """As the lesson says: with an empty bag, and with any other."""
+    after_30, at_last = (value_iteration(exact_model(), 0.99, horizon=sweeps).V for sweeps in (30, 200))
+    assert np.allclose(after_30, at_last)
+
+
+def test_figures_are_drawn() -> None:
+    """Each of them, from few runs; the warm-up trains what they need."""
+    warm_up()
+    results = compare_planners(4, 0.1, 1.0, 0.99, n_steps=400, repetitions=2)
+    assert results.methods == [Q_LEARNING, "Dyna-4", "prioritised sweeping"]
+    for sheet in (
+        spreading(20),
+        dynamic_programming((1, 2)),
+        wrong_plan(1.5, 0),
+        Sheet("one", [[Knowledge(used_and_seen(results)), Clock(results, 1.0, 1.0)]]),
+        Sheet("two", [[look_ahead_lines(results, (0, 1))]]),
+        race({"mine": lambda shop: DynaQ.create(shop)}, 2, n_steps=400),
+    ):
+        assert sheet._repr_png_()[:4] == b"\x89PNG"

@@ -15,124 +15,140 @@ differs from machine to machine.
 """
 
 import math
-from collections.abc import Callable, Mapping
-from functools import cache, partial
-from typing import Any, NamedTuple
+from collections.abc import Mapping
+from functools import partial
+from typing import Any
 
-import gymnasium
-import numpy as np
-
-from edugym.agents.dyna_q import DynaQ
 from edugym.agents.prioritised_sweeping import PrioritisedSweeping
-from edugym.agents.q_learning import QLearning
-from edugym.agents.r_max import RMax
-from edugym.agents.strategies import LinearDecay, ScheduledEpsilonGreedy
-from edugym.envs.supermarket import Supermarket
-from edugym.exact.model import finite_model
-from edugym.exact.tables import FiniteModel
-from edugym.exact.value_iteration import value_iteration
 from edugym.experiments import How, reporting
+from edugym.lessons.exploration.methods import attempt
+from edugym.lessons.model_based.figures import (
+    Clock,
+    Coloured,
+    Knowledge,
+    Learning,
+    clocks,
+    figures,
+    given_curves,
+    learning,
+    learning_curves,
+    look_ahead_lines,
+    plan_lines,
+    race,
+    steps_to,
+)
+from edugym.lessons.model_based.maps import (
+    FloorMap,
+    dynamic_programming,
+    random_walk,
+    spreading,
+    who_knows_the_way,
+    wrong_plan,
+)
+from edugym.lessons.model_based.methods import (
+    DECAYING,
+    DISCOUNT,
+    DYNA_10,
+    DYNA_50,
+    EARLY,
+    EPSILON,
+    GIVEN,
+    LEARNED,
+    LOST,
+    MORE_RANDOM,
+    N_STEPS,
+    NOISES,
+    OPTIMUM,
+    PLANNING_DISCOUNT,
+    POINTS,
+    Q_LEARNING,
+    R_MAX,
+    REMEDIES,
+    REPETITIONS,
+    SLOW_DYNA,
+    SWEEPING,
+    WRONG,
+    compare,
+    compare_planners,
+    exact_model,
+    make,
+    with_right_model,
+)
+from edugym.lessons.model_based.plans import (
+    Plan,
+    best_by_what_was_seen,
+    follow_plan,
+    follow_plans,
+    items_found,
+    look_ahead,
+    tried,
+    used_and_seen,
+)
 from edugym.mdp.protocol import Reals
-from edugym.plotting.curves import Curves
-from edugym.plotting.lines import Lines
 from edugym.plotting.report import Report
-from edugym.plotting.sheet import Sheet
 from edugym.results.claims import Above, Below, Claim, Expectation, Within
-from edugym.results.statistics import Interval, mean_interval, paired_difference, proportion_interval, share_interval
+from edugym.results.statistics import Interval, paired_difference, proportion_interval, share_interval
 from edugym.results.tables import Results
-from edugym.training.repeat import repeat
 
-N_STEPS = 10_000
-POINTS = 40
-EARLY = 2_000
-"""The steps in which planning has its lead; after them R-max is done."""
-REPETITIONS = 60
-DISCOUNT = 0.99
-PLANNING_DISCOUNT = 0.95
-"""The discount with a given model."""
-LEARNING_RATE = 1.0
-EPSILON = 0.1
-OPTIMUM = 95.0
-LOST = -300.0
-"""A policy that ends returns more, since it visits no state twice."""
-NOISES = (0.0, 0.25, 0.5, 1.0, 1.5)
-WRONG = 1.5
-"""The noise of the model with which agents learn."""
-
-Q_LEARNING, DYNA_10, DYNA_50, SWEEPING, R_MAX = "Q-learning", "Dyna-10", "Dyna-50", "prioritised sweeping", "R-max"
-MORE_RANDOM, DECAYING = "Dyna-10, ε = 0.5", "Dyna-10, ε from 1 to 0.02"
-
-
-def make(
-    kind: Any,
-    environment: Any,
-    *,
-    epsilon: tuple[float, float] = (EPSILON, EPSILON),
-    given: bool = False,
-    learning_rate: float = LEARNING_RATE,
-    **settings: Any,
-) -> Any:
-    """Make an ε-greedy agent for an environment.
-
-    Args:
-        kind: its class.
-        environment: the environment.
-        epsilon: ε at the start and at the end of training. (A constant ε is a schedule too: that spares the compiler
-            another agent.)
-        given: whether it gets the model of the environment, errors included, in place of learning one.
-        learning_rate: α.
-        **settings: more settings of the agent.
-    """
-    exploration = ScheduledEpsilonGreedy.create(LinearDecay(*epsilon, N_STEPS))
-    model = {"model": environment.unwrapped.mdp.distorted(exact_model())} if given else {}
-    discount = PLANNING_DISCOUNT if given else DISCOUNT
-    how: dict[str, Any] = {"exploration": exploration, "learning_rate": learning_rate, "discount": discount}
-    return kind.create(environment, **how, **model, **settings)
-
-
-LEARNED: Mapping[str, Callable[[Any], Any]] = {
-    Q_LEARNING: partial(make, QLearning),
-    DYNA_10: partial(make, DynaQ, planning_steps=10),
-    DYNA_50: partial(make, DynaQ, planning_steps=50),
-    SWEEPING: partial(make, PrioritisedSweeping, planning_steps=10),
-    R_MAX: partial(RMax.create, discount=DISCOUNT),
-}
-REMEDIES: Mapping[str, Callable[[Any], Any]] = {
-    MORE_RANDOM: partial(make, DynaQ, planning_steps=10, epsilon=(0.5, 0.5)),
-    DECAYING: partial(make, DynaQ, planning_steps=10, epsilon=(1.0, 0.02)),
-}
-SLOW_DYNA = "Dyna-10, learning rate 0.1"
-GIVEN: Mapping[str, Callable[[Any], Any]] = {
-    SWEEPING: partial(make, PrioritisedSweeping, given=True, planning_steps=1_000),
-    DYNA_10: partial(make, DynaQ, given=True, planning_steps=10),
-    SLOW_DYNA: partial(make, DynaQ, given=True, planning_steps=10, learning_rate=0.1),
-}
-"""Agents with a given model: sweeping looks at all that can happen (descriptive), Dyna draws samples (generative)."""
+__all__ = [
+    "DECAYING",
+    "DISCOUNT",
+    "DYNA_10",
+    "DYNA_50",
+    "EARLY",
+    "EPSILON",
+    "GIVEN",
+    "LEARNED",
+    "LOST",
+    "MORE_RANDOM",
+    "NOISES",
+    "N_STEPS",
+    "OPTIMUM",
+    "Q_LEARNING",
+    "REMEDIES",
+    "R_MAX",
+    "SLOW_DYNA",
+    "SWEEPING",
+    "Clock",
+    "Coloured",
+    "FloorMap",
+    "Knowledge",
+    "Learning",
+    "attempt",
+    "best_by_what_was_seen",
+    "clocks",
+    "compare",
+    "compare_planners",
+    "dynamic_programming",
+    "exact_model",
+    "follow_plan",
+    "follow_plans",
+    "given_curves",
+    "items_found",
+    "learning",
+    "learning_curves",
+    "look_ahead",
+    "look_ahead_lines",
+    "make",
+    "plan_lines",
+    "race",
+    "random_walk",
+    "report",
+    "spreading",
+    "steps_to",
+    "tried",
+    "used_and_seen",
+    "warm_up",
+    "who_knows_the_way",
+    "with_right_model",
+    "wrong_plan",
+]
 
 
-@cache
-def exact_model() -> FiniteModel:
-    """Return the exact model of the supermarket, which all layouts share."""
-    return finite_model(Supermarket.create())
-
-
-def compare(methods: Mapping[str, Any], *, noise: float = 0.0, n_steps: int = N_STEPS, **how: Any) -> Results:
-    """Train several methods: one panel of the figure.
-
-    Args:
-        methods: by label, functions that make an agent for an environment.
-        noise: the standard deviation of the errors in the rewards of a given model.
-        n_steps: the training steps of each run.
-        **how: more arguments of `edugym.training.repeat`, such as `repetitions`, `seed` and `jobs`.
-    """
-    every = max(n_steps // POINTS, 1)
-    return repeat("Supermarket", methods, n_steps, parameters={"noise": noise}, evaluate_every=every, **how)
-
-
-def with_right_model(makers: Mapping[str, Callable[[Any], Any]]) -> dict[str, Any]:
-    """Make agents with the right model, once for all repetitions, of which each gets a copy."""
-    environment = gymnasium.make("edugym/Supermarket-v0")
-    return {label: maker(environment) for label, maker in makers.items()}
+def warm_up() -> None:
+    """Compile what the cells of the lesson need."""
+    compare({**LEARNED, **REMEDIES}, n_steps=POINTS, repetitions=1, jobs=1)
+    compare(with_right_model(GIVEN), n_steps=POINTS, repetitions=1, jobs=1)
 
 
 def at(results: Results, method: str, step: int) -> Reals:
@@ -152,39 +168,6 @@ def difference(one: Results, method: str, other: Results, compared: str) -> Inte
     returns, others = one.final(method), other.final(compared)
     shared = min(len(returns), len(others))
     return paired_difference(returns[:shared], others[:shared])
-
-
-class Plan(NamedTuple):
-    """What became of a policy that was planned with a wrong model.
-
-    Attributes:
-        total: its return in the supermarket itself.
-        bumps: whether it walks into the same wall for ever.
-    """
-
-    total: float
-    bumps: bool
-
-    @property
-    def ends(self) -> bool:
-        """Whether it gets to the exit."""
-        return self.total > LOST
-
-
-def follow_plan(noise: float, layout_seed: int, discount: float = PLANNING_DISCOUNT) -> Plan:
-    """Plan by value iteration with the model of a noise and layout, and follow the plan in the supermarket itself."""
-    task = Supermarket.create(noise, layout_seed=layout_seed)
-    model = exact_model()
-    chosen = value_iteration(task.distorted(model), discount, tolerance=1e-6).Q.argmax(axis=1)
-    s, total = int(model.initial.argmax()), 0.0
-    for _ in range(task.max_steps):
-        before = s
-        total += float(model.rewards[s, chosen[s], 0])
-        s = int(model.successors[s, chosen[s], 0])
-        if model.terminal[s] or s == before:
-            break
-    bumps = not model.terminal[s] and s == before
-    return Plan(-float(task.max_steps) if bumps else total, bumps)
 
 
 def measure(how: How) -> tuple[Any, ...]:
@@ -368,33 +351,3 @@ def noise_claims(right: Results, wrong: Results) -> list[Claim]:
             "where it walks, real steps are more frequent than imagined ones, and they win",
         ),
     ]
-
-
-def figures(
-    learned: Results, remedied: Results, right: Results, wrong: Results, plans: Mapping[float, list[Plan]]
-) -> list[Sheet]:
-    """Return the figures: learning curves, remedies, and the share of plans that fail."""
-    y_range = (0.0, 100.0)
-    soft = value_iteration(exact_model(), epsilon=EPSILON).start
-    greedy = Curves(learned, "learned model", optimum=OPTIMUM, y_range=y_range)
-    exploring = Curves(learned, "while exploring", "training_return", soft_optimum=soft, y_range=y_range)
-    better = Curves(remedied, "more exploration", optimum=OPTIMUM, y_range=y_range)
-    titles = {"given model, right": right, f"given model, noise {WRONG:g}": wrong}
-    return [
-        Sheet("model_based", [[greedy, exploring]]),
-        Sheet("remedies", [[better]]),
-        Sheet("given_model", [[Curves(results, title, optimum=OPTIMUM) for title, results in titles.items()]]),
-        Sheet("wrong_plans", [[plan_lines(plans)]]),
-    ]
-
-
-def plan_lines(plans: Mapping[float, list[Plan]]) -> Lines:
-    """Return the share of plans that never end, against the noise of the model."""
-    shares = {noise: mean_interval([not plan.ends for plan in made]).estimate for noise, made in plans.items()}
-    return Lines(
-        np.array(NOISES),
-        {f"discount {PLANNING_DISCOUNT:g}": np.array([shares[noise] for noise in NOISES])},
-        "plans by value iteration with a wrong model",
-        "noise in the rewards of the model",
-        "share that never get to the exit",
-    )

@@ -1,0 +1,266 @@
+"""The figures of lesson 9."""
+
+from collections.abc import Mapping, Sequence
+from functools import partial
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from edugym.exact.value_iteration import value_iteration
+from edugym.lessons.model_based.methods import (
+    DECAYING,
+    DYNA_10,
+    DYNA_50,
+    EPSILON,
+    LEARNED,
+    MORE_RANDOM,
+    NOISES,
+    OPTIMUM,
+    PLANNING_DISCOUNT,
+    Q_LEARNING,
+    R_MAX,
+    SLOW_DYNA,
+    SWEEPING,
+    WRONG,
+    Maker,
+    compare,
+    exact_model,
+)
+from edugym.lessons.model_based.plans import Plan, look_ahead, used_and_seen
+from edugym.mdp.protocol import Reals
+from edugym.plotting.curves import Curves
+from edugym.plotting.lines import Lines
+from edugym.plotting.panel import ALONE, Place
+from edugym.plotting.sheet import Sheet
+from edugym.plotting.style import REFERENCE, add_legend, dress, own_axes, stroke
+from edugym.results.statistics import mean_interval
+from edugym.results.tables import Results
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+STROKES: Mapping[str, int] = MappingProxyType(
+    {
+        Q_LEARNING: 0,
+        DYNA_10: 1,
+        DYNA_50: 2,
+        SWEEPING: 3,
+        R_MAX: 4,
+        MORE_RANDOM: 5,
+        DECAYING: 6,
+        SLOW_DYNA: 5,
+    }
+)
+"""The stroke of each method, the same in all figures."""
+UPDATES: Mapping[str, int] = MappingProxyType({Q_LEARNING: 1, DYNA_10: 11, DYNA_50: 51, SWEEPING: 10})
+"""How often a method updates a value at each step."""
+
+
+def stroke_of(method: str) -> dict[str, Any]:
+    """Return the look of the line of a method; a reader's own is black."""
+    kind = next((name for name in STROKES if method == name), method.partition("-")[0])
+    index = STROKES.get(kind, {"Dyna": 1}.get(kind, 6))
+    return stroke(index)._asdict()
+
+
+class Learning(Curves):
+    """Learning curves in the colours of the lesson."""
+
+    __slots__ = ()
+
+    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
+        """Draw the curves on `ax`, by default in a new figure, and return the axes."""
+        ax = super().draw(ax, place)
+        for line, band in zip(ax.get_lines(), ax.collections, strict=False):
+            look = stroke_of(str(line.get_label()))
+            line.set(**look)
+            band.set(color=look["color"], linewidth=0)
+        if place.alone:
+            add_legend(ax)
+        return ax
+
+
+class Coloured(Lines):
+    """Lines in the colours of the lesson."""
+
+    __slots__ = ()
+
+    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
+        """Draw the lines on `ax`, by default in a new figure, and return the axes."""
+        ax = super().draw(ax, place)
+        for method, line in zip(self.lines, ax.get_lines(), strict=False):
+            line.set(**stroke_of(method))
+        if place.alone:
+            add_legend(ax)
+        return ax
+
+
+class Clock(NamedTuple):
+    """Learning curves over time instead of steps.
+
+    Attributes:
+        results: the results to draw.
+        step_ms: how long a step in the world takes, in milliseconds.
+        update_us: how long an update takes, in microseconds; updates are made while the step takes its time.
+        title: the text above the axes.
+    """
+
+    results: Results
+    step_ms: float
+    update_us: float
+    title: str = ""
+
+    def seconds_per_step(self, method: str) -> float:
+        """Return how long a step of a method takes: the step, or its updates if they take longer."""
+        return max(self.step_ms * 1e-3, UPDATES.get(method, 1) * self.update_us * 1e-6)
+
+    def seconds_to(self, method: str, level: float) -> float:
+        """Return the time that half of the runs need for a greedy return of `level`."""
+        return steps_to(self.results, method, level) * self.seconds_per_step(method)
+
+    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
+        """Draw the curves on `ax`, by default in a new figure, and return the axes."""
+        ax = own_axes(ax)
+        for method in self.results.methods:
+            curve = self.results.curves(method).mean(axis=1)
+            seconds = curve.index.to_numpy(float) * self.seconds_per_step(method)
+            ax.plot(seconds[1:], curve.to_numpy(float)[1:], linewidth=1.6, label=method, **stroke_of(method))
+        ax.axhline(OPTIMUM, label="optimum", **REFERENCE)
+        ax.set_xscale("log")
+        ax.set_ylim(-100.0, 100.0)
+        dress(ax, "seconds", "return (greedy)", self.title)
+        if place.alone:
+            add_legend(ax)
+        return ax
+
+
+class Knowledge(NamedTuple):
+    """For each method, the return of its policy beside that of the best plan by what it has seen.
+
+    Attributes:
+        measured: by method, both of every run, each of shape (n_runs,).
+        title: the text above the axes.
+    """
+
+    measured: Mapping[str, tuple[Reals, Reals]]
+    title: str = ""
+
+    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
+        """Draw both on `ax`, by default in a new figure, and return the axes."""
+        ax = own_axes(ax)
+        for row, (method, both) in enumerate(self.measured.items()):
+            policy, seen = (mean_interval(values) for values in both)
+            colour = stroke_of(method)["color"]
+            for place_of, found, filled in ((row - 0.12, seen, False), (row + 0.12, policy, True)):
+                ax.plot([found.low, found.high], [place_of, place_of], color=colour, linewidth=1.4)
+                face = colour if filled else "white"
+                ax.plot(found.estimate, place_of, "o", color=colour, markerfacecolor=face, markersize=7)
+        ax.axvline(OPTIMUM, label="optimum", **REFERENCE)
+        ax.plot([], [], "o", color="#333333", label="its policy")
+        ax.plot([], [], "o", color="#333333", markerfacecolor="white", label="the best plan by what it has seen")
+        ax.set_yticks(range(len(self.measured)), [*self.measured])
+        ax.invert_yaxis()
+        dress(ax, f"return after training ({len(next(iter(self.measured.values()))[0])} runs)", "", self.title)
+        if place.alone:
+            add_legend(ax)
+        return ax
+
+
+def steps_to(results: Results, method: str, level: float) -> float:
+    """Return the training steps after which half of the runs have had a greedy return of `level`; inf for never."""
+    reached = results.curves(method) >= level
+    return float(np.median(np.where(reached.any(), reached.idxmax(), np.inf)))
+
+
+def learning(results: Results, title: str = "", **look: Any) -> Learning:
+    """Return the learning curves of all methods, with the optimum."""
+    return Learning(results, title, **{"optimum": OPTIMUM, "y_range": (-100.0, 100.0), **look})
+
+
+def learning_curves(results: Results, epsilon: float = EPSILON) -> Sheet:
+    """Return the paper's figure, and beside it the returns while the methods explore."""
+    soft = value_iteration(exact_model(), epsilon=epsilon).start
+    exploring = learning(results, "while exploring", column="training_return", optimum=None, soft_optimum=soft)
+    return Sheet("learned", [[learning(results, "without exploring"), exploring]])
+
+
+def clocks(results: Results, step_ms: float = 100.0, update_us: float = 10.0) -> Sheet:
+    """Return the same curves over time, where steps cost nothing, and where they cost something."""
+    titles = {0.0: "steps cost nothing", step_ms: f"a step takes {step_ms:g} ms"}
+    return Sheet("clocks", [[Clock(results, cost, update_us, title) for cost, title in titles.items()]])
+
+
+def look_ahead_lines(results: Results, depths: Sequence[int] = range(16)) -> Coloured:
+    """Return what agents get that look ahead in the exact model, against the depth."""
+    lines = {"knows nothing": np.array([look_ahead(None, depth) for depth in depths])}
+    for method in results.methods:
+        agents = results.complete_agents(method).values()
+        lines[method] = np.array([np.mean([look_ahead(agent.Q, depth) for agent in agents]) for depth in depths])
+    return Coloured(
+        np.array(depths, float),
+        lines,
+        "planning to act",
+        "steps that it looks ahead",
+        "return",
+        {"optimum": np.full(len(depths), OPTIMUM)},
+    )
+
+
+def race(own: Mapping[str, Maker], repetitions: int = 20, **how: Any) -> Sheet:
+    """Return the learning curves of the reader's own agents beside those of the lesson.
+
+    Args:
+        own: by label, functions that make an agent for the shop, which is the MDP itself.
+        repetitions: the number of runs of each method.
+        **how: more arguments of `compare`.
+    """
+
+    def for_shop(make: Maker, environment: Any) -> Any:
+        return make(environment.unwrapped.mdp)
+
+    mine = {label: partial(for_shop, make) for label, make in own.items()}
+    others = {label: LEARNED[label] for label in (Q_LEARNING, DYNA_10, R_MAX)}
+    results = compare({**others, **mine}, repetitions=repetitions, **how)
+    curves = learning(results, "without exploring", y_range=(-510.0, 110.0))
+    return Sheet("race", [[curves, Knowledge(used_and_seen(results), "what they do with what they know")]])
+
+
+def figures(
+    learned: Results, remedied: Results, right: Results, wrong: Results, plans: Mapping[float, list[Plan]]
+) -> list[Sheet]:
+    """Return the figures: learning curves, remedies, and the share of plans that fail."""
+    y_range = (0.0, 100.0)
+    soft = value_iteration(exact_model(), epsilon=EPSILON).start
+    greedy = Learning(learned, "learned model", optimum=OPTIMUM, y_range=y_range)
+    exploring = Learning(learned, "while exploring", "training_return", soft_optimum=soft, y_range=y_range)
+    better = Learning(remedied, "more exploration", optimum=OPTIMUM, y_range=y_range)
+    return [
+        Sheet("model_based", [[greedy, exploring]]),
+        Sheet("remedies", [[better]]),
+        given_curves(right, wrong),
+        Sheet("wrong_plans", [[plan_lines({PLANNING_DISCOUNT: plans})]]),
+    ]
+
+
+def given_curves(right: Results, wrong: Results) -> Sheet:
+    """Return the learning curves with a given model that is right, and with one that is wrong."""
+    titles = {"given model, right": right, f"given model, noise {WRONG:g}": wrong}
+    return Sheet("given_model", [[Learning(results, title, optimum=OPTIMUM) for title, results in titles.items()]])
+
+
+def plan_lines(by_discount: Mapping[float, Mapping[float, list[Plan]]]) -> Lines:
+    """Return the share of plans that never end, against the noise of the model, for each discount."""
+    shares = {
+        f"discount {discount:g}": np.array(
+            [mean_interval([not plan.ends for plan in plans[noise]]).estimate for noise in NOISES]
+        )
+        for discount, plans in by_discount.items()
+    }
+    return Lines(
+        np.array(NOISES),
+        shares,
+        "plans by value iteration with a wrong model",
+        "noise in the rewards of the model",
+        "share that never get to the exit",
+    )
