@@ -128,8 +128,8 @@ source(one_step_target)
 
 # %% [markdown]
 # ### Expected SARSA: the mean over the next actions
-# $A'$ is drawn at random, so the target of SARSA is noisy. Its mean can be computed. An ε-greedy policy takes the best
-# action with probability $1 - \varepsilon$ and each of the $n$ actions with probability $\varepsilon / n$ more, so that
+# $A'$ is drawn at random, so the target of SARSA is noisy. Its mean can be computed. With probability $1 - \varepsilon$ an
+# ε-greedy policy takes the best action. Otherwise it draws one of all $n$ actions, each with the same probability, so that
 #
 # $$
 # \sum_a \pi(a \mid S')\, Q(S', a) = (1 - \varepsilon) \max_a Q(S', a) + \varepsilon \, \frac{1}{n} \sum_a Q(S', a)
@@ -231,7 +231,8 @@ frames("Roadrunner", actions)
 # What makes the gap between Q-learning and SARSA wider, and what closes it? Try the reward of a `fall`, and $\varepsilon$.
 # Find a road, by its length $W$, on which both learn the same run. What does a large learning rate do, and to which method?
 # Move a slider and release it: the experiment is computed again, with 10 repetitions of 50 000 steps. (Some lines lie on
-# each other, and a line that is missing lies below the panel.)
+# each other, and a line that is missing lies below the panel. On some roads, as with $W = 8$, a safe run is as short as the
+# fast one. Then the greedy returns are the same although the runs are not.)
 
 
 # %%
@@ -261,7 +262,7 @@ sliders(
 # A runner has a position and a speed, so the whole task fits into one picture. Each cell is a state. The number in it says
 # how many of the three actions are deadly there: they end in a fall, or, at speed 0, in a stall. The two lines are the
 # best run of a runner that never slips, and the best run of one that slips with $\varepsilon = 0.1$. Only the dots are
-# states; between two of them the runner jumps over cells.
+# states; between two of them the runner jumps over cells. (Empty cells cannot be reached, or are the target.)
 
 # %%
 Sheet("plane", [[on_off_policy.in_the_plane()]])
@@ -312,6 +313,7 @@ change.measured(exact.change)
 #
 # ### "SARSA is safe"?
 # **Predict.** With $\varepsilon = 0.01$ the fast run is the best, also for an agent that slips. Who earns more *while exploring*?
+# (The last line that the cell prints is about a milder cliff, with a reward of −10 for a fall and $\varepsilon = 0.1$.)
 
 # %%
 rarely = predict(

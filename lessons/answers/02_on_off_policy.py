@@ -4,13 +4,13 @@
 
 
 # %% exercise 1, right: one digit
-negative_reward = -37.0
+negative_reward = -36.9
 
 # %% exercise 1, right: two digits
 negative_reward = -36.98
 
-# %% exercise 1, right: a whole number
-negative_reward = -37
+# %% exercise 1, right: three digits
+negative_reward = -36.984
 
 # %% exercise 1, right: by a loop downwards
 R = -30.0
@@ -48,6 +48,10 @@ negative_reward = ...
 # %% exercise 1, wrong: none
 # says: Not solved yet
 negative_reward = None
+
+# %% exercise 1, wrong: rounded, to where the safe run is the best
+# says: takes 5 steps: that is a little too low
+negative_reward = -37
 
 # %% exercise 1, wrong: the estimate
 # says: that is the estimate 3/ε
@@ -266,7 +270,7 @@ def switch(model):
 
 
 # %% exercise 2, wrong: the comparison the wrong way round
-# says: for every ε above 0
+# says: the search ends at its first ε
 def switch(model):
     fastest = value_iteration(model, horizon=50).start
     for epsilon in np.arange(0.0, 0.2, 0.001):

@@ -145,7 +145,11 @@ def quiet(study):
 
 # %% exercise 1, wrong: called already
 # says: quiet should be a function of the task
-quiet = NStepSARSA.create(study, n=math.inf, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0)) if "study" in globals() else NStepSARSA.create((220, 5), n=math.inf)
+quiet = (
+    NStepSARSA.create(study, n=math.inf, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0))
+    if "study" in globals()
+    else NStepSARSA.create((220, 5), n=math.inf)
+)
 
 
 # %% exercise 1, wrong: one agent for all

@@ -29,6 +29,13 @@ def test_a_number(typed: str, number: float | None) -> None:
     assert shown.endswith("It slips.")
 
 
+def test_a_percentage_of_a_share() -> None:
+    """Where a number from 0 to 1 is asked for, 30% is 0.3."""
+    prediction = predict("What share of the runs?", unit="(from 0 to 1)")
+    answer(prediction, "30%")
+    assert prediction.answer == 0.3
+
+
 def test_options() -> None:
     """One is chosen; the comparison says whether it is the one that was measured."""
     prediction = predict("Which is higher?", ["novelty", "Go-Explore"])

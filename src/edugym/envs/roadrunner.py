@@ -110,7 +110,8 @@ class Roadrunner(NamedTuple):
     def transition(self, state: Runner, action: int, rng: Random) -> Runner:
         """First the speed changes by -1, 0 or +1, up to `max_speed`; then the position changes by the speed.
 
-        The position is W if it would be beyond T. A speed below 0 leaves it as it was.
+        A runner that comes beyond the last cell, `size` - 1, is at `size`: it falls. A speed below 0 is a stall, and
+        leaves the position as it was.
         """
         dx = min(state.dx + action - 1, self.max_speed)
         if dx < 0:
@@ -118,14 +119,14 @@ class Roadrunner(NamedTuple):
         return Runner(min(state.x + dx, self.size), dx)
 
     def reward(self, state: Runner, action: int, next_state: Runner, rng: Random) -> float:
-        """+1 at T; in the stop zone 1 minus the distance to T; R for a fall or a stall; else -1."""
+        """`negative_reward` for a fall or a stall; 1 at the target, less 1 for each cell before it; else -1."""
         if self.has_failed(next_state):
             return self.negative_reward
         distance = self.size - 1 - next_state.x
         return 1.0 - distance if distance <= self.stop_zone else -1.0
 
     def terminal(self, state: Runner) -> bool:
-        """At T, in the stop zone before it, beyond it, or at a speed below 0."""
+        """At the target (or in the stop zone just before it), after a fall, and after a stall."""
         return state.dx < 0 or state.x >= self.size - 1 - self.stop_zone
 
     def has_failed(self, state: Runner) -> bool:

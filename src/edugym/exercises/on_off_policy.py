@@ -44,6 +44,8 @@ def exercise_1(answer: Any, seed: int) -> str:
 
     found = number("negative_reward", answer)
     near = abs(found - PENALTY) < 1.0
+    if PENALTY - CLOSE < found < PENALTY:
+        raise WrongAnswer(f"{says(found)}: that is a little too low; give one digit after the decimal point")
     side = "too low, and the fast run of 4 steps should be best" if found < PENALTY else "higher than it need be"
     compare(
         "negative_reward",
@@ -55,8 +57,8 @@ def exercise_1(answer: Any, seed: int) -> str:
         otherwise=f"it is {side}" + ("; you are close, give one digit after the decimal point" if near else ""),
     )
     return (
-        "Right: near -37. The estimate of the lesson gives -30, since it looks at the last step alone; a slip on "
-        "the way costs something too."
+        "Right: just above -37. The estimate of the lesson gives -30, since it looks at the last step alone. The safe "
+        "run slips too, and for one step more."
     )
 
 
@@ -115,10 +117,10 @@ def _switch_mistakes(model: FiniteModel, task: Roadrunner, right: float) -> dict
     return {
         "that is the ε of the lesson's road; compute it from the `model` that is given": 0.03198,
         "that is the estimate, 3 divided by the cost of a fall, not the exact value: plan on the model": estimate,
-        "for every ε above 0 the best ε-soft policy earns less than the optimum, since it slips; look at its greedy"
-        " policy, played *without* slips": 0.0,
-        "that is the first ε of a search in steps of 0.001: compare the greedy policy, played *without* slips, and not"
-        " the ε-soft return": 0.0010001,
+        "the search ends at its first ε: is the return of the fastest run that of *this* `model`, and is it compared,"
+        " with `<`, with the greedy policy for ε, played *without* slips?": 0.0,
+        "that is the first ε above 0 of a search: compare the *return* of the greedy policy, played *without* slips,"
+        " since the ε-soft return is always lower, and two policies may differ where no run leads": 0.0010001,
         "that is the first ε of a search in steps of 0.01: compare the greedy policy, played *without* slips, and not"
         " the ε-soft return": 0.010001,
         "that is where the ε-soft return falls below that of a run with one step more; the slips lower both": one_less,

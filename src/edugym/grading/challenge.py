@@ -50,6 +50,8 @@ class Sizes(NamedTuple):
 
     def __getattr__(self, name: str) -> Any:
         """Say what there is instead."""
+        if name in dir(np.ndarray):
+            raise AttributeError(f"the task stands where an array should, which has {name!r}: is `.create` missing?")
         raise AttributeError(
             f"the agent is told `observation_space` and `action_space` only, not {name!r}: it has to find out the rest"
         )

@@ -30,6 +30,7 @@ HINTS = (
     ("_tuplegetter", "that is the field of the class: write `self.` for the table of this agent"),
     ("too many indices", "a table of values has two indices, Q[state, action], and counts of states have one"),
     ("out of bounds", "the first index of a table is the state, the second one the action"),
+    ("inhomogeneous", "an array of numbers is needed there: is a call such as `.greedy_policy()` missing?"),
     ("only integer", "an index is a whole number"),
     (r"create\(\) (missing|takes)", "`create` takes the environment first, and then settings by their names"),
     (r"missing \d+ required", "it has more parameters than the call gives it values"),

@@ -25,7 +25,7 @@ def given(what: str, value: Any) -> None:
         raise Unsolved(f"Not solved yet: {what} is still `...`; put your answer there.")
     if value is None:
         if "(" in what:
-            raise WrongAnswer(f"{what} gives None: is a `return` missing?")
+            raise WrongAnswer(f"{what} gives None: is a `return` missing? Or is none reached?")
         raise Unsolved(f"Not solved yet: {what} is None; give it a value.")
 
 

@@ -37,7 +37,8 @@ class Prediction(NotebookWidget):
         if self.options is not None or not value.strip():
             return value or None
         try:
-            return float(value.strip().removesuffix("%").replace(",", "."))
+            number = float(value.strip().removesuffix("%").replace(",", "."))
+            return number / 100 if value.strip().endswith("%") and "0 to 1" in self.unit else number
         except ValueError:
             return None
 

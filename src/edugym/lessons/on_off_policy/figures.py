@@ -9,7 +9,7 @@ import numpy as np
 from edugym.envs.roadrunner import Roadrunner
 from edugym.exact.model import finite_model
 from edugym.exact.tables import FiniteModel
-from edugym.lessons.on_off_policy.exact import ROAD, best_run, best_soft_return, deadly_actions, soft_return_of, switch
+from edugym.lessons.on_off_policy.exact import ROAD, best_run, best_soft_return, deadly_actions, soft_return_of
 from edugym.lessons.on_off_policy.methods import (
     EPSILON,
     KINDS,
@@ -168,8 +168,9 @@ class Switch(Lines):
 
     @property
     def change(self) -> float:
-        """The ε from which on the safe run is the better one."""
-        return switch(finite_model(ROAD))
+        """The ε from which on the safe run is the better one: where the two lines cross."""
+        fast, safe = (self.lines[run] for run in (FAST_RUN, SAFE_RUN))
+        return float(np.interp(0.0, safe - fast, self.x))
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the lines on `ax`, by default in a new figure, and return the axes."""
