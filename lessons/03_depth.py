@@ -8,9 +8,9 @@
 # explain how far one episode carries a reward; say where the variance of a deep target comes from; and write an agent
 # that looks deep without paying for its own exploration.
 #
-# **Time.** 60 minutes. **Before you start.** You should know the return and what an action value is (Sutton and Barto,
-# 2nd edition, sections 3.3 and 3.5), SARSA (section 6.4) and ε-greedy action selection (section 2.2). All symbols are
-# in the [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
+# **Time.** 60 minutes, and 30 more for the exercises. **Before you start.** You should know the return and what an action
+# value is (Sutton and Barto, 2nd edition, sections 3.3 and 3.5), SARSA (section 6.4) and ε-greedy action selection
+# (section 2.2). All symbols are in the [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
 
 # %%
 import math
@@ -62,7 +62,8 @@ source(type(study), "transition", "reward", "passes", "terminal", "observation")
 
 # %% [markdown]
 # **Play it yourself, blind.** You see what the agent sees: three numbers and a reward. The calendar comes when the
-# episode is over. This is a short semester: six days, two lectures, both needed, and one night of sleep. How many
+# episode is over. This is a short semester: six days, two lectures, both needed, and the exam takes more energy than
+# `energy_needed=0`, so that one night of sleep is enough. How many
 # episodes do you need until you pass? And when you pass for the first time: *which of your six actions earned it?*
 
 # %%
@@ -110,9 +111,10 @@ play(
 # To use a learned value in the target is called *bootstrapping*. Monte Carlo does not bootstrap at all.
 #
 # Here are the lines that run. After each step, `t` is the number of this step, and `first` is the step whose $n$
-# rewards are now complete. The first loop adds up the rewards backwards, from the last one to that of step `first`,
-# which gives `G`. The second loop is the update, where `tau` is the step that learns. When the episode ends, all steps
-# that are left learn. (`% n` is there because only the last $n$ steps are kept.)
+# rewards are now complete. The first loop adds up the rewards backwards, from the last one to that of step `first`. With
+# each reward `G` becomes the target of one step more, which is kept in `self.returns`. The second loop is the update,
+# where `tau` is the step that learns, with its target from `self.returns`. When the episode ends, all steps that are left
+# learn. (Only the last $n$ rewards and $n + 1$ states are kept: hence `% n` and `% (n + 1)`.)
 
 # %%
 source(NStepSARSA.learn)
@@ -412,13 +414,13 @@ smallest.measured(depth.label(min(best, key=best.get)))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Monte Carlo. Of these six rates, 0.003 is the best for Monte Carlo, 0.1 for $n = 5$, and 0.3 for $n = 3$
-# and $n = 1$. The deeper the target, the more it varies, and the more targets must be averaged. One-step targets vary
+# **Measured.** Monte Carlo. Of these six rates, the two smallest are best for Monte Carlo (with little between them), 0.1
+# for $n = 5$, and 0.3 for $n = 3$ and $n = 1$. The deeper the target, the more it varies, and the more targets must be averaged. One-step targets vary
 # little, and they need a large rate to get down the staircase in time. With a rate of 1 a value keeps only its last
 # target, and all methods fail.
 #
 # Sutton and Barto's figure 7.2 shows such curves for another task, and there a middle $n$ is best. Here Monte Carlo
-# with a tiny rate is. *Never compare two values of $n$ at one learning rate only.*
+# with a tiny rate does at least as well. *Never compare two values of $n$ at one learning rate only.*
 # </details>
 
 # %% [markdown]
@@ -531,8 +533,9 @@ kept.measured(100 * passed[met == 1].mean())  # of the last method, Monte Carlo
 # </details>
 
 # %% [markdown]
-# If this explanation is right, then one-step SARSA must lose its advantage when untried actions look *bad* at first. So
-# we let all values start at −5, with five actions, and keep everything else.
+# If this explanation is right, then one-step SARSA depends on untried actions that look good. So we take that away. In
+# the task with five actions, where all methods passed often, we let all values start at −5: now untried actions look
+# *bad*.
 
 # %%
 wary = depth.compare(depths=depth.BY_DEPTH, initial_value=-5.0, repetitions=60, points=32)

@@ -374,7 +374,7 @@ def importance_ratio(greedy, epsilon, n_actions):
 
 
 # %% exercise 2, wrong: set, not multiplied
-# says: the ratio of the last action alone
+# says: the ratio of one action alone
 def importance_ratio(greedy, epsilon, n_actions):
     rho = 1.0
     for is_greedy in greedy[1:]:

@@ -60,7 +60,7 @@ def exercise_1(answer: Any, seed: int) -> str:
             tables={"Q": Q},
             where=f"where Q[{state}] = {Q[state].tolist()}",
         )
-    return "Right: its targets are all its own doing, and no action in them is random. See it race:"
+    return "Right: its targets are made of rewards alone, and it takes no random action. See it race:"
 
 
 def exercise_2(answer: Any, seed: int) -> str:

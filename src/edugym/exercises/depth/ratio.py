@@ -46,6 +46,8 @@ def ratio(
         return sum(factors)
     if how == "mean":
         return sum(factors) / len(factors) if factors else 0.0
+    if how == "first":
+        return factors[0] if factors else 1.0
     if how == "last":
         return factors[-1] if factors else 1.0
     if how == "probability":
@@ -81,7 +83,10 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "that is the probability of these actions under b; the ratio is π divided by b": {"how": "probability"},
     "the ratios of the single actions are multiplied, not added": {"how": "sum"},
     "the ratios of the single actions are multiplied; that is their mean": {"how": "mean"},
-    "that is the ratio of the last action alone: multiply all of them": {"how": "last"},
+    "that is the ratio of one action alone: multiply all of them (is the `return` inside the loop?)": {"how": "last"},
+    "that is the ratio of the first action alone: multiply all of them (is the `return` inside the loop?)": {
+        "how": "first"
+    },
     "π takes a greedy action with probability 1, but b does not: divide by the probability under b": {
         "how": "all or nothing"
     },
