@@ -346,8 +346,8 @@ rarely.measured("both earn the same, up to 0.1" if abs(lead) < 0.1 else f"{more}
 # the other way round: good for large $\varepsilon$, too slow for small ones. Expected SARSA is close to the best everywhere.
 # (Where a line is above 0, that is chance.)
 #
-# So SARSA is not slow here because caution pays. It was unlucky, and does not get over it. At position 3 with speed 2 the
-# two runs part. SARSA believes that the fast run is the worse one there, about −1.3, and its true value, which expected
+# So SARSA is not slow here because caution pays. It was unlucky, and does not get over it. At position 3 with speed 2 a
+# runner can go on with the fast run, or slow down and take the second safe one. SARSA believes that the fast run is worth less there, about −1.3, and its true value, which expected
 # SARSA has found, is −0.34. How does that happen? Follow one slip in the last state of the fast run. SARSA has $A'$ = faster
 # in its target, and $Q(S', A')$ is far below 0, −100 in the end. So the value of the step before drops by up to
 # $\alpha \cdot 100 = 3$ at once. The two runs differ by less than 1, so from now on the safe run looks better. The agent then
@@ -401,8 +401,8 @@ decay.measured(
 
 # %% [markdown]
 # ### Somebody else slips
-# Is Q-learning blind to danger? Let the *road* slip. On an icy road something else happens with probability 0.1 than the
-# runner wants: a random action. The class below puts ice on any road. What it does not define stays as it was.
+# Is Q-learning blind to danger? Let the *road* slip. On an icy road, with probability 0.1, a random action takes the place of
+# the one that the runner chose. The class below puts ice on any road. What it does not define stays as it was.
 
 # %%
 icy_road = on_off_policy.Icy(make_mdp("Roadrunner"), ice=0.1)
@@ -486,8 +486,8 @@ edge_walkers.measured(names.get(tuple(walkers), "all three"))
 #
 # **Measured.** Q-learning only, with the optimal 13 steps. The other two keep one row of distance, which costs them two steps.
 # While exploring they earn about −26 a walk, and Q-learning about −49. The left panel shows the walk that most of the five
-# runs end with. One run of SARSA ends with −500, a policy that never arrives when it is greedy: its values are noisy, and
-# without slips it does not get out of a circle before the step limit of 500.
+# runs end with. One run of SARSA ends with −500: its values are noisy, and its greedy policy walks against the upper border
+# until the step limit.
 # </details>
 
 # %% [markdown]
@@ -668,8 +668,8 @@ display(
 # <details><summary>What the race shows</summary>
 #
 # The agent that plans for 0.02 learns the fast run, and its line lies on that of Q-learning: 0.02 is below the change at 0.032.
-# The one that plans for 0.1 is expected SARSA, line for line. The third one learns the safe run too, although it never made
-# a careful run in its life; while it acts at random it earns about −89 a run, far below the panel. So what an agent learns need not
+# The one that plans for 0.1 is expected SARSA, line for line. The third one learns the safe run too, although it hardly
+# ever made a careful run; while it acts at random it earns about −89 a run, far below the panel. So what an agent learns need not
 # depend on how it behaves. (In a large task the behaviour decides *where* it learns something.)
 # </details>
 

@@ -15,7 +15,17 @@ def answer(prediction: Any, value: Any) -> None:
 
 
 @pytest.mark.parametrize(
-    ("typed", "number"), [("40", 40.0), (" 12.5 ", 12.5), ("12,5", 12.5), ("30%", 30.0), ("", None), ("many", None)]
+    ("typed", "number"),
+    [
+        ("40", 40.0),
+        (" 12.5 ", 12.5),
+        ("12,5", 12.5),
+        ("30%", 30.0),
+        ("1/4", 0.25),
+        ("1/0", None),
+        ("", None),
+        ("many", None),
+    ],
 )
 def test_a_number(typed: str, number: float | None) -> None:
     """People type numbers in several ways; what is no number counts as no prediction."""
@@ -34,6 +44,7 @@ def test_a_percentage_of_a_share() -> None:
     prediction = predict("What share of the runs?", unit="(from 0 to 1)")
     answer(prediction, "30%")
     assert prediction.answer == 0.3
+    assert "You predicted 0.3. Measured: 0.25." in repr(prediction.measured(0.25))
 
 
 def test_options() -> None:

@@ -88,7 +88,7 @@ def epsilon_greedy_value(Q: Reals, state: int, epsilon: float) -> float:
 def one_step_target(reward: float, discount: float, next_value: float, terminated: bool) -> float:
     """What a one-step update moves towards: R + γ V(S'), or R alone when S' is terminal, since its value is 0.
 
-    A truncated episode has not terminated: its last step bootstraps like any other.
+    A truncated episode has not terminated: the value of its last state counts as in any other step.
     """
     return reward if terminated else reward + discount * next_value
 

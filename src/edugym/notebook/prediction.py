@@ -2,6 +2,7 @@
 
 import html
 from collections.abc import Sequence
+from fractions import Fraction
 from numbers import Real
 from typing import Any
 
@@ -37,9 +38,9 @@ class Prediction(NotebookWidget):
         if self.options is not None or not value.strip():
             return value or None
         try:
-            number = float(value.strip().removesuffix("%").replace(",", "."))
+            number = float(Fraction(value.strip().removesuffix("%").replace(",", ".")))
             return number / 100 if value.strip().endswith("%") and "0 to 1" in self.unit else number
-        except ValueError:
+        except (ValueError, ZeroDivisionError):
             return None
 
     def measured(self, value: Any, explanation: str = "") -> "Comparison":
@@ -89,7 +90,8 @@ class Comparison:
 
 
 def _written(value: Any, unit: str) -> str:
-    """Return a number with its unit."""
+    """Return a number with its unit; in place of a unit there may be a remark in brackets, such as "(from 0 to 1)"."""
+    unit = "" if unit.startswith("(") else unit
     return f"{float(value):.3g} {unit}".strip() if not isinstance(value, str) else value
 
 
