@@ -55,15 +55,16 @@ frames(study, ["go out", "study", "study", "sleep", "other 1", "sleep", "study",
 # *terminates* after the last day, so every episode has ten steps. The lecture days and the prices $r_a$ are the
 # *layout* of the task. They are drawn once, and the agent is not told.
 #
-# These methods are the environment:
+# These methods are the environment. (`missing` counts what the exam still asks for. `Student` has one more field: whether
+# the exam was passed, for the picture.)
 
 # %%
-source(type(study), "transition", "reward", "passes", "terminal", "observation")
+source(type(study), "transition", "reward", "passes", "missing", "terminal", "observation")
 
 # %% [markdown]
 # **Play it yourself, blind.** You see what the agent sees: three numbers and a reward. The calendar comes when the
-# episode is over. This is a short semester: six days, two lectures, both needed, and the exam takes more energy than
-# `energy_needed=0`, so that one night of sleep is enough. How many
+# episode is over. This is a short semester: six days, two lectures, both needed, and one night of sleep is enough. (The
+# exam takes more energy than the parameter `energy_needed`.) How many
 # episodes do you need until you pass? And when you pass for the first time: *which of your six actions earned it?*
 
 # %%
@@ -85,7 +86,7 @@ play(
 # ## The idea: how many rewards belong in the target?
 #
 # All agents of this lesson keep a table of action values $Q(s, a)$ and act ε-greedily: they take a random action with
-# probability $\varepsilon$, and otherwise the one with the largest value. After each step they move a value towards a
+# probability $\varepsilon$, and otherwise the one with the largest value. They move values towards a
 # *target*. They differ in one number, $n$: how many real rewards the target contains before it ends with a learned
 # value.
 #
@@ -417,7 +418,7 @@ smallest.measured(depth.label(min(best, key=best.get)))
 # **Measured.** Monte Carlo. Of these six rates, the two smallest are best for Monte Carlo (with little between them), 0.1
 # for $n = 5$, and 0.3 for $n = 3$ and $n = 1$. The deeper the target, the more it varies, and the more targets must be averaged. One-step targets vary
 # little, and they need a large rate to get down the staircase in time. With a rate of 1 a value keeps only its last
-# target, and all methods fail.
+# target, and no method does well.
 #
 # Sutton and Barto's figure 7.2 shows such curves for another task, and there a middle $n$ is best. Here Monte Carlo
 # with a tiny rate does at least as well. *Never compare two values of $n$ at one learning rate only.*
@@ -523,10 +524,10 @@ kept.measured(100 * passed[met == 1].mean())  # of the last method, Monte Carlo
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** All of them. Monte Carlo does not lose what it found: in four runs of five it *never met the exam at
-# all*. So this is a problem of exploration, not of credit.
+# **Measured.** All of them. Monte Carlo does not lose what it found: in four runs of five it *never passed the
+# exam at all*. So this is a problem of exploration, not of credit.
 #
-# Why does one-step SARSA meet the exam more often? All values start at 0, and every action has a price. So what was
+# Why does one-step SARSA pass the exam at some time in more runs? All values start at 0, and every action has a price. So what was
 # tried is worth less than what was not tried. One-step SARSA hands this back as well: a state from which untried
 # actions can be reached looks good, so it goes there (compare optimistic values in Sutton and Barto, section 2.6).
 # Monte Carlo learns only from returns that it got, and those were all bad.
@@ -559,7 +560,8 @@ cards = predict(
 cards
 
 # %%
-methods = {depth.label(n): depth.maker(n, learning_rate=0.02, total_days=30) for n in (1, math.inf)}
+most_steps = 30  # longer than any game
+methods = {depth.label(n): depth.maker(n, learning_rate=0.02, total_days=most_steps) for n in (1, math.inf)}
 blackjack = repeat(gym.make("Blackjack-v1"), methods, 10_000, repetitions=3)
 for method in methods:
     print(f"{method:12} mean return of all games {blackjack.average(method, 'training_return').mean():.3f}")

@@ -22,7 +22,7 @@ def answer(prediction: Any, value: Any) -> None:
         ("12,5", 12.5),
         ("30%", 30.0),
         ("1/4", 0.25),
-        ("1/0", None),
+        ("1/0", None), ("70 grips", 70.0),
         ("", None),
         ("many", None),
     ],

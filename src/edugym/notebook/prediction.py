@@ -1,6 +1,7 @@
 """Predictions: a reader answers before a cell is run, and sees the answer beside what was measured."""
 
 import html
+import re
 from collections.abc import Sequence
 from fractions import Fraction
 from numbers import Real
@@ -37,9 +38,14 @@ class Prediction(NotebookWidget):
         value = self._field.value
         if self.options is not None or not value.strip():
             return value or None
+        found = re.fullmatch(
+            r"([-+]?[\d.,/]+(?:e[-+]?\d+)?)\s*([^\d]*)", value.strip()
+        )  # a number, perhaps with its unit
+        if found is None:
+            return None
         try:
-            number = float(Fraction(value.strip().removesuffix("%").replace(",", ".")))
-            return number / 100 if value.strip().endswith("%") and "0 to 1" in self.unit else number
+            number = float(Fraction(found[1].replace(",", ".")))
+            return number / 100 if found[2] == "%" and "0 to 1" in self.unit else number
         except (ValueError, ZeroDivisionError):
             return None
 
