@@ -27,7 +27,8 @@ class Prediction(NotebookWidget):
         self.question, self.options, self.unit = question, options, unit
         wide = ipywidgets.Layout(width="auto")
         if options is None:
-            self._field = ipywidgets.Text(placeholder="a number", description=unit, layout={"width": "260px"})
+            whole = {"description_width": "initial"}  # or a long unit is cut off
+            self._field = ipywidgets.Text(placeholder="a number", description=unit, style=whole, layout=wide)
         else:
             self._field = ipywidgets.RadioButtons(options=options, value=None, layout=wide)
         super().__init__(ipywidgets.HTML(f"<b>Your prediction.</b> {html.escape(question)}"), self._field)
