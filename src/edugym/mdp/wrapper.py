@@ -94,7 +94,7 @@ def _from_inside(self: Any, name: str) -> Any:
 
 
 def _of_inner_states(self: Any, method: Callable[..., Any]) -> Callable[..., Any]:
-    """Return a function like `method`, the `scene` or `info` of the inner MDP, that takes states of the wrapper."""
+    """Return a function that turns a state of the wrapper into one of the inner MDP, and calls `method` with it."""
 
     @wraps(method)
     def of_wrapped(state: Any, *arguments: Any, **named: Any) -> Any:
