@@ -41,8 +41,7 @@ PASSED_ON = {
 }
 """The five methods of an MDP, each of which calls the same method of the inner MDP.
 
-(The `__getattr__` that `wrapper` also adds would find these methods in the inner MDP, but only in the interpreter. The
-compiler sees only the methods of the class itself, so the class needs all five.)
+The class of a wrapper needs all five, since the compiler looks for methods in the class itself.
 """
 
 
