@@ -61,9 +61,11 @@ def wrapper(kind: Kind) -> Kind:
                 return self.mdp.reward(state, action, next_state, rng) + rng.normal(0.0, self.sigma)
 
     Spaces, step limit, names of actions, picture (`scene`) and info are those of the inner MDP, unless the class
-    defines them. (`observe_into` and private attributes are not passed on.) If the wrapper's states differ from those
-    of the inner MDP, the class must define `inside(state)`: it returns the inner MDP's state, from which `scene` and
-    `info` are made.
+    defines them. (Private attributes are not passed on, nor is `observe_into`, by which some MDPs write an observation
+    into an array.)
+
+    If the wrapper's states differ from those of the inner MDP, the class must define `inside(state)`. It returns the
+    inner MDP's state, from which `scene` and `info` are made.
 
     Raises:
         TypeError: the class has no field `mdp`.
