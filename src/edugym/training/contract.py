@@ -122,8 +122,7 @@ def learner(agent: Any) -> Any:
     """Wrap an agent, so that a loop can call every agent's `learn` in the same way.
 
     The loop calls the wrapper's `learn` with every value that the loop has, in the order of `LEARN_PARAMETERS`. The
-    wrapper passes on only those that the agent's own `learn` has as parameters. (There is a `next_action` only for
-    agents that take one.)
+    wrapper passes on only those that the agent's own `learn` has as parameters.
 
     Compiled code needs to know the arguments of a call beforehand, so the class of the wrapper is generated. For an
     agent that learns from `state, action, reward, terminated` it contains:
