@@ -121,8 +121,8 @@ def _require_tables(agent: Any) -> None:
 def learner(agent: Any) -> Any:
     """Wrap an agent, so that a loop can call every agent's `learn` in the same way.
 
-    The loop calls the wrapper's `learn` with every value that the loop has, in the order of `LEARN_PARAMETERS`. The
-    wrapper passes on only those that the agent's own `learn` has as parameters.
+    The wrapper's `learn` takes state, action, reward, next state, whether the episode has terminated and whether it was
+    truncated; for on-policy agents also the next action. It passes on only those that the agent's own `learn` takes.
 
     Compiled code needs to know the arguments of a call beforehand, so the class of the wrapper is generated. For an
     agent that learns from `state, action, reward, terminated` it contains:
