@@ -67,8 +67,9 @@ def learns_from(agent: Any) -> tuple[str, ...]:
             near = difflib.get_close_matches(name, (*OTHER_NAMES, *LEARN_PARAMETERS), 1)
             meant = f": is {OTHER_NAMES.get(near[0], near[0])!r} meant?" if near else "."
             raise ValueError(
-                f"learn of {type(agent).__name__} has the parameter {name!r}{meant} Its parameters without a default"
-                f" must be among {', '.join(LEARN_PARAMETERS)}, for example learn(self, {', '.join(METHODS['learn'])})"
+                f"learn of {type(agent).__name__} has the parameter {name!r}{meant} The parameters of learn without a"
+                f" default must be among {', '.join(LEARN_PARAMETERS)}, for example"
+                f" learn(self, {', '.join(METHODS['learn'])})"
             )
     return tuple(taken)
 
