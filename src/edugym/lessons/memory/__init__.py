@@ -18,6 +18,7 @@ from edugym.experiments import How, reporting
 from edugym.lessons.memory.figures import (
     compare_windows,
     network_figure,
+    one_window,
     race,
     twin_figure,
     walk_figure,
@@ -89,6 +90,7 @@ __all__ = [
     "name",
     "network_figure",
     "never_errs",
+    "one_window",
     "perfect_play",
     "race",
     "remember",

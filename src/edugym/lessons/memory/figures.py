@@ -192,6 +192,35 @@ def compare_windows(
     return Sheet("windows", [panels])
 
 
+def one_window(
+    k: int = 3,
+    num_doors: int = DOORS,
+    *,
+    epsilon: float = EPSILON,
+    learning_rate: float = LEARNING_RATE,
+    discount: float = DISCOUNT,
+    n_steps: int = 50_000,
+    repetitions: int = 10,
+) -> Sheet:
+    """Return the learning curves of one window, without and with actions, with the best play for each.
+
+    Args:
+        k: the number of observations.
+        num_doors: at every place.
+        epsilon: ε.
+        learning_rate: α.
+        discount: γ.
+        n_steps: the training steps of each run.
+        repetitions: the number of runs of each.
+    """
+    how: dict[str, Any] = {"epsilon": epsilon, "learning_rate": learning_rate, "discount": discount}
+    how |= {"n_steps": n_steps, "repetitions": repetitions, "num_doors": num_doors}
+    kinds = {FRAMES_ALONE: False, WITH_ACTIONS: True}
+    parts = [_renamed(learn_all([k], actions, **how), label, k) for label, actions in kinds.items()]
+    best = {label: best_play(k, actions and k > 1, num_doors).value for label, actions in kinds.items()}
+    return Sheet("one_window", [[WithBest(Curves(joined(parts), f"k = {k}, {num_doors} doors"), best)]])
+
+
 def window_lines(lengths: Sequence[int]) -> Lines:
     """Return the smallest windows of perfect play, found by trying all doors, and the law for observations alone."""
     return Lines(
@@ -300,12 +329,12 @@ def race(
     """
     how = {"repetitions": repetitions, "n_steps": n_steps, **how}
     frames, both = (learn_all([4], actions, **how) for actions in (False, True))
-    parts = [_renamed(frames, FRAMES_ALONE), _renamed(both, WITH_ACTIONS)]
+    parts = [_renamed(frames, FRAMES_ALONE, 4), _renamed(both, WITH_ACTIONS, 4)]
     settings: dict[str, Any] = {"learning_rate": LEARNING_RATE, "discount": DISCOUNT, "epsilon": EPSILON}
     parts += [learn_on(task, label, **settings, **how) for label, task in own.items()]
     return Sheet("race", [[WithBest(Curves(joined(parts), "k = 4, and yours"), log=log)]])
 
 
-def _renamed(results: Results, label: str) -> Results:
+def _renamed(results: Results, label: str, k: int) -> Results:
     """Return results of one method under another label."""
-    return Results(results.table.assign(method=label), {label: results.agents[name(4)]})
+    return Results(results.table.assign(method=label), {label: results.agents[name(k)]})
