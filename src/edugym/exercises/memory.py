@@ -18,7 +18,7 @@ from edugym.lessons.memory.players import DISCOUNT, Rememberer
 from edugym.lessons.memory.secret import SECRET_STEPS, secret_corridor
 from edugym.lessons.memory.windows import action_law, window_law
 
-NO_MEANING = "that is none of the usual mistakes, so work it out by hand for a small case"
+UNUSUAL = "that is none of the usual mistakes, so work it out by hand for a small case"
 
 
 def exercise_1(answer: Any, seed: int) -> str:
@@ -36,7 +36,7 @@ def exercise_1(answer: Any, seed: int) -> str:
             found = answer(doors, length)
         right = (doors + 1) ** window_law(length)
         mistakes = {why: float(wrong) for why, wrong in _row_mistakes(doors, length).items() if wrong != right}
-        compare(call, found, float(right), mistakes, otherwise=NO_MEANING)
+        compare(call, found, float(right), mistakes, otherwise=UNUSUAL)
     return "Right: for corridor 7 with three doors that are 4^22, or 18 million million rows."
 
 
@@ -214,7 +214,10 @@ UPDATES: Mapping[str, Callable[[Any, int, int, int, int], Notes]] = MappingProxy
         "the next place is one further, place + 1, where no door is marked": (
             lambda notes, place, seen, action, n: (_noted(notes, place, action), place if seen == n else 0)
         ),
-        "the next place is always 0": lambda notes, place, seen, action, n: (_noted(notes, place, action), 0),
+        "the next place is always 0: compare what was *seen* with num_doors": lambda notes, place, seen, action, n: (
+            _noted(notes, place, action),
+            0,
+        ),
         "the first place is 0, not 1": (
             lambda notes, place, seen, action, n: (_noted(notes, place, action), place + 1 if seen == n else 1)
         ),
@@ -228,11 +231,8 @@ UPDATES: Mapping[str, Callable[[Any, int, int, int, int], Notes]] = MappingProxy
                 else (np.full_like(_noted(notes, place, action), n), 0)
             )
         ),
-        "it notes nothing: write the door into `notes[place]`": (
+        "the marked door is not noted: write every door into `notes[place]`, marked or not": (
             lambda notes, place, seen, action, n: (notes, place + 1 if seen == n else 0)
-        ),
-        "it notes a door only at unmarked places, and the marked one is lost": (
-            lambda notes, place, seen, action, n: (_noted(notes, place, action), place + 1) if seen == n else (notes, 0)
         ),
         "it notes the place instead of the door": (
             lambda notes, place, seen, action, n: (_noted(notes, place, place), place + 1 if seen == n else 0)
@@ -245,9 +245,6 @@ UPDATES: Mapping[str, Callable[[Any, int, int, int, int], Notes]] = MappingProxy
         ),
         "the present place is compared with the number of doors; compare what was *seen* with it": (
             lambda notes, place, seen, action, n: (_noted(notes, place, action), place + 1 if place == n else 0)
-        ),
-        "the door that was opened is compared with the number of doors; compare what was *seen* with it": (
-            lambda notes, place, seen, action, n: (_noted(notes, place, action), place + 1 if action == n else 0)
         ),
     }
 )

@@ -186,9 +186,10 @@ def compare_windows(
 ) -> Sheet:
     """Return the learning curves of windows without and with actions, with the best play that each window allows."""
     panels = []
+    top = 1.1 * max(best_play(int(label[4:]), True, num_doors).value for label in both.methods)
     for results, actions, title in zip((frames, both), (False, True), titles, strict=True):
         best = {label: best_play(int(label[4:]), actions, num_doors).value for label in results.methods}
-        panels.append(WithBest(Curves(results, title), best))
+        panels.append(WithBest(Curves(results, title, y_range=(0.0, top)), best))
     return Sheet("windows", [panels])
 
 
@@ -262,7 +263,13 @@ class Worth(NamedTuple):
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw lines and points on `ax`, by default in a new figure, and return the axes."""
         ax = own_axes(ax)
-        ax.step(self.ks, self.sure, where="post", label="without any error (the law)", **REFERENCE)
+        ax.step(
+            [*self.ks, self.ks[-1] + 0.6],
+            [*self.sure, self.sure[-1]],
+            where="post",
+            label="without any error (the law)",
+            **REFERENCE,
+        )
         ax.plot(self.ks, self.best, label=BEST, **SOFT_REFERENCE)
         for i, (label, points) in enumerate(self.learned.items()):
             if points:
@@ -281,7 +288,7 @@ class Worth(NamedTuple):
                 ax.errorbar(ks, means, spread, label=label, capsize=2, **look)
         ax.set_ylim(0, self.top)
         ax.set_xticks(self.ks)
-        dress(ax, "window k", "return (greedy)", self.title)
+        dress(ax, "observations in the window, k", "return (greedy)", self.title)
         if place.alone:
             add_legend(ax)
         return ax
