@@ -365,7 +365,7 @@ source(DQN.add_gradient)
 # play through corridor 5 returns 15. What will DQN return at the end, on average over the last fifth of training?
 
 # %%
-far = predict("DQN on 7 observations with actions returns about ...", ["below 13", "15, up to 2", "above 17"])
+far = predict("DQN on 7 observations with actions returns about ...", ["below 13", "15, give or take 2", "above 17"])
 far
 
 # %%
@@ -376,7 +376,7 @@ display(memory.network_figure(networks))
 for label in networks.methods:
     print(f"{label:26}: {memory.late(networks, label).mean():.1f} (mean of the last five points)")
 reached = memory.late(networks, "7 observations and actions").mean()
-far.measured("below 13" if reached < 13 else "15, up to 2" if reached <= 17 else "above 17")
+far.measured("below 13" if reached < 13 else "15, give or take 2" if reached <= 17 else "above 17")
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
@@ -474,12 +474,12 @@ blind.measured(names[solved[0]] if solved else "no number is enough")
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Two. Six observations of nothing are still nothing. With its last two actions the agent knows where it
-# is on the way: after *down, down* comes right, after *down, right* comes right again, after *right, right* comes down,
-# after *right, down* comes right. With one action it cannot, since it must not always do the same after *down*.
+# **Measured.** Two. Six observations of nothing are still nothing. With its last two actions the agent can know where it
+# is on the way. On the way above, *down, down* is followed by right, *down, right* by right, *right, right* by down, and
+# *right, down* by right. One action is too little: *down* is followed by down once, and by right another time.
 #
 # Three actions contain all that two contain, and yet two of the five runs with $k = 4$ ended without the goal. They
-# walk to and fro at the start. "Enough to know" does not yet mean "learned".
+# do not get away from the start. "Enough to know" does not yet mean "learned".
 # </details>
 
 # %% [markdown]
@@ -620,7 +620,7 @@ display(memory.race({"my window": MyWindow(make_mdp("MemoryCorridor"))}, n_steps
 
 # %% [markdown]
 # ### Exercise 3: write the right memory
-# The window of 7 with actions has 12 million rows, and errs in corridor 6. Give the agent a notebook instead. It has a
+# The window of 7 with actions has 12 million rows, and still errs at times in corridor 6. Give the agent a notebook instead. It has a
 # line for every place, and the agent keeps a finger on the line of the present place. What Q-learning sees is the note
 # under the finger and the present observation, no more. That makes $(N + 1)^2 = 16$ rows. What a note *means* is for
 # Q-learning to find out.
@@ -716,13 +716,13 @@ display(memory.race(notebook, n_steps=20_000, repetitions=10, log=True, evaluati
 # %% [markdown]
 # ### The open challenge: marks in a secret script
 # A corridor with ten doors, and with marks that are *signs*: sign 4 may mean door 7. Which sign means which door
-# belongs to your name. It is the same in all episodes of a run, so it can be learned. Episodes are cut off after 100
+# depends on your name. It stays the same in all episodes of a run, so it can be learned. Episodes are cut off after 100
 # steps, and there are 5 000 steps in all. **All training episodes count**, from the first one on, and each with the
 # same weight.
 #
 # Write an agent with `act` and `learn`, whose memory is inside. Of the task it is told only the two spaces:
 # observations 0 to 9 are signs, 10 is "no mark". Let `learn` have the parameters `terminated` and `truncated`, so that
-# it knows when an episode is over. It is trained ten times, on signs that belong to your name. Your points are the mean
+# it knows when an episode is over. It is trained ten times, each time with another script. Your points are the mean
 # return of its training episodes, in percent of 64. That is what an agent gets which keeps the right notes and never
 # tries a door for a sign that it could know to be another one. (The column "return at the end" plays an episode without
 # `learn`. It means little for agents whose memory is in `learn`, and it does not count.)

@@ -164,7 +164,7 @@ def window_claims() -> list[Claim]:
             "the door was opened L - 1 steps ago; two marks in the window tell how long the corridor is (section 17.3)",
         ),
         Claim(
-            "The laws are for never erring: the best play with 7 observations and actions gets far beyond corridor 5 (15)",
+            "The laws are for never erring: the best play with 7 observations and actions returns far more than 15",
             "expected return of the best policy that was found",
             exactly(best_play(7, actions=True).value),
             Within(23.0, 23.6),

@@ -319,7 +319,8 @@ def worth(tables: Sequence[Results], networks: Results, windows: int = 7) -> She
 def network_figure(networks: Results, recurrent: Results | None = None) -> Sheet:
     """Return the learning curves of DQN, and those of recurrent PPO if they are given."""
     results = networks if recurrent is None else joined([networks, recurrent])
-    return Sheet("networks", [[Curves(results, "networks", y_range=(0.0, 25.0))]])
+    title = "DQN on windows" if recurrent is None else "DQN on windows, and a learned memory"
+    return Sheet("networks", [[Curves(results, title, y_range=(0.0, 25.0))]])
 
 
 def race(
