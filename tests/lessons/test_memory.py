@@ -1,19 +1,37 @@
 """Partial observability in MemoryCorridor: the claims hold with other seeds than those the lesson shows."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
 from edugym.envs.memory_corridor import MemoryCorridor
 from edugym.lessons.memory import (
+    STORED,
     action_law,
+    best_play,
+    blind_lake,
+    compare_windows,
     dense_table,
     is_enough,
+    late,
     learn,
+    learn_all,
+    learn_with_network,
     name,
+    network_figure,
+    never_errs,
+    one_window,
     perfect_play,
+    race,
     remember,
     smallest_window,
+    twin_figure,
+    twins,
+    walk_figure,
+    warm_up,
     window_law,
+    worth,
 )
 
 
@@ -54,3 +72,81 @@ def test_a_window_that_is_enough_is_learned() -> None:
     """Two frames with the action between get through corridor 2, which one frame does not."""
     short, long = (learn(k, actions=True, n_steps=50_000, repetitions=3).final(name(k)).mean() for k in (1, 2))
     assert long > 3.0 > short
+
+
+@pytest.mark.parametrize(("k", "actions"), [(1, False), (4, False), (7, False), (2, True), (5, True), (7, True)])
+def test_best_play(k: int, actions: bool) -> None:
+    """It never errs as far as the law goes, goes on a little further, and is what Q-learning and DQN come close to."""
+    best, sure = best_play(k, actions), never_errs(k, actions)
+    assert best.through[:sure] == (1.0,) * sure
+    assert best.through[sure] < 1.0
+    assert sure * (sure + 1) / 2 < best.value < (sure + 2) * (sure + 3) / 2
+    assert [*best.through] == sorted(best.through, reverse=True)
+
+
+def test_best_play_of_the_smallest_window() -> None:
+    """With one observation unmarked doors are guessed: corridor L is passed with probability 3 to the power 1 - L."""
+    through = np.cumprod([3.0 ** (1 - length) for length in range(1, 10)])
+    guessed = best_play(1)
+    # One door can be opened at every unmarked place only, so that the guesses of an episode are not independent.
+    assert guessed.through[0] == 1.0
+    assert guessed.through[1] == pytest.approx(through[1])
+    assert guessed.value > 1.0 + 2 / 3
+
+
+def test_learning_comes_close_to_the_best_play() -> None:
+    """Q-learning with other seeds than the lesson's."""
+    for k, actions in ((3, False), (3, True)):
+        learned = late(learn(k, actions, n_steps=50_000, repetitions=10, seed=3), name(k)).mean()
+        assert learned == pytest.approx(best_play(k, actions).value, abs=0.4)
+
+
+def test_twins() -> None:
+    """They look the same in the window, and their right doors differ; where the window is enough there are none."""
+    pair = twins(4, 4, actions=True)
+    assert pair is not None
+    windows, right = [], []
+    for doors, step in pair:
+        play = [*perfect_play(doors)]
+        windows.append((play[step - 3 : step + 1], [door for _, door in play[step - 3 : step]]))
+        right.append(play[step][1])
+    assert [seen for seen, _ in windows[0][0]] == [seen for seen, _ in windows[1][0]]
+    assert windows[0][1] == windows[1][1]
+    assert right[0] != right[1]
+    assert twins(5, 4, actions=True) is None
+    with pytest.raises(ValueError, match="enough"):
+        twin_figure(5, 4, actions=True)
+
+
+def test_figures() -> None:
+    """They draw."""
+    how: dict[str, Any] = {"n_steps": 500, "repetitions": 2}
+    alone, both = learn_all([1, 2], **how), learn_all([1, 2], actions=True, **how)
+    networks = learn_with_network("7 observations", n_steps=400, repetitions=2)
+    sheets = [
+        compare_windows(alone, both),
+        one_window(2, n_steps=500, repetitions=2),
+        worth((alone, both), networks, windows=4),
+        network_figure(networks, STORED.load()),
+        walk_figure((2, 0, 1), 3, 2, actions=True),
+        walk_figure((2, 0, 1), 0, 4),
+        twin_figure(2, 3),
+        race({"mine": MemoryCorridor.create()}, log=True, **how),
+    ]
+    for sheet in sheets:
+        assert all(ax.get_xlabel() for ax in sheet.draw().axes)
+
+
+def test_eyes_shut_on_the_lake() -> None:
+    """The row of a window grows by its digits: nothing is seen, four actions."""
+    lake = blind_lake(3, actions=True)
+    assert lake.reset(seed=0)[0] == 0
+    rows = [lake.step(action)[0] for action in (1, 1, 2)]
+    assert rows == [1, 1 * 4 + 1, 1 * 4 + 2]
+    assert lake.observation_space.n == 16
+    assert blind_lake(6, actions=False).observation_space.n == 1
+
+
+def test_warming_up() -> None:
+    """It runs."""
+    warm_up()

@@ -19,7 +19,7 @@ DISCOUNT = 0.8
 LEARNING_RATE = 0.001
 LAST_EPSILON = 0.02
 WINDOWS: Mapping[str, tuple[int, bool]] = MappingProxyType(
-    {"4 frames": (4, False), "7 frames": (7, False), "7 frames and actions": (7, True)}
+    {"4 observations": (4, False), "7 observations": (7, False), "7 observations and actions": (7, True)}
 )
 """The windows: by label, the number of observations, and whether the actions between them are shown."""
 

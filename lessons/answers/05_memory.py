@@ -1,0 +1,617 @@
+# ruff: noqa
+# Right and wrong answers to the exercises of lesson 5; tests/lessons/test_answers.py tries them all.
+# An answer stands in the place of the exercise's cell. Methods without their class replace those of the solution.
+
+
+# %% exercise 1, right: in one line
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** (length * (length - 1) // 2 + 1)
+
+
+# %% exercise 1, right: with the package's law
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** memory.window_law(length)
+
+
+# %% exercise 1, right: with stack_size
+def table_rows(num_doors, length):
+    window = length * (length - 1) // 2 + 1
+    return stack_size(num_doors + 1, window)
+
+
+# %% exercise 1, right: by a loop over the corridors
+def table_rows(num_doors, length):
+    rows = num_doors + 1
+    for corridor in range(1, length):
+        for place in range(corridor):
+            rows *= num_doors + 1
+    return rows
+
+
+# %% exercise 1, right: with a sum
+def table_rows(num_doors, length):
+    window = sum(range(length)) + 1
+    return float(num_doors + 1) ** window
+
+
+# %% exercise 1, right: by trying windows
+def table_rows(num_doors, length):
+    k = memory.smallest_window(length)
+    return (num_doors + 1) ** k
+
+
+# %% exercise 1, right: with numpy
+def table_rows(num_doors, length):
+    return np.prod(np.full(int(length * (length - 1) / 2) + 1, num_doors + 1, dtype=float))
+
+
+# %% exercise 1, wrong: no placeholder replaced
+# says: Not solved yet
+def table_rows(num_doors, length):
+    raise NotImplementedError("not solved yet: replace this line")
+
+
+# %% exercise 1, wrong: dots
+# says: Not solved yet
+table_rows = ...
+
+
+# %% exercise 1, wrong: a number
+# says: should be a function
+table_rows = 4**7
+
+
+# %% exercise 1, wrong: no return
+# says: is a `return` missing?
+def table_rows(num_doors, length):
+    window = length * (length - 1) // 2 + 1
+    rows = (num_doors + 1) ** window
+
+
+# %% exercise 1, wrong: printed
+# says: is a `return` missing?
+def table_rows(num_doors, length):
+    print((num_doors + 1) ** (length * (length - 1) // 2 + 1))
+
+
+# %% exercise 1, wrong: no mark is forgotten
+# says: an unmarked place is an observation too
+def table_rows(num_doors, length):
+    return num_doors ** (length * (length - 1) // 2 + 1)
+
+
+# %% exercise 1, wrong: without the present observation
+# says: the present observation is in the window as well
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** (length * (length - 1) // 2)
+
+
+# %% exercise 1, wrong: a window of L
+# says: a window of L is not enough
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** length
+
+
+# %% exercise 1, wrong: all steps up to the end
+# says: the *first* place
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** (length * (length + 1) // 2)
+
+
+# %% exercise 1, wrong: the entries
+# says: the rows are asked for
+def table_rows(num_doors, length):
+    return num_doors * (num_doors + 1) ** (length * (length - 1) // 2 + 1)
+
+
+# %% exercise 1, wrong: with actions
+# says: the table with the actions in the window
+def table_rows(num_doors, length):
+    window = max(length, 2 * length - 3)
+    return (num_doors + 1) ** window * num_doors ** (window - 1)
+
+
+# %% exercise 1, wrong: the other law
+# says: belongs to windows with actions
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** max(length, 2 * length - 3)
+
+
+# %% exercise 1, wrong: the window
+# says: that is the window itself
+def table_rows(num_doors, length):
+    return length * (length - 1) // 2 + 1
+
+
+# %% exercise 1, wrong: a product
+# says: take the power
+def table_rows(num_doors, length):
+    return (num_doors + 1) * (length * (length - 1) // 2 + 1)
+
+
+# %% exercise 1, wrong: exchanged
+# says: have changed places
+def table_rows(num_doors, length):
+    return (length * (length - 1) // 2 + 1) ** (num_doors + 1)
+
+
+# %% exercise 1, wrong: one corridor too far
+# says: the window for corridor L + 1
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** (length * (length + 1) // 2 + 1)
+
+
+# %% exercise 1, wrong: not halved
+# says: divided by 2
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** (length * (length - 1) + 1)
+
+
+# %% exercise 1, wrong: three doors for ever
+# says: should be
+def table_rows(num_doors, length):
+    return 4 ** (length * (length - 1) // 2 + 1)
+
+
+# %% exercise 1, wrong: exclusive or
+# says: should be
+def table_rows(num_doors, length):
+    return (num_doors + 1) ^ (length * (length - 1) // 2 + 1)
+
+
+# %% exercise 2, right: concatenate
+def push(self, window, action, seen):
+    return np.concatenate((window[2:], np.array([action, seen])))
+
+
+# %% exercise 2, right: append twice
+def push(self, window, action, seen):
+    return np.append(np.append(window[2:], action), seen)
+
+
+# %% exercise 2, right: roll
+def push(self, window, action, seen):
+    new = np.roll(window, -2)
+    new[-2] = action
+    new[-1] = seen
+    return new
+
+
+# %% exercise 2, right: by a loop
+def push(self, window, action, seen):
+    new = np.zeros(len(window), np.int64)
+    for i in range(len(window) - 2):
+        new[i] = window[i + 2]
+    new[len(window) - 2] = action
+    new[len(window) - 1] = seen
+    return new
+
+
+# %% exercise 2, right: pairs of digits
+def row(self, window):
+    number = window[0]
+    for i in range(1, len(window), 2):
+        number = (number * self.n_actions + window[i]) * self.n_observations + window[i + 1]
+    return number
+
+
+# %% exercise 2, right: observations first
+def row(self, window):
+    number = 0
+    for seen in window[::2]:
+        number = number * self.n_observations + seen
+    for action in window[1::2]:
+        number = number * self.n_actions + action
+    return number
+
+
+# %% exercise 2, right: the latest digit first
+def row(self, window):
+    number, worth = 0, 1
+    for i in range(len(window) - 1, -1, -1):
+        number += window[i] * worth
+        worth *= self.n_observations if i % 2 == 0 else self.n_actions
+    return number
+
+
+# %% exercise 2, right: actions first
+def row(self, window):
+    number = 0
+    for i in range(self.k - 1):
+        number = number * self.n_actions + window[2 * i + 1]
+    for i in range(self.k):
+        number = number * self.n_observations + window[2 * i]
+    return number
+
+
+# %% exercise 2, wrong: not solved
+# says: Not solved yet
+def push(self, window, action, seen):
+    raise NotImplementedError("not solved yet: replace this line")
+
+
+# %% exercise 2, wrong: not a class
+# says: should be the class
+MyWindow = MyWindow(make_mdp("MemoryCorridor"))
+
+
+# %% exercise 2, wrong: the window is changed
+# says: changes the window that it is given
+def push(self, window, action, seen):
+    window[:-2] = window[2:]
+    window[-2] = action
+    window[-1] = seen
+    return window
+
+
+# %% exercise 2, wrong: no return
+# says: is a `return` missing?
+def push(self, window, action, seen):
+    new = window.copy()
+    new[:-2] = window[2:]
+    new[-2] = action
+    new[-1] = seen
+
+
+# %% exercise 2, wrong: the wrong order
+# says: the action comes before the observation
+def push(self, window, action, seen):
+    return np.concatenate((window[2:], np.array([seen, action])))
+
+
+# %% exercise 2, wrong: at the front
+# says: stand at the
+def push(self, window, action, seen):
+    return np.concatenate((np.array([action, seen]), window[:-2]))
+
+
+# %% exercise 2, wrong: the newest first
+# says: stand at the
+def push(self, window, action, seen):
+    return np.concatenate((np.array([seen, action]), window[:-2]))
+
+
+# %% exercise 2, wrong: nothing moves
+# says: nothing moves
+def push(self, window, action, seen):
+    new = window.copy()
+    new[-2] = action
+    new[-1] = seen
+    return new
+
+
+# %% exercise 2, wrong: the window grows
+# says: two go and two come
+def push(self, window, action, seen):
+    return np.concatenate((window, np.array([action, seen])))
+
+
+# %% exercise 2, wrong: only the oldest observation goes
+# says: two go and two come
+def push(self, window, action, seen):
+    return np.concatenate((window[1:], np.array([action, seen])))
+
+
+# %% exercise 2, wrong: it moves by one
+# says: by one entry only
+def push(self, window, action, seen):
+    new = window.copy()
+    new[:-1] = window[1:]
+    new[-2] = action
+    new[-1] = seen
+    return new
+
+
+# %% exercise 2, wrong: rolled the wrong way
+# says: the wrong way
+def push(self, window, action, seen):
+    new = np.roll(window, 2)
+    new[-2] = action
+    new[-1] = seen
+    return new
+
+
+# %% exercise 2, wrong: the action is left out
+# says: the new action is missing
+def push(self, window, action, seen):
+    new = window.copy()
+    new[:-2] = window[2:]
+    new[-1] = seen
+    return new
+
+
+# %% exercise 2, wrong: only observations move
+# says: only the observations move
+def push(self, window, action, seen):
+    new = window.copy()
+    new[:-2:2] = window[2::2]
+    new[-2] = action
+    new[-1] = seen
+    return new
+
+
+# %% exercise 2, wrong: a list
+# says: give a NumPy array
+def push(self, window, action, seen):
+    return [*window[2:], action, seen]
+
+
+# %% exercise 2, wrong: a row without the actions
+# says: they differ in an action only
+def row(self, window):
+    number = 0
+    for seen in window[::2]:
+        number = number * self.n_observations + seen
+    return number
+
+
+# %% exercise 2, wrong: a sum
+# says: different windows need different rows
+def row(self, window):
+    return sum(window)
+
+
+# %% exercise 2, wrong: one base for all digits
+# says: should be from 0 to
+def row(self, window):
+    number = 0
+    for entry in window:
+        number = number * self.n_observations + entry
+    return number
+
+
+# %% exercise 2, wrong: the bases exchanged
+# says: different windows need different rows
+def row(self, window):
+    number = 0
+    for i in range(len(window)):
+        if i % 2 == 0:
+            number = number * self.n_actions + window[i]
+        else:
+            number = number * self.n_observations + window[i]
+    return number
+
+
+# %% exercise 2, wrong: decimal digits
+# says: should be from 0 to
+def row(self, window):
+    number = 0
+    for entry in window:
+        number = number * 10 + entry
+    return number
+
+
+# %% exercise 2, wrong: the digit is added too early
+# says: and then add the digit
+def row(self, window):
+    number = 0
+    for i in range(len(window)):
+        base = self.n_observations if i % 2 == 0 else self.n_actions
+        number = (number + window[i]) * base
+    return number
+
+
+# %% exercise 2, wrong: the lesson's numbers
+# says: with
+def row(self, window):
+    number = 0
+    for i in range(len(window)):
+        number = number * (4 if i % 2 == 0 else 3) + window[i]
+    return number
+
+
+# %% exercise 2, wrong: self is missing
+# says: n_observations
+def row(self, window):
+    number = 0
+    for i in range(len(window)):
+        number = number * (n_observations if i % 2 == 0 else n_actions) + window[i]
+    return number
+
+
+# %% exercise 3, right: the other case first
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    if seen < self.num_doors:
+        return 0
+    return place + 1
+
+
+# %% exercise 3, right: in two lines
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    return place + 1 if seen == self.num_doors else 0
+
+
+# %% exercise 3, right: the mark is noted
+def update(self, notes, place, seen, action):
+    if seen != self.num_doors:
+        notes[place] = seen
+        return 0
+    return place + 1
+
+
+# %% exercise 3, right: arithmetic
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    return (place + 1) * int(seen == self.num_doors)
+
+
+# %% exercise 3, right: an empty note means the end
+def update(self, notes, place, seen, action):
+    last = notes[place] == self.num_doors
+    notes[place] = action
+    if last:
+        return 0
+    return place + 1
+
+
+# %% exercise 3, right: with a local name
+def update(self, notes, place, seen, action):
+    marked = seen in range(self.num_doors)
+    notes[place] = action
+    next_place = place + 1
+    if marked:
+        next_place = 0
+    return next_place
+
+
+# %% exercise 3, right: noted once
+def update(self, notes, place, seen, action):
+    if notes[place] == self.num_doors:
+        notes[place] = action
+    if seen == self.num_doors:
+        place += 1
+    else:
+        place = 0
+    return place
+
+
+# %% exercise 3, wrong: not solved
+# says: Not solved yet
+def update(self, notes, place, seen, action):
+    raise NotImplementedError("not solved yet: replace this line")
+
+
+# %% exercise 3, wrong: an instance
+# says: should be the class
+Notebook = Notebook(make_mdp("MemoryCorridor"))
+
+
+# %% exercise 3, wrong: no return
+# says: is a `return` missing?
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    place = place + 1 if seen == self.num_doors else 0
+
+
+# %% exercise 3, wrong: what was seen
+# says: it notes what was *seen*
+def update(self, notes, place, seen, action):
+    notes[place] = seen
+    return place + 1 if seen == self.num_doors else 0
+
+
+# %% exercise 3, wrong: never back
+# says: the corridor starts again, so the next place is 0
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    return place + 1
+
+
+# %% exercise 3, wrong: exchanged
+# says: have changed places
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    return 0 if seen == self.num_doors else place + 1
+
+
+# %% exercise 3, wrong: it stays
+# says: one further
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    return place if seen == self.num_doors else 0
+
+
+# %% exercise 3, wrong: always back
+# says: always 0
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    return 0
+
+
+# %% exercise 3, wrong: from one
+# says: the first place is 0
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    return place + 1 if seen == self.num_doors else 1
+
+
+# %% exercise 3, wrong: moves before it writes
+# says: write the note before you move on
+def update(self, notes, place, seen, action):
+    place = place + 1 if seen == self.num_doors else 0
+    notes[place] = action
+    return place
+
+
+# %% exercise 3, wrong: wipes the notes
+# says: wiped out
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    if seen == self.num_doors:
+        return place + 1
+    notes[:] = self.num_doors
+    return 0
+
+
+# %% exercise 3, wrong: notes nothing
+# says: the marked door is not noted
+def update(self, notes, place, seen, action):
+    return place + 1 if seen == self.num_doors else 0
+
+
+# %% exercise 3, wrong: a copy is changed
+# says: the marked door is not noted
+def update(self, notes, place, seen, action):
+    notes = notes.copy()
+    notes[place] = action
+    return place + 1 if seen == self.num_doors else 0
+
+
+# %% exercise 3, wrong: the marked door is lost
+# says: the marked door is not noted
+def update(self, notes, place, seen, action):
+    if seen == self.num_doors:
+        notes[place] = action
+        return place + 1
+    return 0
+
+
+# %% exercise 3, wrong: the place is noted
+# says: the place instead of the door
+def update(self, notes, place, seen, action):
+    notes[place] = place
+    return place + 1 if seen == self.num_doors else 0
+
+
+# %% exercise 3, wrong: compared with the door
+# says: compare what was *seen*
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    return place + 1 if action == self.num_doors else 0
+
+
+# %% exercise 3, wrong: compared with the place
+# says: the present place is compared
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    return place + 1 if place == self.num_doors else 0
+
+
+# %% exercise 3, wrong: three doors
+# says: with 4 doors
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    return place + 1 if seen == 3 else 0
+
+
+# %% exercise 3, wrong: both are returned
+# says: the next place alone
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    return notes, place + 1 if seen == self.num_doors else 0
+
+
+# %% exercise 3, wrong: compared instead of written
+# says: the marked door is not noted
+def update(self, notes, place, seen, action):
+    notes[place] == action
+    return place + 1 if seen == self.num_doors else 0
+
+
+# %% exercise 3, wrong: the wrong index
+# says: the index is the place
+def update(self, notes, place, seen, action):
+    notes[action] = action
+    return place + 1 if seen == self.num_doors else 0
