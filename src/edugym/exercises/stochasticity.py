@@ -1,4 +1,4 @@
-"""The exercises of lesson 8: where a risk stops being worth it, players worth choosing, and an agent with two weights."""
+"""The exercises of lesson 8: where a risk stops being worth it, players worth choosing, an agent with two weights."""
 
 import inspect
 from collections.abc import Callable, Mapping
@@ -55,8 +55,8 @@ def exercise_1(answer: Any, seed: int) -> str:
         otherwise=f"it is {side}" + ("; you are close, give four digits after the decimal point" if near else ""),
     )
     return (
-        "Right: near 0.0232. By hand: 1.6 p = 0.2, so p = 0.125, which is 1.53 standard deviations on each side: 0.0228. "
-        "The dearer a hit, the more risk it is worth."
+        "Right: near 0.0232. By hand: 1.6 p = 0.2, so p = 0.125, which is 1.53 standard deviations on each side: "
+        "0.0228. The dearer a hit, the more risk it is worth."
     )
 
 
@@ -77,8 +77,8 @@ def _unbeaten(players: Mapping[str, Pair], beats: Callable[[Pair, Pair], bool]) 
 
 
 FRONTIER_MISTAKES: Mapping[str, Callable[[Mapping[str, Pair]], set[str]]] = {
-    "a player with the same mean and a larger spread is beaten too, and so is one with the same spread and a lower mean;"
-    " one of the two may be equal": lambda players: _unbeaten(players, lambda a, b: a[0] > b[0] and a[1] < b[1]),
+    "a player with the same mean and a larger spread is beaten too, and so is one with the same spread and a lower"
+    " mean; one of the two may be equal": lambda players: _unbeaten(players, lambda a, b: a[0] > b[0] and a[1] < b[1]),
     "two players with the same two numbers do not beat each other; one of the two must be really better": (
         lambda players: _unbeaten(players, lambda a, b: a[0] >= b[0] and a[1] <= b[1])
     ),
@@ -134,15 +134,20 @@ FRONTIER_MISTAKES: Mapping[str, Callable[[Mapping[str, Pair]], set[str]]] = {
 }
 
 
+FRONTIER_CASE = ((4, 2), (9, 3), (15, 7), (18, 11), (18, 11), (20, 15), (9, 5), (12, 7), (10, 13), (3, 9))
+"""Mean and spread: six on the frontier, two of them alike; one is beaten in the spread alone, and one in the mean."""
+
+
 def made_up_players(seed: int) -> list[dict[str, Pair]]:
-    """Make players up: few values, so that many are equal, and two that are equal in both on the frontier."""
+    """Make players up: two cases by hand, the second with a player that beats all others, and one by chance."""
     rng = np.random.default_rng(seed)
+    few = list(zip(rng.integers(1, 9, 9), rng.integers(1, 9, 9), strict=True))
     cases = []
-    for n in (5, 6, 8):
-        pairs = [(int(m) / 4, int(s) / 4) for m, s in zip(rng.integers(0, 5, n), rng.integers(2, 7, n), strict=True)]
-        pairs += [(1.25, 1.75), (1.25, 1.75), (0.75, 0.25), (1.0, 1.0), (1.0, 1.25), (0.25, 1.0), (1.25, 2.0)]
+    for pairs in (FRONTIER_CASE, ((22, 1), *FRONTIER_CASE), few):
+        scale = float(rng.choice([0.05, 0.1, 0.2]))
         order = rng.permutation(len(pairs))
-        cases.append({chr(ord("A") + k): pairs[j] for k, j in enumerate(order)})
+        players = [(round(pairs[k][0] * scale, 2), round(pairs[k][1] * scale, 2)) for k in order]
+        cases.append({chr(ord("A") + k): (float(mean), float(spread)) for k, (mean, spread) in enumerate(players)})
     return cases
 
 
@@ -209,12 +214,16 @@ def _one_name(players: Mapping[str, Pair], names: set[str], right: set[str]) -> 
 def two_weights_update(tables: Tables, now: Transition, *, kappa: float, weigh: str = "δ", **one_step: Any) -> None:
     """Apply Q-learning with a weight of 1 - κ for good surprises and 1 + κ for bad ones; other `weigh` are mistakes."""
     Q, entry, rate = tables["Q"], (now.state, now.action), one_step["learning_rate"]
-    before = Q.copy()
+    step, before = one_step.get("step", "difference"), Q.copy()
     one_step_update(tables, now, **one_step)
-    if one_step.get("step") == "next row":
+    if step == "next row":
         entry = (now.next_state, now.action)
-    old = float(before[entry])
-    delta = (float(Q[entry]) - old) / rate if rate else 0.0
+    old, new = float(before[entry]), float(Q[entry])
+    delta = (new - old) / rate
+    if step in SIMPLE:  # the surprise is that of the right step
+        plain = {"Q": before.copy()}
+        one_step_update(plain, now, **{**one_step, "step": "difference"})
+        delta = (float(plain["Q"][entry]) - old) / rate
     good, bad = 1 - kappa, 1 + kappa
     target = delta + old
     weight = {
@@ -238,12 +247,14 @@ def two_weights_update(tables: Tables, now: Transition, *, kappa: float, weigh: 
         "only good": good if delta > 0 else 0.0,
     }.get(weigh)
     if weight is None:  # "on the target": w (R + ...) - Q(S, A)
-        weight = good if delta > 0 else bad
-        Q[entry] = old + rate * (weight * target - old)
-        return
-    Q[entry] = old + rate * weight * delta
+        weight, delta = 1.0, (good if delta > 0 else bad) * target - old
+        new = old + rate * delta
+    base = 0.0 if step in ("only", "only difference") else old
+    Q[entry] = base + weight * (new - base)
 
 
+SIMPLE = ("difference", "minus", "no old", "only", "only difference", "next row")
+"""Steps with one factor, which the weight multiplies."""
 WEIGHT_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "good and bad surprises have changed places: κ > 0 avoids risk, so that bad ones weigh 1 + κ (β has the opposite"
     " sign)": {"weigh": "inverted"},
@@ -311,10 +322,10 @@ def _made(answer: Callable[..., Any], shape: tuple[int, int], settings: Mapping[
 CHALLENGE = Challenge(
     environment="Golf",
     parameters=MappingProxyType({"stochasticity_level": LEVEL, "observe_hits": True}),
-    n_steps=20_000,
+    n_steps=5_000,
     baselines=MappingProxyType(methods_with()),
     optimum=OPTIMUM,
     best_average=OPTIMUM,
     column="training_return",
 )
-"""The open challenge: the highest return of all training games, those with lost balls included, in 20 000 steps."""
+"""The open challenge: the highest return of all training games, those with lost balls included, in 5 000 steps."""

@@ -32,6 +32,10 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
+FIRST_FREE = 5
+"""The first stroke that no player of the lesson has."""
+
+
 class Course(NamedTuple):
     """The course from above, with the places where many balls land.
 
@@ -167,8 +171,25 @@ class Crossing(Lines):
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the lines on `ax`, by default in a new figure, and return the axes."""
         ax = own_axes(ax)
+        for i, (swing, line) in enumerate(self.lines.items(), start=FIRST_FREE):  # other colours than those of players
+            plot_line(ax, i, self.x, line, swing)
         ax.axvline(self.change, label=f"the crossing, level {self.change:.4f}", **SOFT_REFERENCE)
-        return super().draw(ax, place)
+        dress(ax, self.x_label, self.y_label, self.title)
+        if place.alone:
+            add_legend(ax)
+        return ax
+
+
+class Leads(Lines):
+    """Lines around 0, of which those far below are cut off."""
+
+    __slots__ = ()
+
+    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
+        """Draw the lines on `ax`, by default in a new figure, and return the axes."""
+        ax = super().draw(ax, place)
+        ax.set_ylim(-0.2, 0.1)
+        return ax
 
 
 class Frontier(NamedTuple):
@@ -195,7 +216,8 @@ class Frontier(NamedTuple):
         ax.plot(best[:, 1], best[:, 0], "k.-", linewidth=1, label="your frontier")
         for i, (label, (its_mean, its_spread)) in enumerate(self.learned.items()):
             ax.plot(its_spread, its_mean, "D", color=stroke(i).color, markersize=7, label=label)
-        ax.set_ylim(bottom=max(0.4, ax.get_ylim()[0]))
+        ax.set_xlim(-0.02, 0.42)
+        ax.set_ylim(0.45, 0.9)
         dress(ax, "standard deviation of the return", "mean return", self.title)
         if place.alone:
             add_legend(ax)
@@ -294,14 +316,14 @@ def crossing_lines(levels: Sequence[float] = tuple(np.linspace(0.005, 0.0225, 29
 
 
 def crossing_by_attitude(
-    levels: Sequence[float] = (0.0075, 0.01, 0.0125, 0.015, 0.0175, 0.02, 0.0225), risks: Mapping[str, float] = RISKS
-) -> Lines:
+    levels: Sequence[float] = tuple(np.linspace(0.0075, 0.0225, 11)), risks: Mapping[str, float] = RISKS
+) -> Leads:
     """Return how much more a drive is worth than a chip, exactly, for several attitudes to risk."""
     lines = {}
     for label, risk in risks.items():
         worths = [from_the_tee(level, 0.25, risk=risk) for level in levels]
         lines[label] = np.array([worth["drive"] - worth["chip"] for worth in worths])
-    return Lines(
+    return Leads(
         np.array(levels),
         lines,
         "from the tee, for who sees the ball",

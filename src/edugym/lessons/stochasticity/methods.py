@@ -15,6 +15,7 @@ from edugym.agents.strategies import EpsilonGreedy
 from edugym.agents.tables import greedy_action
 from edugym.envs.golf import SWINGS, Golf
 from edugym.mdp.protocol import Integers, Random, Reals
+from edugym.results.statistics import Interval, paired_difference
 from edugym.results.tables import Results
 from edugym.training.repeat import repeat
 from edugym.training.train import train
@@ -188,20 +189,29 @@ def scripted(nearest: float, farthest: float, chip_beyond: float, task: Golf) ->
 
 
 def play_by_rules(level: float = LEVEL, n_steps: int = 100_000) -> dict[str, tuple[float, float]]:
-    """Return the mean and the spread of the returns of players with rules, by what their rules say."""
+    """Return the mean and the spread of the returns of players with rules, by what their rules say.
+
+    Some of them throw a coin before each game, and play it by the fast or by the safe plan.
+    """
     task = Golf.create(stochasticity_level=level)
-    drives = [("no drive", 99.0, 99.0)]
-    drives += [
-        (f"drive from {a:g} to {b:g} cells", a, b) for a in (5.0, 6.5, 8.0, 10.5) for b in (9.0, 11.0, 20.0) if a < b
-    ]
-    players = {}
-    for rule, nearest, farthest in drives:
-        for chip_beyond in (1.5, 2.8, 4.0, 6.0):
-            games = shares_of_games(task, scripted(nearest, farthest, chip_beyond, task), n_steps, 0)
-            one = played([games], task.max_hits)
-            players[f"{rule}, chip beyond {chip_beyond:g}"] = float(one.mean[0]), float(one.spread[0])
-    only_putts = played([shares_of_games(task, scripted(99.0, 99.0, 99.0, task), n_steps, 0)], task.max_hits)
-    return players | {"only putts": (float(only_putts.mean[0]), float(only_putts.spread[0]))}
+
+    def games(nearest: float, farthest: float, chip_beyond: float) -> Reals:
+        return shares_of_games(task, scripted(nearest, farthest, chip_beyond, task), n_steps, 0)
+
+    never = 99.0
+    rules = {"only putts": games(never, never, never)}
+    for chip_beyond in (1.5, 2.8, 4.0, 6.0):
+        rules[f"no drive, chip beyond {chip_beyond:g}"] = games(never, never, chip_beyond)
+        for near, far in ((5.0, 9.0), (5.0, 20.0), (6.5, 11.0), (6.5, 20.0), (8.0, 11.0), (8.0, 20.0)):
+            rules[f"drive from {near:g} to {far:g} cells, chip beyond {chip_beyond:g}"] = games(near, far, chip_beyond)
+    safe, fast = rules[SAFE_RULE], rules[FAST_RULE]
+    for share in (0.1, 0.25, 0.5, 0.75):
+        rules[f"a coin: the fast plan in {share:.0%} of the games"] = share * fast + (1 - share) * safe
+    every = played([*rules.values()], task.max_hits)
+    return {rule: (float(every.mean[i]), float(every.spread[i])) for i, rule in enumerate(rules)}
+
+
+SAFE_RULE, FAST_RULE = "no drive, chip beyond 2.8", "drive from 8 to 20 cells, chip beyond 2.8"
 
 
 def landings(swing: int, level: float = LEVEL, balls: int = 1_000) -> tuple[Reals, float]:
@@ -247,6 +257,11 @@ def optimists(**how: Any) -> Results:
     return learn(risks={}, own=own, **how)
 
 
+def lead_of_seeking(played: Mapping[str, Played]) -> Interval:
+    """Return how much more the seeking player earns on average than the neutral one, paired by repetition."""
+    return paired_difference(played[SEEKING].mean, played[NEUTRAL].mean)
+
+
 def values_on_the_tee(results: Results) -> dict[str, Reals]:
     """Return the values of the three swings from the tee, a mean over the complete runs; hits are observed."""
     golf = Golf.create(observe_hits=True)
@@ -273,7 +288,7 @@ def compare_on_lake(
     rates: Sequence[float] = (1.0, 0.3, 0.05),
     *,
     n_steps: int = 10_000,
-    repetitions: int = 5,
+    repetitions: int = 10,
     **how: Any,
 ) -> Results:
     """Train Q-learning with several learning rates on the frozen lake of Gymnasium.
@@ -293,7 +308,7 @@ def compare_on_lake(
         n_steps,
         parameters={"is_slippery": slippery},
         evaluate_every=max(1, n_steps // 10),
-        evaluation_episodes=20 if slippery else 1,
+        evaluation_episodes=10 if slippery else 1,
         repetitions=repetitions,
         **how,
     )
