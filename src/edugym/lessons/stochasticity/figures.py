@@ -99,7 +99,7 @@ class Dots(NamedTuple):
 
 
 class Games(NamedTuple):
-    """How the games of each method end: lost, or won with 2, 3, ... hits; means over repetitions.
+    """How the games of each method end: lost, or won with 1, 2, ... hits; means over repetitions.
 
     Attributes:
         played: by label of the method, how it plays.
@@ -114,11 +114,11 @@ class Games(NamedTuple):
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the bars on `ax`, by default in a new figure, and return the axes."""
         ax = own_axes(ax)
-        names = ["lost", *(str(hits) for hits in range(2, self.most)), f"{self.most}+"]
+        names = ["lost", *(str(hits) for hits in range(1, self.most)), f"{self.most}+"]
         width = 0.8 / len(self.played)
         for i, (method, games) in enumerate(self.played.items()):
             mean = games.games.mean(axis=0)
-            bars = [mean[0], *mean[2 : self.most], mean[self.most :].sum()]
+            bars = [mean[0], *mean[1 : self.most], mean[self.most :].sum()]
             at = np.arange(len(bars)) + width * (i - (len(self.played) - 1) / 2)
             ax.bar(at, bars, width, color=stroke(i).color, label=method)
         ax.set_xticks(np.arange(len(names)), names)

@@ -22,11 +22,15 @@ from edugym.training.train import train
 
 LAKE = "FrozenLake-v1"
 N_STEPS = 300_000
+LONG = 3_000_000
+"""The training steps of a patient player."""
 SHORT = 30_000
 """The training steps for the speed of learning."""
 PLAYED = 10_000
 REPETITIONS = 30
 LEARNING_RATE = 0.02
+LOW_RATE = 0.005
+"""The learning rate of a patient player."""
 EPSILON = 0.1
 DISCOUNT = 1.0
 LEVEL, TOO_NOISY = 0.015, 0.02
@@ -251,15 +255,23 @@ def learned_value(risk: float, draw: Callable[[Random], float], n_steps: int = 5
     return float(values[n_steps // 2 :].mean())
 
 
-def optimists(**how: Any) -> Results:
-    """Train the three players with values that start at 1; arguments as in `learn`."""
-    own = {label: partial(make, initial_value=1.0) for label, make in methods_with().items()}
-    return learn(risks={}, own=own, **how)
+def patient(risk: float = 0.0, *, n_steps: int = LONG, repetitions: int = 10, **how: Any) -> Results:
+    """Train a player whose values start at 1, with a smaller learning rate, for longer; arguments as in `learn`.
+
+    Its label is that of the neutral player, whatever β it has.
+    """
+    player = partial(methods_with({NEUTRAL: risk}, learning_rate=LOW_RATE)[NEUTRAL], initial_value=1.0)
+    return learn(risks={}, own={NEUTRAL: player}, n_steps=n_steps, repetitions=repetitions, **how)
 
 
-def lead_of_seeking(played: Mapping[str, Played]) -> Interval:
-    """Return how much more the seeking player earns on average than the neutral one, paired by repetition."""
-    return paired_difference(played[SEEKING].mean, played[NEUTRAL].mean)
+def share_of_drivers(played: Played) -> float:
+    """Return the share of runs that have learned to drive: those that lose more than 1 ball in 100."""
+    return float((played.lost > 0.01).mean())
+
+
+def lead(of: Played, over: Played) -> Interval:
+    """Return how much more one player earns on average than another, paired by repetition."""
+    return paired_difference(of.mean, over.mean)
 
 
 def values_on_the_tee(results: Results) -> dict[str, Reals]:
