@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from edugym import Results
+from edugym import QLearning, Results
 from edugym.envs.golf import Golf
 from edugym.lessons import stochasticity
 from edugym.lessons.stochasticity import (
@@ -179,7 +179,7 @@ def trained() -> Results:
 
 
 def test_bad_luck_and_patience(trained: Results) -> None:
-    """The value of a drive is too low, and half of the runs do not drive; a patient player does, and is at the optimum."""
+    """The drive is valued too low, and half of the runs do not drive; a patient player does, and is at the optimum."""
     believed, played = values_on_the_tee(trained), play(trained)
     assert believed[NEUTRAL][2] < from_the_tee(LEVEL)["drive"] - 0.05
     assert 0.2 < stochasticity.share_of_drivers(played[NEUTRAL]) < 0.85
@@ -207,7 +207,7 @@ def test_figures(trained: Results) -> None:
         stochasticity.outcomes(played),
         stochasticity.games_figure(played),
         stochasticity.slider_figure(trained, played, 0.0, 0.1),
-        stochasticity.race({}, repetitions=2, n_steps=2_000),
+        stochasticity.race({"own": QLearning.create}, played, repetitions=2, n_steps=2_000),
         Sheet("more", [[stochasticity.frontier_figure(rules, [SAFE_RULE], played)]]),
         Sheet("levels", [[*stochasticity.against_level((0.01, 0.02), repetitions=2, n_steps=2_000)]]),
     ]

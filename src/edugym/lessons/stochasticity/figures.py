@@ -304,7 +304,7 @@ def slider_figure(results: Results, played: Mapping[str, Played], level: float, 
     )
 
 
-def crossing_lines(levels: Sequence[float] = tuple(np.linspace(0.005, 0.0225, 29))) -> Crossing:
+def crossing_lines(levels: Sequence[float] = tuple(np.linspace(0.005, 0.0225, 15))) -> Crossing:
     """Return the exact worth of a drive and of a chip from the tee, against the level."""
     return Crossing(
         np.array(levels),
@@ -334,7 +334,7 @@ def crossing_by_attitude(
 
 
 def against_level(
-    levels: Sequence[float] = (0.005, 0.01, 0.0125, 0.015, 0.0175, 0.02, 0.0225), **how: Any
+    levels: Sequence[float] = (0.005, 0.01, 0.0125, 0.015, 0.0175, 0.02), **how: Any
 ) -> tuple[Against, Against]:
     """Return mean return and lost balls of learned players against the level; arguments as in `learn`."""
     runs = [play(learn(level=level, evaluation_episodes=1, **how), level=level) for level in levels]
@@ -379,7 +379,13 @@ def frontier_figure(
     )
 
 
-def race(own: Mapping[str, Maker], **how: Any) -> Sheet:
-    """Return the lesson's figure of mean, spread and lost balls with methods of the reader's own beside its three."""
-    results = learn(own=own, evaluation_episodes=1, **how)
-    return outcomes(play(results))._replace(name="race")
+def race(own: Mapping[str, Maker], players: Mapping[str, Played], **how: Any) -> Sheet:
+    """Return the lesson's figure of mean, spread and lost balls with methods of the reader's own beside its three.
+
+    Args:
+        own: by label, functions that make agents.
+        players: how the three play.
+        **how: more arguments of `learn`.
+    """
+    results = learn(risks={}, own=own, evaluation_episodes=1, **how)
+    return outcomes({**players, **play(results)})._replace(name="race")

@@ -300,7 +300,7 @@ def compare_on_lake(
     rates: Sequence[float] = (1.0, 0.3, 0.05),
     *,
     n_steps: int = 10_000,
-    repetitions: int = 10,
+    repetitions: int = 6,
     **how: Any,
 ) -> Results:
     """Train Q-learning with several learning rates on the frozen lake of Gymnasium.
