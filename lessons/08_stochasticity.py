@@ -4,13 +4,14 @@
 # **The challenge.** The same action does not always lead to the same result. So an agent must learn from results that
 # differ by chance, and it must decide how much risk it takes: is a good mean worth a bad day now and then?
 #
-# **You will be able to** say what Q-learning makes of chance, and how much of it; change one line so that an agent avoids
-# risk or seeks it; compute what such an agent learns; find by hand, and then exactly, where a risk stops being worth it;
-# and say why "risk-seeking pays" can be measured and still be wrong.
+# **You will be able to** say what Q-learning makes of chance, and how much of it; change one line so that an agent
+# avoids risk or seeks it; compute what such an agent learns; find by hand, and then exactly, where a risk stops being
+# worth it; and say why "risk-seeking pays" can be measured and still be wrong.
 #
-# **Time.** 60 minutes, and 40 more for the exercises. **Before you start.** You should know what a value function and Q-learning are (Sutton and Barto,
-# 2nd edition, sections 3.5 and 6.5), ε-greedy action selection (section 2.2), and what a normal distribution is. All
-# symbols are in the [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
+# **Time.** 60 minutes, and 40 more for the exercises. **Before you start.** You should know what a value function and
+# Q-learning are (Sutton and Barto, 2nd edition, sections 3.5 and 6.5), ε-greedy action selection (section 2.2), and
+# what a normal distribution is. All symbols are in the [table of
+# notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
 
 # %%
 from typing import NamedTuple
@@ -27,9 +28,9 @@ from edugym.plotting import Sheet
 # %% [markdown]
 # ## Meet the environment: the harder the hit, the less it goes where it should
 #
-# A ball lies on the tee, at the near end of a golf course. It must get onto the green around the flag, in few hits. There
-# are three swings: a putt goes 1 cell, a chip 4 cells, a drive 10 cells. Every hit aims at the flag, and misses its aim
-# by chance: a little with a putt, a lot with a drive. Around the course is water.
+# A ball lies on the tee, at the near end of a golf course. It must get onto the green around the flag, in few hits.
+# There are three swings: a putt goes 1 cell, a chip 4 cells, a drive 10 cells. Every hit aims at the flag, and misses
+# its aim by chance: a little with a putt, a lot with a drive. Around the course is water.
 
 # %%
 env = gym.make("edugym/Golf-v0", observe_hits=True).unwrapped
@@ -52,17 +53,17 @@ env.scene()
 # | discount | $\gamma = 1$ | a game is short |
 #
 # The number $\ell$ is the *stochasticity level* (`stochasticity_level`), 0.015 in most of this lesson. A game
-# *terminates* on the green, in the water, or after 10 hits. Its *return* is the sum of its rewards. These methods are the
-# environment, and they run in every experiment below:
+# *terminates* on the green, in the water, or after 10 hits. Its *return* is the sum of its rewards. These methods are
+# the environment, and they run in every experiment below:
 
 # %%
 source(type(env.mdp), "transition", "reward", "terminal")
 
 # %% [markdown]
 # Here is a thousand times each swing from the tee. (The putts lie so close together that the mark of their aim hides
-# them.) The drive has a standard deviation of $0.015 \cdot 10^2 = 1.5$ cells, and the water is 3.5 cells to the left and to
-# the right. So 3.5/1.5 = 2.33 standard deviations are left on each side, and a table of the normal distribution says that
-# a ball flies farther than that with probability 2.0 %.
+# them.) The drive has a standard deviation of $0.015 \cdot 10^2 = 1.5$ cells, and the water is 3.5 cells to the left
+# and to the right. So 3.5/1.5 = 2.33 standard deviations are left on each side, and a table of the normal distribution
+# says that a ball flies farther than that with probability 2.0 %.
 
 # %%
 display(stochasticity.landings_figure())
@@ -114,8 +115,8 @@ source(QLearning.learn)
 # \qquad \sigma(x) = \frac{1}{1 + e^{-x}}
 # $$
 #
-# This is **risk-sensitive Q-learning**, and $\beta$ is the attitude to risk. The function $\sigma$ grows from 0 to 1, and
-# $\sigma(0)$ is 1/2. So the weight $2\sigma(\beta\delta)$ is between 0 and 2.
+# This is **risk-sensitive Q-learning**, and $\beta$ is the attitude to risk. The function $\sigma$ grows from 0 to 1,
+# and $\sigma(0)$ is 1/2. So the weight $2\sigma(\beta\delta)$ is between 0 and 2.
 #
 # | | a bad surprise, $\delta < 0$, weighs | a good surprise, $\delta > 0$, weighs | the agent |
 # |---|---|---|---|
@@ -143,19 +144,19 @@ stochasticity.weights_figure()
 # \mathrm{E}[R] + \frac{\beta}{2}\, \mathrm{Var}[R]
 # $$
 #
-# the mean, and for $\beta < 0$ a fine for the variance. *Why:* the value rests where $2\sigma(\beta\delta)\,\delta$ is 0 on
-# average. If the value is the one above, then $\delta$, which is $R$ less the value, is normal with the mean
-# $-\frac{\beta}{2}\mathrm{Var}[R]$. Its density is therefore proportional to
-# $e^{-\delta^2 / (2 \mathrm{Var}[R])} \cdot e^{-\beta\delta/2}$. Multiply it by the weighted error, and use
-# $\sigma(\beta\delta)\, e^{-\beta\delta/2} = 1 / (e^{\beta\delta/2} + e^{-\beta\delta/2})$:
+# the mean, and for $\beta < 0$ a fine for the variance. *Why:* the value rests where $2\sigma(\beta\delta)\,\delta$ is
+# 0 on average. If the value is the one above, then $\delta$, which is $R$ less the value, is normal with the mean
+# $-\frac{\beta}{2}\mathrm{Var}[R]$. Its density is therefore proportional to $e^{-\delta^2 / (2 \mathrm{Var}[R])} \cdot
+# e^{-\beta\delta/2}$. Multiply it by the weighted error, and use $\sigma(\beta\delta)\, e^{-\beta\delta/2} = 1 /
+# (e^{\beta\delta/2} + e^{-\beta\delta/2})$:
 #
 # $$
 # \text{weighted error} \cdot \text{density} \;\propto\;
 # \delta \cdot \frac{e^{-\delta^2 / (2 \mathrm{Var}[R])}}{e^{\beta\delta/2} + e^{-\beta\delta/2}}
 # $$
 #
-# The fraction is the same for $\delta$ and $-\delta$. So each bad surprise cancels a good one, and the mean is 0. Try it,
-# with the mean 0.8 and the standard deviation 0.3:
+# The fraction is the same for $\delta$ and $-\delta$. So each bad surprise cancels a good one, and the mean is 0. Try
+# it, with the mean 0.8 and the standard deviation 0.3:
 
 # %%
 for label, beta in stochasticity.RISKS.items():
@@ -208,11 +209,11 @@ highest.measured(seen)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Neutral and seeking are level, near 0.82, and the averse player earns about 0.06 less. That is the price of
-# safety. What it buys is in the other two panels: the averse player loses hardly a ball, the neutral one about 1 in 100,
-# and the seeking one about 3 in 100, and the spread grows from less than 0.05 to more than 0.3. So taking more risk than
-# the neutral player did not pay here: what it saves in hits it loses in balls. (In the curves the lines of the two lie on
-# each other.)
+# **Measured.** Neutral and seeking are level, near 0.82, and the averse player earns about 0.06 less. That is the price
+# of safety. What it buys is in the other two panels: the averse player loses hardly a ball, the neutral one about 1 in
+# 100, and the seeking one about 3 in 100, and the spread grows from less than 0.05 to more than 0.3. So taking more
+# risk than the neutral player did not pay here: what it saves in hits it loses in balls. (In the curves the lines of
+# the two lie on each other.)
 # </details>
 
 # %% [markdown]
@@ -276,8 +277,9 @@ stochasticity.games_figure(played)
 # 1.8 \cdot p \approx 0.1 \quad\Rightarrow\quad p \approx 0.056
 # $$
 #
-# The ball is lost if it flies more than 3.5 cells to a side. By a table of the normal distribution, both sides together have
-# the probability 0.056 if 3.5 cells are 1.91 standard deviations. The standard deviation of a drive is $\ell \cdot 10^2$:
+# The ball is lost if it flies more than 3.5 cells to a side. By a table of the normal distribution, both sides together
+# have the probability 0.056 if 3.5 cells are 1.91 standard deviations. The standard deviation of a drive is $\ell \cdot
+# 10^2$:
 #
 # $$
 # \frac{3.5}{100\, \ell} \approx 1.91 \quad\Rightarrow\quad \ell \approx 0.0183
@@ -301,9 +303,10 @@ change.measured(exact.change)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** 0.0187, so the estimate was close. Both lines are exact, for a player who sees where the ball lies and plays
-# as well as possible after the first swing. Below the crossing the risk of the drive pays on average, above it does not. At 0.015 the
-# drive is ahead by 0.07. (With very little noise both are worth 0.9, since a chip and *then* a drive also takes two hits.)
+# **Measured.** 0.0187, so the estimate was close. Both lines are exact, for a player who sees where the ball lies and
+# plays as well as possible after the first swing. Below the crossing the risk of the drive pays on average, above it
+# does not. At 0.015 the drive is ahead by 0.07. (With very little noise both are worth 0.9, since a chip and *then* a
+# drive also takes two hits.)
 # </details>
 
 # %% [markdown]
@@ -325,8 +328,10 @@ for label, lead in attitudes.lines.items():
         print(f"{label:15}: drives at every level shown")
 
 # %% [markdown]
-# This is what risk sensitivity does: it does not make a player bad, it *moves the level* at which the player stops taking
-# the risk. The averse one stops near 0.016, the neutral one near 0.019, and the seeking one does not stop.
+# This is what risk sensitivity does: it does not make a player bad, it *moves the level* at which the player stops
+# taking the risk. The averse one stops near 0.016, the neutral one near 0.019, and the seeking one does not stop. (On
+# the left the chip is no safe start: with little noise the best way to go on is a drive, from closer to the far edge.
+# So the averse player drives there too.)
 #
 # At level 0.015, by this figure, even the averse player should drive, and in the experiment it did not. Keep that
 # in mind: the next section finds out why *learned* players can be more careful than computed ones.
@@ -336,6 +341,49 @@ for label, lead in attitudes.lines.items():
 #
 # Answer each question before you run the cell below it. You learn most when you are surprised.
 #
+# ### Too much noise
+# **Predict.** Raise the level to 0.02. Which of the three players differ there in the share of lost balls?
+
+# %%
+noisy = predict(
+    "At level 0.02 ...",
+    [
+        "all three differ, as before",
+        "averse and neutral lose equally few, seeking loses more",
+        "neutral and seeking lose equally many, averse loses fewer",
+        "all three lose the same",
+    ],
+)
+noisy
+
+# %%
+earned, lost = stochasticity.against_level(repetitions=10)
+display(Sheet("levels", [[earned, lost]]))
+at = lost.levels.index(0.02)
+shares = {label.split(",")[0]: float(np.mean(rows[at])) for label, rows in lost.measured.items()}
+print("lost at level 0.02:", ", ".join(f"{label} {share:.2%}" for label, share in shares.items()))
+low = shares["neutral"] - shares["averse"] < 0.005
+high = shares["seeking"] - shares["neutral"] < 0.005
+if low and high:
+    seen = "all three lose the same"
+elif low:
+    seen = "averse and neutral lose equally few, seeking loses more"
+elif high:
+    seen = "neutral and seeking lose equally many, averse loses fewer"
+else:
+    seen = "all three differ, as before"
+noisy.measured(seen)
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** Averse and neutral lose hardly a ball, and seeking loses about one in ten. Beyond the crossing at 0.0187
+# the safe plan is also the best one on average, so aversion has nothing left to change. To see the difference between
+# averse and neutral you need a level at which the risk still pays on average: an experiment at 0.02 cannot show it. And
+# there risk-seeking costs dearly: its mean return falls with the level much faster than that of the other two.
+# </details>
+
+# %% [markdown]
 # ### What noise does to learning
 # **Predict.** The neutral player earned about 0.82, and the optimum is 0.868. What keeps it from the optimum?
 
@@ -374,29 +422,30 @@ obstacle.measured(
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** It believes that a drive is worth less than it is: about 0.75 instead of 0.87. A player that follows a simple
-# rule sees the cell only, and gets the optimum, so that is not the obstacle.
+# **Measured.** It believes that a drive is worth less than it is: about 0.75 instead of 0.87. A player that follows a
+# simple rule sees the cell only, and gets the optimum, so that is not the obstacle.
 #
 # Why is the value too low? Noise does two things.
 #
-# It *spreads experience*. After a chip from the tee the ball lies in one of 6 cells, and after a drive in one of more than 50
-# (the cell below the picture of the course has counted them). Each of those is visited rarely, and its values started at 0, far below what they are
-# worth. Without noise the same agent is at the optimum after 30 000 steps, a tenth of the training.
+# It *spreads experience*. After a chip from the tee the ball lies in one of 6 cells, and after a drive in one of more
+# than 50 (the cell below the picture of the course has counted them). Each of those is visited rarely, and its values
+# started at 0, far below what they are worth. Without noise the same agent is at the optimum after 30 000 steps, a
+# tenth of the training.
 #
-# And it brings *bad luck*. Exactly, the drive is ahead by 0.07 only. A lost ball moves its value by
-# $\alpha \cdot 1.9 \approx 0.04$, so after two of them, close to each other, the chip looks better. From then on the drive is tried in
-# 3 % of the games, when the agent explores. It recovers slowly, and at any time about half of the runs do not drive.
+# And it brings *bad luck*. Exactly, the drive is ahead by 0.07 only. A lost ball moves its value by $\alpha \cdot 1.9
+# \approx 0.04$, so after two of them, close to each other, the chip looks better. From then on the drive is tried in 3
+# % of the games, when the agent explores. It recovers slowly, and at any time about half of the runs do not drive.
 #
-# The test of this explanation is in the last lines. The *patient* player is as neutral as the other. Its values start at 1, so that
-# what was not tried looks good, its learning rate is 0.005 instead of 0.02, so that one ball moves it less, and it
-# trains ten times as long (10 repetitions). All of its runs drive, and it is at the optimum. That is the price of noise: smaller
-# steps, and more of them.
+# The test of this explanation is in the last lines. The *patient* player is as neutral as the other. Its values start
+# at 1, so that what was not tried looks good, its learning rate is 0.005 instead of 0.02, so that one ball moves it
+# less, and it trains ten times as long (10 repetitions). All of its runs drive, and it is at the optimum. That is the
+# price of noise: smaller steps, and more of them.
 # </details>
 
 # %% [markdown]
 # ### "Risk-seeking pays"?
-# In the paper's game (Moerland et al., 2023) the agent does not see its hits: the same row of the table serves for the first
-# hit and the ninth.
+# In the paper's game (Moerland et al., 2023) the agent does not see its hits: the same row of the table serves for the
+# first hit and the ninth.
 #
 # **Predict.** Hide the hits. Is the mean return of the seeking player higher than that of the neutral one?
 
@@ -435,61 +484,18 @@ pays.measured("the same, within 0.01" if abs(gain) < 0.01 else more)
 # level. At level 0.02, beyond the crossing, the seeking player earns much less. After ten times the training (10
 # repetitions) it is ahead again. And that lead is gone against the patient player, who is as neutral as the other.
 #
-# There is one reason behind all of them. At level 0.015 the drive *is* the best swing on average, and many neutral learners are
-# scared away from it by bad luck. With the hits hidden it is worse, as one row of the table stands for good games and bad
-# ones. Any push towards the drive then helps, and $\beta = 2$ is such a push.
+# There is one reason behind all of them. At level 0.015 the drive *is* the best swing on average, and many neutral
+# learners are scared away from it by bad luck. With the hits hidden it is worse, as one row of the table stands for
+# good games and bad ones. Any push towards the drive then helps, and $\beta = 2$ is such a push.
 #
 # So risk-seeking does not pay as such: a player who knew the true values could never gain by it. It *can* make up for
 # another fault. Where the drive is not the best swing, the same push costs dearly.
 # </details>
 
 # %% [markdown]
-# ### Too much noise
-# **Predict.** Raise the level to 0.02. Which of the three players differ there in the share of lost balls?
-
-# %%
-noisy = predict(
-    "At level 0.02 ...",
-    [
-        "all three differ, as before",
-        "averse and neutral lose equally few, seeking loses more",
-        "neutral and seeking lose equally many, averse loses fewer",
-        "all three lose the same",
-    ],
-)
-noisy
-
-# %%
-earned, lost = stochasticity.against_level(repetitions=10)
-display(Sheet("levels", [[earned, lost]]))
-at = lost.levels.index(0.02)
-shares = {label.split(",")[0]: float(np.mean(rows[at])) for label, rows in lost.measured.items()}
-print("lost at level 0.02:", ", ".join(f"{label} {share:.2%}" for label, share in shares.items()))
-low = shares["neutral"] - shares["averse"] < 0.005
-high = shares["seeking"] - shares["neutral"] < 0.005
-if low and high:
-    seen = "all three lose the same"
-elif low:
-    seen = "averse and neutral lose equally few, seeking loses more"
-elif high:
-    seen = "neutral and seeking lose equally many, averse loses fewer"
-else:
-    seen = "all three differ, as before"
-noisy.measured(seen)
-
-# %% [markdown]
-# <details><summary>What was measured</summary>
-#
-# **Measured.** Averse and neutral lose hardly a ball, and seeking loses about one in ten. Beyond the crossing at 0.0187
-# the safe plan is also the best one on average, so aversion has nothing left to change. To see the difference between averse
-# and neutral you need a level at which the risk still pays on average: an experiment at 0.02 cannot show it. And there risk-seeking
-# costs dearly: its mean return falls with the level much faster than that of the other two.
-# </details>
-
-# %% [markdown]
 # ### Is risk the variance?
-# The formula of the section "The idea" has the variance in it. Now take two lotteries with the same mean, 0, and the same
-# variance, 0.36. The first mostly wins a little and rarely loses much. The second is its mirror image.
+# The formula of the section "The idea" has the variance in it. Now take two lotteries with the same mean, 0, and the
+# same variance, 0.36. The first mostly wins a little and rarely loses much. The second is its mirror image.
 #
 # | | with probability 0.9 | with probability 0.1 |
 # |---|---|---|
@@ -519,10 +525,10 @@ lotteries.measured("both equally, within 0.02" if abs(difference) < 0.02 else hi
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** The rare win higher: −0.19, and the rare loss −0.46. The formula would give both −0.36. A large loss has a weight
-# of nearly 2, and a large win a weight of nearly 0, so this agent fears rare disasters more than it minds a spread. The formula is
-# exact for normal rewards only. (What was learned for the rare loss is a little lower than the exact number: a value that
-# jumps with every loss does not rest at one place.)
+# **Measured.** The rare win higher: −0.19, and the rare loss −0.46. The formula would give both −0.36. A large loss has
+# a weight of nearly 2, and a large win a weight of nearly 0, so this agent fears rare disasters more than it minds a
+# spread. The formula is exact for normal rewards only. (What was learned for the rare loss is a little lower than the
+# exact number: a value that jumps with every loss does not rest at one place.)
 #
 # There is a second difference. $\beta$ weighs every *single TD error* as it comes, and no one looks at the return of the
 # whole game. So "risk" here means surprises, one by one, and not the variance of the return.
@@ -530,14 +536,15 @@ lotteries.measured("both equally, within 0.02" if abs(difference) < 0.02 else hi
 
 # %% [markdown]
 # ### The learning rate, on another slippery ground
-# FrozenLake is an environment of Gymnasium. The agent walks over a frozen lake of 4 by 4 cells to a goal, which pays 1. In
-# some cells the ice has a hole, and a fall ends the episode without a reward. If the lake is *slippery*, the agent goes where it wants with probability 1/3
-# only, and else to one of the two sides. An environment is swapped in by its name. (The settings: Q-learning,
-# $\gamma = 0.99$, $\varepsilon = 0.1$, values start at 1, 10 000 steps, 5 000 on
-# the lake that is not slippery, 6 repetitions. The dashed line on the right is the best
-# probability to arrive within the 100 steps of an episode.)
+# FrozenLake is an environment of Gymnasium. The agent walks over a frozen lake of 4 by 4 cells to a goal, which pays 1.
+# In some cells the ice has a hole, and a fall ends the episode without a reward. If the lake is *slippery*, the agent
+# goes where it wants with probability 1/3 only, and else to one of the two sides. An environment is swapped in by its
+# name. (The settings: Q-learning, $\gamma = 0.99$, $\varepsilon = 0.1$, values start at 1, 10 000 steps, 5 000 on the
+# lake that is not slippery, 6 repetitions. The dashed line on the right is the best probability to arrive within the
+# 100 steps of an episode. The colours stand for learning rates here.)
 #
-# **Predict.** On the lake that is not slippery, no learning rate is faster than $\alpha = 1$. What about the slippery lake?
+# **Predict.** On the lake that is not slippery, no learning rate is faster than $\alpha = 1$. What about the slippery
+# lake?
 
 # %%
 rate = predict(
@@ -562,10 +569,11 @@ rate.measured(seen)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** It hardly ever arrives. With $\alpha = 1$ a value is the *last* target, and not a mean. Where nothing is random, the
-# last target is the best one. On slippery ice it is one draw of a lottery, and the greedy action changes with every draw.
-# A learning rate below 1 takes a mean, and that takes time: on dry ice the curve of $\alpha = 0.05$ rises last. That is the
-# exchange which chance forces on every learner: fast, or accurate.
+# **Measured.** It hardly ever arrives. (The bands are wide, as there are 6 runs only.) With $\alpha = 1$ a value is the
+# *last* target, and not a mean. Where nothing is random, the last target is the best one. On slippery ice it is one
+# draw of a lottery, and the greedy action changes with every draw. A learning rate below 1 takes a mean, and that takes
+# time: on the lake that is not slippery the curve of $\alpha = 0.05$ rises last. That is the exchange which chance
+# forces on every learner: fast, or accurate.
 # </details>
 
 # %% [markdown]
@@ -581,9 +589,9 @@ from edugym.grading import check
 
 # %% [markdown]
 # ### Exercise 1: change a parameter
-# Allow 5 hits instead of 10. Then each hit more costs 0.2 instead of 0.1: the fast plan returns 0.8, and the safe plan 0.6. Up to which level
-# is the drive from the tee worth at least as much as the chip now? Set `level` to that number, to 0.0001. Before you
-# compute: what does the estimate by hand say?
+# Allow 5 hits instead of 10. Then each hit more costs 0.2 instead of 0.1: the fast plan returns 0.8, and the safe plan
+# 0.6. Up to which level is the drive from the tee worth at least as much as the chip now? Set `level` to that number,
+# to 0.0001. Before you compute: what does the estimate by hand say?
 #
 # <details><summary>Hint</summary><code>stochasticity.from_the_tee(0.015, max_hits=5)</code> gives the exact worth of each
 # swing from the tee at level 0.015, as a dictionary: <code>["drive"]</code> and <code>["chip"]</code> are its entries.
@@ -650,14 +658,14 @@ for name in frontier(rules):
 # %% [markdown]
 # <details><summary>What the figure shows</summary>
 #
-# The frontier leads from the safe plan, without drives, to the fast plan. Between them are players that throw a coin before each game
-# and play the one or the other. Rules that drive too near the green, or chip where they should putt, are far off. One player on the frontier
-# lies below the panel: who only putts loses every game after 10 hits, and so has a spread of 0. A small spread alone is
-# not safety.
+# The frontier leads from the safe plan, without drives, to the fast plan. Between them are players that throw a coin
+# before each game and play the one or the other. Rules that drive too near the green, or chip where they should putt,
+# are far off. One player on the frontier lies below the panel: who only putts loses every game after 10 hits, and so
+# has a spread of 0. A small spread alone is not safety.
 #
-# The averse player of the experiment is close to the safe end, but below it. The seeking one is beaten by the fast plan,
-# in both numbers. The neutral one is near the frontier, between the ends, like a player with a coin: some of its 30 runs drive
-# and others do not. (The diamonds are means over the runs.)
+# The averse player of the experiment is close to the safe end, but below it. The seeking one is beaten by the fast
+# plan, in both numbers. The neutral one is near the frontier, between the ends, like a player with a coin: some of its
+# 30 runs drive and others do not. (The diamonds are means over the runs.)
 # </details>
 
 # %% [markdown]
@@ -674,8 +682,8 @@ for name in frontier(rules):
 # that of Q-learning, with no future after a terminal state. Read the numbers from `self`: `self.learning_rate` is
 # $\alpha$, `self.discount` is $\gamma$, `self.kappa` is $\kappa$.
 #
-# The race below shows your agent with $\kappa = 0.5$ and with $\kappa = -0.5$, beside the three of the experiment. Before you
-# run the check: where will they be?
+# The race below shows your agent with $\kappa = 0.5$ and with $\kappa = -0.5$, beside the three of the experiment.
+# Before you run the check: where will they be?
 #
 # <details><summary>Hint</summary>Compute <code>delta</code> first, then the weight, and then change
 # <code>self.Q[state, action]</code>. The largest value of the next state is <code>max(self.Q[next_state])</code>.
@@ -743,9 +751,10 @@ display(
 # %% [markdown]
 # <details><summary>What the race shows</summary>
 #
-# With $\kappa = 0.5$ your agent plays much like the averse player, and with $\kappa = -0.5$ it takes nearly as much risk as the
-# seeking one: other weights, the same idea. It also has the highest mean of the five, a little above the neutral player. You know why from
-# the section "Risk-seeking pays": at this level many neutral learners are too careful, and a push helps. Try it at level 0.02.
+# With $\kappa = 0.5$ your agent plays much like the averse player, and with $\kappa = -0.5$ it takes nearly as much
+# risk as the seeking one: other weights, the same idea. It also has the highest mean of the five, a little above the
+# neutral player. You know why from the section "Risk-seeking pays": at this level many neutral learners are too
+# careful, and a push helps. Try it at level 0.02.
 # </details>
 
 # %% [markdown]
@@ -785,18 +794,18 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - With $\alpha = 1$ a value is one draw of a lottery: good where nothing is random, useless where much is.
 #
 # ### In one paragraph
-# *Learn it by heart, or better, say it in your own words.* Where results differ by chance, a value is a mean over many of
-# them, and so learning takes a small step size and many visits. A mean does not tell how far the results lie apart.
+# *Learn it by heart, or better, say it in your own words.* Where results differ by chance, a value is a mean over many
+# of them, and so learning takes a small step size and many visits. A mean does not tell how far the results lie apart.
 # Risk-sensitive Q-learning weighs bad surprises more (or less) than good ones, which for normal rewards adds $\beta/2$
-# times the variance to the mean. So it moves the point at which a risk stops being worth taking. Safety has a price in the
-# mean. An exact risk-seeker never earns more on average than the best neutral player; a learned one can, if it happens
-# to make up for another fault.
+# times the variance to the mean. So it moves the point at which a risk stops being worth taking. Safety has a price in
+# the mean. An exact risk-seeker never earns more on average than the best neutral player; a learned one can, if it
+# happens to make up for another fault.
 #
 # ### Limits
-# $\beta$ weighs single TD errors, not returns: for rewards that are not normal its value is not mean and variance, and there is no
-# simple formula for it. What it means depends on the size of the rewards: double them, and $\beta$ must be halved. Learning to
-# avoid risk does not make *learning* safe: the averse player lost balls before it knew better. And a mean and a spread are not the
-# whole distribution: distributional methods learn all of it.
+# $\beta$ weighs single TD errors, not returns: for rewards that are not normal its value is not mean and variance, and
+# there is no simple formula for it. What it means depends on the size of the rewards: double them, and $\beta$ must be
+# halved. Learning to avoid risk does not make *learning* safe: the averse player lost balls before it knew better. And
+# a mean and a spread are not the whole distribution: distributional methods learn all of it.
 #
 # ### Further reading
 # - Moerland et al. (2023), *EduGym: An environment and notebook suite for reinforcement learning education*: the
