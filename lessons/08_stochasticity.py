@@ -754,7 +754,8 @@ display(
 # With $\kappa = 0.5$ your agent plays much like the averse player, and with $\kappa = -0.5$ it takes nearly as much
 # risk as the seeking one: other weights, the same idea. It also has the highest mean of the five, a little above the
 # neutral player. You know why from the section "Risk-seeking pays": at this level many neutral learners are too
-# careful, and a push helps. Try it at level 0.02.
+# careful, and a push helps. Try it where the drive is not the best swing: give `race` an empty dictionary instead of
+# `played`, and `level=0.02`.
 # </details>
 
 # %% [markdown]

@@ -379,13 +379,14 @@ def frontier_figure(
     )
 
 
-def race(own: Mapping[str, Maker], players: Mapping[str, Played], **how: Any) -> Sheet:
+def race(own: Mapping[str, Maker], players: Mapping[str, Played], *, level: float = LEVEL, **how: Any) -> Sheet:
     """Return the lesson's figure of mean, spread and lost balls with methods of the reader's own beside its three.
 
     Args:
         own: by label, functions that make agents.
-        players: how the three play.
+        players: how the three play; empty leaves them out.
+        level: the stochasticity level.
         **how: more arguments of `learn`.
     """
-    results = learn(risks={}, own=own, evaluation_episodes=1, **how)
-    return outcomes({**players, **play(results)})._replace(name="race")
+    results = learn(level=level, risks={}, own=own, evaluation_episodes=1, **how)
+    return outcomes({**players, **play(results, level=level)}, level)._replace(name="race")
