@@ -74,8 +74,9 @@ for swing, name in enumerate(env.mdp.action_names):
     print(f"{name:5}: {lost:.1%} of 20 000 lost; on the course a thousand balls lie in {len(cells)} different cells")
 
 # %% [markdown]
-# **Play it yourself.** There are two plans. The fast one is a drive and a chip: two hits, return 0.9, if all goes well.
-# The safe one is three chips: return 0.8. Play five games of each. Which plan do you like better, and why?
+# **Play it yourself.** There are two plans. The fast one is a drive and a chip: two hits, in either order, and return
+# 0.9, if all goes well. The safe one is three chips: return 0.8. Play five games of each. Which plan do you like
+# better, and why?
 
 # %%
 play("Golf", observe_hits=True)
@@ -290,7 +291,7 @@ stochasticity.games_figure(played)
 # **Predict.** From which level on is a chip from the tee worth more than a drive, exactly, on average?
 
 # %%
-change = predict("The chip is worth more from ℓ = ... on", unit="(from 0.005 to 0.025)")
+change = predict("The chip is worth more from level ... on", unit="(from 0.005 to 0.025)")
 change
 
 # %%
@@ -410,7 +411,9 @@ print(f"without noise, after 30 000 steps: mean return {still.final('neutral').m
 patient = stochasticity.play(stochasticity.patient())[stochasticity.NEUTRAL]
 for label, one in (("as in the experiment", played[stochasticity.NEUTRAL]), ("patient", patient)):
     drivers = stochasticity.share_of_drivers(one)
-    print(f"neutral, {label:20}: mean return {one.mean.mean():.3f}, {drivers:.0%} of the runs have learned to drive")
+    print(
+        f"neutral, {label:20}: mean return {one.mean.mean():.3f}, {drivers:.0%} of the runs have learned the fast plan"
+    )
 too_low = worth["drive"] - believed[stochasticity.NEUTRAL][2]
 unseen = worth["drive"] - by_rule[0]
 obstacle.measured(
@@ -434,12 +437,13 @@ obstacle.measured(
 #
 # And it brings *bad luck*. Exactly, the drive is ahead by 0.07 only. A lost ball moves its value by $\alpha \cdot 1.9
 # \approx 0.04$, so after two of them, close to each other, the chip looks better. From then on the drive is tried in 3
-# % of the games, when the agent explores. It recovers slowly, and at any time about half of the runs do not drive.
+# % of the games, when the agent explores. It recovers slowly, and at any time about half of the runs do not play the
+# fast plan. (We say that a run plays it if it loses more than 1 ball in 100.)
 #
 # The test of this explanation is in the last lines. The *patient* player is as neutral as the other. Its values start
 # at 1, so that what was not tried looks good, its learning rate is 0.005 instead of 0.02, so that one ball moves it
-# less, and it trains ten times as long (10 repetitions). All of its runs drive, and it is at the optimum. That is the
-# price of noise: smaller steps, and more of them.
+# less, and it trains ten times as long (10 repetitions). All of its runs play the fast plan, and it is at the optimum.
+# That is the price of noise: smaller steps, and more of them.
 # </details>
 
 # %% [markdown]

@@ -32,7 +32,10 @@ level = low
 
 # %% exercise 1, right: over an array
 levels = np.arange(0.022, 0.025, 0.0001)
-leads = [stochasticity.from_the_tee(l, max_hits=5)["drive"] - stochasticity.from_the_tee(l, max_hits=5)["chip"] for l in levels]
+leads = [
+    stochasticity.from_the_tee(l, max_hits=5)["drive"] - stochasticity.from_the_tee(l, max_hits=5)["chip"]
+    for l in levels
+]
 level = levels[np.abs(leads).argmin()]
 
 # %% exercise 1, right: by the function for the crossing
@@ -235,11 +238,7 @@ def frontier(players):
 # %% exercise 2, wrong: equals beat each other
 # says: do not beat each other
 def frontier(players):
-    return [
-        n
-        for n, (m, s) in players.items()
-        if not any(a >= m and b <= s for o, (a, b) in players.items() if o != n)
-    ]
+    return [n for n, (m, s) in players.items() if not any(a >= m and b <= s for o, (a, b) in players.items() if o != n)]
 
 
 # %% exercise 2, wrong: the equal mean
@@ -258,7 +257,9 @@ def frontier(players):
 # says: takes a *larger* spread as better
 def frontier(players):
     return [
-        n for n, (m, s) in players.items() if not any(a >= m and b >= s and (a, b) != (m, s) for a, b in players.values())
+        n
+        for n, (m, s) in players.items()
+        if not any(a >= m and b >= s and (a, b) != (m, s) for a, b in players.values())
     ]
 
 
@@ -266,7 +267,9 @@ def frontier(players):
 # says: takes a *lower* mean as better
 def frontier(players):
     return [
-        n for n, (m, s) in players.items() if not any(a <= m and b <= s and (a, b) != (m, s) for a, b in players.values())
+        n
+        for n, (m, s) in players.items()
+        if not any(a <= m and b <= s and (a, b) != (m, s) for a, b in players.values())
     ]
 
 
@@ -274,14 +277,18 @@ def frontier(players):
 # says: the comparison is the wrong way round
 def frontier(players):
     return [
-        n for n, (m, s) in players.items() if not any(a <= m and b >= s and (a, b) != (m, s) for a, b in players.values())
+        n
+        for n, (m, s) in players.items()
+        if not any(a <= m and b >= s and (a, b) != (m, s) for a, b in players.values())
     ]
 
 
 # %% exercise 2, wrong: the beaten ones
 # says: these are the players that *are* beaten
 def frontier(players):
-    return [n for n, (m, s) in players.items() if any(a >= m and b <= s and (a, b) != (m, s) for a, b in players.values())]
+    return [
+        n for n, (m, s) in players.items() if any(a >= m and b <= s and (a, b) != (m, s) for a, b in players.values())
+    ]
 
 
 # %% exercise 2, wrong: only the highest mean
@@ -314,7 +321,9 @@ def frontier(players):
 # says: should hold names
 def frontier(players):
     return [
-        (m, s) for m, s in players.values() if not any(a >= m and b <= s and (a, b) != (m, s) for a, b in players.values())
+        (m, s)
+        for m, s in players.values()
+        if not any(a >= m and b <= s and (a, b) != (m, s) for a, b in players.values())
     ]
 
 
@@ -322,9 +331,7 @@ def frontier(players):
 # says: should hold names
 def frontier(players):
     pairs = list(players.values())
-    return [
-        i for i, (m, s) in enumerate(pairs) if not any(a >= m and b <= s and (a, b) != (m, s) for a, b in pairs)
-    ]
+    return [i for i, (m, s) in enumerate(pairs) if not any(a >= m and b <= s and (a, b) != (m, s) for a, b in pairs)]
 
 
 # %% exercise 2, wrong: only the first name
