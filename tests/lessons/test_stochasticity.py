@@ -3,17 +3,39 @@
 import numpy as np
 import pytest
 
+from edugym import QLearning, Results
 from edugym.envs.golf import Golf
+from edugym.lessons import stochasticity
 from edugym.lessons.stochasticity import (
     AVERSE,
     LEVEL,
     NEUTRAL,
+    RISKS,
     SEEKING,
     Player,
     learn,
     play,
 )
-from edugym.lessons.stochasticity.exact import crossing, from_the_tee, interpolated
+from edugym.lessons.stochasticity.exact import (
+    certain_value,
+    crossing,
+    from_the_tee,
+    interpolated,
+    optimum,
+    soft_optimum,
+    weighted,
+    worth_of,
+)
+from edugym.lessons.stochasticity.methods import (
+    FAST_RULE,
+    SAFE_RULE,
+    lake_optimum,
+    landings,
+    learned_value,
+    play_by_rules,
+    values_on_the_tee,
+)
+from edugym.plotting import Sheet
 
 
 def test_with_little_noise_it_takes_two_hits() -> None:
@@ -84,3 +106,129 @@ def test_without_noise_there_is_no_risk() -> None:
         played = play(results, level=0.0)[method]
         assert played.lost.tolist() == [0.0] * 3
         assert played.spread == pytest.approx(0.0, abs=1e-6)
+
+
+def test_exact_attitudes() -> None:
+    """A tiny β changes nothing; an averse player stops driving earlier, and a seeking one later."""
+    neutral, nearly = from_the_tee(LEVEL, 0.25), from_the_tee(LEVEL, 0.25, risk=1e-9)
+    for swing, worth in neutral.items():
+        assert nearly[swing] == pytest.approx(worth, abs=1e-6)
+
+    def lead(level: float, risk: float) -> float:
+        worth = from_the_tee(level, 0.25, risk=risk)
+        return worth["drive"] - worth["chip"]
+
+    assert lead(0.0175, -2.0) < 0 < lead(0.0175, 0.0)
+    assert lead(0.02, 0.0) < 0 < lead(0.02, 2.0)
+
+
+def test_worth_of_two_places() -> None:
+    """A swing that leads to the green or to the water is worth what the lottery of the two is worth."""
+    weights = np.array([[0.75]]), np.array([[1.0]])
+    for risk in (-2.0, 0.0, 2.0):
+        worth = worth_of(weights, 0.5, np.ones((1, 1)), np.zeros((1, 1)), risk)
+        assert worth[0, 0] == pytest.approx(certain_value([0.5, -1.0], [0.75, 0.25], risk), abs=2e-3)
+
+
+def test_soft_optimum() -> None:
+    """Without exploring it is the optimum, and with it less."""
+    assert soft_optimum(LEVEL, 0.0) == pytest.approx(optimum(LEVEL))
+    assert optimum(LEVEL) - 0.1 < soft_optimum(LEVEL, 0.1) < optimum(LEVEL) - 0.03
+    assert from_the_tee(0.0228, max_hits=5)["drive"] > from_the_tee(0.0228, max_hits=5)["chip"]
+
+
+@pytest.mark.parametrize("risk", [-2.0, 0.0, 2.0])
+def test_value_of_normal_rewards(risk: float) -> None:
+    """It is mean + β/2 variance, exactly, and that is what is learned."""
+    rewards = np.linspace(-1.5, 3.1, 2_001)
+    chances = np.exp(-(((rewards - 0.8) / 0.3) ** 2) / 2)
+    exact = certain_value(rewards, chances / chances.sum(), risk)
+    assert exact == pytest.approx(0.8 + risk / 2 * 0.09, abs=1e-4)
+    assert learned_value(risk, lambda rng: rng.normal(0.8, 0.3), seed=5) == pytest.approx(exact, abs=0.02)
+    assert weighted(0.0, 0.7) == 0.7
+
+
+def test_risk_is_not_the_variance() -> None:
+    """Of two lotteries with equal mean and variance an averse agent prefers the rare win."""
+    rare_loss = certain_value([0.2, -1.8], [0.9, 0.1], -2.0)
+    rare_win = certain_value([-0.2, 1.8], [0.9, 0.1], -2.0)
+    assert rare_loss < -0.4 < -0.25 < rare_win
+
+
+def test_where_balls_land() -> None:
+    """A drive from the tee loses 2 % of the balls, as the normal distribution says; a chip none."""
+    assert landings(2, balls=20_000)[1] == pytest.approx(0.0196, abs=0.003)
+    assert landings(1)[1] == 0.0
+    assert landings(0, balls=10)[0].shape == (10, 2)
+
+
+def test_players_with_rules() -> None:
+    """The fast plan is near the optimum, the safe one has hardly a spread, and who only putts has none."""
+    rules = play_by_rules()
+    assert rules[FAST_RULE][0] == pytest.approx(optimum(LEVEL), abs=0.01)
+    assert rules[SAFE_RULE] == pytest.approx((0.79, 0.03), abs=0.01)
+    assert rules["only putts"] == (-1.0, 0.0)
+    coin = rules["a coin: the fast plan in 50% of the games"]
+    assert coin[0] == pytest.approx((rules[FAST_RULE][0] + rules[SAFE_RULE][0]) / 2)
+
+
+@pytest.fixture(scope="module")
+def trained() -> Results:
+    """The three players with other seeds."""
+    return learn(repetitions=12, seed=7)
+
+
+def test_bad_luck_and_patience(trained: Results) -> None:
+    """The drive is valued too low, and half of the runs do not drive; a patient player does, and is at the optimum."""
+    believed, played = values_on_the_tee(trained), play(trained)
+    assert believed[NEUTRAL][2] < from_the_tee(LEVEL)["drive"] - 0.05
+    assert 0.2 < stochasticity.share_of_drivers(played[NEUTRAL]) < 0.85
+    patient = play(stochasticity.patient(repetitions=4, seed=7))[NEUTRAL]
+    assert stochasticity.share_of_drivers(patient) == 1.0
+    assert patient.mean.mean() == pytest.approx(optimum(LEVEL), abs=0.01)
+    assert stochasticity.lead(patient, patient).estimate == 0.0
+
+
+def test_shares_of_games(trained: Results) -> None:
+    """They add up to 1, and the first is that of lost balls."""
+    for one in play(trained).values():
+        np.testing.assert_allclose(one.games.sum(axis=1), 1.0)
+        assert (one.games[:, 0] == one.lost).all()
+
+
+def test_figures(trained: Results) -> None:
+    """They draw, with labels on all axes and the same methods in the same order."""
+    played = play(trained)
+    rules = play_by_rules(n_steps=2_000)
+    sheets = [
+        stochasticity.landings_figure(),
+        stochasticity.weights_figure(),
+        stochasticity.learning_curves(trained),
+        stochasticity.outcomes(played),
+        stochasticity.games_figure(played),
+        stochasticity.slider_figure(trained, played, 0.0, 0.1),
+        stochasticity.race({"own": QLearning.create}, played, repetitions=2, n_steps=2_000),
+        Sheet("more", [[stochasticity.frontier_figure(rules, [SAFE_RULE], played)]]),
+        Sheet("levels", [[*stochasticity.against_level((0.01, 0.02), repetitions=2, n_steps=2_000)]]),
+    ]
+    for sheet in sheets:
+        assert all(ax.get_xlabel() for ax in sheet.draw().axes)
+    attitudes = stochasticity.crossing_by_attitude((0.015, 0.02))
+    assert [*attitudes.lines] == [*RISKS] == [*played]
+    assert stochasticity.crossing_lines((0.015, 0.02)).change == pytest.approx(0.0187, abs=1e-4)
+    for panel in (stochasticity.crossing_lines((0.015, 0.02)), attitudes):
+        assert panel.draw().get_legend() is not None
+
+
+def test_the_lake() -> None:
+    """Within 100 steps the best walker arrives in three of four walks; α = 1 is fine where nothing slips."""
+    assert lake_optimum() == pytest.approx(0.74, abs=0.01)
+    dry = stochasticity.compare_on_lake(slippery=False, rates=(1.0,), n_steps=2_000, repetitions=2)
+    assert (dry.final("α = 1") == 1.0).all()
+    icy = stochasticity.compare_on_lake(slippery=True, rates=(1.0,), n_steps=500, repetitions=1)
+    assert len(stochasticity.lake_figure(dry, icy, 0.74).draw().axes) == 2
+
+
+def test_warming_up() -> None:
+    """It runs."""
+    stochasticity.warm_up()

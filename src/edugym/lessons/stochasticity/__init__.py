@@ -12,19 +12,56 @@ The surprises that β weighs are single TD errors, not returns. In Mihatsch and 
 """
 
 from collections.abc import Mapping
-from functools import partial
-from typing import Annotated, Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
-from edugym.agents.risk_sensitive_q_learning import RiskSensitiveQLearning
-from edugym.agents.settings import ActionValues, Table, new
-from edugym.agents.strategies import EpsilonGreedy
-from edugym.agents.tables import greedy_action
-from edugym.envs.golf import SWINGS, Golf
+from edugym.envs.golf import SWINGS
 from edugym.experiments import How, reporting
-from edugym.lessons.stochasticity.exact import crossing, from_the_tee, optimum
-from edugym.mdp.protocol import Integers, Random, Reals
+from edugym.lessons.stochasticity.exact import certain_value, crossing, from_the_tee, optimum, soft_optimum, weighted
+from edugym.lessons.stochasticity.figures import (
+    against_level,
+    crossing_by_attitude,
+    crossing_lines,
+    frontier_figure,
+    games_figure,
+    lake_figure,
+    landings_figure,
+    learning_curves,
+    outcomes,
+    race,
+    slider_figure,
+    weights_figure,
+)
+from edugym.lessons.stochasticity.methods import (
+    AVERSE,
+    EPSILON,
+    LEVEL,
+    LEVELS,
+    NEUTRAL,
+    REPETITIONS,
+    RISKS,
+    SEEKING,
+    SHORT,
+    TOO_NOISY,
+    Played,
+    Player,
+    attitudes,
+    compare_on_lake,
+    lake_optimum,
+    landings,
+    late,
+    lead,
+    learn,
+    learned_value,
+    methods_with,
+    patient,
+    play,
+    play_by_rules,
+    share_of_drivers,
+    share_on_the_way,
+    values_on_the_tee,
+)
 from edugym.plotting.curves import Curves
 from edugym.plotting.lines import Lines
 from edugym.plotting.report import Report
@@ -32,125 +69,55 @@ from edugym.plotting.sheet import Sheet
 from edugym.results.claims import Above, Below, Claim, Within
 from edugym.results.statistics import exactly, paired_difference, share_interval
 from edugym.results.tables import Results
-from edugym.training.repeat import repeat
-from edugym.training.train import train
 
-N_STEPS = 300_000
-SHORT = 30_000
-"""The training steps for the speed of learning."""
-PLAYED = 10_000
-REPETITIONS = 30
-LEARNING_RATE = 0.02
-EPSILON = 0.1
-DISCOUNT = 1.0
-LEVEL, TOO_NOISY = 0.015, 0.02
-"""The level at which aversion can be seen, and one at which the risk-neutral player takes no risk either."""
-LEVELS = (0.005, 0.01, 0.0125, 0.015, 0.0175, 0.02, 0.0225)
-AVERSE, NEUTRAL, SEEKING = "averse, β = -2", "neutral, β = 0", "seeking, β = 2"
-RISKS: Mapping[str, float] = {AVERSE: -2.0, NEUTRAL: 0.0, SEEKING: 2.0}
-
-
-class Player(NamedTuple):
-    """A player that follows a table greedily and keeps the score. It learns nothing else.
-
-    Attributes:
-        Q: shape (n_states, n_actions): the table.
-        score: shape (1, 2 + hits): how many games were lost (off the course or out of hits), and won with 1, 2, ...
-            hits.
-        max_hits: of the game.
-    """
-
-    Q: ActionValues
-    score: Annotated[Integers, Table((1, "scores"))]
-    max_hits: int
-
-    def act(self, state: int, rng: Random) -> int:
-        """The swing with the highest value."""
-        return greedy_action(self.Q, state, rng)
-
-    def learn(self, reward: float, terminated: bool) -> None:
-        """Count the hits of a game that is over; its reward tells them."""
-        if terminated:
-            hits = 0 if reward < 0.0 else 1 + round((1.0 - reward) * self.max_hits)
-            self.score[0, hits] += 1
-
-    @classmethod
-    def create(cls, task: Golf, Q: Any) -> "Player":
-        """A player without any score yet."""
-        settings = {"max_hits": task.max_hits}
-        return new(cls, task, settings, scores=task.max_hits + 1)._replace(Q=Q)
-
-
-class Played(NamedTuple):
-    """How the greedy policies of a method play.
-
-    Attributes:
-        mean: shape (n_repetitions,): the mean return.
-        spread: shape (n_repetitions,): the standard deviation of the return.
-        lost: shape (n_repetitions,): the share of lost balls.
-    """
-
-    mean: Reals
-    spread: Reals
-    lost: Reals
-
-
-def learn(
-    *,
-    level: float = LEVEL,
-    observe_hits: bool = True,
-    risks: Mapping[str, float] = RISKS,
-    n_steps: int = N_STEPS,
-    points: int = 10,
-    evaluation_episodes: int = 20,
-    **how: Any,
-) -> Results:
-    """Train risk-sensitive Q-learning with several β.
-
-    Args:
-        level: the stochasticity level of the game.
-        observe_hits: whether the agent sees the number of hits.
-        risks: by label, β.
-        n_steps: the training steps of each run.
-        points: the number of points of each learning curve.
-        evaluation_episodes: the games of each point.
-        **how: more arguments of `edugym.training.repeat`, such as `repetitions`, `seed` and `jobs`.
-    """
-    settings = {"learning_rate": LEARNING_RATE, "discount": DISCOUNT, "exploration": EpsilonGreedy(EPSILON)}
-    methods = {label: partial(RiskSensitiveQLearning.create, risk=risk, **settings) for label, risk in risks.items()}
-    game = {"stochasticity_level": level, "observe_hits": observe_hits}
-    curve: dict[str, Any] = {"evaluate_every": n_steps // points, "evaluation_episodes": evaluation_episodes}
-    return repeat("Golf", methods, n_steps, parameters=game, **curve, **how)
-
-
-def play(results: Results, *, level: float = LEVEL, observe_hits: bool = True) -> dict[str, Played]:
-    """Let all trained agents play greedily; the game is that in which they were trained."""
-    task = Golf.create(stochasticity_level=level, observe_hits=observe_hits)
-    returns = np.array([-1.0, *(1 - k / task.max_hits for k in range(task.max_hits))])
-    played = {}
-    for method in results.methods:
-        shares = []
-        for repetition, agent in results.complete_agents(method).items():
-            player = Player.create(task, agent.Q)
-            train(task, player, PLAYED, evaluate_every=PLAYED, seed=repetition)
-            shares.append(player.score[0] / player.score.sum())
-        games = np.array(shares).reshape(-1, len(returns))
-        mean = games @ returns
-        played[method] = Played(mean, np.sqrt(np.maximum(games @ returns**2 - mean**2, 0.0)), games[:, 0])
-    return played
-
-
-def late(results: Results) -> Reals:
-    """Return the mean of the last five evaluations of Q-learning in every run, shape (n_repetitions,)."""
-    mean: Reals = results.curves(NEUTRAL).iloc[-5:].to_numpy(float).mean(axis=0)
-    return mean
-
-
-def share_on_the_way(results: Results) -> Reals:
-    """Return the greedy return averaged over training as a share of what is learned in the end, above random play."""
-    first = results.curves(NEUTRAL).iloc[0].to_numpy(float)
-    share: Reals = (results.average(NEUTRAL) - first) / (late(results) - first)
-    return share
+__all__ = [
+    "AVERSE",
+    "EPSILON",
+    "LEVEL",
+    "LEVELS",
+    "NEUTRAL",
+    "REPETITIONS",
+    "RISKS",
+    "SEEKING",
+    "SHORT",
+    "TOO_NOISY",
+    "Played",
+    "Player",
+    "against_level",
+    "attitudes",
+    "certain_value",
+    "compare_on_lake",
+    "crossing",
+    "crossing_by_attitude",
+    "crossing_lines",
+    "from_the_tee",
+    "frontier_figure",
+    "games_figure",
+    "lake_figure",
+    "lake_optimum",
+    "landings",
+    "landings_figure",
+    "late",
+    "lead",
+    "learn",
+    "learned_value",
+    "learning_curves",
+    "methods_with",
+    "optimum",
+    "outcomes",
+    "patient",
+    "play",
+    "play_by_rules",
+    "race",
+    "report",
+    "share_of_drivers",
+    "share_on_the_way",
+    "slider_figure",
+    "soft_optimum",
+    "values_on_the_tee",
+    "weighted",
+    "weights_figure",
+]
 
 
 def measure(how: How) -> tuple[Any, ...]:
@@ -214,7 +181,7 @@ def speed_claims(by_level: Mapping[float, Results]) -> list[Claim]:
             f"optimum less greedy return, level {LEVEL:g} less 0",
             paired_difference(short_of[LEVEL], short_of[0.0]),
             Above(0.02),
-            "its values are means over games that differ by chance; nor does it see where in its cell the ball lies",
+            "a few lost balls make the drive look bad, and it is then tried too rarely to recover",
         ),
         Claim(
             "It does not slow Q-learning by much: it gets to its own final return as soon as without noise",
@@ -350,3 +317,13 @@ def risk_lines(played: Mapping[str, Played]) -> Lines:
         "β",
         "",
     )
+
+
+def warm_up() -> None:
+    """Compile what the lesson needs: a few steps of everything."""
+    results = learn(n_steps=60, repetitions=2)
+    learn(observe_hits=False, n_steps=60, repetitions=2)
+    learning_curves(results).draw()
+    play(results, n_steps=60)
+    play_by_rules(n_steps=60)
+    compare_on_lake(slippery=True, n_steps=60, repetitions=1)

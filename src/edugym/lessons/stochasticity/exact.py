@@ -1,6 +1,8 @@
-"""What each swing of Golf is worth to a player who sees exactly where the ball lies."""
+"""What each swing of Golf is worth to a player who sees exactly where the ball lies, for every attitude to risk."""
 
-from functools import cache
+from collections.abc import Callable
+from functools import cache, partial
+from typing import Any
 
 import numpy as np
 
@@ -8,23 +10,32 @@ from edugym.envs.golf import DISTANCES, SWINGS, Golf
 from edugym.extras import require
 from edugym.mdp.protocol import Reals
 
+GUESSES = 49
+"""At how many guesses of a value, from -1 to 1, its expected update is computed; between them it is interpolated."""
+
 
 @cache
-def from_the_tee(level: float, cell: float = 0.125) -> dict[str, float]:
+def from_the_tee(
+    level: float, cell: float = 0.125, *, risk: float = 0.0, epsilon: float = 0.0, max_hits: int = 10
+) -> dict[str, float]:
     """Return what each swing from the tee is worth, for a player who then plays as well as can be and sees the ball.
 
     V_h, the value of a place after h hits, is computed backwards from the last hit on a grid of places. A swing leads
     to its aim plus normal noise, so what it is worth is the mean of what all places are worth with normal weights: a
-    product with one matrix for x and one for y.
+    product with one matrix for x and one for y. With β other than 0 it is the value at which the expected update of
+    risk-sensitive Q-learning is 0, instead of the mean.
 
     Args:
         level: the stochasticity level, above 0.
         cell: the distance between places on the grid.
+        risk: β, the attitude to risk, from -10 to 10.
+        epsilon: the probability of a random swing, in every hit after the first.
+        max_hits: the most hits of a game.
     """
     require("experiments", "scipy")
     from scipy.special import ndtr
 
-    golf = Golf.create(stochasticity_level=level)
+    golf = Golf.create(stochasticity_level=level, max_hits=max_hits)
     flag_x, flag_y = golf.width / 2, golf.length - golf.width / 2
     edges_x, edges_y = (np.linspace(0, size, round(size / cell) + 1) for size in (golf.width, golf.length))
     x, y = np.meshgrid(edges_x[:-1] + cell / 2, edges_y[:-1] + cell / 2, indexing="ij")
@@ -49,13 +60,51 @@ def from_the_tee(level: float, cell: float = 0.125) -> dict[str, float]:
     worth: dict[str, float] = {}
     V = np.full_like(x, -1.0)  # out of hits
     for hits in range(golf.max_hits, 0, -1):
-        payoff = green * (1 - (hits - 1) / golf.max_hits) + (1 - green) * V + 1  # above what a lost ball pays
-        best = np.full_like(x, -np.inf)
+        payoff = 1 - (hits - 1) / golf.max_hits  # on the green
+        each = []
         for swing, (tee, grid, at) in swings.items():
-            best = np.maximum(best, interpolated(grid[0] @ payoff @ grid[1].T - 1, *at))
-            worth[swing] = float((tee[0] @ payoff @ tee[1].T)[0, 0]) - 1
-        V = best
+            each.append(interpolated(worth_of(grid, payoff, green, V, risk), *at))
+            worth[swing] = float(worth_of(tee, payoff, green, V, risk)[0, 0])
+        V = (1 - epsilon) * np.max(each, axis=0) + epsilon * np.mean(each, axis=0)
     return worth
+
+
+def worth_of(weights: tuple[Reals, Reals], payoff: float, green: Reals, V: Reals, risk: float) -> Reals:
+    """Return what swings are worth that lead to the cells of a grid with these probabilities.
+
+    Args:
+        weights: the probabilities for x and for y; what is missing to 1 is the probability of a lost ball.
+        payoff: the reward on the green.
+        green: the share of each cell that belongs to the green.
+        V: the value of each cell beside the green.
+        risk: β.
+    """
+    across, along = weights
+
+    def mean(of: Callable[[Any], Any]) -> Reals:
+        lost = of(-1.0)  # all probabilities are those above a lost ball
+        inside = green * (of(payoff) - lost) + (1 - green) * (of(V) - lost)
+        total: Reals = across @ inside @ along.T + lost
+        return total
+
+    if risk == 0.0:
+        return mean(lambda value: value)
+    guesses = np.linspace(-1.0, 1.0, GUESSES)
+    updates = np.array([mean(partial(_update, risk=risk, guess=guess)) for guess in guesses])
+    # The expected update falls with the guess; the value is where it is 0.
+    after = np.clip(np.argmax(updates <= 0.0, axis=0), 1, GUESSES - 1)
+    high, low = (np.take_along_axis(updates, at[np.newaxis], 0)[0] for at in (after - 1, after))
+    value: Reals = guesses[after - 1] + (guesses[after] - guesses[after - 1]) * high / np.maximum(high - low, 1e-300)
+    return np.clip(value, -1.0, 1.0)
+
+
+def _update(value: Any, risk: float, guess: float) -> Any:
+    return weighted(risk, value - guess)
+
+
+def weighted(risk: float, delta: Any) -> Any:
+    """Return 2σ(βδ) δ: a TD error, weighted as risk-sensitive Q-learning does."""
+    return (1.0 + np.tanh(risk * delta / 2.0)) * delta
 
 
 def interpolated(values: Reals, i: Reals, j: Reals) -> Reals:
@@ -68,11 +117,17 @@ def interpolated(values: Reals, i: Reals, j: Reals) -> Reals:
     return between
 
 
-def crossing(low: float = 0.018, high: float = 0.0195) -> float:
-    """Return the level at which drive and chip from the tee are worth the same, by three steps of false position."""
+def crossing(low: float = 0.018, high: float = 0.0195, **player: Any) -> float:
+    """Return the level at which drive and chip from the tee are worth the same, by three steps of false position.
+
+    Args:
+        low: a level at which the drive is worth more.
+        high: a level at which the chip is worth more.
+        player: more arguments of `from_the_tee`.
+    """
 
     def lead(level: float) -> float:
-        worth = from_the_tee(level)
+        worth = from_the_tee(level, **player)
         return worth["drive"] - worth["chip"]
 
     for _ in range(3):
@@ -84,3 +139,28 @@ def crossing(low: float = 0.018, high: float = 0.0195) -> float:
 def optimum(level: float) -> float:
     """Return the best expected return; without noise it takes two hits."""
     return max(from_the_tee(level).values()) if level > 0 else 0.9
+
+
+def soft_optimum(level: float, epsilon: float) -> float:
+    """Return the best expected return of a player who takes a random swing with probability ε; `level` is above 0."""
+    worth = [*from_the_tee(level, epsilon=epsilon).values()]
+    return float((1 - epsilon) * max(worth) + epsilon * np.mean(worth))
+
+
+def certain_value(outcomes: Any, probabilities: Any, risk: float) -> float:
+    """Return the value that risk-sensitive Q-learning learns for a step that pays by chance, and ends.
+
+    It is the number from which an update moves neither up nor down on average, found by bisection.
+
+    Args:
+        outcomes: the rewards.
+        probabilities: how likely each of them is.
+        risk: β.
+    """
+    rewards, chances = np.asarray(outcomes, float), np.asarray(probabilities, float)
+    low, high = float(rewards.min()), float(rewards.max())
+    for _ in range(60):
+        middle = (low + high) / 2
+        up = float(chances @ weighted(risk, rewards - middle)) > 0.0
+        low, high = (middle, high) if up else (low, middle)
+    return (low + high) / 2
