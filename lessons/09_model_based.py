@@ -110,8 +110,8 @@ source(FiniteModel.action_values)
 
 # %% [markdown]
 # Watch the values spread, from the exit and from the items, one cell a sweep. The maps show the shop with an *empty bag*:
-# there is a value in every cell where a shopper with an empty bag can be, and the arrow is the best action. (The items and
-# the exit stay white: who steps on an item has it in the bag, and at the exit the episode is over.) After 30 sweeps nothing changes any more, and the best
+# there is a value in every cell where a shopper with an empty bag can be, and the arrow is the best action. (The three
+# items stay white: who steps on an item has it in the bag. The exit has the value 0.) After 30 sweeps nothing changes any more, and the best
 # way is known, before the first step.
 
 # %%
@@ -179,13 +179,13 @@ spread.measured({(): "neither", ("Dyna", "prioritised sweeping"): "both"}.get(kn
 # **Measured.** Prioritised sweeping does, and Dyna does not: Dyna's table has a value above 0 in two cells only, although
 # the walk and the number of updates are the same. In that of Q-learning it is one cell, the last one before the exit.
 # Grey cells were never seen, and no update says anything about them. Cream cells were seen, and have no value above 0.
-# (The items and the exit are white, as before: the bag of this walk stayed empty.) Look at the way that prioritised
+# (The items are white, as before, and so is the exit, where no action is taken.) Look at the way that prioritised
 # sweeping has found: it passes the items by. We will come back to that.
 # </details>
 
 # %% [markdown]
-# How many updates does each of the two planners need, until there is an arrow in each cell of a way from the entrance to
-# the exit? Move the slider: its steps grow.
+# How many updates does each of the two planners need until the entrance has a value above 0, and thus a colour? Move the
+# slider: its steps grow.
 
 # %%
 sliders(model_based.spreading, updates=[0, 20, 40, 60, 80, 100, 150, 200, 400, 800, 1_200, 1_600, 2_000, 2_400])
