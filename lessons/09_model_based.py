@@ -8,7 +8,7 @@
 # say what planning can do for an agent, and what it cannot; show what a wrong model does to a plan; and write R-max in
 # ten lines.
 #
-# **Time.** 60 minutes. **Before you start.** You should know what a value function, Q-learning and ε-greedy action
+# **Time.** 60 minutes, and 30 more for the exercises, without the open challenge. **Before you start.** You should know what a value function, Q-learning and ε-greedy action
 # selection are (Sutton and Barto, 2nd edition, sections 3.5, 6.5 and 2.2). All symbols are in the
 # [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
 
@@ -91,7 +91,8 @@ source(QLearning.learn)
 
 # %%
 print("descriptive:", env.descriptive_model(8, 3))  # in cell (0, 1) with an empty bag, to the right: a wall
-print("generative: ", env.generative_model(8, 1))  # the same place, down
+sample = env.generative_model(8, 1)  # the same place, down
+print("generative: ", (sample.next_state, sample.reward, sample.terminated))
 
 # %% [markdown]
 # With a descriptive model an agent needs no experience at all. **Value iteration** sweeps over all states, and each time
@@ -109,7 +110,8 @@ source(FiniteModel.action_values)
 
 # %% [markdown]
 # Watch the values spread, from the exit and from the items, one cell a sweep. The maps show the shop with an *empty bag*:
-# there is a value in every cell, and the arrow is the best action. After 30 sweeps nothing changes any more, and the best
+# there is a value in every cell where a shopper with an empty bag can be, and the arrow is the best action. (The three
+# items stay white: who steps on an item has it in the bag. The exit has the value 0.) After 30 sweeps nothing changes any more, and the best
 # way is known, before the first step.
 
 # %%
@@ -174,17 +176,19 @@ spread.measured({(): "neither", ("Dyna", "prioritised sweeping"): "both"}.get(kn
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Prioritised sweeping does, and Dyna does not: with the same walk and as many updates, only two cells have
-# a value above 0. Q-learning has a value in one cell, the last one before the exit. Grey cells were never seen, and no
-# update says anything about them. (White cells were seen, and seem to be worth nothing.) Look at the way that
-# prioritised sweeping has found: it passes the items by. We will come back to that.
+# **Measured.** Prioritised sweeping does, and Dyna does not: Dyna's table has a value above 0 in two cells only, although
+# the walk and the number of updates are the same. In that of Q-learning it is one cell, the last one before the exit.
+# Grey cells were never seen, and no update says anything about them. Cream cells were seen, and have no value above 0.
+# (The items are white, as before, and so is the exit, where no action is taken.) Look at the way that prioritised
+# sweeping has found: it passes the items by. We will come back to that.
 # </details>
 
 # %% [markdown]
-# How many updates does each of them need? Move the slider.
+# How many updates does each of the two planners need until the entrance has a value above 0, and thus a colour? Move the
+# slider: its steps grow.
 
 # %%
-sliders(model_based.spreading, updates=(0, 600, 20))
+sliders(model_based.spreading, updates=[0, 20, 40, 60, 80, 100, 150, 200, 400, 800, 1_200, 1_600, 2_000, 2_400])
 
 # %% [markdown]
 # And in training? This is one episode of each method, after 1 000 steps of training. Who knows where it is going, and
@@ -246,8 +250,13 @@ at_the_end.measured(max(learned.methods, key=lambda method: learned.final(method
 #
 # **Measured.** The planners need about a quarter of the steps of Q-learning, or less: that is what a model is for. And then they
 # stop improving. Q-learning, which does not plan, ends highest. All three planners end below it, and prioritised
-# sweeping, whose updates do most, ends lowest. *Planning makes the last policy worse* here. (Among the three the bands
-# overlap. The left panel cuts off the bad start of all methods.) The section "See inside" shows why, and what to do.
+# sweeping, whose updates do most, ends lowest. *Planning makes the last policy worse* here. (Among the three the intervals
+# of neighbours overlap, and those of Dyna-10 and prioritised sweeping do not.) The section "See inside" shows why, and
+# what to do.
+#
+# Both panels cut off a bad start. The right one counts an episode when it ends. By step 250 only short episodes have
+# ended, and about half of the planners' runs have none. The first long ones end by step 500, the limit of an episode, with low
+# returns: hence the dip of Dyna-50 and prioritised sweeping there.
 # </details>
 
 # %% [markdown]
@@ -378,8 +387,8 @@ more_planning.measured(known["Dyna-10"][1].mean())
 # $$
 #
 # The agent always takes the best action: no step is random. To get to something unknown, however far, is worth $U$ less the
-# steps, and it plans the way there like any other way. Compare that with the optimistic initial values of lesson 1: those
-# fade as they are tried, and nobody plans with them.
+# steps, and it plans the way there like any other way. That is more than to start Q-learning with high values in its table
+# (*optimistic initial values*, section 2.6): those fade as they are tried, and nobody plans with them.
 #
 # The code keeps two tables. `optimistic` is the one above, by which it acts. `Q` is the same with $-100$ in the
 # place of $U$: it says how to use what is known, for evaluation. (`sweep` holds the list of known pairs, and where the
@@ -444,7 +453,11 @@ depth
 short = {label: model_based.LEARNED[label] for label in ("Q-learning", "Dyna-10")}
 beginners = model_based.compare(short, n_steps=2_000, repetitions=30)
 looking = model_based.look_ahead_lines(beginners)
-display(Sheet("ahead", [[looking]]))
+display(Sheet("ahead", [[looking, model_based.Close(looking, (50.0, 100.0))]]))
+depths = [0, 7, 8, 9, 10, 11, 12]
+print(f"{'it looks ahead':14}:", *(f"{d:5}" for d in depths))
+for method, returns in looking.lines.items():
+    print(f"{method:14}:", *(f"{returns[d]:5.0f}" for d in depths))
 depth.measured(int(looking.x[looking.lines["knows nothing"] >= 95][0]))
 
 # %% [markdown]
@@ -452,11 +465,13 @@ depth.measured(int(looking.x[looking.lines["knows nothing"] >= 95][0]))
 #
 # **Measured.** 12 steps. With fewer than 8 it sees no reward from the entrance at all, and goes nowhere. With 8 it gets the
 # first item, and from there the exit, worth 50, looks better than one more item, worth 25: it leaves with a return of 59.
-# It goes for a second item only when it sees that it can have both, the item *and the exit behind it*. That takes 12.
+# On its way to the exit it turns to one more item only when it sees that it can have both, the item *and the exit behind
+# it*. For the second item that takes 11 steps (a return of 78), and for the third 12.
 #
-# The other two lines use the values of agents with 2 000 steps of training where the look ahead ends. Good values make a short look enough: Dyna-10 needs none to get its 84. Bad ones can do harm:
-# with a look ahead of 8, half-learned values of Q-learning lead the agent astray where zeros do not. And only a look ahead
-# of 11 or 12 shows Dyna-10 the items that it has never seen: the *given* model knows them.
+# The other two lines use the values of agents with 2 000 steps of training where the look ahead ends. (The right panel
+# shows the upper part of the left one.) Good values make a short look enough: Dyna-10 needs none to get its 83. Bad ones
+# can do harm: with a look ahead of 8, half-learned values of Q-learning lead the agent astray where zeros do not. Up to a
+# look ahead of 10 Dyna-10 gains little. With 11 and 12 it gets items that it has never seen: the *given* model knows them.
 # </details>
 
 # %% [markdown]
@@ -489,10 +504,10 @@ never.measured(100 * len(lost) / 40)
 # </details>
 
 # %% [markdown]
-# See for yourself what a plan does, with other errors:
+# See for yourself what a plan does. The shop stays the same; each number of `errors` draws other errors of its model:
 
 # %%
-sliders(model_based.wrong_plan, noise=(0.0, 3.0, 0.25), layout=(0, 20), gamma=(0.8, 0.98, 0.02))
+sliders(model_based.wrong_plan, noise=(0.0, 3.0, 0.25), errors=(0, 20), gamma=(0.8, 0.98, 0.02))
 
 # %% [markdown]
 # Now agents *learn*, and plan with a given model. Prioritised sweeping makes up to 1 000 expected updates a step, all with
@@ -574,7 +589,9 @@ display({f"γ = {gamma}": round(smallest_error(40.0, gamma), 3) for gamma in (0.
 # steps. Complete `imagine`, which returns the target of an imagined step, bonus included. `discount` and `kappa` are
 # $\gamma$ and $\kappa$; read them from `self`. It runs as machine code.
 #
-# Predict: it has a bonus that never ends. How will it stand in the two panels of the race?
+# Below the check your agent races against Q-learning, Dyna-10 and R-max. The left panel shows their learning curves, and
+# the right one what they do with what they know, as in "See inside". Predict: your agent has a bonus that never ends. How
+# will it stand in the two panels?
 #
 # <details><summary>Hint</summary>First find out what the reward, the next state and the end are; for an action that was
 # never taken they are 0, the state itself, and no end. The largest value in a row is <code>max(self.Q[s])</code>, and a
@@ -661,7 +678,8 @@ display(model_based.race({"my Dyna-Q+": DynaPlus.create}))
 
 # %% [markdown]
 # Look at the right panel: does it know the shop now? And does it *use* what it knows? Give it smaller values of $\kappa$
-# (`DynaPlus.create(shop)._replace(kappa=0.005)` in a function of the shop) and race again. In a world that changes, the agent must
+# (`DynaPlus.create(shop)._replace(kappa=0.005)` in a function of the shop) and race again; each label in the dictionary gets
+# a colour of its own. In a world that changes, the agent must
 # go on asking. In this shop, which does not change, it should stop once it knows. That is exercise 3.
 #
 # ### Exercise 3: R-max in ten lines
@@ -757,7 +775,8 @@ display(model_based.race({"my R-max": MyRMax.create}, n_steps=5_000, repetitions
 #
 # Compare *three* methods: `Q-learning` and `Dyna-10` of `model_based.LEARNED`, and a third of your own that plans well with
 # chance. Call `repeat` with 3 000 steps, 5 repetitions and 10 evaluation episodes, and assign the results to
-# `lake_results`. Your third should end with twice the return of Dyna-10 or more.
+# `lake_results`. In the second half of training your third should reach the goal in at least 15 % of the evaluation
+# episodes.
 #
 # <details><summary>Hint</summary>With $\alpha = 1$ a value is whatever the last sample said. The agents'
 # <code>create</code> takes <code>learning_rate</code>, and that of <code>DynaQ</code> also

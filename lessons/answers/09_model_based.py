@@ -3,19 +3,23 @@
 # An answer stands in the place of the exercise's cell. Methods without their class replace those of the solution.
 
 # %% setup
-# Training is left out: what exercise 4 checks is which experiment was done, not what came out.
+# Exercise 4 needs what came out of the student's method: it trains, and is evaluated at three points only, to save time.
 import math
 from fractions import Fraction
 import edugym.training.repeat
 from edugym import SARSA
-from edugym.training.train import Run
+from edugym.agents.strategies import ScheduledEpsilonGreedy
+from edugym.training.train import Run, train
 
 
-def untrained(environment, agent, n_steps, *, seed, **how):
-    return Run(np.array([0, n_steps]), np.zeros(2), np.zeros(2), np.zeros(2, int), agent, seed, 0.0, True)
+def with_few_points(environment, agent, n_steps, *, seed, **how):
+    if isinstance(getattr(agent, "exploration", None), ScheduledEpsilonGreedy):  # those of the lesson
+        return Run(np.array([0, n_steps]), np.zeros(2), np.zeros(2), np.zeros(2, int), agent, seed, 0.0, True)
+    few = {"evaluate_every": n_steps // 2, "evaluation_episodes": 10}
+    return train(environment, agent, n_steps, seed=seed, **{**how, **few})
 
 
-edugym.training.repeat.train = untrained
+edugym.training.repeat.train = with_few_points
 lake = gym.make("FrozenLake-v1", map_name="4x4", is_slippery=True)
 methods = {label: model_based.LEARNED[label] for label in ("Q-learning", "Dyna-10")}
 
@@ -518,7 +522,7 @@ def imagine(self, s, a):
 
 
 # %% exercise 2, wrong: does the update and returns it
-# says: should only return the target
+# says: `act` puts that into Q
 def imagine(self, s, a):
     reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
     if self.last[s, a] == 0:
@@ -874,7 +878,7 @@ def sweep(self):
 
 
 # %% exercise 3, wrong: returns 0
-# says: the *largest* change, without its sign
+# says: before you store it
 def sweep(self):
     largest = 0.0
     for s in range(self.Q.shape[0]):
@@ -888,7 +892,7 @@ def sweep(self):
 
 
 # %% exercise 3, wrong: compares after the change
-# says: the *largest* change, without its sign
+# says: before you store it
 def sweep(self):
     largest = 0.0
     for s in range(self.Q.shape[0]):
@@ -1049,6 +1053,136 @@ def learn(self, state, action, reward, next_state, terminated):
     raise NotImplementedError
 
 
+# %% exercise 3, wrong: no abs
+# says: a fall counts too
+def sweep(self):
+    largest = 0.0
+    for s in range(self.Q.shape[0]):
+        for a in range(self.Q.shape[1]):
+            if self.known[s, a] == 1:
+                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
+                new = self.rewards[s, a] + self.discount * value
+                largest = max(largest, new - self.Q[s, a])
+                self.Q[s, a] = new
+    return largest
+
+
+# %% exercise 3, wrong: return in the outer loop
+# says: only state 0 is swept
+def sweep(self):
+    largest = 0.0
+    for s in range(self.Q.shape[0]):
+        for a in range(self.Q.shape[1]):
+            if self.known[s, a] == 1:
+                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
+                new = self.rewards[s, a] + self.discount * value
+                largest = max(largest, abs(new - self.Q[s, a]))
+                self.Q[s, a] = new
+        return largest
+
+
+# %% exercise 3, wrong: return in the inner loop
+# says: only state 0 and action 0 is swept
+def sweep(self):
+    largest = 0.0
+    for s in range(self.Q.shape[0]):
+        for a in range(self.Q.shape[1]):
+            if self.known[s, a] == 1:
+                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
+                new = self.rewards[s, a] + self.discount * value
+                largest = max(largest, abs(new - self.Q[s, a]))
+                self.Q[s, a] = new
+            return largest
+
+
+# %% exercise 3, wrong: never stores
+# says: changes no value
+def sweep(self):
+    largest = 0.0
+    for s in range(self.Q.shape[0]):
+        for a in range(self.Q.shape[1]):
+            if self.known[s, a] == 1:
+                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
+                new = self.rewards[s, a] + self.discount * value
+                largest = max(largest, abs(new - self.Q[s, a]))
+    return largest
+
+
+# %% exercise 3, wrong: largest of the last state
+# says: a change of the last state
+def sweep(self):
+    for s in range(self.Q.shape[0]):
+        largest = 0.0
+        for a in range(self.Q.shape[1]):
+            if self.known[s, a] == 1:
+                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
+                new = self.rewards[s, a] + self.discount * value
+                largest = max(largest, abs(new - self.Q[s, a]))
+                self.Q[s, a] = new
+    return largest
+
+
+# %% exercise 3, wrong: the sum
+# says: the sum of all changes
+def sweep(self):
+    largest = 0.0
+    for s in range(self.Q.shape[0]):
+        for a in range(self.Q.shape[1]):
+            if self.known[s, a] == 1:
+                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
+                new = self.rewards[s, a] + self.discount * value
+                largest += abs(new - self.Q[s, a])
+                self.Q[s, a] = new
+    return largest
+
+
+# %% exercise 3, wrong: the last change
+# says: a change of the last state
+def sweep(self):
+    largest = 0.0
+    for s in range(self.Q.shape[0]):
+        for a in range(self.Q.shape[1]):
+            if self.known[s, a] == 1:
+                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
+                new = self.rewards[s, a] + self.discount * value
+                largest = abs(new - self.Q[s, a])
+                self.Q[s, a] = new
+    return largest
+
+
+# %% exercise 3, wrong: known after the plan
+# says: `known` is set only after self.plan()
+def learn(self, state, action, reward, next_state, terminated):
+    if self.known[state, action] == 0:
+        self.rewards[state, action] = reward
+        self.next_states[state, action] = next_state
+        self.ends[state, action] = 1 if terminated else 0
+        self.plan()
+        self.known[state, action] = 1
+
+
+# %% exercise 3, wrong: plans first
+# says: is set only after self.plan()
+def learn(self, state, action, reward, next_state, terminated):
+    if self.known[state, action] == 0:
+        self.plan()
+        self.known[state, action] = 1
+        self.rewards[state, action] = reward
+        self.next_states[state, action] = next_state
+        self.ends[state, action] = 1 if terminated else 0
+
+
+# %% exercise 3, wrong: rewards after the plan
+# says: `rewards` is set only after self.plan()
+def learn(self, state, action, reward, next_state, terminated):
+    if self.known[state, action] == 0:
+        self.known[state, action] = 1
+        self.next_states[state, action] = next_state
+        self.ends[state, action] = 1 if terminated else 0
+        self.plan()
+        self.rewards[state, action] = reward
+
+
 # %% exercise 3, wrong: an instance
 # says: should be the class
 MyRMax = RMax.create((6, 3))
@@ -1127,6 +1261,36 @@ lake_results = repeat(
 others = dict(methods)
 others["expected"] = partial(DynaQ.create, learning_rate=1.0, planning_steps=10, expected_updates=True)
 lake_results = repeat(environment=lake, agents=others, n_steps=3000, repetitions=5, jobs=1)
+
+# %% exercise 4, wrong: more sampled updates
+# says: however many updates it makes
+lake_results = repeat(
+    lake,
+    {**methods, "mine": partial(DynaQ.create, planning_steps=50, learning_rate=1.0)},
+    3_000,
+    repetitions=5,
+    evaluation_episodes=10,
+)
+
+# %% exercise 4, wrong: fewer sampled updates
+# says: however many updates it makes
+lake_results = repeat(
+    lake,
+    {**methods, "mine": partial(DynaQ.create, planning_steps=2, learning_rate=1.0)},
+    3_000,
+    repetitions=5,
+    evaluation_episodes=10,
+)
+
+# %% exercise 4, wrong: a rate of nearly 1
+# says: such as 0.1
+lake_results = repeat(
+    lake,
+    {**methods, "mine": partial(DynaQ.create, learning_rate=0.95)},
+    3_000,
+    repetitions=5,
+    evaluation_episodes=10,
+)
 
 # %% exercise 4, wrong: nothing
 # says: Not solved yet

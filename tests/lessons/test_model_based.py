@@ -17,6 +17,7 @@ from edugym.lessons.model_based import (
     Q_LEARNING,
     R_MAX,
     Clock,
+    Close,
     FloorMap,
     Knowledge,
     best_by_what_was_seen,
@@ -39,7 +40,7 @@ from edugym.lessons.model_based import (
     who_knows_the_way,
     wrong_plan,
 )
-from edugym.lessons.model_based.figures import STROKES, stroke_of
+from edugym.lessons.model_based.figures import OWN, STROKES, strokes_of
 from edugym.lessons.model_based.maps import after_walk
 from edugym.plotting import Sheet
 
@@ -137,10 +138,10 @@ def test_the_clock() -> None:
 
 
 def test_methods_keep_their_colours() -> None:
-    """Whatever else is in a figure; a reader's own has another one."""
-    assert stroke_of("Dyna-30") == stroke_of(DYNA_10)
-    assert len({tuple(map(str, stroke_of(method).values())) for method in LEARNED}) == len(LEARNED)
-    assert stroke_of("mine") not in [stroke_of(method) for method in LEARNED]
+    """Whatever else is in a figure; each of a reader's own has another one."""
+    assert strokes_of(["Dyna-30"])["Dyna-30"] == strokes_of(LEARNED)[DYNA_10]
+    looks = strokes_of([*LEARNED, "mine", "Dyna-Q+", "Dyna-30", "last"])
+    assert len({look["color"] for look in looks.values()}) == len(LEARNED) + len(OWN) == len(looks)
     assert {*LEARNED} <= {*STROKES}
 
 
@@ -160,7 +161,7 @@ def test_figures_are_drawn() -> None:
         dynamic_programming((1, 2)),
         wrong_plan(1.5, 0),
         Sheet("one", [[Knowledge(used_and_seen(results)), Clock(results, 1.0, 1.0)]]),
-        Sheet("two", [[look_ahead_lines(results, (0, 1))]]),
+        Sheet("two", [[look_ahead_lines(results, (0, 1)), Close(look_ahead_lines(results, (0, 1)), (50.0, 100.0))]]),
         race({"mine": lambda shop: DynaQ.create(shop)}, 2, n_steps=400),
     ):
         assert sheet._repr_png_()[:4] == b"\x89PNG"

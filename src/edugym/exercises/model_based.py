@@ -21,6 +21,8 @@ SHAPE = (6, 3)
 SETTLED = 400
 """So many sweeps over them change nothing any more."""
 LAKE_STEPS = 3_000
+ENOUGH = 0.15
+"""The share of goals that tells averaging from luck: rates of 1 with sampled updates get 0.07 at most."""
 
 
 class Sizes(NamedTuple):
@@ -152,7 +154,7 @@ IMAGINED_MISTAKES: Mapping[str, Mapping[str, str]] = MappingProxyType(
         "the value of the next state is not discounted": {"target": "undiscounted"},
         "the bonus is discounted; γ belongs to the value of the next state only": {"target": "bonus discounted"},
         "the reward is missing": {"target": "no reward"},
-        "that is the TD error: return the target, from which `plan` subtracts Q(s, a) itself": {"target": "difference"},
+        "that is the TD error: return the whole target, which `act` puts into Q": {"target": "difference"},
         "at the end of an episode the bonus is lost: only the value of the next state is 0 there": {
             "target": "no bonus at the end"
         },
@@ -228,7 +230,7 @@ def _imagined_by(agent: Any, case: Memory) -> float:
     with running(call):
         found = agent.imagine(case.state, case.action)
     if any(not np.array_equal(getattr(agent, name), getattr(case, name)) for name in ("Q", "last", "rewards")):
-        raise WrongAnswer(f"{call} changes a table: it should only return the target, `plan` does the update")
+        raise WrongAnswer(f"{call} changes a table: it should only return the target, and `act` puts that into Q")
     return number(call, found)
 
 
@@ -302,12 +304,14 @@ def _check_sweep(answer: Any, seed: int) -> None:
     rng = np.random.default_rng(seed)
     for _ in range(3):
         agent = _with("MyRMax", _made("MyRMax", answer), {"discount": 0.5})
-        known = rng.permutation(np.repeat([0, 1], [6, 12])).reshape(SHAPE)
+        known = rng.permutation(np.repeat([0, 1], [6, 9])).reshape(-1, SHAPE[1])
+        known = np.vstack([np.ones((1, SHAPE[1]), np.int64), known])
         next_states = np.where(known, rng.integers(1, SHAPE[0], SHAPE), 0)
         rewards = np.where(known, rng.choice([-2.0, -1.0, 3.0, 6.0], SHAPE), 0.0)
         ends = np.where(known, rng.random(SHAPE) < 0.25, 0).astype(np.int64)
         Q = np.full(SHAPE, 100.0)
         Q[known == 1] = rng.choice([-4.0, 2.0, 50.0], 12)
+        Q[0, 0] = 400.0  # it falls by more than any other value rises
         case = Memory(Q, rewards, next_states, ends, known, 0, 0, 0)
         tables = {"Q": Q, "known": known, "rewards": rewards, "next_states": next_states, "ends": ends}
         for name, values in tables.items():
@@ -316,13 +320,24 @@ def _check_sweep(answer: Any, seed: int) -> None:
             first = agent.sweep()
             if first is None:
                 raise WrongAnswer("sweep() gives None: it should return the largest change of a value")
+            changes = agent.Q - Q
             for _ in range(SETTLED - 1):
                 last = agent.sweep()
         right = swept(case, known, discount=0.5)
         wrong = np.argwhere(~np.isclose(agent.Q, right, atol=1e-6))
         if len(wrong):
             found = agent.Q.copy()
-            why = _first_that_fits(SWEEP_MISTAKES, partial(_sweeps_to, found, case))
+            changed = ~np.isclose(found, Q)
+            if not changed.any():
+                why = "sweep() changes no value: set Q[s, a] to the target"
+            elif not changed[1:].any():
+                one = " and action 0" if not changed[0, 1:].any() else ""
+                why = (
+                    f"only state 0{one} is swept. `return` ends the loops: write it below both, as far to the left as"
+                    " the first `for`"
+                )
+            else:
+                why = _first_that_fits(SWEEP_MISTAKES, partial(_sweeps_to, found, case))
             s, a = wrong[0]
             what = "known" if known[s, a] else "not known"
             raise WrongAnswer(
@@ -336,16 +351,28 @@ def _check_sweep(answer: Any, seed: int) -> None:
             raise WrongAnswer(
                 f"once nothing changes any more, sweep() should return 0, the largest change, but returns {last:.4g}"
             )
-        if number("sweep()", first) < np.abs(right - Q).max() / 4:
+        largest = np.abs(changes).max()
+        if not same(number("sweep()", first), largest):
+            sizes = np.abs(changes)
+            hint = "compare the new value with the old one before you store it, and keep the largest change"
+            if same(first, max(changes.max(), 0.0)):
+                hint = "values fall as well as rise, and a fall counts too: `abs(new - old)`"
+            elif same(first, sizes.sum()):
+                hint = "that is the sum of all changes"
+            elif same(first, sizes[known == 1][-1]) or same(first, sizes[-1].max()):
+                hint = "that is a change of the last state: keep the largest of all, and set it to 0.0 above both loops"
             raise WrongAnswer(
-                f"the first sweep() changes values by much more than the {first:.4g} that it returns: it should return"
-                " the *largest* change, without its sign, so that planning goes on until nothing changes"
+                f"the largest change of the first sweep(), without its sign, is {digits(largest, first)}, but it"
+                f" returns {digits(first, largest)}: {hint}"
             )
 
 
 def _sweeps_to(found: Any, case: Memory, change: Mapping[str, str]) -> bool:
     """Whether a mistake gives the values that were found."""
     return np.allclose(swept(case, case.last, discount=0.5, **change), found, atol=1e-6, rtol=1e-6)
+
+
+NOT_PLANNED = "a new pair is known now, so `learn` should call self.plan(), which sweeps until nothing changes"
 
 
 def _check_learn(answer: Any, seed: int) -> None:
@@ -362,7 +389,9 @@ def _check_learn(answer: Any, seed: int) -> None:
     low, middle, high = sorted((low, middle, high))
     # Two ways lead to the middle, from both sides, and then all of its actions become known: one sweep is not enough.
     steps = [(low, 1, middle), (high, 0, middle), *((middle, a, others[a % 2]) for a in range(SHAPE[1]))]
+    unplanned = ""  # what to say if no later step changes a value either
     for k, (state, action, next_state) in enumerate([*steps, (low, 1, high)]):
+        before = {name: table.copy() for name, table in seen.items()}
         again = k == len(steps)  # a known pair, and something else seems to follow: nothing changes
         ended = k == 3
         reward = float(rng.choice([-1.0, 4.0, 7.0])) if not again else 9.0
@@ -374,16 +403,30 @@ def _check_learn(answer: Any, seed: int) -> None:
                 seen[name][state, action] = value
         for name in names:
             _compare_memory(agent, name, seen[name], call, (state, action), next_state, again)
-        stored = {name: seen[name] for name in names[1:]}
-        case = Memory(Q=np.full(SHAPE, 100.0), **stored, last=seen["known"], now=0, state=0, action=0)
-        right = swept(case, seen["known"], discount=0.5)
+        right = _planned(seen)
         wrong = np.argwhere(~np.isclose(agent.Q, right, atol=1e-2))
-        if len(wrong):
-            s, a = (int(index) for index in wrong[0])
-            raise WrongAnswer(
-                f"after {call} Q[{s}, {a}] should be {right[s, a]:g}, but is {agent.Q[s, a]:.4g}: a new pair is known"
-                " now, so `learn` should call self.plan(), which sweeps until nothing changes"
-            )
+        if not len(wrong):
+            continue
+        s, a = (int(index) for index in wrong[0])
+        what = f"after {call} Q[{s}, {a}] should be {right[s, a]:g}, but is {agent.Q[s, a]:.4g}: "
+        if np.array_equal(agent.Q, np.full(SHAPE, 100.0)):
+            # Either it never plans, or it plans before the new pair is known: the next steps tell.
+            unplanned = unplanned or what
+            continue
+        late = [name for name in names if np.allclose(agent.Q, _planned({**seen, name: before[name]}), atol=1e-2)]
+        if late:
+            hint = f"`{late[0]}` is set only after self.plan(), which cannot use it then: remember first, and plan last"
+            raise WrongAnswer(f"{unplanned or what}{hint}")
+        raise WrongAnswer(f"{unplanned or what}{NOT_PLANNED}")
+    if unplanned:
+        raise WrongAnswer(f"{unplanned}{NOT_PLANNED}")
+
+
+def _planned(seen: Mapping[str, Any]) -> Any:
+    """Return the values of a plan with what was seen, from U everywhere."""
+    stored = {name: seen[name] for name in ("rewards", "next_states", "ends")}
+    case = Memory(Q=np.full(SHAPE, 100.0), **stored, last=seen["known"], now=0, state=0, action=0)
+    return swept(case, seen["known"], discount=0.5)
 
 
 def _compare_memory(
@@ -460,10 +503,23 @@ def exercise_4(answer: Any, seed: int) -> str:
     own = [label for label in results.methods if label not in methods]
     if not own:
         raise WrongAnswer("lake_results should have a third method, your own, beside the two of the lesson")
-    ends = ", ".join(f"{label} {results.final(label).mean():.2f}" for label in results.methods)
+    goals = {label: float(results.curves(label).loc[LAKE_STEPS // 2 :].to_numpy().mean()) for label in results.methods}
+    best = max(own, key=lambda label: goals[label])
+    shares = ", ".join(f"{label} {share:.2f}" for label, share in goals.items())
+    measured = f"Share of evaluation episodes that reach the goal, in the second half of training: {shares}."
+    if goals[best] < ENOUGH:
+        agent = next(iter(results.complete_agents(best).values()))
+        sampled = not getattr(agent, "expected_updates", False) and getattr(agent, "learning_rate", 0.0) == 1.0
+        hint = (
+            "it has a learning rate of 1 and sampled updates, so that a value is whatever the last outcome said,"
+            " however many updates it makes"
+            if sampled
+            else "let each value average over many outcomes, by expected updates or by a learning rate such as 0.1"
+        )
+        raise WrongAnswer(f"{best!r} should get {ENOUGH:g} or more: {hint}. {measured}")
     return (
-        f"Right. Share of episodes that reach the goal at the end: {ends}. Chance breaks a rate of 1 with sampled"
-        " updates: each keeps the last outcome only. Expected updates, or a lower rate, average over all of them."
+        f"Right. {measured} Chance breaks a rate of 1 with sampled updates: each keeps the last outcome only. Expected"
+        " updates, or a lower rate, average over all of them."
     )
 
 

@@ -24,6 +24,7 @@ from edugym.experiments import How, reporting
 from edugym.lessons.exploration.methods import attempt
 from edugym.lessons.model_based.figures import (
     Clock,
+    Close,
     Coloured,
     Knowledge,
     Learning,
@@ -110,6 +111,7 @@ __all__ = [
     "SLOW_DYNA",
     "SWEEPING",
     "Clock",
+    "Close",
     "Coloured",
     "FloorMap",
     "Knowledge",

@@ -1,6 +1,7 @@
 """The figures of lesson 9."""
 
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -33,7 +34,8 @@ from edugym.plotting.curves import Curves
 from edugym.plotting.lines import Lines
 from edugym.plotting.panel import ALONE, Place
 from edugym.plotting.sheet import Sheet
-from edugym.plotting.style import REFERENCE, add_legend, dress, own_axes, stroke
+from edugym.plotting.style import REFERENCE, Stroke, add_legend, dress, own_axes, stroke
+from edugym.rendering.palette import INK
 from edugym.results.statistics import mean_interval
 from edugym.results.tables import Results
 
@@ -57,11 +59,26 @@ UPDATES: Mapping[str, int] = MappingProxyType({Q_LEARNING: 1, DYNA_10: 11, DYNA_
 """How often a method updates a value at each step."""
 
 
-def stroke_of(method: str) -> dict[str, Any]:
-    """Return the look of the line of a method; a reader's own is black."""
-    kind = next((name for name in STROKES if method == name), method.partition("-")[0])
-    index = STROKES.get(kind, {"Dyna": 1}.get(kind, 6))
-    return stroke(index)._asdict()
+OWN = (
+    stroke(6),
+    Stroke("#8c510a", "solid"),
+    Stroke("#762a83", (0, (6, 1.5))),
+    Stroke("#000000", (0, (6, 1.5, 1.5, 1.5))),
+)
+"""The strokes of a reader's own methods, in their order."""
+
+
+def strokes_of(methods: Iterable[str]) -> dict[str, dict[str, Any]]:
+    """Return the look of the line of each method; Dyna with another number of updates has that of Dyna-10."""
+    methods = [*methods]
+    looks: dict[str, Stroke] = {}
+    own = 0
+    for method in methods:
+        other_dyna = re.fullmatch(r"Dyna-\d+", method) and DYNA_10 not in methods
+        index = STROKES.get(method, STROKES[DYNA_10] if other_dyna else None)
+        looks[method] = OWN[own % len(OWN)] if index is None else stroke(index)
+        own += index is None
+    return {method: look._asdict() for method, look in looks.items()}
 
 
 class Learning(Curves):
@@ -72,8 +89,8 @@ class Learning(Curves):
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the curves on `ax`, by default in a new figure, and return the axes."""
         ax = super().draw(ax, place)
-        for line, band in zip(ax.get_lines(), ax.collections, strict=False):
-            look = stroke_of(str(line.get_label()))
+        looks = strokes_of(self.results.methods if self.methods is None else self.methods)
+        for look, line, band in zip(looks.values(), ax.get_lines(), ax.collections, strict=False):
             line.set(**look)
             band.set(color=look["color"], linewidth=0)
         if place.alone:
@@ -89,10 +106,35 @@ class Coloured(Lines):
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the lines on `ax`, by default in a new figure, and return the axes."""
         ax = super().draw(ax, place)
-        for method, line in zip(self.lines, ax.get_lines(), strict=False):
-            line.set(**stroke_of(method))
+        for look, line in zip(strokes_of(self.lines).values(), ax.get_lines(), strict=False):
+            line.set(**look)
         if place.alone:
             add_legend(ax)
+        return ax
+
+
+class Close(NamedTuple):
+    """A part of the y axis of other lines.
+
+    Attributes:
+        lines: the lines.
+        y_range: both ends of the y axis.
+    """
+
+    lines: Lines
+    y_range: tuple[float, float]
+
+    @property
+    def title(self) -> str:
+        """The text above the axes: that of the lines, and the part."""
+        low, high = self.y_range
+        return f"{self.lines.title}: {low:g} to {high:g}"
+
+    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
+        """Draw the lines on `ax`, by default in a new figure, and return the axes."""
+        ax = self.lines.draw(ax, place)
+        ax.set_ylim(*self.y_range)
+        ax.set_title(self.title, color=INK, fontsize=10)
         return ax
 
 
@@ -122,10 +164,10 @@ class Clock(NamedTuple):
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the curves on `ax`, by default in a new figure, and return the axes."""
         ax = own_axes(ax)
-        for method in self.results.methods:
+        for method, look in strokes_of(self.results.methods).items():
             curve = self.results.curves(method).mean(axis=1)
             seconds = curve.index.to_numpy(float) * self.seconds_per_step(method)
-            ax.plot(seconds[1:], curve.to_numpy(float)[1:], linewidth=1.6, label=method, **stroke_of(method))
+            ax.plot(seconds[1:], curve.to_numpy(float)[1:], linewidth=1.6, label=method, **look)
         ax.axhline(OPTIMUM, label="optimum", **REFERENCE)
         ax.set_xscale("log")
         ax.set_ylim(-100.0, 100.0)
@@ -149,9 +191,10 @@ class Knowledge(NamedTuple):
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw both on `ax`, by default in a new figure, and return the axes."""
         ax = own_axes(ax)
+        looks = strokes_of(self.measured)
         for row, (method, both) in enumerate(self.measured.items()):
             policy, seen = (mean_interval(values) for values in both)
-            colour = stroke_of(method)["color"]
+            colour = looks[method]["color"]
             for place_of, found, filled in ((row - 0.12, seen, False), (row + 0.12, policy, True)):
                 ax.plot([found.low, found.high], [place_of, place_of], color=colour, linewidth=1.4)
                 face = colour if filled else "white"
