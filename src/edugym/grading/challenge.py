@@ -101,7 +101,8 @@ class Challenge:
     """A task for an agent of the student's own.
 
     Attributes:
-        environment: the name of the environment; if it has a parameter `layout_seed`, every name has its layouts.
+        environment: the name of the environment, or an MDP; if it has a parameter `layout_seed`, every name has its
+            layouts.
         parameters: its other parameters.
         n_steps: the training steps.
         baselines: by label, functions that make the agents to beat.
@@ -112,7 +113,7 @@ class Challenge:
             training episodes, so that exploring costs).
     """
 
-    environment: str
+    environment: Any
     parameters: Mapping[str, Any]
     n_steps: int
     baselines: Mapping[str, Callable[..., Any]]
@@ -134,7 +135,8 @@ class Challenge:
             WrongAnswer: the agent cannot be trained; the message says why.
         """
         seed = seed_from_name(name)
-        mdp = make_mdp(self.environment, **self.parameters)
+        named = isinstance(self.environment, str)
+        mdp = make_mdp(self.environment, **self.parameters) if named else self.environment
         sizes = Sizes(mdp.observation_space, mdp.action_space)
         maker = self._maker(agent, sizes)
         with running("training your agent"):
@@ -144,7 +146,7 @@ class Challenge:
                 self.n_steps,
                 repetitions=self.repetitions,
                 seed=seed,
-                parameters=self.parameters,
+                parameters=self.parameters or None,
             )
         averages = {label: float(results.average(label, self.column).mean()) for label in results.methods}
         best_baseline = max(self.baselines, key=lambda label: averages[label])

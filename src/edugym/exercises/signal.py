@@ -1,0 +1,349 @@
+"""The exercises of lesson 6: the length of a message, the information in a table, and a player that remembers."""
+
+import math
+from collections.abc import Mapping
+from functools import partial
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from edugym.grading.challenge import Challenge
+from edugym.grading.choices import action_of, check_choices
+from edugym.grading.student_code import running
+from edugym.grading.values import compare, given, number
+from edugym.grading.wrong import WrongAnswer
+from edugym.lessons.signal.methods import LEARNING_RATE, learner
+from edugym.lessons.signal.moody import moody_toy
+from edugym.lessons.signal.players import RoundRobin, Voter
+from edugym.lessons.signal.words import bits, information
+from edugym.mdp.protocol import Reals
+
+ENOUGH = 0.4
+"""The bits that a message should carry in exercise 1."""
+WORDS = 22
+"""The fewest words that carry them at τ = 0.1."""
+FOUR_NEEDS = 4
+
+
+def exercise_1(answer: Any, seed: int) -> str:
+    """Check the smallest number of words that carry 0.4 bit at τ = 0.1."""
+    found = number("words", answer)
+    if found != int(found):
+        raise WrongAnswer(f"words should be a whole number, since half a word is never said, but is {found:g}")
+    one = information(0.1)
+
+    def says(words: float) -> str:
+        if not 1 <= words <= 200:
+            return f"words = {words:g} is not from 1 to 200"
+        return f"{words:.0f} words carry {information(0.1, int(words)):.3f} bit at τ = 0.1"
+
+    compare(
+        "words",
+        answer,
+        WORDS,
+        {
+            "that is the value with which the cell began": 1,
+            "that is 0.4 divided by the bits of one word; the words repeat each other in part, so more are needed": math.ceil(
+                ENOUGH / one
+            ),
+            "that is 0.4 divided by the bits of one word, rounded down; the words repeat each other in part, so more are"
+            " needed": math.floor(ENOUGH / one),
+            "that is the last length that carries less than 0.4 bit; one word more is enough": WORDS - 1,
+            "one word less is enough; is the comparison `<`, and the count read before it grows?": WORDS + 1,
+            "that is the most that the toy can say, and fewer are enough": 28,
+            "that is where four words count for one; ask `signal.information(0.1, words)` directly": 6,
+            "that is the answer for τ = 0.05": _fewest(0.05),
+            "that is where *half* a bit is reached": _fewest(0.1, 0.5),
+        },
+        tolerance=0.0,
+        says=says,
+        otherwise="that is not enough yet" if found < WORDS else "fewer words are enough",
+    )
+    return (
+        "Right: 22, not 19. The second word tells a part of what the first one has told already, so that information "
+        "adds up more and more slowly."
+    )
+
+
+def _fewest(tau: float, enough: float = ENOUGH) -> int:
+    """Return the smallest number of words that carry so many bits."""
+    words = 1
+    while information(tau, words) < enough:
+        words += 1
+    return words
+
+
+def exercise_2(answer: Any, seed: int) -> str:
+    """Check the function that returns the information in a table."""
+    given("bits_in", answer)
+    if not callable(answer) or isinstance(answer, type):
+        raise WrongAnswer(f"bits_in should be a function of a table, but is of the type {type(answer).__name__}")
+    rng = np.random.default_rng(seed)
+    for joint in _tables(rng):
+        told = np.array2string(joint, precision=4, separator=", ").replace("\n", "")
+        before = joint.copy()
+        with running(f"bits_in({told})"):
+            found = answer(joint)
+        if not np.array_equal(joint, before):
+            raise WrongAnswer("bits_in changes the table that it is given: work with a copy, or with new variables")
+        expected = bits(joint)
+        if isinstance(found, float | np.floating) and math.isnan(found):
+            raise WrongAnswer(
+                f"bits_in({told}) gives nan: the logarithm of 0 times 0 is not a number, so leave pairs out that never"
+                " occur"
+            )
+        compare(
+            f"bits_in({told})",
+            found,
+            expected,
+            {why: wrong for why, wrong in bits_mistakes(joint).items() if abs(wrong - expected) > 1e-6},
+            tolerance=1e-6,
+        )
+    return "Right: these are the bits of the figures."
+
+
+def _tables(rng: np.random.Generator) -> list[Reals]:
+    """Make tables up: with sixteenths that can be followed by hand, without and with zeros, of several sizes."""
+    first = np.array([[6.0, 2.0], [1.0, 7.0]])
+    shapes = ((2, 2), (2, 3), (3, 2), (4, 4))
+    others = [rng.integers(1, 6, shape).astype(float) for shape in shapes]
+    others[1][0, 0] = 0.0
+    others[3][np.arange(4), (np.arange(4) + 1) % 4] = 0.0
+    for table in others:
+        table[0] += np.arange(table.shape[1]) + rng.integers(1, 3)  # so that needs and messages are not alike
+    return [table / table.sum() for table in (first, *others)]
+
+
+def bits_mistakes(joint: Reals) -> dict[str, float]:
+    """Return what the usual mistakes give for a table."""
+    p_x, p_y = joint.sum(axis=1), joint.sum(axis=0)
+    possible = joint > 0
+    right = bits(joint)
+    p = joint[possible]
+    outer = np.outer(p_x, p_y)[possible]
+    entropy_x, entropy_y = (-float(np.sum(q[q > 0] * np.log2(q[q > 0]))) for q in (p_x, p_y))
+    together = -float(np.sum(p * np.log2(p)))
+    return {
+        "the logarithm has the base e; bits need the base 2, `math.log2` or `np.log2`": right * math.log(2),
+        "the logarithm has the base 10; bits need the base 2, `math.log2` or `np.log2`": right * math.log10(2),
+        "the sign is wrong: p(x, y) stands above the line, and p(x) p(y) below": -right,
+        "that is the entropy of x alone: it leaves the message out": entropy_x,
+        "that is the entropy of y alone: it leaves the need out": entropy_y,
+        "that is −Σ p(x, y) log p(x, y), the entropy of the pair; p(x, y) has to be divided by p(x) p(y)": together,
+        "that is Σ p(x, y) log p(x, y): p(x, y) has to be divided by p(x) p(y)": -together,
+        "that is what is still open about x after the message; the information is what the message has told": together
+        - entropy_y,
+        "that is what is still open about y when x is known; the information is what the message has told": together
+        - entropy_x,
+        "p(y) is missing: it divides by p(x) alone": float(
+            np.sum(p * np.log2(p / (p_x[:, None] + 0 * joint)[possible]))
+        ),
+        "p(x) is missing: it divides by p(y) alone": float(np.sum(p * np.log2(p / (p_y + 0 * joint)[possible]))),
+        "the weight p(x, y) before the logarithm is missing": float(np.sum(np.log2(p / outer))),
+        "the weight before the logarithm should be p(x, y), not p(x) p(y)": float(np.sum(outer * np.log2(p / outer))),
+        "that is the *mean* over the pairs; the weights p(x, y) are in the sum already, so add them up": right
+        / joint.size,
+        "that is the mean over the pairs that occur; the weights p(x, y) are in the sum already": right / len(p),
+        "the logarithm is missing": float(np.sum(p * p / outer)),
+        "that is twice the information": 2 * right,
+        "only the diagonal is added up; a word that names another need counts too": float(
+            sum(
+                joint[k, k] * math.log2(joint[k, k] / (p_x[k] * p_y[k]))
+                for k in range(min(joint.shape))
+                if joint[k, k] > 0
+            )
+        ),
+        "that is 2 bits less the rest; the needs need not be equally likely, and there may be other than four": 2
+        - (together - entropy_y),
+        "only the first row is added up: does the `return` stand inside the loop?": _part(joint, slice(0, 1)),
+        "the last row is missing in the sum": _part(joint, slice(0, -1)),
+        "the first row is missing in the sum: indices begin with 0": _part(joint, slice(1, None)),
+        "the first pair alone: does the `return` stand inside the loops?": float(
+            joint[0, 0] * math.log2(joint[0, 0] / (p_x[0] * p_y[0])) if joint[0, 0] > 0 else 0.0
+        ),
+    }
+
+
+def _part(joint: Reals, rows: slice) -> float:
+    """Return the sum over some of the rows."""
+    outer = np.outer(joint.sum(axis=1), joint.sum(axis=0))[rows]
+    part = joint[rows]
+    possible = part > 0
+    return float(np.sum(part[possible] * np.log2(part[possible] / outer[possible])))
+
+
+class Heard(NamedTuple):
+    """A case of exercise 3: what is observed, and what was done last."""
+
+    observation: tuple[int, ...]
+    last: int
+
+    @property
+    def told(self) -> str:
+        """The case, for a sentence."""
+        return f"where self.last[0] = {self.last}"
+
+
+HEARD = (
+    Heard((100, 2, 2, 0, 1, 2), 1),
+    Heard((3, 2, 2, 0, 2, 0), 2),
+    Heard((51, 1, 3, 1, 3), 0),
+    Heard((77, 5, 1, 0, 2, 6, 9), 3),
+    Heard((2, 3), 3),
+    Heard((100, 0, 0, 0), -1),
+    Heard((40, 7, 7, 2), -1),
+    Heard((9, 1, 1, 3, 3, 0), 1),
+    Heard((61, 3, 2, 3, 0, 0), -1),
+)
+"""What is observed in the check: hit points that name another need than the words, synonyms, ties, a first step."""
+
+
+def probabilities(
+    case: Heard,
+    *,
+    start: int = 1,
+    modulo: bool = True,
+    memory: str = "excluded",
+    ties: str = "random",
+    most: str = "most",
+) -> Reals:
+    """Return the probability of each action of the listener; other arguments than the defaults are mistakes."""
+    words = case.observation[start:]
+    words = {"first": words[:1], "last": words[-1:], "all but the last": words[:-1]}.get(most, words)
+    votes = np.zeros(FOUR_NEEDS)
+    for word in words:
+        if modulo or word < FOUR_NEEDS:
+            votes[word % FOUR_NEEDS] += 1.0
+    if most == "least":
+        votes = -votes
+    if memory == "excluded" and case.last >= 0:
+        votes[case.last] = -np.inf
+    elif memory == "set to 0" and case.last >= 0:
+        votes[case.last] = 0.0
+    elif memory == "one less" and case.last >= 0:
+        votes[case.last] -= 1.0
+    elif memory == "-1 is the last" or (memory == "0 counts as nothing" and case.last > 0):
+        votes[case.last] = -np.inf
+    elif memory == "in turn":
+        return np.eye(FOUR_NEEDS)[(case.last + 1) % FOUR_NEEDS]
+    best = votes == votes.max()
+    if memory == "redrawn" and case.last >= 0 and votes.argmax() == case.last:
+        best = np.arange(FOUR_NEEDS) != case.last
+    if ties != "random":
+        chosen = np.flatnonzero(best)[0 if ties == "first" else -1]
+        return np.eye(FOUR_NEEDS)[chosen]
+    return best / best.sum()
+
+
+LISTENER_MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
+    {
+        "that is the vote alone; the action that was taken last should be left out": {"memory": "ignored"},
+        "the hit points are counted as a word; the words begin with observation[1]": {"start": 0},
+        "the first word is left out; the words begin with observation[1]": {"start": 2},
+        "the last word is left out; range(1, len(observation)) goes through all of them": {"most": "all but the last"},
+        "only the first word is heard": {"most": "first"},
+        "only the last word is heard; is something overwritten in the loop?": {"most": "last"},
+        "words from 4 on are not counted: word k names need k % 4": {"modulo": False},
+        "the last action gets no votes, but it can still win where all others have none; give it -1": {
+            "memory": "set to 0"
+        },
+        "the last action loses one vote only; it should never be taken": {"memory": "one less"},
+        "-1 is no action but says that nothing was done yet, and as an index it is the last entry": {
+            "memory": "-1 is the last"
+        },
+        "action 0 may have been the last one too: compare self.last[0] with -1, or with >= 0": {
+            "memory": "0 counts as nothing"
+        },
+        "it takes the actions in turn and does not listen": {"memory": "in turn"},
+        "where the last action has most votes, it takes any other; it should take the one with most words among them": {
+            "memory": "redrawn"
+        },
+        "ties should be broken at random, and it takes the first of equals: call pick(votes, rng)": {"ties": "first"},
+        "ties should be broken at random, and it takes the last of equals: call pick(votes, rng)": {"ties": "last"},
+        "it takes the need with the *fewest* words": {"most": "least"},
+        "it takes the first of equals, and does not leave the last action out": {"ties": "first", "memory": "ignored"},
+        "the hit points are counted as a word, and the last action is not left out": {"start": 0, "memory": "ignored"},
+    }
+)
+
+
+def exercise_3(answer: Any, seed: int) -> str:
+    """Check the class of a player that votes, but takes no action twice in a row."""
+    given("Listener", answer)
+    if not isinstance(answer, type):
+        raise WrongAnswer(f"Listener should be the class, but is of the type {type(answer).__name__}")
+    rng = np.random.default_rng(seed)
+    made = _made(answer)
+    if _made(answer).last is made.last:
+        raise WrongAnswer("two players share one array `last`: make a new one in every call of `create`")
+    for case in (HEARD[k] for k in rng.permutation(len(HEARD))):
+        observation = np.array(case.observation, np.int64)
+        call = f"act({np.array2string(observation, separator=', ')}, rng)"
+
+        def choose(generator: np.random.Generator, case: Heard = case, observation: Any = observation) -> Any:
+            made.last[0] = case.last
+            return made.act(observation, generator)
+
+        check_choices(
+            call,
+            choose,
+            probabilities(case).tolist(),
+            {
+                sentence: found.tolist()
+                for sentence, change in LISTENER_MISTAKES.items()
+                if not np.allclose(found := probabilities(case, **change), probabilities(case))
+            },
+            tables={"observation": observation},
+            where=case.told,
+        )
+        _check_memory(made, case, observation, call)
+    return "Right: message and memory together. See it race:"
+
+
+def _made(answer: Any) -> Any:
+    """Make a student's player."""
+    if not hasattr(answer, "create"):
+        raise WrongAnswer("Listener should keep its method `create`")
+    with running("Listener.create(toy)"):
+        made = answer.create(None)
+    given("Listener.create(toy)", made)
+    if np.shape(getattr(made, "last", None)) != (1,):
+        raise WrongAnswer("Listener should keep its field `last`, an array with one entry")
+    if not hasattr(made, "act"):
+        raise WrongAnswer("Listener should have a method `act`")
+    return made
+
+
+def _check_memory(made: Any, case: Heard, observation: Any, call: str) -> None:
+    """Check that the action is remembered."""
+    made.last[0] = case.last
+    with running(call):
+        action = action_of(call, made.act(observation, np.random.default_rng(1)), FOUR_NEEDS)
+    if made.last[0] == action:
+        return
+    if made.last[0] == case.last:
+        raise WrongAnswer(
+            f"{call} takes action {action}, but self.last[0] is still {case.last}: write the action into it before you"
+            " return"
+        )
+    raise WrongAnswer(f"after {call} took action {action}, self.last[0] should be {action}, but is {made.last[0]}")
+
+
+CHALLENGE = Challenge(
+    environment=moody_toy(tau=0.05, max_msg_length=4),
+    parameters=MappingProxyType({}),
+    n_steps=20_000,
+    baselines=MappingProxyType(
+        {
+            "obey the first word": Voter.create,
+            "majority vote": partial(Voter.create, heard=4),
+            "in turn": RoundRobin.create,
+            "Q-learning": learner(5 * LEARNING_RATE),
+        }
+    ),
+    optimum=6595.22,
+    best_average=6595.22,
+    column="training_return",
+)
+"""The open challenge: the highest return of all training episodes on a toy with moods."""
