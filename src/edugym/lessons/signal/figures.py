@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from edugym.envs.tamagotchi import NEEDS
+from edugym.envs.tamagotchi import NEEDS, Tamagotchi
 from edugym.lessons.signal.methods import (
     LENGTHS,
     LONG,
@@ -31,7 +31,7 @@ from edugym.plotting.lines import Lines
 from edugym.plotting.panel import ALONE, Place
 from edugym.plotting.sheet import Sheet
 from edugym.plotting.style import REFERENCE, SOFT_REFERENCE, add_legend, dress, format_steps, own_axes, stroke
-from edugym.rendering.palette import BLUE, GREEN, INK, ORANGE, RED, SHADE
+from edugym.rendering.palette import BLUE, GREEN, INK, ORANGE, RED
 from edugym.results.statistics import mean_interval
 from edugym.results.tables import Results
 
@@ -162,7 +162,7 @@ class Runs(NamedTuple):
 
 
 class Greedy(NamedTuple):
-    """What Q-learning has learned to do: the share of runs that answer each word with each action.
+    """What Q-learning has learned to do: how often it answers each word with each action.
 
     Attributes:
         shares: shape (4 words, 4 actions).
@@ -179,10 +179,9 @@ class Greedy(NamedTuple):
         for action, colour in enumerate((ORANGE, BLUE, RED, GREEN)):
             ax.barh(range(len(left)), self.shares[:, action], left=left, color=colour, height=0.7, label=NEEDS[action])
             left = left + self.shares[:, action]
-        ax.barh(range(len(left)), 1.0 - left, left=left, color=SHADE, height=0.7, label="never visited")
         ax.set_yticks(range(len(left)), NEEDS[: len(left)])
         ax.invert_yaxis()
-        dress(ax, "share of the rows with this word", "word", self.title)
+        dress(ax, "share of the steps with this word", "word", self.title)
         if place.alone:
             add_legend(ax)
         return ax
@@ -258,15 +257,20 @@ def joint_tables(taus: Sequence[float] = (0.0, 0.02, 0.05, 0.1)) -> Sheet:
     return Sheet("words", [panels[:2], panels[2:]])
 
 
-def answers(results: Results, title: str = "") -> Greedy:
-    """Return the share of the visited rows with each word, over all runs, in which each action is the greedy one."""
-    shares = np.zeros((4, 4))
+def answers(results: Results, tau: float, episodes: int = 5) -> Greedy:
+    """Return how often Q-learning answers each word with each action, in greedy episodes of all runs."""
+    toy, rng = Tamagotchi.create(tau), np.random.default_rng(0)
+    counts = np.zeros((4, 4))
     for agent in results.complete_agents("Q-learning").values():
-        Q = np.asarray(agent.Q).reshape(101, 4, 4)
-        for word in range(4):
-            rows = Q[:, word][(Q[:, word] != 0.0).all(axis=1)]
-            shares[word] += np.bincount(rows.argmax(axis=1), minlength=4) / max(len(rows), 1)
-    return Greedy(shares / shares.sum(axis=1, keepdims=True), title)
+        for _ in range(episodes):
+            state = toy.initial(rng)
+            for _ in range(toy.max_steps):
+                action = agent.greedy(4 * state.hp + state.message, rng)
+                counts[state.message, action] += 1
+                state = toy.transition(state, action, rng)
+                if toy.terminal(state):
+                    break
+    return Greedy(counts / counts.sum(axis=1, keepdims=True), noise_label(tau))
 
 
 def noise_sheet(by_tau: Mapping[float, Results]) -> Sheet:

@@ -49,7 +49,7 @@ def bits(joint: Reals) -> float:
     p_x = joint.sum(axis=1, keepdims=True)
     p_y = joint.sum(axis=0, keepdims=True)
     possible = joint > 0
-    return float(np.sum(joint[possible] * np.log2((joint / (p_x * p_y))[possible])))
+    return float(np.sum(joint[possible] * np.log2(joint[possible] / (p_x * p_y)[possible])))
 
 
 def joint_table(tau: float, vocab_size: int = 4) -> Reals:
@@ -63,6 +63,20 @@ def joint_table(tau: float, vocab_size: int = 4) -> Reals:
         weights = np.array([toy.weight(variables, need, wanted) for need in range(4)])
         joint[wanted] += share * np.bincount(np.arange(4) % kinds, weights / weights.sum(), kinds)
     return joint
+
+
+def right_words(tau: float, episodes: int = 50) -> float:
+    """Return the share of the steps in which the word is right, in the episodes of a player that obeys it."""
+    toy, rng = Tamagotchi.create(tau), np.random.default_rng(0)
+    right, steps = 0, 0
+    for _ in range(episodes):
+        state = toy.initial(rng)
+        for _ in range(toy.max_steps):
+            right, steps = right + (state.message == state.wanted), steps + 1
+            state = toy.transition(state, state.message, rng)
+            if toy.terminal(state):
+                break
+    return right / steps
 
 
 @cache
