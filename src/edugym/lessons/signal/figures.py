@@ -181,6 +181,7 @@ class Greedy(NamedTuple):
             left = left + self.shares[:, action]
         ax.set_yticks(range(len(left)), NEEDS[: len(left)])
         ax.invert_yaxis()
+        ax.set_xlim(0.0, 1.0)
         dress(ax, "share of the steps with this word", "word", self.title)
         if place.alone:
             add_legend(ax)
@@ -322,7 +323,7 @@ def messages_panel(
     return Points(measured, f"{lengths[0]} to {lengths[-1]} words, τ = {tau:g}")
 
 
-def race(own: Mapping[str, Maker], lengths: Sequence[int] = (1, 4, 8, 16, 28), *, repetitions: int = 10) -> Sheet:
+def race(own: Mapping[str, Maker], lengths: Sequence[int] = (1, 4, 8, 28), *, repetitions: int = 10) -> Sheet:
     """Return the figure of the messages with players of the reader's own beside obeying and voting."""
     return Sheet("race", [[messages_panel(lengths, own=own, repetitions=repetitions)]])
 
