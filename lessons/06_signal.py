@@ -19,7 +19,7 @@ from typing import NamedTuple
 import gymnasium as gym
 import numpy as np
 
-from edugym import EpsilonGreedy, QLearning, make_mdp, repeat
+from edugym import QLearning, repeat
 from edugym.envs.tamagotchi import happiness
 from edugym.lessons import signal
 from edugym.notebook import frames, play, predict, sliders, source
@@ -50,12 +50,13 @@ env.scene()
 # | states | four variables $v_i$ from 0 to 100, the hit points, the wanted action, the message | hidden, except for the hit points and the message; all variables start at 100 |
 # | observations | $o$ = (hit points, message) | a message has $L$ words, and there are $H$ different words |
 # | actions | $\mathcal{A} = \{0, 1, 2, 3\}$ | play, sleep, feed, clean |
-# | dynamics | $v_a$ grows by 30, each other $v_i$ falls by 5 | then all are cut off at 0 and 100 |
+# | dynamics | $v_a$ grows by 30, each other $v_i$ falls by 5 | action $a$ meets need $a$; in the end all are cut off at 0 and 100 |
 # | | all four fall by 10 more if $a$ is not the wanted action | so a wrong action harms everything |
 # | reward | $\sum_i (v_i - 50)\, u_i$ with the *urgency* $u_i = e^{-v_i/100}$ | what is low weighs most |
 # | the toy wants | the action with the largest $u_i$ | ties are broken at random |
+# | discount | $\gamma = 0.5$ | used by Q-learning; the returns in the figures are not discounted |
 #
-# An episode has 100 steps. It *terminates* earlier if the hit points fall to 0; they change with the reward. The
+# An episode has 100 steps. It *terminates* earlier if the hit points fall to 0; they grow or fall by a tenth of each reward. The
 # *return* is the sum of all rewards of an episode. The best possible return is 6 707 on average, and random actions
 # return −676.
 #
@@ -78,7 +79,7 @@ source(happiness)
 #
 # With $\tau \to 0$ all words name the wanted action. With $\tau = \infty$ all four needs are equally likely, and the words say
 # nothing. In between a word names the wanted action *more often* than the others. In the code each $e^{u_i/\tau}$ is divided by
-# that of the wanted need, which changes no probability.
+# that of the wanted need, which changes no probability. (`TIE_BREAK`, a millionth, makes the wanted need win ties at $\tau = 0$.)
 
 # %%
 source(type(env.mdp), "named", "weight")
@@ -292,10 +293,9 @@ labels = {f"four words, α = {rate}": rate for rate in (0.02, 0.05, 0.2)}
 four = {label: signal.learn_long(4, rate, repetitions=8) for label, rate in labels.items()}
 voted = signal.vote(0.1, 4, 4).mean()
 display(signal.lengths_sheet({"one word, α = 0.02": signal.learn_long(1, repetitions=8), **four}, voted))
-print(
-    f"one word:   {signal.information(0.1):.3f} bit, {signal.rows_of_table(1):6} rows, mean return {one_word.mean():.0f}"
-)
-print(f"four words: {signal.information(0.1, 4):.3f} bit, {signal.rows_of_table(4):6} rows, mean return")
+for name, length in (("one word", 1), ("four words", 4)):
+    print(f"{name}: {signal.information(0.1, length):.3f} bit, a table of {signal.rows_of_table(length)} rows")
+print(f"mean return with one word: {one_word.mean():.0f} after 200 000 steps; with four words:")
 for label, results in four.items():
     early, end = (signal.after(results, steps).mean() for steps in (200_000, 1_600_000))
     print(f"  {label[12:]:8}: {early:5.0f} after 200 000 steps, {end:5.0f} after 1 600 000")
@@ -345,8 +345,8 @@ for tau, length in ((0.02, 1), (0.1, 28), (0.1, 2), (0.1, 1)):
 # - Q-learning stands at the lower left. At 28 words its table would have $7 \cdot 10^{18}$ rows.
 #
 # **Information, and being able to use it, are two things.** A bit that is spread over 28 words is there, and a table cannot
-# find it. (That is what features and networks are for: one that counts words would see at once what the vote
-# sees. Lesson 4 is about that.)
+# find it. (That is what features and networks are for: an agent that is told how often each word occurs would see at once what the vote
+# sees.)
 
 # %% [markdown]
 # ## Predict, then check
@@ -764,8 +764,8 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #
 # ### Limits
 # We counted the bits on a toy that is always given what it wants; a neglected toy says clearer things. The toy's words have
-# a fixed meaning. In a real language they depend on each other and on their order. Learning what words mean while learning what to
-# do, with few words and no table, is what language models are used for. And the best use of all messages *and* actions so
+# a fixed meaning. In a real language they depend on each other and on their order, and an agent may know their meaning from other
+# texts before it begins (Luketina et al., 2019). And the best use of all messages *and* actions so
 # far is a belief: the probability of each state given the whole history. It is exact, and costly (Sutton and Barto, section
 # 17.3).
 #

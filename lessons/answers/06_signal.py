@@ -24,9 +24,11 @@ words = min([L for L in range(1, 40) if signal.information(0.1, L) >= 0.4])
 bits = np.array([signal.information(0.1, L) for L in range(1, 40)])
 words = np.searchsorted(bits, 0.4) + 1
 
+
 # %% exercise 1, right: by a function
 def carries(n):
     return signal.information(tau=0.1, length=n)
+
 
 words = 0
 for n in range(1, 30):
@@ -109,6 +111,7 @@ words = [L for L in range(1, 40) if signal.information(0.1, L) >= 0.4]
 # says: the answer for τ = 0.05
 words = math.ceil(22 / 4)
 
+
 # %% exercise 2, right: with NumPy
 def bits_in(joint):
     p_x = joint.sum(axis=1, keepdims=True)
@@ -116,13 +119,16 @@ def bits_in(joint):
     some = joint > 0
     return np.sum(joint[some] * np.log2(joint[some] / (p_x * p_y)[some]))
 
+
 # %% exercise 2, right: from entropies
 def entropy(p):
     p = p[p > 0]
     return -np.sum(p * np.log2(p))
 
+
 def bits_in(joint):
     return entropy(joint.sum(axis=1)) + entropy(joint.sum(axis=0)) - entropy(joint)
+
 
 # %% exercise 2, right: entropy less what is open
 def bits_in(joint):
@@ -135,6 +141,7 @@ def bits_in(joint):
                 after -= p_y[y] * p * math.log2(p)
     return before - after
 
+
 # %% exercise 2, right: natural logarithm, divided
 def bits_in(joint):
     total = 0.0
@@ -144,10 +151,12 @@ def bits_in(joint):
                 total += p * math.log(p / (row.sum() * joint[:, y].sum()))
     return total / math.log(2)
 
+
 # %% exercise 2, right: nansum
 def bits_in(joint):
     ratio = joint / np.outer(joint.sum(1), joint.sum(0))
     return np.nansum(joint * np.log2(ratio))
+
 
 # %% exercise 2, right: with a difference of logarithms
 def bits_in(joint):
@@ -161,6 +170,7 @@ def bits_in(joint):
             total = total + p * (math.log2(p) - math.log2(sum(joint[x])) - math.log2(sum(joint[:, y])))
     return total
 
+
 # %% exercise 2, right: by the conditional probability
 def bits_in(joint):
     total = 0.0
@@ -172,10 +182,12 @@ def bits_in(joint):
                 total += joint[x, y] * np.log2(given_y / joint[x].sum())
     return total
 
+
 # %% exercise 2, wrong: nothing
 # says: Not solved yet
 def bits_in(joint):
     raise NotImplementedError
+
 
 # %% exercise 2, wrong: no return
 # says: is a `return` missing?
@@ -185,6 +197,7 @@ def bits_in(joint):
         for y in range(joint.shape[1]):
             if joint[x, y] > 0:
                 total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
+
 
 # %% exercise 2, wrong: natural logarithm
 # says: the logarithm has the base e
@@ -196,12 +209,14 @@ def bits_in(joint):
                 total += joint[x, y] * math.log(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
     return total
 
+
 # %% exercise 2, wrong: base 10
 # says: the logarithm has the base 10
 def bits_in(joint):
     some = joint > 0
     both = np.outer(joint.sum(axis=1), joint.sum(axis=0))
     return np.sum(joint[some] * np.log10(joint[some] / both[some]))
+
 
 # %% exercise 2, wrong: upside down
 # says: the sign is wrong
@@ -210,11 +225,13 @@ def bits_in(joint):
     both = np.outer(joint.sum(axis=1), joint.sum(axis=0))
     return np.sum(joint[some] * np.log2(both[some] / joint[some]))
 
+
 # %% exercise 2, wrong: zeros
 # says: so leave pairs out that never occur
 def bits_in(joint):
     both = np.outer(joint.sum(axis=1), joint.sum(axis=0))
     return np.sum(joint * np.log2(joint / both))
+
 
 # %% exercise 2, wrong: zeros in a loop
 # says: raises ValueError
@@ -225,12 +242,14 @@ def bits_in(joint):
             total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
     return total
 
+
 # %% exercise 2, wrong: no weights
 # says: the weight p(x, y) before the logarithm is missing
 def bits_in(joint):
     some = joint > 0
     both = np.outer(joint.sum(axis=1), joint.sum(axis=0))
     return np.sum(np.log2(joint[some] / both[some]))
+
 
 # %% exercise 2, wrong: the wrong weights
 # says: not p(x) p(y)
@@ -239,11 +258,13 @@ def bits_in(joint):
     both = np.outer(joint.sum(axis=1), joint.sum(axis=0))
     return np.sum(both[some] * np.log2(joint[some] / both[some]))
 
+
 # %% exercise 2, wrong: the entropy of the pair
 # says: the entropy of the pair
 def bits_in(joint):
     p = joint[joint > 0]
     return -np.sum(p * np.log2(p))
+
 
 # %% exercise 2, wrong: no division
 # says: p(x, y) has to be divided by p(x) p(y)
@@ -254,17 +275,20 @@ def bits_in(joint):
             total += p * math.log2(p)
     return total
 
+
 # %% exercise 2, wrong: the entropy of the needs
 # says: the entropy of x alone
 def bits_in(joint):
     p = joint.sum(axis=1)
     return -np.sum(p * np.log2(p))
 
+
 # %% exercise 2, wrong: the entropy of the messages
 # says: the entropy of y alone
 def bits_in(joint):
     p = joint.sum(axis=0)
     return -np.sum(p * np.log2(p))
+
 
 # %% exercise 2, wrong: what is still open
 # says: what is still open about x
@@ -276,6 +300,7 @@ def bits_in(joint):
                 total -= joint[x, y] * math.log2(joint[x, y] / joint[:, y].sum())
     return total
 
+
 # %% exercise 2, wrong: the columns are missing
 # says: p(y) is missing
 def bits_in(joint):
@@ -285,6 +310,7 @@ def bits_in(joint):
             if joint[x, y] > 0:
                 total += joint[x, y] * math.log2(joint[x, y] / joint[x].sum())
     return total
+
 
 # %% exercise 2, wrong: the rows are missing
 # says: p(x) is missing
@@ -296,6 +322,7 @@ def bits_in(joint):
                 total += joint[x, y] * math.log2(joint[x, y] / joint[:, y].sum())
     return total
 
+
 # %% exercise 2, wrong: a mean
 # says: that is the *mean* over the pairs
 def bits_in(joint):
@@ -305,12 +332,14 @@ def bits_in(joint):
     terms[some] = joint[some] * np.log2(joint[some] / both[some])
     return terms.mean()
 
+
 # %% exercise 2, wrong: a mean of those that occur
 # says: mean
 def bits_in(joint):
     both = np.outer(joint.sum(axis=1), joint.sum(axis=0))
     some = joint > 0
     return np.mean(joint[some] * np.log2(joint[some] / both[some]))
+
 
 # %% exercise 2, wrong: return in the loop
 # says: does the `return` stand inside the loop
@@ -322,6 +351,7 @@ def bits_in(joint):
                 total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
         return total
 
+
 # %% exercise 2, wrong: return in both loops
 # says: does the `return` stand inside the loops
 def bits_in(joint):
@@ -331,6 +361,7 @@ def bits_in(joint):
             if joint[x, y] > 0:
                 total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
             return total
+
 
 # %% exercise 2, wrong: the last row is left out
 # says: the last row is missing
@@ -342,10 +373,12 @@ def bits_in(joint):
                 total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
     return total
 
+
 # %% exercise 2, wrong: no logarithm
 # says: the logarithm is missing
 def bits_in(joint):
     return np.sum(joint * joint / np.outer(joint.sum(axis=1), joint.sum(axis=0)))
+
 
 # %% exercise 2, wrong: only the right words
 # says: only the diagonal
@@ -355,6 +388,7 @@ def bits_in(joint):
         if joint[k, k] > 0:
             total += joint[k, k] * math.log2(joint[k, k] / (joint[k].sum() * joint[:, k].sum()))
     return total
+
 
 # %% exercise 2, wrong: always four by four
 # says: raises IndexError
@@ -366,6 +400,7 @@ def bits_in(joint):
                 total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
     return total
 
+
 # %% exercise 2, wrong: rows and columns changed
 # says: none of the usual mistakes
 def bits_in(joint):
@@ -376,20 +411,24 @@ def bits_in(joint):
                 total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint.sum()))
     return total + 1
 
+
 # %% exercise 2, wrong: it changes the table
 # says: changes the table
 def bits_in(joint):
     joint /= joint.sum(axis=0)
     return np.sum(joint)
 
+
 # %% exercise 2, wrong: a number
 # says: should be a function
 bits_in = 2.0
+
 
 # %% exercise 2, wrong: an array
 # says: take an entry of it
 def bits_in(joint):
     return joint * np.log2(np.maximum(joint, 1e-9))
+
 
 # %% exercise 3, right: with synonyms in a list
 def act(self, observation, rng):
@@ -401,6 +440,7 @@ def act(self, observation, rng):
     self.last[0] = pick(votes, rng)
     return self.last[0]
 
+
 # %% exercise 3, right: minus infinity
 def act(self, observation, rng):
     votes = np.zeros(4)
@@ -411,6 +451,7 @@ def act(self, observation, rng):
     action = pick(votes, rng)
     self.last[0] = action
     return int(action)
+
 
 # %% exercise 3, right: it counts need by need
 def act(self, observation, rng):
@@ -425,6 +466,7 @@ def act(self, observation, rng):
     self.last[0] = action
     return action
 
+
 # %% exercise 3, right: far below
 def act(self, observation, rng):
     votes = np.zeros(4)
@@ -435,6 +477,7 @@ def act(self, observation, rng):
     best = pick(votes, rng)
     self.last[0] = best
     return best
+
 
 # %% exercise 3, right: a while loop
 def act(self, observation, rng):
@@ -451,6 +494,7 @@ def act(self, observation, rng):
     self.last[0] = pick(votes, rng)
     return self.last[0]
 
+
 # %% exercise 3, right: it draws until it fits
 def act(self, observation, rng):
     votes = np.zeros(4)
@@ -466,10 +510,12 @@ def act(self, observation, rng):
             self.last[0] = action
             return action
 
+
 # %% exercise 3, wrong: nothing
 # says: Not solved yet
 def act(self, observation, rng):
     raise NotImplementedError
+
 
 # %% exercise 3, wrong: the vote alone
 # says: that is the vote alone
@@ -480,6 +526,7 @@ def act(self, observation, rng):
     action = pick(votes, rng)
     self.last[0] = action
     return action
+
 
 # %% exercise 3, wrong: the hit points vote
 # says: the hit points are counted as a word
@@ -493,6 +540,7 @@ def act(self, observation, rng):
     self.last[0] = action
     return action
 
+
 # %% exercise 3, wrong: the last word is lost
 # says: the last word is left out
 def act(self, observation, rng):
@@ -505,6 +553,7 @@ def act(self, observation, rng):
     self.last[0] = action
     return action
 
+
 # %% exercise 3, wrong: only the first word
 # says: only the first word is heard
 def act(self, observation, rng):
@@ -515,6 +564,7 @@ def act(self, observation, rng):
     action = pick(votes, rng)
     self.last[0] = action
     return action
+
 
 # %% exercise 3, wrong: the loop overwrites
 # says: only the last word is heard
@@ -528,6 +578,7 @@ def act(self, observation, rng):
     self.last[0] = action
     return action
 
+
 # %% exercise 3, wrong: no synonyms
 # says: raises IndexError
 def act(self, observation, rng):
@@ -539,6 +590,7 @@ def act(self, observation, rng):
     action = pick(votes, rng)
     self.last[0] = action
     return action
+
 
 # %% exercise 3, wrong: synonyms are not counted
 # says: word k names need k % 4
@@ -552,6 +604,7 @@ def act(self, observation, rng):
     self.last[0] = action
     return action
 
+
 # %% exercise 3, wrong: no votes for the last action
 # says: it can still win
 def act(self, observation, rng):
@@ -563,6 +616,7 @@ def act(self, observation, rng):
     action = pick(votes, rng)
     self.last[0] = action
     return action
+
 
 # %% exercise 3, wrong: one vote less
 # says: loses one vote only
@@ -576,6 +630,7 @@ def act(self, observation, rng):
     self.last[0] = action
     return action
 
+
 # %% exercise 3, wrong: -1 as an index
 # says: as an index it is the last entry
 def act(self, observation, rng):
@@ -586,6 +641,7 @@ def act(self, observation, rng):
     action = pick(votes, rng)
     self.last[0] = action
     return action
+
 
 # %% exercise 3, wrong: action 0 is nothing
 # says: action 0 may have been the last one too
@@ -600,6 +656,7 @@ def act(self, observation, rng):
     self.last[0] = action
     return action
 
+
 # %% exercise 3, wrong: argmax
 # says: it takes the first of equals
 def act(self, observation, rng):
@@ -612,6 +669,7 @@ def act(self, observation, rng):
     self.last[0] = action
     return action
 
+
 # %% exercise 3, wrong: argmax of the vote
 # says: and does not leave the last action out
 def act(self, observation, rng):
@@ -622,6 +680,7 @@ def act(self, observation, rng):
     self.last[0] = action
     return action
 
+
 # %% exercise 3, wrong: it forgets
 # says: write the action into it before you return
 def act(self, observation, rng):
@@ -631,6 +690,7 @@ def act(self, observation, rng):
     if self.last[0] >= 0:
         votes[self.last[0]] = -1.0
     return pick(votes, rng)
+
 
 # %% exercise 3, wrong: it remembers another one
 # says: self.last[0] should be
@@ -644,6 +704,7 @@ def act(self, observation, rng):
     self.last[0] = (action + 1) % 4
     return action
 
+
 # %% exercise 3, wrong: no return
 # says: is a `return` missing?
 def act(self, observation, rng):
@@ -653,6 +714,7 @@ def act(self, observation, rng):
     if self.last[0] >= 0:
         votes[self.last[0]] = -1.0
     self.last[0] = pick(votes, rng)
+
 
 # %% exercise 3, wrong: the field itself
 # says: the fields of a NamedTuple are fixed
@@ -664,6 +726,7 @@ def act(self, observation, rng):
         votes[self.last[0]] = -1.0
     self.last = pick(votes, rng)
     return self.last
+
 
 # %% exercise 3, wrong: the fewest words
 # says: the need with the *fewest* words
@@ -677,11 +740,13 @@ def act(self, observation, rng):
     self.last[0] = action
     return action
 
+
 # %% exercise 3, wrong: in turn
 # says: it takes the actions in turn
 def act(self, observation, rng):
     self.last[0] = (self.last[0] + 1) % 4
     return int(self.last[0])
+
 
 # %% exercise 3, wrong: any other one
 # says: it takes any other
@@ -695,6 +760,7 @@ def act(self, observation, rng):
     self.last[0] = action
     return action
 
+
 # %% exercise 3, wrong: its own random numbers
 # says: does not draw its random numbers from `rng`
 def act(self, observation, rng):
@@ -707,6 +773,7 @@ def act(self, observation, rng):
     action = int(np.random.default_rng().choice(best))
     self.last[0] = action
     return action
+
 
 # %% exercise 3, wrong: without self
 # says: write `self.` before a field
