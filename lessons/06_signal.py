@@ -4,13 +4,13 @@
 # **The challenge.** An agent can only act on what it is told. When the message about the state is noisy, ambiguous or
 # long, how much of it can the agent use, and what can it use instead?
 #
-# **You will be able to** measure in bits how much a message tells about the right action; say why the same number of bits
-# can be worth a lot to one player and nothing to another; explain why longer messages carry more and are harder to learn
-# from; and write a player that joins its message with its memory.
+# **You will be able to** measure in bits how much a message tells about the right action; say why the same number of
+# bits can be worth a lot to one player and nothing to another; explain why longer messages carry more and are harder
+# to learn from; and write a player that joins its message with its memory.
 #
 # **Time.** 60 minutes, and 30 more for the exercises. **Before you start.** You should know what a value function and
-# Q-learning are (Sutton and Barto, 2nd edition, sections 3.5 and 6.5), and ε-greedy action selection (section 2.2). All
-# symbols are in the [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
+# Q-learning are (Sutton and Barto, 2nd edition, sections 3.5 and 6.5), and ε-greedy action selection (section 2.2).
+# All symbols are in the [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
 
 # %%
 import math
@@ -28,8 +28,8 @@ from edugym.plotting import Sheet
 # %% [markdown]
 # ## Meet the environment: a toy that says what it needs
 #
-# A toy has four needs: to play, to sleep, to be fed, and to be cleaned. At every step it *wants* the most urgent one. You
-# press one of four buttons. If it is the one that the toy wants, good. If not, the toy suffers.
+# A toy has four needs: to play, to sleep, to be fed, and to be cleaned. At every step it *wants* the most urgent one.
+# You press one of four buttons. If it is the one that the toy wants, good. If not, the toy suffers.
 
 # %%
 env = gym.make("edugym/Tamagotchi-v0", tau=0.1, max_msg_length=4).unwrapped
@@ -39,8 +39,8 @@ for action in (0, 2):  # play, feed
 env.scene()
 
 # %% [markdown]
-# You see a screen with the hit points (HP), and the words that the toy says. You do not see how the toy really is. So here
-# we must keep two things apart:
+# You see a screen with the hit points (HP), and the words that the toy says. You do not see how the toy really is. So
+# here we must keep two things apart:
 #
 # - The **state** $s$ is how the toy really is. It decides what happens next.
 # - The **observation** $o$ is what the agent is told about it: the hit points and the message.
@@ -56,9 +56,9 @@ env.scene()
 # | the toy wants | the action with the largest $u_i$ | ties are broken at random |
 # | discount | $\gamma = 0.5$ | used by Q-learning; the returns in the figures are not discounted |
 #
-# An episode has 100 steps. It *terminates* earlier if the hit points fall to 0; they grow or fall by a tenth of each reward. The
-# *return* is the sum of all rewards of an episode. The best possible return is 6 707 on average, and random actions
-# return −676.
+# An episode has 100 steps. It *terminates* earlier if the hit points fall to 0; they grow or fall by a tenth of each
+# reward. The *return* is the sum of all rewards of an episode. The best possible return is 6 707 on average, and
+# random actions return −676.
 #
 # These are the methods that run. (`rng` draws random numbers.)
 
@@ -70,24 +70,26 @@ source(happiness)
 
 # %% [markdown]
 # ### What a word says
-# Each word of a message is drawn by itself. It is about need $i$ with a probability that grows with the urgency of that
-# need. The **noise** $\tau$ says how little (a softmax, as in equation 2.11 of Sutton and Barto, but with a temperature):
+# Each word of a message is drawn by itself. It is about need $i$ with a probability that grows with the urgency of
+# that need. The **noise** $\tau$ says how little (a softmax, as in equation 2.11 of Sutton and Barto, but with a
+# temperature):
 #
 # $$
 # P(\text{a word is about need } i) = \frac{e^{u_i / \tau}}{\sum_j e^{u_j / \tau}}
 # $$
 #
-# With $\tau \to 0$ all words name the wanted action. With $\tau = \infty$ all four needs are equally likely, and the words say
-# nothing. In between a word names the wanted action *more often* than the others. In the code each $e^{u_i/\tau}$ is divided by
-# that of the wanted need, which changes no probability. (`TIE_BREAK`, a millionth, makes the wanted need win ties at $\tau = 0$.)
+# With $\tau \to 0$ all words name the wanted action. With $\tau = \infty$ all four needs are equally likely, and the
+# words say nothing. In between a word names the wanted action *more often* than the others. In the code each
+# $e^{u_i/\tau}$ is divided by that of the wanted need, which changes no probability. (`TIE_BREAK`, a millionth, makes
+# the wanted need win ties at $\tau = 0$.)
 
 # %%
 source(type(env.mdp), "named", "weight")
 
 # %% [markdown]
 # **Play it yourself.** The picture shows exactly what an agent sees. Here are 20 steps with a noise of 0.05 and eight
-# words in each message. Do you follow the first word, or most of the words? What is your return? (The best possible one
-# is 1 345 in 20 steps, on average.) And: is there anything besides the words that helps you?
+# words in each message. Do you follow the first word, or most of the words? What is your return? (The best possible
+# one is 1 345 in 20 steps, on average.) And: is there anything besides the words that helps you?
 
 # %%
 play("Tamagotchi", tau=0.05, max_msg_length=8, steps_per_episode=20)
@@ -96,9 +98,9 @@ play("Tamagotchi", tau=0.05, max_msg_length=8, steps_per_episode=20)
 # ## The idea: what is in a message, and who can use it?
 #
 # ### Learning from observations
-# Q-learning needs a row of its table for everything that it can be told. It does not know the state, so the row belongs
-# to the *observation*. After a step from observation $O$ by action $A$ to observation $O'$ with reward $R$ it does what it always
-# does (Sutton and Barto, equation 6.8, with observations in the place of states):
+# Q-learning needs a row of its table for everything that it can be told. It does not know the state, so the row
+# belongs to the *observation*. After a step from observation $O$ by action $A$ to observation $O'$ with reward $R$ it
+# does what it always does (Sutton and Barto, equation 6.8, with observations in the place of states):
 #
 # $$
 # Q(O, A) \leftarrow Q(O, A) + \alpha \left[ R + \gamma \max_a Q(O', a) - Q(O, A) \right]
@@ -110,8 +112,8 @@ play("Tamagotchi", tau=0.05, max_msg_length=8, steps_per_episode=20)
 source(QLearning.learn)
 
 # %% [markdown]
-# Two states that look alike share a row. The agent must do the same in both, whatever it has learned. How many rows are
-# there? There are 101 values of the hit points, and $H^L$ messages:
+# Two states that look alike share a row. The agent must do the same in both, whatever it has learned. How many rows
+# are there? There are 101 values of the hit points, and $H^L$ messages:
 #
 # $$
 # \text{rows} = 101 \cdot H^L
@@ -124,9 +126,9 @@ for length in (1, 4, 28):
 # %% [markdown]
 # ### Two players that do not learn
 # To see how much of a message Q-learning uses, we compare it with two players who know from the start what the words
-# mean. One **obeys the first word**. The other takes a **majority vote**: it does what most words name. Both are the same
-# code, with a different number of words that are `heard`. (If there are more than four words, the words $i$, $i + 4$, $i + 8$, ...
-# all mean need $i$.)
+# mean. One **obeys the first word**. The other takes a **majority vote**: it does what most words name. Both are the
+# same code, with a different number of words that are `heard`. (If there are more than four words, the words $i$,
+# $i + 4$, $i + 8$, ... all mean need $i$.)
 
 # %%
 source(signal.Voter.act)
@@ -145,10 +147,11 @@ frames(
 
 # %% [markdown]
 # ### How much does a message tell? Count it in bits
-# Let $X$ be the need, that is, the wanted action, and $Y$ the message. How much does $Y$ tell about $X$? Before the message, need
-# $x$ has the probability $p(x)$. After message $y$ it has the probability $p(x \mid y) = p(x, y) / p(y)$. The message has made
-# it more likely by the factor $p(x \mid y) / p(x)$. The **information** in the message is the mean of the logarithm of this factor
-# (Shannon, 1948; it is also called mutual information):
+# Let $X$ be the need, that is, the wanted action, and $Y$ the message. How much does $Y$ tell about $X$? Before the
+# message, need $x$ has the probability $p(x)$. After message $y$ it has the probability
+# $p(x \mid y) = p(x, y) / p(y)$. The message has made it more likely by the factor $p(x \mid y) / p(x)$. The
+# **information** in the message is the mean of the logarithm of this factor (Shannon, 1948; it is also called mutual
+# information):
 #
 # $$
 # I(X; Y) = \sum_{x, y} p(x, y) \log_2 \frac{p(x \mid y)}{p(x)} = \sum_{x, y} p(x, y) \log_2 \frac{p(x, y)}{p(x)\, p(y)}
@@ -158,16 +161,16 @@ frames(
 # likely. If the message has nothing to do with the need, $p(x, y) = p(x)\, p(y)$, all logarithms are 0, and so is the
 # information. To tell which of four equally likely needs it is takes $\log_2 4 = 2$ bits.
 #
-# To compute it, all we need is a table of $p(x, y)$. This is the one for messages of one word. It belongs to a toy that always gets
-# what it wants: that gives us the variables $v_i$ that occur, and how often. (A neglected toy has needs that differ more,
-# so its words tell more.)
+# To compute it, all we need is a table of $p(x, y)$. This is the one for messages of one word. It belongs to a toy
+# that always gets what it wants: that gives us the variables $v_i$ that occur, and how often. (A neglected toy has
+# needs that differ more, so its words tell more.)
 
 # %%
 source(signal.joint_table)
 
 # %% [markdown]
-# **Predict.** At $\tau = 0.1$, in what share of the steps does a word name the wanted action? (By pure chance it would be
-# 25 %.)
+# **Predict.** At $\tau = 0.1$, in what share of the steps does a word name the wanted action? (By pure chance it would
+# be 25 %.)
 
 # %%
 named = predict("At τ = 0.1 a word names the wanted action in ... of the steps.", unit="%")
@@ -183,8 +186,8 @@ named.measured(100 * np.trace(signal.joint_table(0.1)))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** 33 %, only a little more than chance. In a table of pure noise all numbers would be 1/16, about 0.06; where
-# there is no noise, all the weight is on the diagonal. The bits fall faster than the share of right words: at
+# **Measured.** 33 %, only a little more than chance. In a table of pure noise all numbers would be 1/16, about 0.06;
+# where there is no noise, all the weight is on the diagonal. The bits fall faster than the share of right words: at
 # $\tau = 0.02$ two words of three are right, and three quarters of the information are gone.
 # </details>
 
@@ -201,9 +204,9 @@ named.measured(100 * np.trace(signal.joint_table(0.1)))
 # | evaluation | the mean of 10 greedy episodes, every 10 000 steps |
 # | repetitions | 20; bands are 95 % intervals |
 #
-# (The learning rate is small, since the rewards that follow a noisy word differ widely. With $\alpha = 0.1$ a run loses a good policy
-# for a while much more often. Try it in "Your turn".) The dashed line is the optimum, 6 707, computed by planning with the
-# whole state.
+# (The learning rate is small, since the rewards that follow a noisy word differ widely. With $\alpha = 0.1$ a run
+# loses a good policy for a while much more often. Try it in "Your turn".) The dashed line is the optimum, 6 707,
+# computed by planning with the whole state.
 #
 # **Predict.** At which noise does Q-learning first get less than half of the optimum?
 
@@ -226,33 +229,34 @@ half.measured(signal.noise_label(first))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** At $\tau = 0.05$ it gets 3 000, a little less than half. At 0.02 it still gets 6 000, nine tenths of the
-# optimum, with a quarter of the two bits. Of the words that a perfect player hears there, 64 % are right. A player that obeys
-# them hears more right words, 77 %: each mistake leaves a need that is more urgent than the others, and then the words are
-# clearer. At 0.1 the return is about 0, and at $\tau = \infty$ it is that of random actions. (Where a line dips for a moment, one run
-# or two of the 20 have lost a good policy, and find it again.)
+# **Measured.** At $\tau = 0.05$ it gets 3 000, a little less than half. At 0.02 it still gets 6 000, nine tenths of
+# the optimum, with a quarter of the two bits. Of the words that a perfect player hears there, 64 % are right. A player
+# that obeys them hears more right words, 77 %: each mistake leaves a need that is more urgent than the others, and
+# then the words are clearer. At 0.1 the return is about 0, and at $\tau = \infty$ it is that of random actions. (Where
+# a line dips for a moment, one run or two of the 20 have lost a good policy, and find it again.)
 # </details>
 
 # %% [markdown]
-# What has it learned? Each bar belongs to a word, and its colours show how often Q-learning answers it with each action, in greedy
-# episodes of all 20 runs. An agent that knows what the words mean has one colour in each bar.
+# What has it learned? Each bar belongs to a word, and its colours show how often Q-learning answers it with each
+# action, in greedy episodes of all 20 runs. An agent that knows what the words mean has one colour in each bar.
 
 # %%
 panels = [signal.answers(by_tau[tau], tau) for tau in (0.0, 0.05, 0.1, math.inf)]
 Sheet("answers", [panels[:2], panels[2:]])
 
 # %% [markdown]
-# Up to $\tau = 0.1$ it has learned to do what the toy says, nearly always. So it is not that the agent has learned badly. With one word
-# there is nothing better to learn, and what is lost is lost in the words.
+# At $\tau = 0$ and at 0.05 it does what the toy says, nearly always, and at 0.1 in more than eight steps of ten. So it
+# is not that the agent has learned badly. What is lost is lost in the words.
 
 # %% [markdown]
 # ## Your turn
 #
-# How much noise can Q-learning stand? Give the toy more words in a message ($L$), or a larger vocabulary ($H$). When does that help,
-# and when does it hurt? Then turn the knobs of the agent. With a smaller $\gamma$ it looks less far ahead: does it need to? The
-# yellow and the green line show the two players who know the words (with one word they are the same player). Move a slider and release it: 10 repetitions of
-# 200 000 steps are computed again. (A vocabulary of fewer than four words is *ambiguous*: a word means two needs or more. The
-# two players then do not know the meaning either.)
+# How much noise can Q-learning stand? Give the toy more words in a message ($L$), or a larger vocabulary ($H$). When
+# does that help, and when does it hurt? Then turn the knobs of the agent. With a smaller $\gamma$ it looks less far
+# ahead: does it need to? The yellow and the green line show the two players who know the words (with one word they are
+# the same player). Move a slider and release it: 10 repetitions of 200 000 steps are computed again. (A vocabulary of
+# fewer than four words is *ambiguous*: a word means two needs or more. The two players then do not know the meaning
+# either.)
 
 
 # %%
@@ -274,11 +278,11 @@ sliders(
 # %% [markdown]
 # ## See inside: information, and being able to use it
 #
-# A toy that is hard to understand can repeat itself. At $\tau = 0.1$ four words tell four times as much as one, nearly. But the
-# table of Q-learning is then 64 times larger, and each of its rows is visited less often.
+# A toy that is hard to understand can repeat itself. At $\tau = 0.1$ four words tell four times as much as one,
+# nearly. But the table of Q-learning is then 64 times larger, and each of its rows is visited less often.
 #
-# **Predict.** Q-learning trains at $\tau = 0.1$ with four words in each message instead of one. What does it get after the same
-# 200 000 steps, with the same $\alpha = 0.02$?
+# **Predict.** Q-learning trains at $\tau = 0.1$ with four words in each message instead of one. What does it get after
+# the same 200 000 steps, with the same $\alpha = 0.02$?
 
 # %%
 longer = predict(
@@ -295,7 +299,7 @@ voted = signal.vote(0.1, 4, 4).mean()
 display(signal.lengths_sheet({"one word, α = 0.02": signal.learn_long(1, repetitions=8), **four}, voted))
 for name, length in (("one word", 1), ("four words", 4)):
     print(f"{name}: {signal.information(0.1, length):.3f} bit, a table of {signal.rows_of_table(length)} rows")
-print(f"mean return with one word: {one_word.mean():.0f} after 200 000 steps; with four words:")
+print(f"mean return with one word: {one_word.mean():.0f} in the second half of 200 000 steps; with four words:")
 for label, results in four.items():
     early, end = (signal.after(results, steps).mean() for steps in (200_000, 1_600_000))
     print(f"  {label[12:]:8}: {early:5.0f} after 200 000 steps, {end:5.0f} after 1 600 000")
@@ -308,19 +312,20 @@ longer.measured(
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** A lower one, although the message tells nearly four times as much. The table has about 100 000 values, so
-# 200 000 steps are some two tries for each, and with $\alpha = 0.02$ two tries take a value only 4 % of the way to its target. So a larger table needs a larger learning rate, or more time. With $\alpha = 0.2$ four words
-# are ahead of one after 200 000 steps already. But a large learning rate keeps values noisy, and in the end
-# $\alpha = 0.05$ is the best of the three. None of them gets as far as the vote, which hears the same words and has nothing to
-# learn. The vote knows two things that the table has to find out row by row: what each word means, and that the *order* of
-# the words does not matter.
+# **Measured.** A lower one, although the message tells nearly four times as much. The table has about 100 000 values,
+# so 200 000 steps are some two tries for each, and with $\alpha = 0.02$ two tries take a value only 4 % of the way to
+# its target. So a larger table needs a larger learning rate, or more time. With $\alpha = 0.2$ four words are ahead of
+# one after 200 000 steps already. But a large learning rate keeps values noisy, and in the end $\alpha = 0.05$ is the
+# best of the three. None of them gets as far as the vote, which hears the same words and has nothing to learn. The
+# vote knows two things that the table has to find out row by row: what each word means, and that the *order* of the
+# words does not matter.
 # </details>
 
 # %% [markdown]
-# Now the picture of this lesson. The $x$ axis is the information in a message, the $y$ axis is the return. On the left the
-# messages have one word, and the noise falls from $\infty$ (left) to 0 (right). On the right the noise stays at
-# 0.1, and the messages grow from 1 to 28 words. Q-learning has the settings of the experiment; a single point stands for its
-# longer training with $\alpha = 0.05$.
+# Now the picture of this lesson. The $x$ axis is the information in a message, the $y$ axis is the return. On the left
+# the messages have one word, and the noise falls from $\infty$ (left) to 0 (right). On the right the noise stays at
+# 0.1, and the messages grow from 1 to 28 words. Q-learning has the settings of the experiment; a single point stands
+# for its longer training with $\alpha = 0.05$.
 
 # %%
 learned = {
@@ -344,9 +349,9 @@ for tau, length in ((0.02, 1), (0.1, 28), (0.1, 2), (0.1, 1)):
 #   the two disagree it can only guess.
 # - Q-learning stands at the lower left. At 28 words its table would have $7 \cdot 10^{18}$ rows.
 #
-# **Information, and being able to use it, are two things.** A bit that is spread over 28 words is there, and a table cannot
-# find it. (That is what features and networks are for: an agent that is told how often each word occurs would see at once what the vote
-# sees.)
+# **Information, and being able to use it, are two things.** A bit that is spread over 28 words is there, and a table
+# cannot find it. (That is what features and networks are for: an agent that is told how often each word occurs would
+# see at once what the vote sees.)
 
 # %% [markdown]
 # ## Predict, then check
@@ -354,8 +359,9 @@ for tau, length in ((0.02, 1), (0.1, 28), (0.1, 2), (0.1, 1)):
 # Answer each question before you run the cell below it. You learn most when you are surprised.
 #
 # ### Is a bit a bit?
-# Take the noise away, $\tau = 0$, but let the toy know only two words. One means "play or feed", the other "sleep or clean". So
-# a word carries exactly one bit. That is twice as much as at $\tau = 0.02$, where Q-learning got nine tenths of the optimum.
+# Take the noise away, $\tau = 0$, but let the toy know only two words. One means "play or feed", the other "sleep or
+# clean". So a word carries exactly one bit. That is twice as much as at $\tau = 0.02$, where Q-learning got nine
+# tenths of the optimum.
 #
 # **Predict.** What does Q-learning get with two words?
 
@@ -379,20 +385,21 @@ ambiguous.measured("more than 90 % of the optimum" if mean > 0.9 * signal.OPTIMU
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** No more than random actions. With the same hit points, the greedy policy does the same thing whenever it hears the same word. So it
-# answers "play or feed" always with play, say. Then the toy is never fed, wants to be fed for ever, says "play or feed", and is
-# played with. With noise the word is *sometimes* right about each need. Here it is *never* clear about one half of them.
+# **Measured.** No more than random actions. With the same hit points, the greedy policy does the same thing whenever
+# it hears the same word. So it answers "play or feed" always with play, say. Then the toy is never fed, wants to be
+# fed for ever, says "play or feed", and is played with. With noise the word is *sometimes* right about each need. Here
+# it is *never* clear about one half of them.
 #
-# Tossing a coin between the two meanings is better: each need is met at least now and then. Where the state is hidden, a
-# policy that draws its actions at random can be better than every policy that does not (Singh, Jaakkola and Jordan,
-# 1994). With a known state that never happens: there is always a best policy that is not random. So bits alone do not say what
-# a message is worth. What counts is which mistakes it leaves.
+# Tossing a coin between the two meanings is better: each need is met at least now and then. Where the state is hidden,
+# a policy that draws its actions at random can be better than every policy that does not (Singh, Jaakkola and Jordan,
+# 1994). With a known state that never happens: there is always a best policy that is not random. So bits alone do not
+# say what a message is worth. What counts is which mistakes it leaves.
 # </details>
 
 # %% [markdown]
 # ### Many words for one thing
-# **Predict.** Now the opposite: 16 words, four for each need, without noise (*synonyms*). They carry the same two bits as four
-# words. What does Q-learning do with them?
+# **Predict.** Now the opposite: 16 words, four for each need, without noise (*synonyms*). They carry the same two bits
+# as four words. What does Q-learning do with them?
 
 # %%
 synonyms = predict(
@@ -416,15 +423,15 @@ synonyms.measured(slower if curve.iloc[-1] > 0.99 else "ends well below the opti
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** It learns more slowly, and reaches the optimum. Every synonym has rows of its own, and must be learned from
-# nothing. So the more words, the longer it takes, and with 64 the 200 000 steps are not enough. The two kinds of bad
-# vocabulary are different: synonyms slow learning down, and ambiguous words put a cap on it.
+# **Measured.** It learns more slowly, and reaches the optimum. Every synonym has rows of its own, and must be learned
+# from nothing. So the more words, the longer it takes, and with 64 the 200 000 steps are not enough. The two kinds of
+# bad vocabulary are different: synonyms slow learning down, and ambiguous words put a cap on it.
 # </details>
 
 # %% [markdown]
 # ### Without any signal
-# Now $\tau = \infty$: the words are pure noise. Here is a player who does not even listen. It takes the four actions in turn,
-# play, sleep, feed, clean, play, ...
+# Now $\tau = \infty$: the words are pure noise. Here is a player who does not even listen. It takes the four actions
+# in turn, play, sleep, feed, clean, play, ...
 
 # %%
 source(signal.RoundRobin.act)
@@ -444,12 +451,12 @@ in_turn.measured(100 * blind / signal.OPTIMUM)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** 99 %. The toy needs all four things again and again, and what was done longest ago is the most urgent. So the
-# player who remembers its last action knows what is wanted, without a message. It loses 1 % at the start, where all needs are
-# equal and the toy wants one at random.
+# **Measured.** 99 %. The toy needs all four things again and again, and what was done longest ago is the most urgent.
+# So the player who remembers its last action knows what is wanted, without a message. It loses 1 % at the start, where
+# all needs are equal and the toy wants one at random.
 #
-# "Without a signal nothing can be learned" is wrong. An agent can *remember* instead, and its own actions are part
-# of what it can remember. The true history contains all past observations *and actions* (Sutton and Barto, section 17.3).
+# "Without a signal nothing can be learned" is wrong. An agent can *remember* instead, and its own actions are part of
+# what it can remember. The true history contains all past observations *and actions* (Sutton and Barto, section 17.3).
 # </details>
 
 # %% [markdown]
@@ -460,7 +467,7 @@ in_turn.measured(100 * blind / signal.OPTIMUM)
 source(signal.learn_with_memory)
 
 # %% [markdown]
-# **Predict.** How many of 10 runs end with more than 90 % of the optimum, with and without the last action?
+# **Predict.** How many of 10 runs get more than 90 % of the optimum, once they see their last action?
 
 # %%
 remembers = predict("With its last action, ... of 10 runs get more than 90 %.", unit="runs")
@@ -479,10 +486,10 @@ remembers.measured(counts["with its last action"])
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** All ten with the last action, none without. It takes a while, and the runs make the step at different times, which is
-# why the mean rises slowly. Without the last action all it sees is its hit points, so its greedy policy repeats one action.
-# (Now and then a run loses the cycle for a moment, as the panel on the right shows: one row with another greedy action
-# breaks it. So we take the median of each run.)
+# **Measured.** All ten with the last action, none without. It takes a while, and the runs make the step at different
+# times, which is why the mean rises slowly. Without the last action all it sees is its hit points, so its greedy
+# policy repeats one action. (Now and then a run loses the cycle for a moment, as the panel on the right shows: one row
+# with another greedy action breaks it. So we take the median of each run.)
 # </details>
 
 # %% [markdown]
@@ -494,8 +501,8 @@ remembers.measured(counts["with its last action"])
 source(signal.Moody)
 
 # %% [markdown]
-# **Predict.** On the moody toy, one player takes the actions in turn and hears nothing. Another obeys a single noisy word,
-# with $\tau = 0.05$, and remembers nothing. Who gets more?
+# **Predict.** On the moody toy, one player takes the actions in turn and hears nothing. Another obeys a single noisy
+# word, with $\tau = 0.05$, and remembers nothing. Who gets more?
 
 # %%
 moods = predict("On the moody toy ...", ["memory gets more", "the noisy word gets more", "both get about the same"])
@@ -516,16 +523,17 @@ moods.measured("both get about the same" if abs(returns["in turn"] - returns["ob
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** The noisy word gets more. Taking turns falls from 99 % of the optimum to about a tenth of it: a mood changes the
-# order of the needs, the player does not notice, and each wrong action harms all four. Memory can stand in for a signal as far as the
-# world is predictable, and no further. Who should win here is a player that uses both: that is exercise 3, and the challenge.
+# **Measured.** The noisy word gets more. Taking turns falls from 99 % of the optimum to about a tenth of it: a mood
+# changes the order of the needs, the player does not notice, and each wrong action harms all four. Memory can stand in
+# for a signal as far as the world is predictable, and no further. Who should win here is a player that uses both: that
+# is exercise 3, and the challenge.
 # </details>
 
 # %% [markdown]
 # ### The same on a frozen lake
 # FrozenLake of Gymnasium is a grid of 4 by 4 with holes in it; the agent sees its cell, and reaching the goal returns
-# 1. Let there be *fog*: with some probability the agent is told a random cell instead of its own. Any Gymnasium environment can be
-# changed in this way.
+# one. Let there be *fog*: with some probability the agent is told a random cell instead of its own. Any Gymnasium
+# environment can be changed in this way.
 
 
 # %%
@@ -545,9 +553,9 @@ class Fog(gym.ObservationWrapper):
 
 
 # %% [markdown]
-# On firm ice every step goes where you want. On slippery ice it goes there in one of three cases, and else to one side.
-# Q-learning trains in the fog ($\alpha = 0.1$, $\gamma = 0.95$, $\varepsilon = 0.1$, 30 000 steps, 3 runs). Another player never looks:
-# it takes the six steps of the shortest way, from memory.
+# On firm ice every step goes where you want. On slippery ice it goes there in one of three cases, and else to one
+# side. Q-learning trains in the fog ($\alpha = 0.1$, $\gamma = 0.95$, $\varepsilon = 0.1$, 30 000 steps, 3 runs).
+# Another player never looks: it takes the six steps of the shortest way, from memory.
 #
 # **Predict.** With 10 % of fog, where does the blind player do better?
 
@@ -572,8 +580,9 @@ lake.measured({0: "on neither", 2: "on both"}.get(len(better), f"on {''.join(bet
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** On firm ice only. There the six steps are always right, and every look into the fog can mislead. On slippery ice the
-# blind player does not know where it is after its first step, and a signal, even a foggy one, is worth more than its plan.
+# **Measured.** On firm ice only. There the six steps are always right, and every look into the fog can mislead. On
+# slippery ice the blind player does not know where it is after its first step, and a signal, even a foggy one, is
+# worth more than its plan.
 # </details>
 
 # %% [markdown]
@@ -589,8 +598,9 @@ from edugym.grading import check
 
 # %% [markdown]
 # ### Exercise 1: change a parameter
-# At $\tau = 0.1$ one word carries 0.022 bit. How many words must a message have, at least, to carry 0.4 bit or more? Set
-# `words` to that number. Before you compute: what would it be if four words carried exactly four times as much as one?
+# At $\tau = 0.1$ one word carries 0.022 bit. How many words must a message have, at least, to carry 0.4 bit or more?
+# Set `words` to that number. Before you compute: what would it be if four words carried exactly four times as much as
+# one?
 #
 # <details><summary>Hint</summary><code>signal.information(0.1, 5)</code> is the information in a message of five words, in bits.
 # Its first argument is τ, the second one is L. Try some numbers, or write a loop.</details>
@@ -607,18 +617,20 @@ check(exercise_1, words)
 
 # %% [markdown]
 # ### Exercise 2: the information in a table
-# Write the function that gave all the bits of this lesson. It gets a table of $p(x, y)$ as an array of NumPy, with a row
-# for every need $x$ and a column for every message $y$. All its entries add up to 1. It returns
+# Write the function that gave all the bits of this lesson. It gets a table of $p(x, y)$ as an array of NumPy, with a
+# row for every need $x$ and a column for every message $y$. All its entries add up to 1. It returns
 #
 # $$
 # I(X; Y) = \sum_{x, y} p(x, y) \log_2 \frac{p(x, y)}{p(x)\, p(y)}
 # $$
 #
-# where $p(x)$ is the sum of a row and $p(y)$ the sum of a column. Tables may have any size, and some entries may be 0. Such a
-# pair never occurs, so it adds nothing. Below the check, your function computes what one word carries at four noises.
+# where $p(x)$ is the sum of a row and $p(y)$ the sum of a column. Tables may have any size, and some entries may be 0.
+# Such a pair never occurs, so it adds nothing. Below the check, your function computes what one word carries at four
+# noises.
 #
 # <details><summary>Hint</summary><code>joint.shape</code> gives the numbers of rows and columns, <code>joint[x].sum()</code> is the
-# sum of a row, <code>joint[:, y].sum()</code> that of a column. Two loops, and an <code>if</code> for the zeros, are enough.
+# sum of a row, <code>joint[:, y].sum()</code> that of a column. Two loops, and an <code>if</code> for the zeros, are
+# enough.
 # <code>math.log2</code> is the logarithm.</details>
 
 
@@ -654,10 +666,11 @@ display({f"τ = {tau}": round(float(bits_in(signal.joint_table(tau))), 3) for ta
 # - takes the need with the most words among the others, ties broken at random: `pick(votes, rng)` does that;
 # - and writes its action into `self.last[0]`, for the next time.
 #
-# `observation[0]` are the hit points, and the words follow: `observation[1]`, `observation[2]`, ... A word $k$ names need
-# `k % 4`. In the figure below the check it stands beside the vote, at $\tau = 0.1$. (The figure takes some 20 seconds the first time: your player is
-# compiled for each length of messages.) Before you run it: where will the gain be largest, with short messages or with long
-# ones?
+# `observation[0]` are the hit points, and the words follow: `observation[1]`, `observation[2]`, ... A word $k$ names
+# need `k % 4`. In the figure below the check it stands beside the vote, at $\tau = 0.1$. (Your player is compiled for
+# each length of messages, which takes some 20 seconds the first time. Functions that cannot be compiled, such as
+# `np.bincount`, are right too; they take a minute, and a warning says so.) Before you run it: where will the gain be
+# largest, with short messages or with long ones?
 #
 # <details><summary>Hint</summary>Start with <code>votes = np.zeros(4)</code>, and let a loop over
 # <code>range(1, len(observation))</code> count. A vote of −1 is below all others, so give that to the last action before you
@@ -716,24 +729,25 @@ display(signal.race({"my listener": Listener.create}))
 # %% [markdown]
 # <details><summary>What the race shows</summary>
 #
-# The listener is above the vote at every length. Four words and one remembered action get more than four words alone: about 2 800
-# instead of 1 800. With 28 words it makes little difference, since the message alone tells enough. The less you are told, the
-# more a memory is worth.
+# The listener is above the vote at every length. The gain is largest in the middle: with four words it gets half as much
+# again. With one word it still has to choose among three actions, and is told next to nothing. With 28 words the gain
+# is small, since the message alone tells nearly enough.
 # </details>
 
 # %% [markdown]
 # ### The open challenge: a moody toy
-# Moods with probability 0.1, drops of 20, four words in a message, $\tau = 0.05$, and 20 000 steps, about 200 episodes. *All*
-# training episodes count. Nobody who does not see the state can get the optimum, 6 595. The vote gets about two
-# thirds of it, and taking turns a tenth. How close can you come, with messages and memory together?
+# Moods with probability 0.1, drops of 20, four words in a message, $\tau = 0.05$, and 20 000 steps, about 200
+# episodes. *All* training episodes count. Nobody who does not see the state can get the optimum, 6 595. The vote gets
+# about two thirds of it, and taking turns a tenth. How close can you come, with messages and memory together?
 #
 # Of the task your agent is told only its observation space and its action space. It needs `act(observation, rng)` and
-# `learn`, like yours of exercise 3; an agent without `tabular = False` sees the number of its row instead of the words. It
-# is tried ten times, with seeds that belong to your name. Everything is allowed that uses only what it sees, its own actions,
-# and the rewards that `learn` is given.
+# `learn`, like yours of exercise 3; an agent without `tabular = False` sees the number of its row instead of the
+# words. It is tried ten times, with seeds that belong to your name. Everything is allowed that uses only what it sees,
+# its own actions, and the rewards that `learn` is given.
 #
-# Half a page with it: what does your agent remember, and how does it weigh that against the words? What is the information in
-# four words on this toy worth to it? Would it still be good if the toy had ten moods as often?
+# Half a page with it: what does your agent remember, and how does it weigh that against the words? What would
+# it get without the words, and what without its memory? Would it still be good if moods came five times
+# as often?
 
 
 # %%
@@ -747,27 +761,27 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # %% [markdown]
 # ## What you saw
 #
-# - Without noise Q-learning reached the optimum. With growing noise its return fell to that of random actions. Half a bit of
-#   two brought nine tenths of the return.
+# - Without noise Q-learning reached the optimum. With growing noise its return fell to that of random actions. Half a
+#   bit of two brought nine tenths of the return.
 # - Longer messages carry more. A vote used that, and Q-learning with a table needed far more steps to use a part of it.
 # - Synonyms made learning slow. Ambiguous words made it fail, although they carried a whole bit.
 # - Taking the four actions in turn got 99 % without any message, and Q-learning found that once it could see its last
 #   action. On a moody toy it broke down.
-# - A memory of one action helped the vote most where the messages were short.
+# - A memory of one action helped the vote at every length, and most where a message told something, but not enough.
 #
 # ### In one paragraph
-# *Learn it by heart, or better, say it in your own words.* An agent that does not see the state acts on a signal. How much
-# the signal tells about the right action can be counted in bits, and noise takes bits away. But information and being able to use it are two
-# things: a table needs a row for every message, so that long messages and synonyms must be learned one by one,
-# and ambiguous words leave the same mistake for ever. And a signal is not the only source: what the agent did before tells it
-# something too, as far as the world is predictable.
+# *Learn it by heart, or better, say it in your own words.* An agent that does not see the state acts on a signal. How
+# much the signal tells about the right action can be counted in bits, and noise takes bits away. But information and
+# being able to use it are two things: a table needs a row for every message, so that long messages and synonyms must
+# be learned one by one, and ambiguous words leave the same mistake for ever. And a signal is not the only source: what
+# the agent did before tells it something too, as far as the world is predictable.
 #
 # ### Limits
-# We counted the bits on a toy that is always given what it wants; a neglected toy says clearer things. The toy's words have
-# a fixed meaning. In a real language they depend on each other and on their order, and an agent may know their meaning from other
-# texts before it begins (Luketina et al., 2019). And the best use of all messages *and* actions so
-# far is a belief: the probability of each state given the whole history. It is exact, and costly (Sutton and Barto, section
-# 17.3).
+# We counted the bits on a toy that is always given what it wants; a neglected toy says clearer things. The toy's words
+# have a fixed meaning. In a real language they depend on each other and on their order, and an agent may know their
+# meaning from other texts before it begins (Luketina et al., 2019). And the best use of all messages *and* actions so
+# far is a belief: the probability of each state given the whole history. It is exact, and costly (Sutton and Barto,
+# section 17.3).
 #
 # ### Further reading
 # - Moerland et al. (2023), *EduGym: An environment and notebook suite for reinforcement learning education*: the

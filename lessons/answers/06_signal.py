@@ -511,6 +511,70 @@ def act(self, observation, rng):
             return action
 
 
+# %% exercise 3, right: bincount
+def act(self, observation, rng):
+    votes = np.bincount(observation[1:] % 4, minlength=4).astype(float)
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -1
+    self.last[0] = pick(votes, rng)
+    return self.last[0]
+
+
+# %% exercise 3, right: choice among the best
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for word in observation[1:]:
+        votes[word % 4] += 1
+    if self.last[0] != -1:
+        votes[self.last[0]] = -np.inf
+    best = np.flatnonzero(votes == votes.max())
+    self.last[0] = rng.choice(best)
+    return int(self.last[0])
+
+
+# %% exercise 3, right: a list for the votes
+def act(self, observation, rng):
+    votes = [0, 0, 0, 0]
+    for word in observation[1:]:
+        votes[word % 4] += 1
+    if self.last[0] != -1:
+        votes[self.last[0]] = -1
+    self.last[0] = pick(votes, rng)
+    return int(self.last[0])
+
+
+# %% exercise 3, wrong: the last action from the message
+# says: none of the usual mistakes
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(1, len(observation)):
+        votes[observation[k] % 4] += 1.0
+    votes[observation[1] % 4] = -1.0
+    action = pick(votes, rng)
+    self.last[0] = action
+    return action
+
+
+# %% exercise 3, wrong: a truth value as an action
+# says: should give the number of an action
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(1, len(observation)):
+        votes[observation[k] % 4] += 1.0
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -1.0
+    self.last[0] = pick(votes, rng)
+    return votes
+
+
+# %% exercise 3, wrong: the word itself
+# says: should give an action from 0 to 3
+def act(self, observation, rng):
+    word = observation[1]
+    self.last[0] = word
+    return int(word)
+
+
 # %% exercise 3, wrong: nothing
 # says: Not solved yet
 def act(self, observation, rng):

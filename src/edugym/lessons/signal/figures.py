@@ -323,7 +323,7 @@ def messages_panel(
     return Points(measured, f"{lengths[0]} to {lengths[-1]} words, τ = {tau:g}")
 
 
-def race(own: Mapping[str, Maker], lengths: Sequence[int] = (1, 4, 8, 28), *, repetitions: int = 10) -> Sheet:
+def race(own: Mapping[str, Maker], lengths: Sequence[int] = (1, 4, 8, 28), *, repetitions: int = 5) -> Sheet:
     """Return the figure of the messages with players of the reader's own beside obeying and voting."""
     return Sheet("race", [[messages_panel(lengths, own=own, repetitions=repetitions)]])
 
