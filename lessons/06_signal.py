@@ -324,8 +324,8 @@ longer.measured(
 # %% [markdown]
 # Now the picture of this lesson. The $x$ axis is the information in a message, the $y$ axis is the return. On the left
 # the messages have one word, and the noise falls from $\infty$ (left) to 0 (right). On the right the noise stays at
-# 0.1, and the messages grow from 1 to 28 words. Q-learning has the settings of the experiment; a single point stands
-# for its longer training with $\alpha = 0.05$.
+# 0.1, and the numbers beside the points are the numbers of words, from 1 to 28. Q-learning has the settings of the
+# experiment; a single point stands for its longer training with $\alpha = 0.05$.
 
 # %%
 learned = {

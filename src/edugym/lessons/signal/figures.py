@@ -52,7 +52,8 @@ class Points(NamedTuple):
         measured: by label of the player, the places and one row of returns for each: shape (n, repetitions).
         title: the text above the axes.
         x_label: the label of the x axis.
-        marks: numbers of words that are written above the points of the first player, by place.
+        marked: the player whose points are named.
+        marks: the names of its points.
         optimum: the optimum, drawn as a dashed line.
         chance: what random actions return, drawn as a dotted line.
     """
@@ -60,7 +61,8 @@ class Points(NamedTuple):
     measured: Mapping[str, tuple[Sequence[float], Sequence[Reals]]]
     title: str = ""
     x_label: str = "I(X; Y) in bits"
-    marks: Mapping[float, str] = MappingProxyType({})
+    marked: str = ""
+    marks: Sequence[str] = ()
     optimum: float = OPTIMUM
     chance: float = -676.0
 
@@ -75,8 +77,10 @@ class Points(NamedTuple):
             ax.plot(x, means, color=look.color, linestyle=look.linestyle, linewidth=1.6, marker="o", ms=4, label=label)
             low, high = [one.low for one in intervals], [one.high for one in intervals]
             ax.fill_between(x, low, high, color=look.color, alpha=0.16, linewidth=0)
-        for place_of, text in self.marks.items():
-            ax.annotate(text, (place_of, self.optimum), (0, -9), textcoords="offset points", fontsize=7, ha="center")
+        if self.marked:
+            x, rows = self.measured[self.marked]
+            for at, row, text in zip(x, rows, self.marks, strict=True):
+                ax.annotate(text, (at, row.mean()), (6, -9), textcoords="offset points", fontsize=7, color=INK)
         ax.axhline(self.optimum, label="optimum", **REFERENCE)
         ax.axhline(self.chance, label="random actions", **SOFT_REFERENCE)
         dress(ax, self.x_label, "return", self.title)
@@ -290,6 +294,8 @@ def one_word_panel(by_tau: Mapping[float, Results], repetitions: int = 10) -> Po
             LEARNED: (bits, [late(by_tau[tau], "Q-learning") for tau in taus]),
         },
         "one word, τ from ∞ to 0",
+        marked=OBEY,
+        marks=[noise_label(tau) for tau in taus],
     )
 
 
@@ -320,7 +326,8 @@ def messages_panel(
     for label, make in own.items():
         parameters = [{"tau": tau, "max_msg_length": length} for length in lengths]
         measured[label] = (bits, [play(make, parameters=one, repetitions=repetitions) for one in parameters])
-    return Points(measured, f"{lengths[0]} to {lengths[-1]} words, τ = {tau:g}")
+    title = f"{lengths[0]} to {lengths[-1]} words, τ = {tau:g}"
+    return Points(measured, title, marked=VOTE, marks=[f"{length}" for length in lengths])
 
 
 def race(own: Mapping[str, Maker], lengths: Sequence[int] = (1, 4, 8, 28), *, repetitions: int = 5) -> Sheet:
