@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from edugym.exercises import signal as exercises
+from edugym.exercises.signal.listener import HEARD, LISTENER_MISTAKES, probabilities
 from edugym.lessons.signal import best_return, bits, information
 
 
@@ -24,13 +25,11 @@ def test_every_mistake_in_a_table_is_one() -> None:
 
 def test_every_mistake_of_a_listener_is_one() -> None:
     """In some case it chooses otherwise; and the last action is never chosen."""
-    for sentence, change in exercises.LISTENER_MISTAKES.items():
-        cases = exercises.HEARD
-        assert any(
-            not np.allclose(exercises.probabilities(case, **change), exercises.probabilities(case)) for case in cases
-        ), sentence
-    for case in exercises.HEARD:
-        chosen = exercises.probabilities(case)
+    for sentence, change in LISTENER_MISTAKES.items():
+        cases = HEARD
+        assert any(not np.allclose(probabilities(case, **change), probabilities(case)) for case in cases), sentence
+    for case in HEARD:
+        chosen = probabilities(case)
         assert chosen.sum() == pytest.approx(1.0)
         assert case.last < 0 or chosen[case.last] == 0.0
 
