@@ -2,10 +2,12 @@
 
 import math
 
+import gymnasium
 import numpy as np
 import pytest
 
 from edugym.envs.tamagotchi import Tamagotchi
+from edugym.lessons import signal
 from edugym.lessons.signal import (
     LENGTHS,
     OPTIMUM,
@@ -13,8 +15,9 @@ from edugym.lessons.signal import (
     rows_of_table,
     vote,
 )
-from edugym.lessons.signal.players import RoundRobin, Voter
-from edugym.lessons.signal.words import information, states_in_care
+from edugym.lessons.signal.players import Coin, RoundRobin, Voter
+from edugym.lessons.signal.words import bits, information, joint_table, right_words, states_in_care
+from edugym.plotting import Sheet
 
 
 def test_information_of_a_word() -> None:
@@ -77,3 +80,77 @@ def test_rows_of_table() -> None:
     """The table of four-word messages is 64 times that of one word, and that of 28 words has 7e18 rows."""
     assert rows_of_table(4) == 64 * rows_of_table(1) == 25_856
     assert f"{rows_of_table(28):.0e}" == "7e+18"
+
+
+def test_table_of_words() -> None:
+    """Its information is that of one word; obeyed words are right more often than those of a toy in care."""
+    for tau in (0.0, 0.05, math.inf):
+        joint = joint_table(tau)
+        assert joint.sum() == pytest.approx(1.0)
+        assert bits(joint) == pytest.approx(information(tau), abs=1e-9)
+    assert bits(np.eye(4) / 4) == 2.0
+    assert right_words(0.05) > np.trace(joint_table(0.05)) + 0.1
+    assert right_words(0.0) == 1.0
+
+
+def test_moody_toy() -> None:
+    """The optimum without moods is that of the toy; obeying without noise gets the optimum with moods, turns do not."""
+    assert signal.best_return(0.0, 20) == pytest.approx(OPTIMUM, abs=0.01)
+    best = signal.best_return(0.1, 20)
+    obeyed = play(Voter.create, environment=signal.moody_toy(), repetitions=4)
+    assert obeyed.mean() == pytest.approx(best, rel=0.01)
+    assert play(RoundRobin.create, environment=signal.moody_toy(), repetitions=2).mean() < best / 4
+
+
+def test_coin() -> None:
+    """With two words a coin between the two meanings is better than random actions, and far from the optimum."""
+    tossed = play(Coin.create, parameters={"vocab_size": 2}, repetitions=2).mean()
+    assert -500 < tossed < 0
+
+
+def test_blind_walk() -> None:
+    """The shortest way is always right on firm ice, and hardly ever on slippery ice."""
+    way = [1, 1, 2, 1, 2, 2]
+    assert signal.walk(gymnasium.make("FrozenLake-v1", is_slippery=False), way, episodes=3) == 1.0
+    assert signal.walk(gymnasium.make("FrozenLake-v1", is_slippery=True), way, episodes=50) < 0.2
+
+
+def test_figures_of_the_lesson() -> None:
+    """They draw, and the same player has the same colour everywhere."""
+    brief = {"n_steps": 2_000, "evaluate_every": 500, "repetitions": 2}
+    by_tau = signal.compare_noise((0.0, 0.1), **brief)
+    long = {f"α = {rate}": signal.learn_long(2, rate, n_steps=2_000, repetitions=2) for rate in (0.02, 0.1)}
+    memory = {"with": signal.learn_with_memory(**brief), "without": signal.learn(parameters={"vocab_size": 1}, **brief)}
+    learned = {signal.LEARNED: {1: signal.late(by_tau[0.1], "Q-learning")}}
+    panels = signal.one_word_panel(by_tau, 2), signal.messages_panel((1, 2), learned, repetitions=2)
+    colours = [{line.get_label(): line.get_color() for line in panel.draw().lines} for panel in panels]
+    shared = colours[0].keys() & colours[1].keys()
+    assert {signal.OBEY, signal.LEARNED} <= shared
+    assert all(colours[0][label] == colours[1][label] for label in shared)
+    answered = signal.answers(by_tau[0.0], 0.0)
+    assert answered.shares.sum(axis=1) == pytest.approx(1.0)
+    sheets = [
+        signal.joint_tables(),
+        signal.noise_sheet(by_tau),
+        signal.lengths_sheet(long, 1_800.0),
+        signal.memory_sheet(memory),
+        signal.vocabulary_sheet(signal.compare_vocabularies([4, 16], **brief)),
+        signal.one_toy(vocab_size=2, **brief),
+        Sheet("answers", [[answered]]),
+    ]
+    for sheet in sheets:
+        assert all(ax.get_xlabel() for ax in sheet.draw().axes)
+    assert signal.median_late(memory["with"]).shape == (2,)
+    assert signal.after(by_tau[0.0], 2_000).shape == (2,)
+
+
+def test_race() -> None:
+    """A player of the reader's own stands beside the others."""
+    sheet = signal.race({"mine": RoundRobin.create}, (1, 2), repetitions=2)
+    labels = sheet.draw().axes[0].get_legend_handles_labels()[1]
+    assert "mine" in labels
+
+
+def test_warming_up() -> None:
+    """It runs."""
+    signal.warm_up()

@@ -103,8 +103,8 @@ class Challenge:
     """A task for an agent of the student's own.
 
     Attributes:
-        environment: the name of the environment, or a function that makes a task from a `layout_seed`; if there is such
-            a parameter, every name has its layouts.
+        environment: the name of the environment, an MDP, or a function that makes a task from a `layout_seed`. If there
+            is such a parameter, every name has its layouts.
         parameters: its other parameters, if it is given by name.
         n_steps: the training steps.
         baselines: by label, functions that make the agents to beat.
@@ -115,7 +115,7 @@ class Challenge:
             training episodes, so that exploring costs).
     """
 
-    environment: str | Callable[..., Any]
+    environment: Any
     parameters: Mapping[str, Any]
     n_steps: int
     baselines: Mapping[str, Callable[..., Any]]
@@ -137,8 +137,7 @@ class Challenge:
             WrongAnswer: the agent cannot be trained; the message says why.
         """
         seed = seed_from_name(name)
-        name_of_task = self.environment if isinstance(self.environment, str) else None
-        mdp = make_mdp(name_of_task, **self.parameters) if name_of_task else self._made(seed)
+        mdp = self._task(seed)
         sizes = Sizes(mdp.observation_space, mdp.action_space)
         maker = self._maker(agent, sizes)
         with running("training your agent"):
@@ -148,7 +147,7 @@ class Challenge:
                 self.n_steps,
                 repetitions=self.repetitions,
                 seed=seed,
-                parameters=self.parameters if name_of_task else None,
+                parameters=self.parameters if isinstance(self.environment, str) else None,
             )
         averages = {label: float(results.average(label, self.column).mean()) for label in results.methods}
         best_baseline = max(self.baselines, key=lambda label: averages[label])
@@ -163,10 +162,11 @@ class Challenge:
             results,
         )
 
-    def _made(self, layout_seed: int) -> Any:
-        """Return a task of the function."""
-        assert callable(self.environment)
-        return self.environment(layout_seed=layout_seed)
+    def _task(self, layout_seed: int) -> Any:
+        """Return the MDP of one of the tasks."""
+        if isinstance(self.environment, str):
+            return make_mdp(self.environment, **self.parameters)
+        return self.environment if hasattr(self.environment, "transition") else self.environment(layout_seed)
 
     def _points(self, average: float) -> float:
         """Return 0 to 100 points for an average return, or 0 if no episode ended (NaN)."""

@@ -21,7 +21,7 @@ HINTS = (
     ("object does not support item assignment", "only arrays and lists have entries that can be changed"),
     ("truth value of an array", "compare single entries, not whole rows"),
     (
-        r"name '(Q|visits|tries|learning_rate|discount|bonus|epsilon|target_epsilon|kappa)' is not defined",
+        r"name '(Q|visits|tries|learning_rate|discount|bonus|epsilon|target_epsilon|kappa|last)' is not defined",
         "write `self.` before a field",
     ),
     ("cannot access local variable", "it gets a value on some paths only"),

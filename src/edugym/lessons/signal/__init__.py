@@ -12,123 +12,124 @@ better, and with noise none can do as well.
 
 import math
 from collections.abc import Mapping
-from functools import partial
 from typing import Any
 
 import numpy as np
 
-from edugym.agents.q_learning import QLearning
-from edugym.agents.strategies import EpsilonGreedy
-from edugym.envs.tamagotchi import Tamagotchi
 from edugym.experiments import How, reporting
-from edugym.lessons.signal.players import RoundRobin, Voter
-from edugym.lessons.signal.words import information
-from edugym.mdp.frame_stack import FrameStack
+from edugym.lessons.signal.figures import (
+    LEARNED,
+    LONGER,
+    OBEY,
+    VOTE,
+    answers,
+    figures,
+    joint_tables,
+    lengths_sheet,
+    memory_sheet,
+    messages_panel,
+    noise_sheet,
+    one_toy,
+    one_word_panel,
+    race,
+    vocabulary_sheet,
+)
+from edugym.lessons.signal.methods import (
+    DISCOUNT,
+    EPSILON,
+    FOUR,
+    LEARNING_RATE,
+    LENGTHS,
+    LONG,
+    N_STEPS,
+    NOISY,
+    OPTIMUM,
+    RANDOM_PLAY,
+    REPETITIONS,
+    TAUS,
+    VOCABULARIES,
+    after,
+    compare_noise,
+    compare_vocabularies,
+    conditions,
+    late,
+    learn,
+    learn_long,
+    learn_with_memory,
+    median_late,
+    noise_label,
+    play,
+    rows_of_table,
+    time_below,
+    vote,
+    walk,
+)
+from edugym.lessons.signal.moody import Moody, best_return, moody_toy
+from edugym.lessons.signal.players import Coin, RoundRobin, Voter
+from edugym.lessons.signal.words import bits, information, joint_table, right_words
 from edugym.mdp.protocol import Reals
-from edugym.plotting.curves import Curves
-from edugym.plotting.lines import Lines
 from edugym.plotting.report import Report
-from edugym.plotting.sheet import Sheet
 from edugym.results.claims import Above, Below, Claim, Within
 from edugym.results.statistics import exactly, mean_interval, paired_difference
 from edugym.results.tables import Results
-from edugym.training.repeat import repeat
 
-N_STEPS = 200_000
-LONG = 1_600_000
-REPETITIONS = 10
-LEARNING_RATE = 0.02
-DISCOUNT = 0.5
-EPSILON = 0.1
-
-OPTIMUM, RANDOM_PLAY = 6706.85, -676.0
-"""The expected returns of the best policy, and of random actions (see `Tamagotchi`)."""
-TAUS = (0.0, 0.02, 0.05, 0.1, math.inf)
-NOISY = 0.1
-"""The τ at which messages of different lengths are compared."""
-VOCABULARIES = (4, 16, 64, 2)
-LENGTHS = (1, 4, 8, 16, 28)
-"""The lengths of messages for players without a table. 28 is the most that Tamagotchi allows."""
-FOUR = 4
-"""The length of messages for Q-learning."""
-
-
-def learn(
-    *,
-    n_steps: int = N_STEPS,
-    evaluate_every: int = N_STEPS // 20,
-    evaluation_episodes: int = 10,
-    learning_rate: float = LEARNING_RATE,
-    discount: float = DISCOUNT,
-    epsilon: float = EPSILON,
-    environment: Any = "Tamagotchi",
-    **how: Any,
-) -> Results:
-    """Train Q-learning.
-
-    Args:
-        n_steps: the training steps of each run.
-        evaluate_every: the steps between two points of the curve.
-        evaluation_episodes: the episodes of each point.
-        learning_rate: α.
-        discount: γ.
-        epsilon: ε of ε-greedy exploration.
-        environment: the task.
-        **how: more arguments of `edugym.training.repeat`, such as `parameters`, `repetitions`, `seed` and `jobs`.
-    """
-    make = partial(QLearning.create, learning_rate=learning_rate, discount=discount, exploration=EpsilonGreedy(epsilon))
-    curve: dict[str, Any] = {"evaluate_every": evaluate_every, "evaluation_episodes": evaluation_episodes}
-    return repeat(environment, {"Q-learning": make}, n_steps, **curve, **how)
-
-
-def learn_with_memory(**how: Any) -> Results:
-    """Train Q-learning on a toy that always says the same word, with the last two observations and the action between.
-
-    All it can use is its hit points and its own last action. Arguments as in `learn`.
-    """
-    return learn(environment=FrameStack.create(Tamagotchi.create(vocab_size=1), 2, actions=True), **how)
-
-
-def play(maker: Any, **how: Any) -> Reals:
-    """Return the mean return of a player without a table in each repetition, shape (n_repetitions,)."""
-    n_steps = 20_000
-    results = repeat("Tamagotchi", {"player": maker}, n_steps, evaluate_every=n_steps, **how)
-    return results.final("player", "training_return")
-
-
-def vote(tau: float, length: int, heard: int, **how: Any) -> Reals:
-    """Return the mean return of a voter in each repetition: `heard` words of messages of `length` words count."""
-    parameters = {"tau": tau, "max_msg_length": length}
-    return play(partial(Voter.create, heard=heard), parameters=parameters, **how)
-
-
-def conditions(results: Mapping[str, Results]) -> Results:
-    """Join the results of one method under several conditions, with the conditions as methods."""
-    import pandas
-
-    tables = [part.table.assign(method=label) for label, part in results.items()]
-    agents = {label: next(iter(part.agents.values())) for label, part in results.items()}
-    return Results(pandas.concat(tables, ignore_index=True), agents)
-
-
-def time_below(results: Results, method: str, threshold: float) -> Reals:
-    """Return the share of evaluations in the second half of training below a threshold, shape (n_repetitions,)."""
-    returns = results.curves(method).to_numpy(float)
-    share: Reals = (returns[len(returns) // 2 :] < threshold).mean(axis=0)
-    return share
-
-
-def late(results: Results, method: str) -> Reals:
-    """Return the mean of the evaluations in the second half of training, shape (n_repetitions,)."""
-    curves = results.curves(method).to_numpy(float)
-    mean: Reals = curves[len(curves) // 2 :].mean(axis=0)
-    return mean
-
-
-def rows_of_table(length: int, vocab_size: int = 4) -> int:
-    """Return the number of rows of Q for messages of this length: 101 hit points, and H^length messages with each."""
-    rows: int = 101 * vocab_size**length
-    return rows
+__all__ = [
+    "DISCOUNT",
+    "EPSILON",
+    "FOUR",
+    "LEARNED",
+    "LEARNING_RATE",
+    "LENGTHS",
+    "LONG",
+    "LONGER",
+    "NOISY",
+    "N_STEPS",
+    "OBEY",
+    "OPTIMUM",
+    "RANDOM_PLAY",
+    "REPETITIONS",
+    "TAUS",
+    "VOCABULARIES",
+    "VOTE",
+    "Coin",
+    "Moody",
+    "RoundRobin",
+    "Voter",
+    "after",
+    "answers",
+    "best_return",
+    "bits",
+    "compare_noise",
+    "compare_vocabularies",
+    "conditions",
+    "figures",
+    "information",
+    "joint_table",
+    "joint_tables",
+    "late",
+    "learn",
+    "learn_long",
+    "learn_with_memory",
+    "lengths_sheet",
+    "median_late",
+    "memory_sheet",
+    "messages_panel",
+    "moody_toy",
+    "noise_label",
+    "noise_sheet",
+    "one_toy",
+    "one_word_panel",
+    "play",
+    "race",
+    "report",
+    "right_words",
+    "rows_of_table",
+    "time_below",
+    "vocabulary_sheet",
+    "vote",
+    "walk",
+    "warm_up",
+]
 
 
 def measure(how: How) -> tuple[Any, ...]:
@@ -187,11 +188,6 @@ def judge(
 
 report = reporting(measure, judge, REPETITIONS)
 """Run the experiments of the lesson (see `edugym.experiments.Reporter`)."""
-
-
-def noise_label(tau: float) -> str:
-    """Return the label of a τ."""
-    return "τ = ∞" if tau == math.inf else f"τ = {tau:g}"
 
 
 def noise_claims(obeyed: Mapping[float, Reals], noise: Results) -> list[Claim]:
@@ -329,65 +325,10 @@ def memory_claims(in_turn: Reals, memory: Results) -> list[Claim]:
     ]
 
 
-def figures(
-    noise: Results,
-    words: Results,
-    four: Results,
-    memory: Results,
-    obeyed: Mapping[float, Reals],
-    voted: Mapping[int, Reals],
-) -> list[Sheet]:
-    """Return the figures: learning curves, and returns against information."""
-    return [
-        Sheet("noise", [[Curves(noise, "noise of one word", optimum=OPTIMUM)]]),
-        Sheet(
-            "vocabulary",
-            [[Curves(words, "words to say it, τ = 0", methods=["4 words", "16 words", "64 words", "2 words"])]],
-        ),
-        Sheet("memory", [[Curves(memory, "a toy with one word", optimum=OPTIMUM)]]),
-        Sheet("information", [information_panels(noise, four, obeyed, voted)]),
-    ]
-
-
-def information_panels(
-    noise: Results, four: Results, obeyed: Mapping[float, Reals], voted: Mapping[int, Reals]
-) -> tuple[Lines, Lines]:
-    """Return what a single word and what long messages carry, against the returns of obeying, voting and learning."""
-    curve = four.curves("Q-learning").mean(axis=1)
-    one_word = noise.mean(noise_label(NOISY)).estimate
-    unknown = np.full(len(LENGTHS), np.nan)
-
-    def learned(steps: int) -> Reals:
-        return np.array([one_word, curve[steps], *unknown[2:]])
-
-    players = "obey the first word", "majority vote", f"Q-learning, {N_STEPS} steps", f"Q-learning, {LONG} steps"
-    taus = sorted(TAUS, reverse=True)  # from the least information
-    single = (
-        np.array([obeyed[tau].mean() for tau in taus]),
-        unknown[: len(taus)],
-        np.array([noise.mean(noise_label(tau)).estimate for tau in taus]),
-        unknown[: len(taus)],
-    )
-    several = (
-        np.full(len(LENGTHS), obeyed[NOISY].mean()),
-        np.array([voted[length].mean() for length in LENGTHS]),
-        learned(N_STEPS),
-        learned(LONG),
-    )
-    x_label, y_label = "I(message; need) in bits", "return"
-    return (
-        Lines(
-            np.array([information(tau) for tau in taus]),
-            dict(zip(players, single, strict=True)),
-            "one word, τ from ∞ to 0",
-            x_label,
-            y_label,
-        ),
-        Lines(
-            np.array([information(NOISY, length) for length in LENGTHS]),
-            dict(zip(players, several, strict=True)),
-            "1 to 28 words, τ = 0.1",
-            x_label,
-            y_label,
-        ),
-    )
+def warm_up() -> None:
+    """Compile what the cells of the lesson need."""
+    learn(n_steps=100, evaluate_every=50, repetitions=1, jobs=1)
+    learn_with_memory(n_steps=100, evaluate_every=50, repetitions=1, jobs=1)
+    play(RoundRobin.create, repetitions=1)
+    for length in LENGTHS:
+        vote(NOISY, length, length, repetitions=1)

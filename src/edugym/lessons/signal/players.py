@@ -57,3 +57,25 @@ class RoundRobin(NamedTuple):
     def create(cls, environment: Any) -> "RoundRobin":
         """Create a player that has done nothing yet."""
         return new(cls, None, {})
+
+
+class Coin(NamedTuple):
+    """A player of a toy with two words, each of which names two needs: it tosses a coin between them.
+
+    Attributes:
+        tabular: False, since it reads the words themselves, not the row of a table.
+    """
+
+    tabular: bool = False
+
+    def act(self, state: Any, rng: Random) -> int:
+        """Take one of the two needs k and k + 2 that word k may name."""
+        return int(state[1]) + 2 * int(rng.random() * 2)
+
+    def learn(self, reward: float) -> None:
+        """Learn nothing."""
+
+    @classmethod
+    def create(cls, environment: Any) -> "Coin":
+        """Create a player."""
+        return cls()

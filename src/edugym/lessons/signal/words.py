@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from edugym.envs.tamagotchi import Tamagotchi
+from edugym.mdp.protocol import Reals
 
 
 @cache
@@ -37,9 +38,45 @@ def information(tau: float, length: int = 1, vocab_size: int = 4) -> float:
         with np.errstate(divide="ignore", invalid="ignore"):
             logarithms = np.where(counts > 0, counts * np.log(word), 0.0)
         joint[wanted] += share * np.exp(ways + logarithms.sum(axis=1))
-    independent = joint.sum(axis=1, keepdims=True) * joint.sum(axis=0)
+    return bits(joint)
+
+
+def bits(joint: Reals) -> float:
+    """Return the information I(X; Y) in bits, from a table of p(x, y) with a row for every x and a column for every y.
+
+    A pair that never occurs adds nothing.
+    """
+    p_x = joint.sum(axis=1, keepdims=True)
+    p_y = joint.sum(axis=0, keepdims=True)
     possible = joint > 0
-    return float((joint[possible] * np.log2(joint[possible] / independent[possible])).sum())
+    return float(np.sum(joint[possible] * np.log2(joint[possible] / (p_x * p_y)[possible])))
+
+
+def joint_table(tau: float, vocab_size: int = 4) -> Reals:
+    """Return the probability p(x, y) of every need with every word, for a toy that is given what it wants.
+
+    The rows are the needs. At most four words are told apart: synonyms are one word here.
+    """
+    kinds = min(vocab_size, 4)
+    toy, joint = Tamagotchi.create(tau), np.zeros((4, kinds))
+    for (variables, wanted), share in states_in_care(toy).items():
+        weights = np.array([toy.weight(variables, need, wanted) for need in range(4)])
+        joint[wanted] += share * np.bincount(np.arange(4) % kinds, weights / weights.sum(), kinds)
+    return joint
+
+
+def right_words(tau: float, episodes: int = 50) -> float:
+    """Return the share of the steps in which the word is right, in the episodes of a player that obeys it."""
+    toy, rng = Tamagotchi.create(tau), np.random.default_rng(0)
+    right, steps = 0, 0
+    for _ in range(episodes):
+        state = toy.initial(rng)
+        for _ in range(toy.max_steps):
+            right, steps = right + (state.message == state.wanted), steps + 1
+            state = toy.transition(state, state.message, rng)
+            if toy.terminal(state):
+                break
+    return right / steps
 
 
 @cache
