@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 
 from edugym import DynaQ
-from edugym.exercises import model_based as exercises
-from edugym.exercises.model_based import Memory, imagined, swept
+from edugym.exercises.model_based.imagining import imagined
+from edugym.exercises.model_based.students import SHAPE, Memory, memories
+from edugym.exercises.model_based.sweeping import swept
 from edugym.lessons.model_based import OPTIMUM, compare, follow_plan, used_and_seen
 from tests.lessons.answers import read_exercises
 
@@ -26,8 +27,8 @@ def solution(number: int, name: str) -> Any:
 
 def test_the_rule_of_dyna_q_plus_is_that_of_the_packages_agent() -> None:
     """For pairs that were tried, that ended the episode, and that were never tried."""
-    for case in exercises._memories(5):
-        agent = DynaQ.create(exercises.SHAPE, discount=0.75, exploration_bonus=2.0)
+    for case in memories(5):
+        agent = DynaQ.create(SHAPE, discount=0.75, exploration_bonus=2.0)
         agent.Q[:] = case.Q
         s, a = case.state, case.action
         if case.last[s, a]:
@@ -40,11 +41,11 @@ def test_the_rule_of_dyna_q_plus_is_that_of_the_packages_agent() -> None:
 
 def test_sweeps_settle_at_the_values_by_hand() -> None:
     """A chain of two known pairs to the end: 3, and -1 + 0.5 * 100 where the next state has an unknown action."""
-    known, rewards = np.zeros(exercises.SHAPE, np.int64), np.zeros(exercises.SHAPE)
+    known, rewards = np.zeros(SHAPE, np.int64), np.zeros(SHAPE)
     next_states, ends = known.copy(), known.copy()
     known[1, 0] = known[2, 0] = ends[1, 0] = 1
     rewards[1, 0], rewards[2, 0], next_states[2, 0] = 3.0, -1.0, 1
-    Q = swept(Memory(np.full(exercises.SHAPE, 100.0), rewards, next_states, ends, known, 0, 0, 0), known, discount=0.5)
+    Q = swept(Memory(np.full(SHAPE, 100.0), rewards, next_states, ends, known, 0, 0, 0), known, discount=0.5)
     assert (Q[1, 0], Q[2, 0]) == (3.0, 49.0)
     assert (Q[known == 0] == 100.0).all()
 

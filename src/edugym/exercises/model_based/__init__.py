@@ -1,0 +1,98 @@
+"""The exercises of lesson 9: an error that pays, Dyna-Q+, R-max in ten lines, another lake."""
+
+from types import MappingProxyType
+from typing import Any
+
+import gymnasium
+
+from edugym.exercises.model_based.imagining import exercise_2 as exercise_2
+from edugym.exercises.model_based.sweeping import exercise_3 as exercise_3
+from edugym.grading.challenge import Challenge
+from edugym.grading.results import check_results
+from edugym.grading.student_code import running
+from edugym.grading.values import compare, given
+from edugym.grading.wrong import WrongAnswer
+from edugym.lessons.model_based import DYNA_10, LEARNED, OPTIMUM, Q_LEARNING, R_MAX, SWEEPING
+
+LAKE_STEPS = 3_000
+ENOUGH = 0.15
+"""The share of goals that tells averaging from luck: rates of 1 with sampled updates get 0.07 at most."""
+
+
+def exercise_1(answer: Any, seed: int) -> str:
+    """Check the error from which bumping into a wall for ever looks better than anything else."""
+    given("smallest_error", answer)
+    if not callable(answer):
+        raise WrongAnswer(f"smallest_error should be a function, but is of the type {type(answer).__name__}")
+    for v, gamma in ((40.0, 0.75), (8.0 + seed % 4, 0.5), (33.0, 0.875)):
+        with running(f"smallest_error({v:g}, {gamma})"):
+            found = answer(v, gamma)
+        right = 1 + (1 - gamma) * v
+        compare(
+            f"smallest_error({v:g}, {gamma})",
+            found,
+            right,
+            {
+                "the step costs 1, which the error has to pay first: the reward of a bump seems to be e − 1": right - 1,
+                "the cost of the step is −1, so solve e − 1 = (1 − γ) v for e: it adds 1": right - 2,
+                "bumping for ever is worth the reward *divided* by 1 − γ": 1 + v / (1 - gamma),
+                "that leaves the future out: one bump alone need not be worth v, for it is followed by more": 1 + v,
+                "that compares with γ v; compare with v, what the best way is worth from here": 1 + gamma * v,
+                "that is what bumping is worth without an error, −1/(1 − γ)": -1 / (1 - gamma),
+                "that solves e/(1 − γ) − 1 = v: the cost of 1 comes with every bump": (1 - gamma) * (v + 1),
+                "that is v itself": v,
+                "that is 1, the error from which a bump pays at all; it must pay more than leaving": 1.0,
+                "the sign of γ is wrong: the sum 1 + γ + γ² + ... is 1/(1 − γ)": 1 + (1 + gamma) * v,
+                "the cost is subtracted twice": 1 + (1 - gamma) * (v + 1),
+                "that is 1 − (1 − γ) v: the two terms add up": 1 - (1 - gamma) * v,
+                "only the first three bumps are counted, and there is no end to them": 1 + v / (1 + gamma + gamma**2),
+            },
+            otherwise="solve (e − 1)/(1 − γ) = v for e",
+        )
+    return "Right: the larger γ is, the smaller an error is enough, since a far-sighted plan adds up more bumps."
+
+
+def exercise_4(answer: Any, seed: int) -> str:
+    """Check the results of three methods, and of one more, on the slippery lake."""
+    lake = gymnasium.make("FrozenLake-v1", map_name="4x4", is_slippery=True)
+    asked = {
+        "environment": "FrozenLake-v1",
+        "environment.map_name": "4x4",
+        "environment.is_slippery": True,
+        "n_steps": LAKE_STEPS,
+        "repetitions": 5,
+    }
+    methods = {label: LEARNED[label] for label in (Q_LEARNING, DYNA_10)}
+    results = check_results("lake_results", answer, asked=asked, methods=methods, environment=lake)
+    own = [label for label in results.methods if label not in methods]
+    if not own:
+        raise WrongAnswer("lake_results should have a third method, your own, beside the two of the lesson")
+    goals = {label: float(results.curves(label).loc[LAKE_STEPS // 2 :].to_numpy().mean()) for label in results.methods}
+    best = max(own, key=lambda label: goals[label])
+    shares = ", ".join(f"{label} {share:.2f}" for label, share in goals.items())
+    measured = f"Share of evaluation episodes that reach the goal, in the second half of training: {shares}."
+    if goals[best] < ENOUGH:
+        agent = next(iter(results.complete_agents(best).values()))
+        sampled = not getattr(agent, "expected_updates", False) and getattr(agent, "learning_rate", 0.0) == 1.0
+        hint = (
+            "it has a learning rate of 1 and sampled updates, so that a value is whatever the last outcome said,"
+            " however many updates it makes"
+            if sampled
+            else "let each value average over many outcomes, by expected updates or by a learning rate such as 0.1"
+        )
+        raise WrongAnswer(f"{best!r} should get {ENOUGH:g} or more: {hint}. {measured}")
+    return (
+        f"Right. {measured} Chance breaks a rate of 1 with sampled updates: each keeps the last outcome only. Expected"
+        " updates, or a lower rate, average over all of them."
+    )
+
+
+CHALLENGE = Challenge(
+    environment="Supermarket",
+    parameters=MappingProxyType({}),
+    n_steps=3_000,
+    baselines=MappingProxyType({label: LEARNED[label] for label in (R_MAX, DYNA_10, SWEEPING)}),
+    optimum=OPTIMUM,
+    best_average=OPTIMUM,
+)
+"""The open challenge: the highest average return within 3 000 steps. Who knew the shop from the start would get 95."""
