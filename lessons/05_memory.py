@@ -42,6 +42,8 @@ for _ in range(5):  # to the last place of corridor 3; `info` is for us, no agen
 env.scene()
 
 # %% [markdown]
+# ("Door 3 of 3" counts places: it is the third place of a corridor with three.)
+#
 # In this lesson the agent does not see the state $s$. It sees an *observation* $o$, which tells only a part of it.
 #
 # | | | in words |
@@ -273,8 +275,8 @@ needed.measured(memory.smallest_window(4))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Seven. The numbers were found by trying all sequences of doors: a window is enough for corridor $L$ if
-# it never looks the same at two moments that need different doors, in all corridors up to $L$. The dashed lines are the
-# two laws below. They lie on the measured lines.
+# it never looks the same at two moments that need different doors, in all corridors up to $L$. The thin black
+# lines are the two laws below. They lie on the measured lines, so that little of them shows.
 # </details>
 #
 # **The law for observations alone.** The door at place 0 was marked once, at step 0. Corridors $1, \dots, L-1$ take
@@ -294,9 +296,10 @@ memory.twin_figure(4, 4, actions=True)
 # %% [markdown]
 # The agent sees one mark, and two unmarked places after it. Is it in corridor 4, where the right door was opened 3
 # steps ago, or in corridor 3, where it was opened 2 steps ago? To look a door up, it must also know the length of the
-# corridor. The distance between two marks tells it: the last two marks must be in the window. The worst moment is the
-# last unmarked place of corridor $L - 1$, where the second last mark lies $2L - 4$ steps back. With the present
-# observation that makes $2L - 3$:
+# corridor. The distance between two marks tells it. So in all corridors before the last one, corridor $L$, the last
+# two marks must be in the window. (In corridor $L$ itself one mark is enough: an agent that sees only one knows that it is
+# in the longest.) The worst moment is the last unmarked place of corridor $L - 1$, where the second last mark lies
+# $2L - 4$ steps back. With the present observation that makes $2L - 3$:
 #
 # $$
 # k = \max(L,\; 2L - 3)
