@@ -71,8 +71,8 @@ source(happiness)
 # %% [markdown]
 # ### What a word says
 # Each word of a message is drawn by itself. It is about need $i$ with a probability that grows with the urgency of
-# that need. The **noise** $\tau$ says how little (a softmax, as in equation 2.11 of Sutton and Barto, but with a
-# temperature):
+# that need. The larger the **noise** $\tau$, the less it grows (a softmax, as in equation 2.11 of Sutton and Barto, but
+# with a temperature):
 #
 # $$
 # P(\text{a word is about need } i) = \frac{e^{u_i / \tau}}{\sum_j e^{u_j / \tau}}
@@ -87,7 +87,8 @@ source(happiness)
 source(type(env.mdp), "named", "weight")
 
 # %% [markdown]
-# **Play it yourself.** The picture shows exactly what an agent sees. Here are 20 steps with a noise of 0.05 and eight
+# **Play it yourself.** The picture shows what an agent sees, and one thing more: the button that was pressed last is black.
+# Here are 20 steps with a noise of 0.05 and eight
 # words in each message. Do you follow the first word, or most of the words? What is your return? (The best possible
 # one is 1 345 in 20 steps, on average.) And: is there anything besides the words that helps you?
 
@@ -344,7 +345,7 @@ for tau, length in ((0.02, 1), (0.1, 28), (0.1, 2), (0.1, 1)):
 #   The first half bit brings nine tenths of the return.
 # - **Right.** The information grows with the messages, and the vote turns it into return: 28 words at
 #   $\tau = 0.1$ are worth nearly as much as one word at 0.02, which carries the same half bit. Whoever obeys the first
-#   word leaves all of it unused: its line is flat.
+#   word leaves the other words unused: that line is flat.
 # - Look at two words on the right (the second point): they carry twice as much as one, and the vote gets nothing out of it. If
 #   the two disagree it can only guess.
 # - Q-learning stands at the lower left. At 28 words its table would have $7 \cdot 10^{18}$ rows.
@@ -388,7 +389,7 @@ ambiguous.measured("more than 90 % of the optimum" if mean > 0.9 * signal.OPTIMU
 # **Measured.** No more than random actions. With the same hit points, the greedy policy does the same thing whenever
 # it hears the same word. So it answers "play or feed" always with play, say. Then the toy is never fed, wants to be
 # fed for ever, says "play or feed", and is played with. With noise the word is *sometimes* right about each need. Here
-# it is *never* clear about one half of them.
+# it never tells the two needs of a word apart.
 #
 # Tossing a coin between the two meanings is better: each need is met at least now and then. Where the state is hidden,
 # a policy that draws its actions at random can be better than every policy that does not (Singh, Jaakkola and Jordan,
@@ -487,8 +488,8 @@ remembers.measured(counts["with its last action"])
 # <details><summary>What was measured</summary>
 #
 # **Measured.** All ten with the last action, none without. It takes a while, and the runs make the step at different
-# times, which is why the mean rises slowly. Without the last action all it sees is its hit points, so its greedy
-# policy repeats one action. (Now and then a run loses the cycle for a moment, as the panel on the right shows: one row
+# times, which is why the mean rises slowly. Without the last action all it sees is its hit points, and they do not say
+# whose turn it is. (The bands are symmetrical, so they can reach above what is possible. Now and then a run loses the cycle for a moment, as the panel on the right shows: one row
 # with another greedy action breaks it. So we take the median of each run.)
 # </details>
 
@@ -738,7 +739,7 @@ display(signal.race({"my listener": Listener.create}))
 # ### The open challenge: a moody toy
 # Moods with probability 0.1, drops of 20, four words in a message, $\tau = 0.05$, and 20 000 steps, about 200
 # episodes. *All* training episodes count. Nobody who does not see the state can get the optimum, 6 595. The vote gets
-# about two thirds of it, and taking turns a tenth. How close can you come, with messages and memory together?
+# about two thirds of it, and taking turns a tenth. (The return at the end, one episode, is noisy: look at the average.) How close can you come, with messages and memory together?
 #
 # Of the task your agent is told only its observation space and its action space. It needs `act(observation, rng)` and
 # `learn`, like yours of exercise 3; an agent without `tabular = False` sees the number of its row instead of the

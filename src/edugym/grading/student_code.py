@@ -29,7 +29,7 @@ HINTS = (
     ("division by zero", "nothing was counted yet: count first, then divide"),
     ("_tuplegetter", "that is the field of the class: write `self.` for the table of this agent"),
     ("too many indices", "a table of values has two indices, Q[state, action], and counts of states have one"),
-    ("out of bounds", "the first index of a table is the state, the second one the action"),
+    ("out of bounds", "the array is smaller; of a table Q the first index is the state, the second one the action"),
     ("inhomogeneous", "an array of numbers is needed there: is a call such as `.greedy_policy()` missing?"),
     ("only integer", "an index is a whole number"),
     (r"create\(\) (missing|takes)", "`create` takes the environment first, and then settings by their names"),
