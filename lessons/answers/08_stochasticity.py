@@ -658,6 +658,15 @@ def learn(self, state, action, reward, next_state, terminated):
     self.Q[state, action] += self.learning_rate * w * delta
 
 
+# %% exercise 3, wrong: the sign of δ
+# says: δ has the wrong sign
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.0 if terminated else max(self.Q[next_state])
+    delta = self.Q[state, action] - (reward + self.discount * value)
+    w = 1 - self.kappa if delta > 0 else 1 + self.kappa
+    self.Q[state, action] += self.learning_rate * w * delta
+
+
 # %% exercise 3, wrong: the mean for the maximum
 # says: the mean over the actions
 def learn(self, state, action, reward, next_state, terminated):

@@ -189,6 +189,16 @@ def test_bad_luck_and_patience(trained: Results) -> None:
     assert stochasticity.lead(patient, patient).estimate == 0.0
 
 
+def test_the_order_of_swings(trained: Results) -> None:
+    """Runs that drive first earn most, and those that seek risk and chip first lose more balls than they."""
+    groups = stochasticity.by_first_swing(trained, play(trained))
+    for swings in groups.values():
+        assert sum(runs for runs, _, _ in swings.values()) == len(trained.complete_agents(NEUTRAL))
+    seeking = groups[stochasticity.SEEKING]
+    assert seeking["drive"][1] > seeking["chip"][1]
+    assert seeking["drive"][2] < seeking["chip"][2]
+
+
 def test_shares_of_games(trained: Results) -> None:
     """They add up to 1, and the first is that of lost balls."""
     for one in play(trained).values():

@@ -116,7 +116,7 @@ class Golf(NamedTuple):
         return state.x + d * to_flag_x / distance, state.y + d * to_flag_y / distance
 
     def reward(self, state: Ball, action: int, next_state: Ball, rng: Random) -> float:
-        """From 1 down to 0 by the number of hits on the green; -1 off the course or after the last hit; else 0."""
+        """On the green 1, and 1 / max_hits less for each hit after the first; -1 off course or out of hits; else 0."""
         if self.off_course(next_state):
             return -1.0
         if self.on_green(next_state):

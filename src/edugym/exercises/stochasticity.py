@@ -256,6 +256,10 @@ def two_weights_update(tables: Tables, now: Transition, *, kappa: float, weigh: 
 SIMPLE = ("difference", "minus", "no old", "only", "only difference", "next row")
 """Steps with one factor, which the weight multiplies."""
 WEIGHT_MISTAKES: Mapping[str, Mapping[str, Any]] = {
+    "δ has the wrong sign: it is the target less Q(S, A), not Q(S, A) less the target": {
+        "step": "minus",
+        "weigh": "inverted",
+    },
     "good and bad surprises have changed places: κ > 0 avoids risk, so that bad ones weigh 1 + κ (β has the opposite"
     " sign)": {"weigh": "inverted"},
     "it asks whether the *reward* is good; a surprise is good if δ is above 0": {"weigh": "reward"},

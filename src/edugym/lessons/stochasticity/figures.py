@@ -326,7 +326,7 @@ def crossing_by_attitude(
     return Leads(
         np.array(levels),
         lines,
-        "from the tee, for who sees the ball",
+        "from the tee, computed exactly",
         "stochasticity level",
         "worth of drive less chip",
         {"drive and chip are equal": np.zeros(len(levels))},

@@ -276,12 +276,26 @@ def lead(of: Played, over: Played) -> Interval:
 
 def values_on_the_tee(results: Results) -> dict[str, Reals]:
     """Return the values of the three swings from the tee, a mean over the complete runs; hits are observed."""
+    return {method: np.mean(_on_the_tee(results, method), axis=0) for method in results.methods}
+
+
+def _on_the_tee(results: Results, method: str) -> Reals:
+    """Return the values of the three swings from the tee in every complete run, shape (n, 3); hits are observed."""
     golf = Golf.create(observe_hits=True)
     row = (golf.width // 2) * golf.length * (golf.max_hits + 1)
-    return {
-        method: np.mean([agent.Q[row] for agent in results.complete_agents(method).values()], axis=0)
-        for method in results.methods
-    }
+    return np.array([agent.Q[row] for agent in results.complete_agents(method).values()])
+
+
+def by_first_swing(results: Results, played: Mapping[str, Played]) -> dict[str, dict[str, tuple[int, float, float]]]:
+    """Return by method and by the first swing of its runs: how many they are, their mean return, their lost balls."""
+    table = {}
+    for method, one in played.items():
+        first = _on_the_tee(results, method).argmax(axis=1)
+        runs = {swing: first == k for k, swing in enumerate(SWINGS) if (first == k).any()}
+        table[method] = {
+            swing: (int(of.sum()), float(one.mean[of].mean()), float(one.lost[of].mean())) for swing, of in runs.items()
+        }
+    return table
 
 
 def lake_optimum(steps: int = 100) -> float:
