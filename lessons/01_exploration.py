@@ -8,9 +8,9 @@
 # reward into four lines of code, and say why it stalls; explain how "first return, then explore" avoids that; and write
 # an explorer of your own.
 #
-# **Time.** 60 minutes, and 60 more for the exercises. **Before you start.** You should know what a value function and Q-learning are (Sutton and
-# Barto, 2nd edition, sections 3.5 and 6.5), and ε-greedy action selection (section 2.2). All symbols are in the
-# [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
+# **Time.** 60 minutes, and 60 more for the exercises. **Before you start.** You should know what a value function and
+# Q-learning are (Sutton and Barto, 2nd edition, sections 3.5 and 6.5), and ε-greedy action selection (section 2.2).
+# All symbols are in the [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
 
 # %%
 from typing import NamedTuple
@@ -180,7 +180,8 @@ source(GoExplore, "act", "least_visited")
 # task:
 #
 # $$
-# Q(g, S, A) \leftarrow Q(g, S, A) + \alpha \left[ 1\{S' = g\} + \gamma\, 1\{S' \neq g\} \max_a Q(g, S', a) - Q(g, S, A) \right]
+# Q(g, S, A) \leftarrow Q(g, S, A) + \alpha \left[ 1\{S' = g\} + \gamma\, 1\{S' \neq g\} \max_a Q(g, S', a) - Q(g, S,
+# A) \right]
 # $$
 #
 # After each attempt it learns about *every* state on its path as if that state had been the goal. This is called
@@ -244,10 +245,10 @@ middle.measured({0: "none", 1: "Go-Explore", 2: "novelty reward and Go-Explore",
 # <details><summary>What was measured</summary>
 #
 # **Measured.** ε-greedy solves only the low wall, and more slowly than the others: after 2 000 steps it solves it in
-# about three runs of ten, and the novelty reward in nearly six. The novelty reward solves the middle wall as well. Go-Explore
-# solves all three. On the high wall the lines of the other two coincide at 0; the last panel shows how high they got
-# there. (On the lower walls even a policy that keeps exploring reaches the top in nearly every episode, so that the two
-# black lines coincide.)
+# about three runs of ten, and the novelty reward in nearly six. The novelty reward solves the middle wall as well.
+# Go-Explore solves all three. On the high wall the lines of the other two coincide at 0; the last panel shows how high
+# they got there. (On the lower walls even a policy that keeps exploring reaches the top in nearly every episode, so
+# that the two black lines coincide.)
 # </details>
 
 # %% [markdown]
@@ -331,18 +332,19 @@ again.measured(100 * np.mean(exploration.right_grips(watched, "novelty reward", 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** On the first visit 51 %, on all later ones 5 %, and that is $\varepsilon/2$: it takes the right grip only
-# when it slips. The reason is the bonus itself. The fall has earned a small bonus too, for entering the ground. So the
-# wrong grip is now worth more than 0, and the grip that was never tried is worth 0. The agent prefers the wrong one, time
-# after time. Go-Explore and ε-greedy act at random at their frontiers, and take the right grip about half of the time (ε-greedy
-# comes back to a frontier so rarely that its share is not exact). In the figure a line ends after the ninth visit, or where
-# there were fewer than 30 such visits.
+# **Measured.** On the first visit 51 %, on all later ones 5 %, and that is $\varepsilon/2$: it takes the right grip
+# only when it slips. The reason is the bonus itself. The fall has earned a small bonus too, for entering the ground.
+# So the wrong grip is now worth more than 0, and the grip that was never tried is worth 0. The agent prefers the wrong
+# one, time after time. Go-Explore and ε-greedy act at random at their frontiers, and take the right grip about half of
+# the time (ε-greedy comes back to a frontier so rarely that its share is not exact). In the figure a line ends after
+# the ninth visit, or where there were fewer than 30 such visits.
 # </details>
 
 # %% [markdown]
 # The two reasons multiply. At a frontier of 40, one climb in eight gets back, and one visit in twenty takes the right
-# grip: that makes about 150 climbs after each wrong first try. And the two pull in opposite directions: slips are what ends the
-# climbs, and slips are what it needs at the frontier. (You will switch them off below, and mend both in exercise 3.)
+# grip: that makes about 150 climbs after each wrong first try. And the two pull in opposite directions: slips are what
+# ends the climbs, and slips are what it needs at the frontier. (You will switch them off below, and mend both in
+# exercise 3.)
 #
 # Is it *returning first* that solves the high wall? It is sufficient, but it is not the only way: in exercise 2 you
 # meet an agent that solves walls without it.
@@ -561,11 +563,12 @@ three_grips.measured({0: "neither", 1: f"{''.join(solvers)} only", 2: "both"}[le
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** With two grips and $\alpha = 1$ optimism solves the high wall in all runs. (With $\alpha = 0.5$, in your race
-# above, it rarely does: each disappointment then takes only half of the optimism away.) It first gets to the top sooner than Go-Explore (after about
-# 7 600 steps, and Go-Explore 9 200), but it *knows the way* later: in between its line goes up and down. An optimistic
-# value shrinks only by the factor $\gamma$ each time it is tried, and at the ground the way to the top is worth no more
-# than $\gamma^{99}$. Until all others have shrunk below that, the greedy policy wavers.
+# **Measured.** With two grips and $\alpha = 1$ optimism solves the high wall in all runs. (With $\alpha = 0.5$, in
+# your race above, it rarely does: each disappointment then takes only half of the optimism away.) It first gets to the
+# top sooner than Go-Explore (after about 7 600 steps, and Go-Explore 9 200), but it *knows the way* later: in between
+# its line goes up and down. An optimistic value shrinks only by the factor $\gamma$ each time it is tried, and at the
+# ground the way to the top is worth no more than $\gamma^{99}$. Until all others have shrunk below that, the greedy
+# policy wavers.
 #
 # With three grips it has been at the top in all runs, but its greedy policy still wavers: it leads there in some two
 # evaluations of five, where that of Go-Explore does in seven of ten. It is slower, not stuck: with 40 000 steps it solves
@@ -668,8 +671,9 @@ display(exploration.race({"my explorer": MyExplorer.create}))
 # one of its holes ends the episode. Predict first: will the novelty reward help as much as on the wall?
 #
 # Compare *four* methods there: the three in `exploration.METHODS`, under their names, and a fourth of your own choice
-# (another agent, or one of the three with other settings). Call `repeat` with 20 000 steps and 5 repetitions, and assign the results to `frozen`.
-# Can you find a fourth *without goals* that solves the lake in all five runs, as Go-Explore does?
+# (another agent, or one of the three with other settings). Call `repeat` with 20 000 steps and 5 repetitions, and
+# assign the results to `frozen`. Can you find a fourth *without goals* that solves the lake in all five runs, as
+# Go-Explore does?
 #
 # <details><summary>Hint</summary><code>repeat</code> takes an environment, a dictionary of methods and the number of
 # steps. A method is a function that makes an agent for an environment, and
@@ -721,11 +725,11 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* An agent learns only from rewards that it finds, and
-# undirected random steps find a reward behind $H$ right choices among $N$ actions after about $N^H$ tries. So exploration must be
-# directed. A novelty reward makes rarely visited states attractive, optimistic values make untried actions attractive,
-# and Go-Explore returns to the edge of what it knows before it explores. They work as far as they are systematic: they
-# try what they have not tried, and they get back to where that is. Random slips do neither. They fail more often the
-# longer the way is.
+# undirected random steps find a reward behind $H$ right choices among $N$ actions after about $N^H$ tries. So
+# exploration must be directed. A novelty reward makes rarely visited states attractive, optimistic values make untried
+# actions attractive, and Go-Explore returns to the edge of what it knows before it explores. They work as far as they
+# are systematic: they try what they have not tried, and they get back to where that is. Random slips do neither. They
+# fail more often the longer the way is.
 #
 # ### Limits
 # A table can count visits of a state. The same picture hardly ever comes twice, so for pictures something must stand

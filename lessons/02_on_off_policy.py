@@ -89,17 +89,18 @@ play("Roadrunner")
 # - A method is **on-policy** if both are the same: it learns what its own behaviour is worth, slips included.
 # - A method is **off-policy** if they differ: it learns about another policy than the one that it follows.
 #
-# The value $q_\pi(s, a)$ is the expected return of an agent that takes action $a$ in state $s$ and follows the policy $\pi$ from
-# then on. So it is the next reward, and what the policy earns from the next state on: there it takes action $a'$ with the
-# probability $\pi(a' \mid s')$. On the road, where the next state is certain, that is (Sutton and Barto, equation 4.6):
+# The value $q_\pi(s, a)$ is the expected return of an agent that takes action $a$ in state $s$ and follows the policy
+# $\pi$ from then on. So it is the next reward, and what the policy earns from the next state on: there it takes action
+# $a'$ with the probability $\pi(a' \mid s')$. On the road, where the next state is certain, that is (Sutton and Barto,
+# equation 4.6):
 #
 # $$
 # q_\pi(s, a) = r(s, a, s') + \gamma \sum_{a'} \pi(a' \mid s')\, q_\pi(s', a')
 # $$
 #
-# A learning agent does not know $q_\pi$. It keeps a table $Q(s, a)$, and after each step from $S$ by $A$ to $S'$ with reward $R$
-# it moves one value a little, by the learning rate $\alpha$, towards a target $R + \gamma\, V(S')$ that looks like the right
-# side:
+# A learning agent does not know $q_\pi$. It keeps a table $Q(s, a)$, and after each step from $S$ by $A$ to $S'$ with
+# reward $R$ it moves one value a little, by the learning rate $\alpha$, towards a target $R + \gamma\, V(S')$ that
+# looks like the right side:
 #
 # $$
 # Q(S, A) \leftarrow Q(S, A) + \alpha \left[ R + \gamma\, V(S') - Q(S, A) \right]
@@ -268,14 +269,15 @@ sliders(
 Sheet("plane", [[on_off_policy.in_the_plane()]])
 
 # %% [markdown]
-# Look at the last state before the target. The fast run gets there with speed 3, and one of the three actions is deadly.
-# The safe run gets there with speed 2, and *no* action is deadly: faster takes it to the target, and the other two still
-# leave it time to brake. One step more buys the last step without risk. (Both can stall in their first step, so even
-# the safe run is not quite safe. And there is a second safe run of 5 steps, nearly as good: it is at position 3 with speed 2,
-# like the fast run, and slows down there.)
+# Look at the last state before the target. The fast run gets there with speed 3, and one of the three actions is
+# deadly. The safe run gets there with speed 2, and *no* action is deadly: faster takes it to the target, and the other
+# two still leave it time to brake. One step more buys the last step without risk. (Both can stall in their first step,
+# so even the safe run is not quite safe. And there is a second safe run of 5 steps, nearly as good: it is at position
+# 3 with speed 2, like the fast run, and slows down there.)
 #
 # When is that step worth it? In the last step of the fast run a slip takes the deadly action with probability
-# $\varepsilon / 3$, and a fall costs about 100. The safe run costs 1, for its additional step. The two are equally good where
+# $\varepsilon / 3$, and a fall costs about 100. The safe run costs 1, for its additional step. The two are equally
+# good where
 #
 # $$
 # 100 \cdot \frac{\varepsilon}{3} \approx 1 \quad\Rightarrow\quad \varepsilon \approx 0.03
@@ -301,9 +303,9 @@ change.measured(exact.change)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** 0.032, so the estimate was close. The best ε-soft policy is the upper one of the two lines: the fast run up
-# to there, and the safe run from there on. At $\varepsilon = 0.1$ the fast run ends badly in 6.8 % of all episodes, and the safe
-# run in 4.1 %, mostly by a slip at the start.
+# **Measured.** 0.032, so the estimate was close. The best ε-soft policy is the upper one of the two lines: the fast
+# run up to there, and the safe run from there on. At $\varepsilon = 0.1$ the fast run ends badly in 6.8 % of all
+# episodes, and the safe run in 4.1 %, mostly by a slip at the start.
 # </details>
 
 # %% [markdown]
@@ -312,8 +314,9 @@ change.measured(exact.change)
 # Answer each question before you run the cell below it. You learn most when you are surprised.
 #
 # ### "SARSA is safe"?
-# **Predict.** With $\varepsilon = 0.01$ the fast run is the best, also for an agent that slips. Who earns more *while exploring*?
-# (The last line that the cell prints is about a milder cliff, with a reward of −10 for a fall and $\varepsilon = 0.1$.)
+# **Predict.** With $\varepsilon = 0.01$ the fast run is the best, also for an agent that slips. Who earns more *while
+# exploring*? (The last line that the cell prints is about a milder cliff, with a reward of −10 for a fall and
+# $\varepsilon = 0.1$.)
 
 # %%
 rarely = predict(
@@ -341,18 +344,19 @@ rarely.measured("both earn the same, up to 0.1" if abs(lead) < 0.1 else f"{more}
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Q-learning earns more, by about 0.6. The figure shows how much each method loses against the best ε-soft policy.
-# Q-learning loses nothing for small $\varepsilon$, and more and more above 0.03, since it runs as if it never slipped. SARSA is
-# the other way round: good for large $\varepsilon$, too slow for small ones. Expected SARSA is close to the best everywhere.
-# (Where a line is above 0, that is chance.)
+# **Measured.** Q-learning earns more, by about 0.6. The figure shows how much each method loses against the best
+# ε-soft policy. Q-learning loses nothing for small $\varepsilon$, and more and more above 0.03, since it runs as if it
+# never slipped. SARSA is the other way round: good for large $\varepsilon$, too slow for small ones. Expected SARSA is
+# close to the best everywhere. (Where a line is above 0, that is chance.)
 #
-# So SARSA is not slow here because caution pays. It was unlucky, and does not get over it. At position 3 with speed 2 a
-# runner can go on with the fast run, or slow down and take the second safe one. SARSA believes that the fast run is worth less there, about −1.3, and its true value, which expected
-# SARSA has found, is −0.34. How does that happen? Follow one slip in the last state of the fast run. SARSA has $A'$ = faster
-# in its target, and $Q(S', A')$ is far below 0, −100 in the end. So the value of the step before drops by up to
-# $\alpha \cdot 100 = 3$ at once. The two runs differ by less than 1, so from now on the safe run looks better. The agent then
-# tries the fast run only when it slips into it, and each such try repairs only 3 % of the damage. Expected SARSA has the
-# same slip in its target *at every visit*, with its true weight $\varepsilon/3$, so no single one can scare it.
+# So SARSA is not slow here because caution pays. It was unlucky, and does not get over it. At position 3 with speed 2
+# a runner can go on with the fast run, or slow down and take the second safe one. SARSA believes that the fast run is
+# worth less there, about −1.3, and its true value, which expected SARSA has found, is −0.34. How does that happen?
+# Follow one slip in the last state of the fast run. SARSA has $A'$ = faster in its target, and $Q(S', A')$ is far
+# below 0, −100 in the end. So the value of the step before drops by up to $\alpha \cdot 100 = 3$ at once. The two runs
+# differ by less than 1, so from now on the safe run looks better. The agent then tries the fast run only when it slips
+# into it, and each such try repairs only 3 % of the damage. Expected SARSA has the same slip in its target *at every
+# visit*, with its true weight $\varepsilon/3$, so no single one can scare it.
 #
 # The last line shows the same where a fall costs only 10. There the fast run is the best at $\varepsilon = 0.1$ too, and
 # SARSA, the "safe" method, earns a little less than the other two.
@@ -360,8 +364,8 @@ rarely.measured("both earn the same, up to 0.1" if abs(lead) < 0.1 else f"{more}
 
 # %% [markdown]
 # ### Does it get over it?
-# **Predict.** Let $\varepsilon$ fall evenly from 0.1 to 0.001 during training, as is often recommended. At the end the fast run
-# is the best by far. Who has learned it?
+# **Predict.** Let $\varepsilon$ fall evenly from 0.1 to 0.001 during training, as is often recommended. At the end the
+# fast run is the best by far. Who has learned it?
 
 # %%
 decay = predict(
@@ -390,19 +394,21 @@ decay.measured(
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Q-learning and expected SARSA. The target of expected SARSA contains $\varepsilon$ itself: when $\varepsilon$ falls,
-# the danger falls with it in every state that is still visited. It changes to the fast run at about 0.031, right after
-# the 0.032 of the exact model. SARSA keeps to the safe run: the less it slips, the less often it tries the fast run, and
-# what it does not try it does not correct.
+# **Measured.** Q-learning and expected SARSA. The target of expected SARSA contains $\varepsilon$ itself: when
+# $\varepsilon$ falls, the danger falls with it in every state that is still visited. It changes to the fast run at
+# about 0.031, right after the 0.032 of the exact model. SARSA keeps to the safe run: the less it slips, the less often
+# it tries the fast run, and what it does not try it does not correct.
 #
 # (The theory says that SARSA converges to the optimum if it tries every action infinitely often while $\varepsilon$ goes to
-# 0; Sutton and Barto, section 6.4. But two million steps are not infinitely many, and 0.001 is not 0.)
+# 0, and $\alpha$ too, at the right pace; Sutton and Barto, section 6.4 and equation 2.7. But two million steps are not
+# infinitely many, 0.001 is not 0, and $\alpha$ is constant here.)
 # </details>
 
 # %% [markdown]
 # ### Somebody else slips
-# Is Q-learning blind to danger? Let the *road* slip. On an icy road, with probability 0.1, a random action takes the place of
-# the one that the runner chose. The class below puts ice on any road. What it does not define stays as it was.
+# Is Q-learning blind to danger? Let the *road* slip. On an icy road, with probability 0.1, a random action takes the
+# place of the one that the runner chose. The class below puts ice on any road. What it does not define stays as it
+# was.
 
 # %%
 icy_road = on_off_policy.Icy(make_mdp("Roadrunner"), ice=0.1)
@@ -428,9 +434,10 @@ on_ice.measured(likely if often[likely] > 0.5 else "neither, in most runs")
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** The safe run, every time. Q-learning leaves out its *own* slips, those of the behaviour policy. The slips of the
-# road are part of the task: they are in every reward and every next state that it sees. The last two lines are equal, since
-# a value does not care who slips. But the slips of an agent end when it stops exploring, and the ice stays.
+# **Measured.** The safe run, every time. Q-learning leaves out its *own* slips, those of the behaviour policy. The
+# slips of the road are part of the task: they are in every reward and every next state that it sees. The last two
+# lines are equal, since a value does not care who slips. But the slips of an agent end when it stops exploring, and
+# the ice stays.
 # </details>
 
 # %% [markdown]
@@ -452,18 +459,19 @@ rough.measured(max(losses, key=losses.get))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** SARSA: its lead over Q-learning is gone near $\alpha = 0.3$, and at 0.5 it earns less than Q-learning. With a large learning rate
-# its values follow the last few actions $A'$, slips or not. The road itself has no noise, so the other two, whose targets draw
-# nothing at random, do not mind even $\alpha = 0.7$. This is Figure 6.3 of Sutton and Barto, on
-# another cliff.
+# **Measured.** SARSA: its lead over Q-learning is gone near $\alpha = 0.3$, and at 0.5 it earns less than Q-learning.
+# With a large learning rate its values follow the last few actions $A'$, slips or not. The road itself has no noise,
+# so the other two, whose targets draw nothing at random, do not mind even $\alpha = 0.7$. This is Figure 6.3 of Sutton
+# and Barto, on another cliff.
 # </details>
 
 # %% [markdown]
 # ### The same on another cliff
-# CliffWalking is an environment of Gymnasium (Example 6.6 of Sutton and Barto). The agent walks on a grid of 4 by 12, from
-# the lower left corner to the lower right one. Between them is a cliff (red): a step into it costs 100 and leads back to
-# the start. Every other step costs 1. An environment is swapped in by its name. (The settings: $\varepsilon = 0.1$,
-# $\alpha = 0.1$, $\gamma = 1$, 20 000 steps, episodes truncated after 500 steps, 5 repetitions. The optimum is −13, for 13 steps.)
+# CliffWalking is an environment of Gymnasium (Example 6.6 of Sutton and Barto). The agent walks on a grid of 4 by 12,
+# from the lower left corner to the lower right one. Between them is a cliff (red): a step into it costs 100 and leads
+# back to the start. Every other step costs 1. An environment is swapped in by its name. (The settings: $\varepsilon =
+# 0.1$, $\alpha = 0.1$, $\gamma = 1$, 20 000 steps, episodes truncated after 500 steps, 5 repetitions. The optimum is
+# −13, for 13 steps.)
 #
 # **Predict.** Which of the methods walk along the edge when they are greedy, in most runs?
 
@@ -484,10 +492,10 @@ edge_walkers.measured(names.get(tuple(walkers), "all three"))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Q-learning only, with the optimal 13 steps. The other two keep one row of distance, which costs them two steps.
-# While exploring they earn about −26 a walk, and Q-learning about −49. The left panel shows the walk that most of the five
-# runs end with. One run of SARSA ends with −500: its values are noisy, and its greedy policy walks against the upper border
-# until the step limit.
+# **Measured.** Q-learning only, with the optimal 13 steps. The other two keep one row of distance, which costs them
+# two steps. While exploring they earn about −26 a walk, and Q-learning about −49. The left panel shows the walk that
+# most of the five runs end with. One run of SARSA ends with −500: its values are noisy, and its greedy policy walks
+# against the upper border until the step limit.
 # </details>
 
 # %% [markdown]
@@ -496,7 +504,8 @@ edge_walkers.measured(names.get(tuple(walkers), "all three"))
 # `stop_zone = 2` allows that: an episode ends well in one of the last three cells, 7, 8 and 9, and each cell short of the
 # last costs 1.
 #
-# **Predict.** With $\varepsilon = 0.2$ and $\alpha = 0.1$, in which cell does SARSA stop, without slips and on average over 30 runs?
+# **Predict.** With $\varepsilon = 0.2$ and $\alpha = 0.1$, in which cell does SARSA stop, without slips and on average
+# over 30 runs?
 
 # %%
 stop = predict("SARSA stops in cell ...", unit="(7 to 9)")
@@ -529,9 +538,10 @@ from edugym.grading import check
 
 # %% [markdown]
 # ### Exercise 1: change a parameter
-# With $\varepsilon = 0.1$ the safe run is the best, since the reward of a fall or a stall is −100. Make it milder. What is the
-# *lowest* reward of a fall for which the fast run is still the best at $\varepsilon = 0.1$? Set `negative_reward` to that number,
-# with one digit after the decimal point. Before you compute: what does the estimate of the section "See inside" say?
+# With $\varepsilon = 0.1$ the safe run is the best, since the reward of a fall or a stall is −100. Make it milder.
+# What is the *lowest* reward of a fall for which the fast run is still the best at $\varepsilon = 0.1$? Set
+# `negative_reward` to that number, with one digit after the decimal point. Before you compute: what does the estimate
+# of the section "See inside" say?
 #
 # <details><summary>Hint</summary><code>on_off_policy.best_run(0.1, negative_reward=-100)</code> gives the states of the best run,
 # planned on the exact model and played without slips. The fast run has 4 steps, so 5 states. Try some values, or write a
@@ -550,8 +560,8 @@ check(exercise_1, negative_reward)
 # %% [markdown]
 # ### Exercise 2: compute the change on the exact model
 # Write a function that finds the smallest $\varepsilon$, to 0.001, at which the best ε-soft policy no longer takes the
-# fastest run. It is given the exact model of a road; the roads of the check have other lengths and other rewards for a fall.
-# The change is below 0.2 on all of them.
+# fastest run. It is given the exact model of a road; the roads of the check have other lengths and other rewards for a
+# fall. The change is below 0.2 on all of them.
 #
 # The two functions that you need are imported. `value_iteration(model, epsilon=ε, horizon=50)` plans for an agent that
 # slips with probability ε; the method `.greedy_policy()` of what it returns is the greedy policy of that agent. And
@@ -597,8 +607,8 @@ check(exercise_2, switch, seed=1, quiet=True)
 # `self.learning_rate` is $\alpha$, `self.discount` is $\gamma$.
 #
 # The race below shows three of your agents on the lesson's road. One acts with $\varepsilon = 0.1$ and plans for
-# $\varepsilon_\pi = 0.02$, one plans for 0.1, and one plans for 0.1 as well but acts *wholly at random*, $\varepsilon = 1$. Before
-# you run the check: which run does each of them learn? (Some lines of the figure lie on each other.)
+# $\varepsilon_\pi = 0.02$, one plans for 0.1, and one plans for 0.1 as well but acts *wholly at random*, $\varepsilon
+# = 1$. Before you run the check: which run does each of them learn? (Some lines of the figure lie on each other.)
 #
 # <details><summary>Hint</summary><code>self.Q[next_state]</code> is the row of the next state. Its largest value is
 # <code>max(self.Q[next_state])</code>, and its mean <code>np.mean(self.Q[next_state])</code>.</details>
@@ -667,21 +677,23 @@ display(
 # %% [markdown]
 # <details><summary>What the race shows</summary>
 #
-# The agent that plans for 0.02 learns the fast run, and its line lies on that of Q-learning: 0.02 is below the change at 0.032.
-# The one that plans for 0.1 is expected SARSA, line for line. The third one learns the safe run too, although it hardly
-# ever made a careful run; while it acts at random it earns about −89 a run, far below the panel. So what an agent learns need not
-# depend on how it behaves. (In a large task the behaviour decides *where* it learns something.)
+# The agent that plans for 0.02 learns the fast run, and its line lies on that of Q-learning: 0.02 is below the change
+# at 0.032. The one that plans for 0.1 is expected SARSA, line for line. The third one learns the safe run too,
+# although it hardly ever made a careful run; while it acts at random it earns about −89 a run, far below the panel. So
+# what an agent learns need not depend on how it behaves. (In a large task the behaviour decides *where* it learns
+# something.)
 # </details>
 
 # %% [markdown]
 # ### The open challenge: every fall counts
-# The same road, and 5 000 steps in all, about 1 200 runs. This time *all* training episodes count,
-# with every fall and every stall: how much does your agent earn while it learns? Of the task it is told only its observation
-# space and its action space. It needs `act` and `learn`, like yours of exercise 3, and it may explore as it likes. It is
-# trained ten times, with seeds that belong to your name.
+# The same road, and 5 000 steps in all, about 1 200 runs. This time *all* training episodes count, with every fall and
+# every stall: how much does your agent earn while it learns? Of the task it is told only its observation space and its
+# action space. It needs `act` and `learn`, like yours of exercise 3, and it may explore as it likes. It is trained ten
+# times, with seeds that belong to your name.
 #
-# No run is better than −2. Your points are that number divided by the mean return of your agent, in percent: an agent that
-# earns −4 a run gets 50. The three methods of the lesson, with $\varepsilon = 0.1$ and $\alpha = 0.1$, are the ones to beat.
+# No run is better than −2. Your points are that number divided by the mean return of your agent, in percent: an agent
+# that earns −4 a run gets 50. The three methods of the lesson, with $\varepsilon = 0.1$ and $\alpha = 0.1$, are the
+# ones to beat.
 #
 # Half a page with it: which policy does your agent follow, and which one does it evaluate? How does it find out where the
 # edge is, and how often does it have to fall? Would it still be good if the road were icy, so that the *road* made it slip?
@@ -709,12 +721,12 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - A falling $\varepsilon$ freed expected SARSA from the safe run, and did not free SARSA.
 #
 # ### In one paragraph
-# *Learn it by heart, or better, say it in your own words.* A learning agent follows one policy, its behaviour policy, and
-# learns the values of one, its target policy. If they are the same, the method is on-policy: SARSA and expected SARSA learn
-# what their own exploring costs, and stay away from where a slip is deadly. If they differ, it is off-policy: Q-learning
-# learns the best run for an agent that never slips, and pays for it while it still does. What is best depends on how often
-# the agent will slip when it matters. SARSA draws its next action at random, which adds noise; expected SARSA takes the mean,
-# and can evaluate any policy.
+# *Learn it by heart, or better, say it in your own words.* A learning agent follows one policy, its behaviour policy,
+# and learns the values of one, its target policy. If they are the same, the method is on-policy: SARSA and expected
+# SARSA learn what their own exploring costs, and stay away from where a slip is deadly. If they differ, it is
+# off-policy: Q-learning learns the best run for an agent that never slips, and pays for it while it still does. What
+# is best depends on how often the agent will slip when it matters. SARSA draws its next action at random, which adds
+# noise; expected SARSA takes the mean, and can evaluate any policy.
 #
 # ### Limits
 # The mean over all actions needs few actions and known probabilities. With function approximation off-policy learning can

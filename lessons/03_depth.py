@@ -8,9 +8,10 @@
 # explain how far one episode carries a reward; say where the variance of a deep target comes from; and write an agent
 # that looks deep without paying for its own exploration.
 #
-# **Time.** 60 minutes, and 30 more for the exercises. **Before you start.** You should know the return and what an action
-# value is (Sutton and Barto, 2nd edition, sections 3.3 and 3.5), SARSA (section 6.4) and ε-greedy action selection
-# (section 2.2). All symbols are in the [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
+# **Time.** 60 minutes, and 30 more for the exercises. **Before you start.** You should know the return and what an
+# action value is (Sutton and Barto, 2nd edition, sections 3.3 and 3.5), SARSA (section 6.4) and ε-greedy action
+# selection (section 2.2). All symbols are in the [table of
+# notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
 
 # %%
 import math
@@ -30,9 +31,9 @@ from edugym.plotting import Sheet
 # A student has $H = 10$ days. On each day the student does one thing: study, sleep, go out, or something else. On the
 # last day there is an exam, and whoever studies on that day and is prepared passes it. To be prepared takes knowledge
 # and energy. Studying gives knowledge on three days only, the days with a lecture, and two of those are needed. Sleep
-# gives energy, on any day, and two nights of it are needed. On the other days it does not matter what the student does,
-# except that everything has a small price. In the picture, what brought the student closer to passing is green, what
-# led away from it is red, and what did neither is grey.
+# gives energy, on any day, and two nights of it are needed. Going out takes energy. On the other days it does not
+# matter what the student does, except that everything has a small price. In the picture, what brought the student
+# closer to passing is green, what led away from it is red, and what did neither is grey.
 
 # %%
 study = make_mdp("Study", layout_seed=5, action_reward_noise_sigma=0.2)
@@ -369,14 +370,15 @@ noise.measured(100 * depth.noise_share(0.2))
 # </details>
 
 # %% [markdown]
-# This figure explains the puzzle. "Larger $n$ is only noise" is half of the truth: *most of that noise the agent makes
-# itself.* A deep target hands back the agent's own random actions. The last bar is so high because only the target with
-# ten rewards contains the day of the exam, on which a random action costs 10.
+# This figure explains the puzzle. "Larger $n$ is only noise" is half of the truth: where rewards are not very noisy, *the
+# agent makes most of that noise itself.* A deep target hands back the agent's own random actions. The last two bars are so
+# high because only these targets contain the action on the day of the exam, where a random one costs 10: with $n = 10$ by
+# its reward, with $n = 9$ by the value $Q(S_9, A_9)$.
 #
 # **How much does it hurt?** With a constant $\alpha$ a value never comes to rest. Let $v$ be the variance of its
 # targets, and $x$ the variance of the value itself after many updates. One more update,
-# $Q \leftarrow (1 - \alpha) Q + \alpha G$, must leave $x$ as it is. If each target is independent of those before, this
-# means
+# $Q \leftarrow (1 - \alpha) Q + \alpha G$, must leave $x$ as it is. If each target is independent of those before, as with
+# Monte Carlo, this means
 #
 # $$
 # x = (1 - \alpha)^2 x + \alpha^2 v \quad\Rightarrow\quad x = \frac{\alpha}{2 - \alpha}\, v .
@@ -392,8 +394,9 @@ print("from one action to the next dearer one:", np.diff(np.sort(-make_mdp("Stud
 
 # %% [markdown]
 # The last line compares this with the task: on a free day, two actions differ by a few hundredths. A value that
-# scatters by ± 0.05 can nearly tell them apart, and one that scatters by ± 0.69 cannot. So Monte Carlo passes the exam
-# and wastes its free days. Noise of the rewards is not needed for that.
+# scatters by ± 0.69 cannot tell them apart. So Monte Carlo passes the exam and wastes its free days. Noise of the rewards
+# is not needed for that. (For smaller $n$ the numbers are lower bounds: the values from which these targets bootstrap
+# scatter too.)
 #
 # ### The price of depth can be paid by the learning rate
 # The formula also shows a remedy: a smaller $\alpha$. But a smaller $\alpha$ makes the staircase longer, which takes
@@ -415,10 +418,10 @@ smallest.measured(depth.label(min(best, key=best.get)))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Monte Carlo. Of these six rates, the two smallest are best for Monte Carlo (with little between them), 0.1
-# for $n = 5$, and 0.3 for $n = 3$ and $n = 1$. The deeper the target, the more it varies, and the more targets must be averaged. One-step targets vary
-# little, and they need a large rate to get down the staircase in time. With a rate of 1 a value keeps only its last
-# target, and no method does well.
+# **Measured.** Monte Carlo. Of these six rates, the two smallest are best for Monte Carlo (with little between them),
+# 0.1 for $n = 5$, and 0.3 for $n = 3$ and $n = 1$. The deeper the target, the more it varies, and the more targets
+# must be averaged. One-step targets vary little, and they need a large rate to get down the staircase in time. With a
+# rate of 1 a value keeps only its last target, and no method does well.
 #
 # Sutton and Barto's figure 7.2 shows such curves for another task, and there a middle $n$ is best. Here Monte Carlo
 # with a tiny rate does at least as well. *Never compare two values of $n$ at one learning rate only.*
@@ -527,10 +530,10 @@ kept.measured(100 * passed[met == 1].mean())  # of the last method, Monte Carlo
 # **Measured.** All of them. Monte Carlo does not lose what it found: in four runs of five it *never passed the
 # exam at all*. So this is a problem of exploration, not of credit.
 #
-# Why does one-step SARSA pass the exam at some time in more runs? All values start at 0, and every action has a price. So what was
-# tried is worth less than what was not tried. One-step SARSA hands this back as well: a state from which untried
-# actions can be reached looks good, so it goes there (compare optimistic values in Sutton and Barto, section 2.6).
-# Monte Carlo learns only from returns that it got, and those were all bad.
+# Why does one-step SARSA pass the exam at some time in more runs? All values start at 0, and every action has a price.
+# So what was tried is worth less than what was not tried. One-step SARSA hands this back as well: a state from which
+# untried actions can be reached looks good, so it goes there (compare optimistic values in Sutton and Barto, section
+# 2.6). Monte Carlo learns only from returns that it got, and those were all bad.
 # </details>
 
 # %% [markdown]
@@ -777,7 +780,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - One episode carries a reward back by $n$ steps. To the start of $H$ steps it takes about
 #   $\lceil H/n \rceil / \alpha$ equal episodes. So deep targets are ahead early.
 # - Targets that bootstrap are biased while the values are wrong, and unbiased once they are right.
-# - Deep targets vary more, and here most of that is the agent's own exploration, not noise of the rewards. So Monte
+# - Deep targets vary more, and up to σ = 0.2 most of that is the agent's own exploration, not noise of the rewards. So Monte
 #   Carlo ends behind among the runs that pass, even without noise.
 # - More noise did not make Monte Carlo end worse: noise also explores. More actions without effect did, but not by
 #   variance: Monte Carlo met the exam less often.

@@ -251,7 +251,7 @@ sliders(
 # %%
 def window(step=6, k=4, actions=False):
     """Draw an episode up to a step, with the window on it."""
-    return memory.walk_figure((2, 0, 1, 1), step, k, actions)
+    return memory.walk_figure((2, 0, 1, 1), step, k, actions, f"step {step}, k = {k}")
 
 
 sliders(window, step=(0, 9), k=(1, 8), actions=False)
@@ -351,10 +351,12 @@ early.measured(
 
 # %% [markdown]
 # ### A network on the window
-# A table has a row for every window, and nothing that it learns in one row helps in another. A network can learn "open
-# the door that was opened 4 steps ago" once. DQN is Q-learning with a network in the place of the table, trained on
-# batches of remembered steps (lesson 4 has more on networks). The window comes to it as separate numbers, each of them
-# as a vector with a single 1. The update is the same as before, with a step down the gradient in the place of $\alpha$:
+# A table has a row for every window, and what it learns in one row does not carry over to similar ones. A network can
+# learn "open the door that was opened 4 steps ago" once. DQN is Q-learning with a network in the place of the table,
+# trained on batches of remembered steps (lesson 4 has more on networks). The window comes to it as separate numbers,
+# each of them as a vector with a single 1. The target has the same form as before, but its values come from an older
+# copy of the network, `self.target` (section 16.5). A step down the gradient takes the place of the change of one
+# entry:
 
 # %%
 source(DQN.add_gradient)

@@ -51,7 +51,7 @@ env.scene()
 # | observations | $o$ = (hit points, message) | a message has $L$ words, and there are $H$ different words |
 # | actions | $\mathcal{A} = \{0, 1, 2, 3\}$ | play, sleep, feed, clean |
 # | dynamics | $v_a$ grows by 30, each other $v_i$ falls by 5 | action $a$ meets need $a$; in the end all are cut off at 0 and 100 |
-# | | all four fall by 10 more if $a$ is not the wanted action | so a wrong action harms everything |
+# | | all four fall by 10 more if $a$ is not the wanted action | so a wrong action costs every need 10 |
 # | reward | $\sum_i (v_i - 50)\, u_i$ with the *urgency* $u_i = e^{-v_i/100}$ | what is low weighs most |
 # | the toy wants | the action with the largest $u_i$ | ties are broken at random |
 # | discount | $\gamma = 0.5$ | used by Q-learning; the returns in the figures are not discounted |
@@ -81,7 +81,7 @@ source(happiness)
 # With $\tau \to 0$ all words name the wanted action. With $\tau = \infty$ all four needs are equally likely, and the
 # words say nothing. In between a word names the wanted action *more often* than the others. In the code each
 # $e^{u_i/\tau}$ is divided by that of the wanted need, which changes no probability. (`TIE_BREAK`, a millionth, makes
-# the wanted need win ties at $\tau = 0$.)
+# the wanted need win ties as $\tau$ goes to 0.)
 
 # %%
 source(type(env.mdp), "named", "weight")
@@ -341,7 +341,7 @@ for tau, length in ((0.02, 1), (0.1, 28), (0.1, 2), (0.1, 1)):
     print(f"τ = {tau:4}, {length:2} words: {bits:.3f} bit, mean return of the vote {mean:.0f}")
 
 # %% [markdown]
-# - **Left.** With one word the information is all there is to use, and Q-learning uses it: its line lies nearly on that of obeying.
+# - **Left.** With one word a player without memory has little else to use, and Q-learning uses it: its line lies nearly on that of obeying.
 #   The first half bit brings nine tenths of the return.
 # - **Right.** The information grows with the messages, and the vote turns it into return: 28 words at
 #   $\tau = 0.1$ are worth nearly as much as one word at 0.02, which carries the same half bit. Whoever obeys the first
@@ -391,10 +391,10 @@ ambiguous.measured("more than 90 % of the optimum" if mean > 0.9 * signal.OPTIMU
 # fed for ever, says "play or feed", and is played with. With noise the word is *sometimes* right about each need. Here
 # it never tells the two needs of a word apart.
 #
-# Tossing a coin between the two meanings is better: each need is met at least now and then. Where the state is hidden,
-# a policy that draws its actions at random can be better than every policy that does not (Singh, Jaakkola and Jordan,
-# 1994). With a known state that never happens: there is always a best policy that is not random. So bits alone do not
-# say what a message is worth. What counts is which mistakes it leaves.
+# Tossing a coin between the two meanings is better: each need is met at least now and then. Where the state is hidden
+# and nothing is remembered, a policy that draws its actions at random can be better than every one that does not
+# (Singh, Jaakkola and Jordan, 1994). With a known state that never happens: there is always a best policy that is not
+# random. So bits alone do not say what a message is worth. What counts is which mistakes it leaves.
 # </details>
 
 # %% [markdown]
@@ -489,8 +489,9 @@ remembers.measured(counts["with its last action"])
 #
 # **Measured.** All ten with the last action, none without. It takes a while, and the runs make the step at different
 # times, which is why the mean rises slowly. Without the last action all it sees is its hit points, and they do not say
-# whose turn it is. (The bands are symmetrical, so they can reach above what is possible. Now and then a run loses the cycle for a moment, as the panel on the right shows: one row
-# with another greedy action breaks it. So we take the median of each run.)
+# whose turn it is. (The bands are symmetrical, so they can reach above what is possible. Now and then a run loses the
+# cycle for a moment, as the panel on the right shows: one row with another greedy action breaks it. So we take the
+# median of each run.)
 # </details>
 
 # %% [markdown]
@@ -525,7 +526,7 @@ moods.measured("both get about the same" if abs(returns["in turn"] - returns["ob
 # <details><summary>What was measured</summary>
 #
 # **Measured.** The noisy word gets more. Taking turns falls from 99 % of the optimum to about a tenth of it: a mood
-# changes the order of the needs, the player does not notice, and each wrong action harms all four. Memory can stand in
+# changes the order of the needs, the player does not notice, and each wrong action costs all four. Memory can stand in
 # for a signal as far as the world is predictable, and no further. Who should win here is a player that uses both: that
 # is exercise 3, and the challenge.
 # </details>
@@ -658,7 +659,7 @@ display({f"τ = {tau}": round(float(bits_in(signal.joint_table(tau))), 3) for ta
 # %% [markdown]
 # ### Exercise 3: listen and remember
 # The vote hears everything and remembers nothing. The player in turn remembers, and hears nothing. Join them: a need
-# that was met in the last step is not the most urgent one now.
+# that was met in the last step is usually not the most urgent one now.
 #
 # Write the `act` of a player that
 #
@@ -739,7 +740,8 @@ display(signal.race({"my listener": Listener.create}))
 # ### The open challenge: a moody toy
 # Moods with probability 0.1, drops of 20, four words in a message, $\tau = 0.05$, and 20 000 steps, about 200
 # episodes. *All* training episodes count. Nobody who does not see the state can get the optimum, 6 595. The vote gets
-# about two thirds of it, and taking turns a tenth. (The return at the end, one episode, is noisy: look at the average.) How close can you come, with messages and memory together?
+# about two thirds of it, and taking turns a tenth. (The return at the end, one episode, is noisy: look at the
+# average.) How close can you come, with messages and memory together?
 #
 # Of the task your agent is told only its observation space and its action space. It needs `act(observation, rng)` and
 # `learn`, like yours of exercise 3; an agent without `tabular = False` sees the number of its row instead of the

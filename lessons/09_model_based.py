@@ -8,9 +8,10 @@
 # say what planning can do for an agent, and what it cannot; show what a wrong model does to a plan; and write R-max in
 # ten lines.
 #
-# **Time.** 60 minutes, and 30 more for the exercises, without the open challenge. **Before you start.** You should know what a value function, Q-learning and ε-greedy action
-# selection are (Sutton and Barto, 2nd edition, sections 3.5, 6.5 and 2.2). All symbols are in the
-# [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
+# **Time.** 60 minutes, and 30 more for the exercises, without the open challenge. **Before you start.** You should
+# know what a value function, Q-learning and ε-greedy action selection are (Sutton and Barto, 2nd edition, sections
+# 3.5, 6.5 and 2.2). All symbols are in the [table of
+# notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
 
 # %%
 from functools import partial
@@ -109,10 +110,10 @@ print("generative: ", (sample.next_state, sample.reward, sample.terminated))
 source(FiniteModel.action_values)
 
 # %% [markdown]
-# Watch the values spread, from the exit and from the items, one cell a sweep. The maps show the shop with an *empty bag*:
-# there is a value in every cell where a shopper with an empty bag can be, and the arrow is the best action. (The three
-# items stay white: who steps on an item has it in the bag. The exit has the value 0.) After 30 sweeps nothing changes any more, and the best
-# way is known, before the first step.
+# Watch the values spread, from the exit and from the items, one cell a sweep. The maps show the shop with an *empty
+# bag*: there is a value in every cell where a shopper with an empty bag can be, and the arrow is the best action. (The
+# three items stay white: who steps on an item has it in the bag. The exit has the value 0.) After 30 sweeps nothing
+# changes any more, and the best way is known, before the first step.
 
 # %%
 model_based.dynamic_programming()
@@ -155,9 +156,9 @@ source(DynaQ, "learn", "plan", "imagined_target")
 source(PrioritisedSweeping, "consider", "plan")
 
 # %% [markdown]
-# **See it spread.** A shopper walks at random, finds the exit after 518 steps, and has nothing in its bag. Three learners
-# have seen exactly that walk ($\alpha = 1$). Now the second one plans with random updates, and the third one with
-# prioritised sweeping.
+# **See it spread.** A shopper walks at random, finds the exit after 518 steps (here without the limit of 500), and has
+# nothing in its bag. Three learners have seen exactly that walk ($\alpha = 1$). Now the second one plans with random
+# updates, and the third one with prioritised sweeping.
 #
 # **Predict.** After 200 updates, who knows a way from the entrance to the exit?
 
@@ -248,15 +249,15 @@ at_the_end.measured(max(learned.methods, key=lambda method: learned.final(method
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** The planners need about a quarter of the steps of Q-learning, or less: that is what a model is for. And then they
+# **Measured.** The planners need about a quarter of the steps of Q-learning: that is what a model is for. And then they
 # stop improving. Q-learning, which does not plan, ends highest. All three planners end below it, and prioritised
 # sweeping, whose updates do most, ends lowest. *Planning makes the last policy worse* here. (Among the three the intervals
 # of neighbours overlap, and those of Dyna-10 and prioritised sweeping do not.) The section "See inside" shows why, and
 # what to do.
 #
 # Both panels cut off a bad start. The right one counts an episode when it ends. By step 250 only short episodes have
-# ended, and about half of the planners' runs have none. The first long ones end by step 500, the limit of an episode, with low
-# returns: hence the dip of Dyna-50 and prioritised sweeping there.
+# ended, and about half of the planners' runs have none. The first long ones end by step 500, the limit of an episode,
+# with low returns: hence the dip of Dyna-50 and prioritised sweeping there.
 # </details>
 
 # %% [markdown]
@@ -358,9 +359,9 @@ more_planning.measured(known["Dyna-10"][1].mean())
 # <details><summary>What was measured</summary>
 #
 # **Measured.** No better: planning is not what Dyna lacks. Its policy already is the best one by what it has seen, and
-# so, within a fraction of a point, are those of Dyna-50 and prioritised sweeping. Their models lack an item, most often the second one: nearly half of
-# the runs of prioritised sweeping never stepped on it. With Q-learning it is the other way round: it has seen the whole
-# shop, and makes less of it.
+# so, within a fraction of a point, are those of Dyna-50 and prioritised sweeping. Their models lack an item, most
+# often the second one: nearly half of the runs of prioritised sweeping never stepped on it. With Q-learning it is the
+# other way round: it has seen the whole shop, and makes less of it.
 # </details>
 
 # %% [markdown]
@@ -386,9 +387,10 @@ more_planning.measured(known["Dyna-10"][1].mean())
 # \end{cases}
 # $$
 #
-# The agent always takes the best action: no step is random. To get to something unknown, however far, is worth $U$ less the
-# steps, and it plans the way there like any other way. That is more than to start Q-learning with high values in its table
-# (*optimistic initial values*, section 2.6): those fade as they are tried, and nobody plans with them.
+# The agent always takes the best action: no step is random. To get to something unknown is worth the discounted $U$
+# less the cost of the steps, and it plans the way there like any other way. That is more than to start Q-learning with
+# high values in its table (*optimistic initial values*, section 2.6): those fade as they are tried, and nobody plans
+# with them.
 #
 # The code keeps two tables. `optimistic` is the one above, by which it acts. `Q` is the same with $-100$ in the
 # place of $U$: it says how to use what is known, for evaluation. (`sweep` holds the list of known pairs, and where the
@@ -401,11 +403,11 @@ source(RMax, "learn", "plan", "act")
 source(TabularModel.expected_target)
 
 # %% [markdown]
-# The experiment has the settings from above, and 40 repetitions. R-max has no $\varepsilon$ and no $\alpha$, and makes up to
-# 1 000 updates a step.
+# The experiment has the settings from above, and 40 repetitions. R-max has no $\varepsilon$ and no $\alpha$, and makes
+# up to 1 000 updates a step.
 #
-# **Predict.** Dyna-10 ends at the optimum, 95, in about 4 of 10 runs, after 10 000 steps. In how many runs does R-max have a
-# policy that returns 95 after 2 000 steps?
+# **Predict.** Dyna-10 ends at the optimum, 95, in about 4 of 10 runs, after 10 000 steps. In how many runs does R-max
+# have a policy that returns 95 after 2 000 steps?
 
 # %%
 wants_to_know = predict("R-max returns 95 after 2 000 steps in ... of its runs", unit="%")
@@ -463,10 +465,10 @@ depth.measured(int(looking.x[looking.lines["knows nothing"] >= 95][0]))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** 12 steps. With fewer than 8 it sees no reward from the entrance at all, and goes nowhere. With 8 it gets the
-# first item, and from there the exit, worth 50, looks better than one more item, worth 25: it leaves with a return of 59.
-# On its way to the exit it turns to one more item only when it sees that it can have both, the item *and the exit behind
-# it*. For the second item that takes 11 steps (a return of 78), and for the third 12.
+# **Measured.** 12 steps. With fewer than 8 it sees no positive reward from the entrance, and goes nowhere. With 8 it
+# gets the first item, and from there the exit, worth 50, looks better than one more item, worth 25: it leaves with a
+# return of 59. On its way to the exit it turns to one more item only when it sees that it can have both, the item *and
+# the exit behind it*. For the second item that takes 11 steps (a return of 78), and for the third 12.
 #
 # The other two lines use the values of agents with 2 000 steps of training where the look ahead ends. (The right panel
 # shows the upper part of the left one.) Good values make a short look enough: Dyna-10 needs none to get its 83. Bad ones
@@ -497,10 +499,10 @@ never.measured(100 * len(lost) / 40)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** More than nine of ten. A plan is a search for the largest value, so it finds the largest *errors*. There
-# are 428 states with four actions each, and some wall among them seems to pay for each bump. Bumps can go on for ever, and
-# the exit ends all rewards. So a small error adds up, and the more so the larger $\gamma$ is (exercise 1). Up to
-# $\sigma = 0.5$ no plan was lost here: no wall pays enough.
+# **Measured.** More than nine of ten. A plan is a search for the largest value, so it finds the largest *errors*.
+# There are 420 states in which to act, with four actions each, and some wall among them seems to pay for each bump.
+# Bumps can go on for ever, and the exit ends all rewards. So a small error adds up, and the more so the larger
+# $\gamma$ is (exercise 1). Up to $\sigma = 0.5$ no plan was lost here: no wall pays enough.
 # </details>
 
 # %% [markdown]
@@ -535,10 +537,11 @@ saved.measured(saved.options[slow + 2 * fast])
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Only with $\alpha = 0.1$ (in the right panel). With $\alpha = 1$ a value is what the last update says, and of eleven updates ten
-# are imagined. With $\alpha = 0.1$ a value is a mean over many updates. The imagined ones are spread evenly over the whole
-# model, and the real ones are all on the way of the agent. Where it walks often, reality wins: a bump that disappoints again and again is
-# given up. With the right model (left) the small rate is the slowest. What is best depends on how far you trust your model.
+# **Measured.** Only with $\alpha = 0.1$ (in the right panel). With $\alpha = 1$ a value is what the last update says,
+# and of eleven updates ten are imagined. With $\alpha = 0.1$ a value is a mean over many updates. The imagined ones
+# are spread evenly over the whole model, and the real ones are all on the way of the agent. Where it walks often,
+# reality wins: a bump that disappoints again and again is given up. With the right model (left) the small rate is the
+# slowest. What is best depends on how far you trust your model.
 # </details>
 
 # %% [markdown]
@@ -677,14 +680,14 @@ check(exercise_2, DynaPlus, seed=1, quiet=True)
 display(model_based.race({"my Dyna-Q+": DynaPlus.create}))
 
 # %% [markdown]
-# Look at the right panel: does it know the shop now? And does it *use* what it knows? Give it smaller values of $\kappa$
-# (`DynaPlus.create(shop)._replace(kappa=0.005)` in a function of the shop) and race again; each label in the dictionary gets
-# a colour of its own. In a world that changes, the agent must
-# go on asking. In this shop, which does not change, it should stop once it knows. That is exercise 3.
+# Look at the right panel: does it know the shop now? And does it *use* what it knows? Give it smaller values of
+# $\kappa$ (`DynaPlus.create(shop)._replace(kappa=0.005)` in a function of the shop) and race again; each label in the
+# dictionary gets a colour of its own. In a world that changes, the agent must go on asking. In this shop, which does
+# not change, it should stop once it knows. That is exercise 3.
 #
 # ### Exercise 3: R-max in ten lines
-# Write R-max for a world without chance, where one try tells all about an action. `known[s, a]` is 1 for what was tried; all
-# else has the value $U = 100$ in `Q` and keeps it. Complete two methods:
+# Write R-max for a world without chance, where one try tells all about an action. `known[s, a]` is 1 for what was
+# tried; all else has the value $U = 100$ in `Q` and keeps it. Complete two methods:
 #
 # - `learn` does nothing if the pair is known. Otherwise it remembers what followed in `rewards`, `next_states` and `ends`,
 #   sets `known` to 1, and calls `self.plan()`, which sweeps until nothing changes.
@@ -769,9 +772,10 @@ display(model_based.race({"my R-max": MyRMax.create}, n_steps=5_000, repetitions
 
 # %% [markdown]
 # ### Exercise 4: swap in a slippery lake
-# The same agents learn in any Gymnasium environment with whole numbers for observations and actions. On FrozenLake the ice
-# is slippery: an action goes where it should one time in three, and otherwise to the left or right of that. The only reward,
-# 1, is at the goal. Predict first: will Dyna-10 with the settings of the shop be ahead of Q-learning here?
+# The same agents learn in any Gymnasium environment with whole numbers for observations and actions. On FrozenLake the
+# ice is slippery: an action goes where it should one time in three, and otherwise to the left or right of that. The
+# only reward, 1, is at the goal. Predict first: will Dyna-10 with the settings of the shop be ahead of Q-learning
+# here?
 #
 # Compare *three* methods: `Q-learning` and `Dyna-10` of `model_based.LEARNED`, and a third of your own that plans well with
 # chance. Call `repeat` with 3 000 steps, 5 repetitions and 10 evaluation episodes, and assign the results to
@@ -798,11 +802,11 @@ check(exercise_4, lake_results)
 
 # %% [markdown]
 # ### The open challenge: know the shop in 3 000 steps
-# How *early* can an agent take the best way? Write an agent of your own. It is tried in ten runs whose seeds belong to your
-# name. Of the task it is told only its observation space and its action space. It needs `act` and `learn`, like yours of
-# exercise 3; with a third method `greedy` it is evaluated by that. Its points are its average return over training, in percent
-# of 95. Who knew the shop from the start would get 100 points; nobody does, since the shop must be seen first, and a
-# policy that does not find the exit returns -500 until then.
+# How *early* can an agent take the best way? Write an agent of your own. It is tried in ten runs whose seeds belong to
+# your name. Of the task it is told only its observation space and its action space. It needs `act` and `learn`, like
+# yours of exercise 3; with a third method `greedy` it is evaluated by that. Its points are its average return over
+# training, in percent of 95. Who knew the shop from the start would get 100 points; nobody does, since the shop must
+# be seen first, and a policy that does not find the exit returns -500 until then.
 #
 # Everything is allowed that learns from its own steps; a map of the shop in the code is not. Half a page with it: what
 # does your agent know at which time, what does it believe about what it does not know, and where would it fail?
@@ -820,7 +824,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # ## What you saw
 #
 # - With the right model an agent needs no experience: value iteration finds the best way before the first step.
-# - A learned model makes many updates of one step. The planners needed a quarter of the steps of Q-learning, or less. Counted
+# - A learned model makes many updates of one step. The planners needed about a quarter of the steps of Q-learning. Counted
 #   in updates, they needed more: a model pays where steps are dear.
 # - Prioritised sweeping works backwards from what changed, and needs far fewer updates than random ones.
 # - Planning invents no knowledge. The planners exploited early what they had seen, and missed an item. More random steps

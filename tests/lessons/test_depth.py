@@ -35,7 +35,7 @@ from edugym.lessons.depth import (
     warm_up,
     weighted_deviation,
 )
-from edugym.lessons.depth.targets import DAYS, noise_share, soft_policy, target
+from edugym.lessons.depth.targets import DAYS, noise_share, soft_policy, target, true_values
 from edugym.plotting import Sheet
 
 
@@ -44,7 +44,7 @@ def test_target_against_samples() -> None:
     task = Study.create(action_reward_noise_sigma=0.5)
     model = finite_model(task)
     policy = np.full(model.successors.shape[:2], 0.2)
-    V = policy_evaluation(model, policy).V + 1.0
+    Q = true_values(model, policy) + 1.0
     rng = np.random.default_rng(0)
     targets = []
     for _ in range(10_000):
@@ -54,8 +54,8 @@ def test_target_against_samples() -> None:
             next_state = task.transition(state, action, rng)
             total += task.reward(state, action, next_state, rng)
             state = next_state
-        targets.append(total + V[model.row(state)])
-    exact = target(model, policy, V, 3, 0.5)
+        targets.append(total + Q[model.row(state), rng.integers(5)])
+    exact = target(model, policy, Q, 3, 0.5)
     assert np.mean(targets) == pytest.approx(exact.mean, abs=0.04)
     assert np.var(targets) == pytest.approx(exact.noise + exact.exploration, rel=0.06)
 
@@ -64,9 +64,9 @@ def test_target_at_the_fixed_point() -> None:
     """With the values of the policy every n has the same mean; the variance grows with n."""
     model = finite_model(Study.create())
     policy = soft_policy(model, 0.1)
-    values = policy_evaluation(model, policy)
-    targets = [target(model, policy, values.V, n, 0.2) for n in range(1, DAYS + 1)]
-    assert [one.mean for one in targets] == pytest.approx([values.start] * DAYS)
+    Q = true_values(model, policy)
+    targets = [target(model, policy, Q, n, 0.2) for n in range(1, DAYS + 1)]
+    assert [one.mean for one in targets] == pytest.approx([policy_evaluation(model, policy).start] * DAYS)
     variances = [one.noise + one.exploration for one in targets]
     assert variances == sorted(variances)
 

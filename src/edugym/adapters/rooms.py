@@ -13,6 +13,7 @@ from gymnasium import spaces
 
 from edugym.adapters.columns import RowsInPlace, observation_rows
 from edugym.agents.vectors import vector_length
+from edugym.mdp.checking import innermost
 from edugym.mdp.protocol import Integers, Random, Reals
 from edugym.mdp.tabular import table_lows, table_sizes
 from edugym.mdp.wrapper import wrapper
@@ -236,8 +237,8 @@ def _vector_rows(mdp: Any) -> Any:
     shape = () if isinstance(space, spaces.Discrete) else space.shape or (len(table_sizes(space)),)
     if sample is None or np.shape(sample) != shape:
         raise ValueError(
-            f"observation of {type(mdp).__name__} must give what its observation_space says, {space}, but gave"
-            f" {sample!r}"
+            f"observation of {type(innermost(mdp)).__name__} must give what its observation_space says, {space}, but"
+            f" gave {sample!r}"
         )
     if isinstance(space, spaces.Box):
         return observation_rows(mdp, sample)(np.zeros((2, *(space.shape or (1,))), space.dtype))

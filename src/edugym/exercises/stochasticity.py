@@ -44,9 +44,9 @@ def exercise_1(answer: Any, seed: int) -> str:
             "that is the value with which the cell began": 0.0187,
             "that is the crossing with 10 hits; give `max_hits=5` to from_the_tee": crossing(),
             "that is the lesson's own level; look for the one at which drive and chip are worth the same": LEVEL,
-            "that is the estimate by hand, which takes for granted that both plans do what they should": 0.0228,
-            "that is the estimate with a cost of 1.8 for a lost ball; now the safe plan returns 0.6, so that it costs"
-            " 1.6": 0.0220,
+            "that is the estimate by hand, which takes for granted that both plans do what they should": 0.0220,
+            "that is an estimate with a cost of 1.6 for a lost ball; the fast plan returns 0.8 now, so it"
+            " costs 1.8": 0.0228,
             "that is the standard deviation of a drive, 100 times the level": 100 * expected,
             "the sign is wrong": -expected,
         },
@@ -55,8 +55,8 @@ def exercise_1(answer: Any, seed: int) -> str:
         otherwise=f"it is {side}" + ("; you are close, give four digits after the decimal point" if near else ""),
     )
     return (
-        "Right: near 0.0232. By hand: 1.6 p = 0.2, so p = 0.125, which is 1.53 standard deviations on each side: "
-        "0.0228. The dearer a hit, the more risk it is worth."
+        "Right: near 0.0232. By hand: 1.8 p = 0.2, so p = 0.111, which is 1.59 standard deviations on each side: "
+        "0.0220. The dearer a hit, the more risk it is worth."
     )
 
 

@@ -263,6 +263,11 @@ def _explain_frozen_field(error: AttributeError, last: TracebackType) -> None:
     )
 
 
+def innermost(mdp: Any) -> Any:
+    """Return the MDP inside the package's wrappers."""
+    return innermost(mdp.mdp) if type(mdp).__module__.startswith("edugym.") and hasattr(mdp, "mdp") else mdp
+
+
 def is_own(value: Any) -> bool:
     """Whether all classes in a value are the package's own, or Python's and NumPy's, and no student's."""
     if isinstance(value, tuple) and not all(map(is_own, value)):

@@ -16,7 +16,7 @@ from gymnasium import spaces
 from gymnasium.wrappers import FlattenObservation
 
 from edugym.adapters.tabular_observation import TabularObservation
-from edugym.mdp.checking import CHECKED_STEPS, CheckedMDP, is_own, refuse_change
+from edugym.mdp.checking import CHECKED_STEPS, CheckedMDP, innermost, is_own, refuse_change
 from edugym.mdp.protocol import Random
 from edugym.mdp.values import GlobalDraws, fits, is_finite_number, kept, shown
 from edugym.training.contract import tables_of
@@ -63,11 +63,11 @@ def doubts(task: Any, agent: Any, limit: int | None, n_steps: int, n_episodes: i
         n_episodes: how many episodes ended in them.
     """
     found = []
-    innermost = _innermost(task)
-    if not is_own(innermost) and limit is None and n_episodes == 0 and n_steps >= ENDLESS:
+    student = task.unwrapped if isinstance(task, gymnasium.Env) else innermost(task)
+    if not is_own(student) and limit is None and n_episodes == 0 and n_steps >= ENDLESS:
         method = "step never returned terminated" if isinstance(task, gymnasium.Env) else "terminal never returned"
         found.append(
-            f"no episode of {type(innermost).__name__} has ended in {n_steps} steps: {method} True, and there is no"
+            f"no episode of {type(student).__name__} has ended in {n_steps} steps: {method} True, and there is no"
             " limit (max_steps)"
         )
     if not is_own(agent):
@@ -77,13 +77,6 @@ def doubts(task: Any, agent: Any, limit: int | None, n_steps: int, n_episodes: i
             if table.dtype.kind == "f" and np.isnan(table).any()
         ]
     return found
-
-
-def _innermost(task: Any) -> Any:
-    """Return the task inside the package's wrappers."""
-    if isinstance(task, gymnasium.Env):
-        return task.unwrapped
-    return _innermost(task.mdp) if type(task).__module__.startswith("edugym.") and hasattr(task, "mdp") else task
 
 
 def students_parts(agent: Any) -> list[str]:

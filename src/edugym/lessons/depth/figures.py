@@ -8,7 +8,6 @@ import numpy as np
 
 from edugym.envs.study import Study
 from edugym.exact.model import finite_model
-from edugym.exact.policy_evaluation import policy_evaluation
 from edugym.lessons.depth.methods import (
     BY_DEPTH,
     SHORT,
@@ -19,7 +18,7 @@ from edugym.lessons.depth.methods import (
     layouts,
 )
 from edugym.lessons.depth.panels import Parts, Series
-from edugym.lessons.depth.targets import DAYS, EPSILON, soft_policy, target
+from edugym.lessons.depth.targets import DAYS, EPSILON, soft_policy, target, true_values
 from edugym.mdp.protocol import Reals
 from edugym.plotting.curves import Curves
 from edugym.plotting.sheet import Sheet
@@ -97,8 +96,8 @@ def split(sigma: float, layout_seed: int = 0, epsilon: float = EPSILON) -> dict[
     """
     model = finite_model(Study.create(layout_seed=layout_seed))
     policy = soft_policy(model, epsilon)
-    V = policy_evaluation(model, policy).V
-    targets = [target(model, policy, V, n, sigma) for n in range(1, DAYS + 1)]
+    Q = true_values(model, policy)
+    targets = [target(model, policy, Q, n, sigma) for n in range(1, DAYS + 1)]
     return {
         "noise of the rewards": np.array([one.noise for one in targets]),
         "the agent's own exploration": np.array([one.exploration for one in targets]),
@@ -116,11 +115,11 @@ def bias_series(layout_seed: int = 0, epsilon: float = EPSILON) -> Series:
     """Return the mean of the target of the first day less its true value, early and late in training."""
     model = finite_model(Study.create(layout_seed=layout_seed))
     policy = soft_policy(model, epsilon)
-    V = policy_evaluation(model, policy).V
+    Q = true_values(model, policy)
     depths = np.arange(1.0, DAYS + 1)
     means = {
         name: np.array([target(model, policy, values, int(n), 0.0).mean for n in depths])
-        for name, values in (("values still 0", np.zeros(len(V))), ("values learned", V))
+        for name, values in (("values still 0", np.zeros_like(Q)), ("values learned", Q))
     }
     true = means["values still 0"][-1]
     return Series(

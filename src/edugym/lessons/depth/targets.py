@@ -40,8 +40,13 @@ def soft_policy(model: FiniteModel, epsilon: float) -> Reals:
     return policy
 
 
-def target(model: FiniteModel, policy: Reals, V: Reals, n: int, sigma: float) -> Target:
-    """Return mean and variance of R_1 + ... + R_n + V(S_n), from the start (discount 1; equation 7.1).
+def true_values(model: FiniteModel, policy: Reals) -> Reals:
+    """Return the values Q(s, a) of a policy, shape (S, A)."""
+    return model.action_values(policy_evaluation(model, policy).V, DISCOUNT)
+
+
+def target(model: FiniteModel, policy: Reals, values: Reals, n: int, sigma: float) -> Target:
+    """Return mean and variance of R_1 + ... + R_n + Q(S_n, A_n), from the start (discount 1; equation 7.4).
 
     Both moments are computed backwards: M_k = E[(R + G_(k-1))²] = E[R² + 2 R m_(k-1) + M_(k-1)]. Given the actions, the
     noise of the n rewards is independent and adds n σ².
@@ -49,11 +54,13 @@ def target(model: FiniteModel, policy: Reals, V: Reals, n: int, sigma: float) ->
     Args:
         model: the exact model.
         policy: the probabilities of actions, shape (S, A).
-        V: the value of each state by the rows of the model, shape (S,), from which the target bootstraps.
+        values: the values from which the target bootstraps: Q, shape (S, A), where the policy draws A_n; or, for the
+            target R_1 + ... + R_n + V(S_n) of equation 7.1, V, shape (S,).
         n: the number of rewards, up to the length of an episode.
         sigma: the standard deviation of the noise of a reward.
     """
-    mean, square = V * ~model.terminal, (V * ~model.terminal) ** 2
+    Q = values if values.ndim == 2 else np.broadcast_to(values[:, np.newaxis], policy.shape)
+    mean, square = ((policy * power).sum(axis=1) * ~model.terminal for power in (Q, Q**2))
     ways = policy[:, :, None] * model.probabilities
     for _ in range(n):
         ahead = mean[model.successors]
@@ -74,9 +81,9 @@ def target_claims() -> list[Claim]:
     """Return the claims on the target of the first day, computed exactly for the best ε-soft policy."""
     model = finite_model(Study.create())
     policy = soft_policy(model, EPSILON)
-    V = policy_evaluation(model, policy).V
-    one, whole = (target(model, policy, V, n, 0.05) for n in (1, DAYS))
-    unlearned = target(model, policy, np.zeros(len(V)), 1, 0.05)
+    Q = true_values(model, policy)
+    one, whole = (target(model, policy, Q, n, 0.05) for n in (1, DAYS))
+    unlearned = target(model, policy, np.zeros_like(Q), 1, 0.05)
     return [
         Claim(
             "At the defaults reward noise is less than 1 % of the variance of the return; exploration is the rest",
@@ -100,7 +107,7 @@ def target_claims() -> list[Claim]:
         ),
         Claim(
             "Before anything is learned, the one-step target misses nearly the whole return",
-            "mean of the one-step target with V = 0 / mean return, computed",
+            "mean of the one-step target with Q = 0 / mean return, computed",
             exactly(unlearned.mean / whole.mean),
             Within(-0.1, 0.1),
         ),
@@ -111,10 +118,10 @@ def target_lines() -> list[Lines]:
     """Return variance and bias of the target of the first day against n, exactly."""
     model = finite_model(Study.create())
     policy = soft_policy(model, EPSILON)
-    V = policy_evaluation(model, policy).V
+    Q = true_values(model, policy)
     depths = range(1, DAYS + 1)
-    learned = {sigma: [target(model, policy, V, n, sigma) for n in depths] for sigma in (0.2, 1.0)}
-    early = [target(model, policy, np.zeros(len(V)), n, 0.0) for n in depths]
+    learned = {sigma: [target(model, policy, Q, n, sigma) for n in depths] for sigma in (0.2, 1.0)}
+    early = [target(model, policy, np.zeros_like(Q), n, 0.0) for n in depths]
     return [
         Lines(
             np.array(depths, float),

@@ -159,7 +159,7 @@ class Strip(Sheet):
     def draw(self) -> Any:
         """Draw all panels, one below the other."""
         figure = super().draw()
-        figure.set_size_inches(8.2, (2.4 if self.rows[0][0].title == "" else 1.9) * len(self.rows))
+        figure.set_size_inches(8.2, (2.4 if len(self.rows) == 1 else 1.9) * len(self.rows))
         return figure
 
 
@@ -219,7 +219,8 @@ def one_window(
     kinds = {FRAMES_ALONE: False, WITH_ACTIONS: True}
     parts = [_renamed(learn_all([k], actions, **how), label, k) for label, actions in kinds.items()]
     best = {label: best_play(k, actions and k > 1, num_doors).value for label, actions in kinds.items()}
-    return Sheet("one_window", [[WithBest(Curves(joined(parts), f"k = {k}, {num_doors} doors"), best)]])
+    title = f"k = {k}, {num_doors} doors, ε = {epsilon:g}, α = {learning_rate:g}, γ = {discount:g}"
+    return Sheet("one_window", [[WithBest(Curves(joined(parts), title), best)]])
 
 
 def window_lines(lengths: Sequence[int]) -> Lines:
