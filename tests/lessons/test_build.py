@@ -356,13 +356,6 @@ def test_an_unsolved_notebook_runs_to_its_end(source: Path) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("path", sorted((build.ROOT / "lessons").glob("[0-9][0-9]_*.py")), ids=lambda path: path.stem)
-def test_every_lesson_runs(path: Path) -> None:
-    """Solutions pass their checks. Of the students' notebooks, `test_nbgrader` says that they run."""
-    build.execute(build.solution_edition(build.read_lesson(path)), path.stem)
-
-
-@pytest.mark.slow
 def test_the_template_builds(tmp_path: Path) -> None:
     """Copied to the place of a lesson it makes three notebooks, and it runs from top to bottom."""
     source = tmp_path / "lessons" / "99_new.py"

@@ -56,10 +56,11 @@ def test_solutions_get_full_marks_and_blanks_none(path: Path, tmp_path: Path) ->
     nbgrader(tmp_path, "export", f"--to={tmp_path / 'grades.csv'}")
     with (tmp_path / "grades.csv").open() as file:
         scores = {row["student_id"]: (float(row["score"]), float(row["max_score"])) for row in csv.DictReader(file)}
-    graded = nbformat.read(tmp_path / "autograded" / "blank" / ASSIGNMENT / source.name, as_version=4)
-    for cell in filter(is_code, graded.cells):  # only the student's own cells and their checks may fail
-        if not is_check(cell) and cell.id not in solutions:
-            assert not [output for output in cell.outputs if output.output_type == "error"], cell.source
-            assert not [output for output in cell.outputs if output.get("name") == "stderr"], cell.source
+    for student in ("blank", "solved"):  # everything runs; only what a student has not solved may fail
+        graded = nbformat.read(tmp_path / "autograded" / student / ASSIGNMENT / source.name, as_version=4)
+        for cell in filter(is_code, graded.cells):
+            if student == "solved" or not (is_check(cell) or cell.id in solutions):
+                assert not [output for output in cell.outputs if output.output_type == "error"], cell.source
+                assert not [output for output in cell.outputs if output.get("name") == "stderr"], cell.source
     points = sum(cell.metadata.get("points", 1) for cell in lesson.cells if "check" in cell.metadata.get("tags", []))
     assert scores == {"blank": (0, points), "solved": (points, points)}
