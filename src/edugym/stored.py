@@ -9,6 +9,7 @@ import ast
 import hashlib
 import importlib
 import importlib.util
+import shutil
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -56,8 +57,6 @@ class Stored(NamedTuple):
 
     def make_again(self) -> Results:
         """Run the experiment, and store its results; finished runs are kept in a folder until all are complete."""
-        import shutil
-
         unfinished = self.path.with_suffix(".unfinished")
         results = self.make(repetitions=REPETITIONS, checkpoints=unfinished)
         results.table[CODE] = self.code()
@@ -98,5 +97,7 @@ def stored_in(module: str) -> Stored:
 if __name__ == "__main__":
     from edugym.stored import stored_in as stored_of  # the class `Stored` of this run is not that of the package
 
+    if len(sys.argv) < 2:
+        raise SystemExit("give the modules whose results to make again, such as memory.recurrent")
     for name in sys.argv[1:]:
         stored_of(name).make_again()

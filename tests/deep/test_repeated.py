@@ -1,23 +1,23 @@
 """Deep agents trained several times: one table, the same for any number of processes, and nothing done twice."""
 
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 pytest.importorskip("torch")
 
-from edugym.deep import PPO
+from edugym.deep import PPO, repeated
 from edugym.deep.repeated import repeat_deep
+from edugym.training.configuration import Planned
 from edugym.training.train import Run
-
-DONE: list[int] = []
 
 
 def pretend(n_steps: int, *, seed: int, more: float = 0.0) -> Run:
     """A run in which nothing is learned, three steps longer than asked for."""
-    DONE.append(seed)
     curve = np.array([0.0, seed % 7 + more])
     return Run(np.array([0, n_steps + 3]), curve, curve, np.array([0, 1]), object(), seed, 0.1, complete=True)
 
@@ -41,14 +41,22 @@ def test_saved_and_loaded(tmp_path: Path) -> None:
     assert results.load(tmp_path / "deep.csv").table.equals(results.table)
 
 
-def test_finished_runs_are_not_done_again(tmp_path: Path) -> None:
+def test_finished_runs_are_not_done_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The same call goes on where it was stopped; another setting is another experiment."""
+    done: list[Planned] = []
+    do = repeated._do
+
+    def counted(trainer: repeated.Trainer, n_steps: int, planned: Planned) -> tuple[Planned, Run]:
+        done.append(planned)
+        return do(trainer, n_steps, planned)
+
+    monkeypatch.setattr(repeated, "_do", counted)
     repeat_deep({"one": pretend}, 100, repetitions=2, jobs=1, checkpoints=tmp_path)
-    DONE.clear()
+    assert len(done) == 2
     repeat_deep({"one": pretend}, 100, repetitions=3, jobs=1, checkpoints=tmp_path)
-    assert len(DONE) == 1
+    assert len(done) == 3
     repeat_deep({"one": partial(pretend, more=1.0)}, 100, repetitions=1, jobs=1, checkpoints=tmp_path)
-    assert len(DONE) == 2
+    assert len(done) == 4
 
 
 @pytest.mark.slow
@@ -60,3 +68,27 @@ def test_processes_change_nothing() -> None:
         for jobs in (1, 2)
     )
     assert one.table.equals(two.table)
+
+
+def test_other_code_is_another_experiment(tmp_path: Path) -> None:
+    """Functions of the same name, as when a cell is changed and run again."""
+
+    def made(more: float) -> Callable[..., Run]:
+        def own(n_steps: int, *, seed: int) -> Run:
+            return pretend(n_steps, seed=seed, more=more)
+
+        return own
+
+    for more in (0.0, 1.0):
+        results = repeat_deep({"own": made(more)}, 100, repetitions=1, jobs=1, checkpoints=tmp_path)
+        assert results.final("own")[0] % 1 == more % 1
+    assert results.final("own")[0] == results.table["seed"].iloc[0] % 7 + 1.0
+
+
+def test_input() -> None:
+    """Errors name the parameter."""
+    cases: list[dict[str, Any]] = [{"trainers": {}}, {"n_steps": 0}, {"repetitions": 0}, {"jobs": 0}, {"seed": -1}]
+    for wrong in cases:
+        arguments: dict[str, Any] = {"trainers": {"one": pretend}, "n_steps": 10} | wrong
+        with pytest.raises(ValueError, match=f"^{next(iter(wrong))} must"):
+            repeat_deep(arguments.pop("trainers"), arguments.pop("n_steps"), **arguments)

@@ -62,9 +62,9 @@ class ActorCritic(NamedTuple):
 
     @classmethod
     def create(cls, environment: Any, **settings: Any) -> "ActorCritic":
-        """A new agent for an environment, or for a table of a given shape (n_states, n_actions).
+        """Create an agent with new tables; `environment` is an environment, or their shape (n_states, n_actions).
 
-        The settings are those attributes of the class that have a default.
+        Settings: every field that has a default.
 
         Raises:
             ValueError: a setting is unknown or out of range, or the environment does not fit a table.

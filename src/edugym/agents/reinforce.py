@@ -102,9 +102,9 @@ class REINFORCE(NamedTuple):
 
     @classmethod
     def create(cls, environment: Any, longest: int = 10_000, **settings: Any) -> "REINFORCE":
-        """A new agent for an environment, or for a table of a given shape (n_states, n_actions).
+        """Create an agent with new tables; `environment` is an environment, or their shape (n_states, n_actions).
 
-        The settings are those attributes of the class that have a default.
+        Settings: every field that has a default.
 
         Args:
             environment: an MDP or Gymnasium environment with whole numbers for observations and actions.

@@ -14,7 +14,7 @@ class SARSA(NamedTuple):
 
         Q(S, A) <- Q(S, A) + α [R + γ Q(S', A') - Q(S, A)]
 
-    A' is the action chosen for S', which is taken next. If S' is terminal, Q(S', A') is 0.
+    A' is the action chosen for S'. It is taken next, unless the episode ends there. If S' is terminal, Q(S', A') is 0.
 
     Attributes:
         Q: shape (n_states, n_actions): the action values.

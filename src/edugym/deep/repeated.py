@@ -5,7 +5,6 @@ import functools
 import json
 import os
 from collections.abc import Callable, Mapping
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -42,9 +41,9 @@ def repeat_deep(
             inside another function.
         n_steps: the training steps of each run. Algorithms that play whole rounds may take a few more, which count as
             `n_steps` in the table.
-        repetitions: the number of runs of each method.
-        seed: the number from which the seeds of all repetitions are spawned; the same for every method.
-        jobs: the number of processes; -1 is one for each core.
+        repetitions: the number of runs of each method, 1 or more.
+        seed: the number from which the seeds of all repetitions are spawned, 0 or more; the same for every method.
+        jobs: the number of processes, 1 or more; -1 is one for each core.
         checkpoints: a folder in which finished runs are kept. The same call goes on from there.
 
     Returns:
@@ -57,12 +56,16 @@ def repeat_deep(
     require("experiments", "joblib", "pandas")
     import joblib
 
+    if not trainers:
+        raise ValueError("trainers must have one method or more, but is empty")
     whole_number("n_steps", n_steps, 1)
     whole_number("repetitions", repetitions, 1)
+    if jobs != -1:
+        whole_number("jobs", jobs, 1)
     plan = planned_runs(list(trainers), repetitions, whole_number("seed", seed, 0))
     store = Checkpoints(None if checkpoints is None else Path(checkpoints))
     for label, trainer in trainers.items():
-        store.describe(label, _settings(trainer), n_steps)
+        store.describe(label, trainer, n_steps)
     runs = store.found(plan)
     to_do = [planned for planned in plan if planned not in runs]
     calls = (joblib.delayed(_do)(trainers[planned.method], n_steps, planned) for planned in to_do)
@@ -106,8 +109,7 @@ def _collected(
 
 def deep_versions() -> str:
     """Return the versions of what the numbers depend on."""
-    deep = (f"{package} {version(package)}" for package in ("torch", "stable-baselines3", "sb3-contrib"))
-    return ", ".join([versions(), *deep])
+    return versions("torch", "stable-baselines3", "sb3-contrib")
 
 
 def _settings(trainer: Any) -> Any:

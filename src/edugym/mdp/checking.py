@@ -133,14 +133,15 @@ class CheckedMDP:
 
     Args:
         mdp: the task.
-        steps: for how many transitions it also checks that no method changes a state or draws from global streams,
-            which takes longer.
+        steps: for how many transitions everything is checked, also that no method changes a state or draws from global
+            streams. Later only rewards and observations are checked, which takes less time.
     """
 
     def __init__(self, mdp: MDP[Any, Any], steps: float = CHECKED_STEPS) -> None:
         """See the class."""
         self._mdp, self._left = mdp, steps
         self._draws, self._space = GlobalDraws(type(mdp).__name__), mdp.observation_space
+        self._rows = int(self._space.n) if isinstance(self._space, spaces.Discrete) and self._space.start == 0 else 0
 
     def __getattr__(self, name: str) -> Any:
         """Everything else that the MDP has."""
@@ -158,6 +159,9 @@ class CheckedMDP:
             ValueError: it is None, or the state was changed.
         """
         self._left -= 1
+        if self._left < 0:  # from here on without a detour: these two would only cost time
+            vars(self).update(transition=self._mdp.transition, terminal=self._mdp.terminal)
+            return self._mdp.transition(state, action, rng)
         next_state = self._unchanging("transition", (state,), action, rng)
         if next_state is None:
             raise ValueError(_sentence(self._mdp, "transition", None, "the next state", state, action))
@@ -169,7 +173,10 @@ class CheckedMDP:
         Raises:
             ValueError: it is no finite number, or a state was changed.
         """
-        reward = self._unchanging("reward", (state, action, next_state), rng)
+        if self._left < 0:
+            reward = self._mdp.reward(state, action, next_state, rng)
+        else:
+            reward = self._unchanging("reward", (state, action, next_state), rng)
         if not is_finite_number(reward):
             raise ValueError(_sentence(self._mdp, "reward", reward, "a finite number", state, action, next_state))
         return reward
@@ -191,8 +198,12 @@ class CheckedMDP:
         Raises:
             ValueError: it is not in the observation space, or the state was changed.
         """
-        observation = self._unchanging("observation", (state,), rng)
-        self._require_observation(observation, state)
+        if self._left < 0:
+            observation = self._mdp.observation(state, rng)
+        else:
+            observation = self._unchanging("observation", (state,), rng)
+        if not (type(observation) is int and 0 <= observation < self._rows):  # most are
+            self._require_observation(observation, state)
         return observation
 
     def observe_into(self, state: Any, rng: Random, out: Any) -> None:
@@ -208,12 +219,9 @@ class CheckedMDP:
 
     def _unchanging(self, method: str, given: tuple[Any, ...], *others: Any) -> Any:
         """Return what a method returns for states (and an action) that it may not change, and other arguments."""
-        call = getattr(self._mdp, method)
-        if self._left < 0:
-            return call(*given, *others)
         before = [kept(value) for value in given]
         with self._draws.refused(method):
-            returned = call(*given, *others)
+            returned = getattr(self._mdp, method)(*given, *others)
         for was, value in zip(before, given, strict=True):
             refuse_change(self._mdp, method, was, value)
         return returned

@@ -12,6 +12,9 @@ import numpy as np
 
 from edugym.notebook.widget import NotebookWidget, text_html
 
+NUMBER = re.compile(r"([-+]?[\d.,/]+(?:e[-+]?\d+)?)\s*([^\d]*)")
+"""A number as people type it ("12,5", "1/30"), perhaps with its unit."""
+
 
 class Prediction(NotebookWidget):
     """A question with a place for the answer.
@@ -39,9 +42,7 @@ class Prediction(NotebookWidget):
         value = self._field.value
         if self.options is not None or not value.strip():
             return value or None
-        found = re.fullmatch(
-            r"([-+]?[\d.,/]+(?:e[-+]?\d+)?)\s*([^\d]*)", value.strip()
-        )  # a number, perhaps with its unit
+        found = NUMBER.fullmatch(value.strip())
         if found is None:
             return None
         try:

@@ -20,9 +20,10 @@ from edugym.mdp.checking import CHECKED_STEPS, CheckedMDP, innermost, is_own, re
 from edugym.mdp.protocol import Random
 from edugym.mdp.values import GlobalDraws, fits, is_finite_number, kept, shown
 from edugym.training.contract import tables_of
+from edugym.training.guarded import GUARDS
 
 ENDLESS = 1_000
-"""After so many steps without the end of an episode a word is said."""
+"""From so many training steps on, a task in which no episode has ended gets a warning."""
 SMALL = 10_000
 """A table with more entries is not searched for NaN after each step."""
 
@@ -31,6 +32,8 @@ def checked_mdp(mdp: Any, steps: float = CHECKED_STEPS) -> Any:
     """Return the MDP with checks around a student's MDP, also where that is inside the package's wrappers."""
     if is_own(mdp):
         return mdp
+    if isinstance(mdp, GUARDS):  # they say less than the checks
+        return checked_mdp(mdp.mdp, steps)
     if type(mdp).__module__.startswith("edugym.") and not is_own(getattr(mdp, "mdp", None)):
         return mdp._replace(mdp=checked_mdp(mdp.mdp, steps))
     return CheckedMDP(mdp, steps)
@@ -72,7 +75,7 @@ def doubts(task: Any, agent: Any, limit: int | None, n_steps: int, n_episodes: i
         )
     if not is_own(agent):
         found += [
-            f"{name} of {type(agent).__name__} holds nan after training: an update has no finite number as its result"
+            f"{name} of {type(agent).__name__} holds nan after training: some update came to no number"
             for name, table in tables_of(agent).items()
             if table.dtype.kind == "f" and np.isnan(table).any()
         ]
@@ -98,6 +101,8 @@ class CheckedAgent:
     def __init__(self, agent: Any, task: Any, steps: float = CHECKED_STEPS) -> None:
         """See the class."""
         self._agent, self._task, self._left, self._space = agent, task, steps, task.action_space
+        discrete = isinstance(self._space, spaces.Discrete) and self._space.start == 0
+        self._n_actions = int(self._space.n) if discrete else 0
         self._name = ", with ".join([type(agent).__name__, *students_parts(agent)])
         self._draws = GlobalDraws(self._name)
 
@@ -127,7 +132,8 @@ class CheckedAgent:
         Raises:
             ValueError: a state was changed, a table has come to hold NaN, or `learn` returns a new agent.
         """
-        if self._left <= 0:
+        if self._left <= 0:  # from here on without a detour
+            vars(self).update(learn=self._agent.learn)
             self._agent.learn(**told)
             return
         before = kept((told.get("state"), told.get("next_state")))
@@ -156,7 +162,7 @@ class CheckedAgent:
             refuse_change(self._agent, method, before, state)
         else:
             action = choose(state, rng)
-        if not _is_action(self._space, action):
+        if not (type(action) is int and 0 <= action < self._n_actions) and not _is_action(self._space, action):
             raise ValueError(_of_action(self._name, method, self._task.action_space, action, state) + self._sizes())
         return action
 

@@ -36,9 +36,9 @@ def fingerprint(*values: Any) -> str:
     return walk.hash.hexdigest()[:32]
 
 
-def versions() -> str:
-    """Return the versions of what the numbers depend on."""
-    packages = ("edugym", "numpy", "numba", "gymnasium")
+def versions(*more: str) -> str:
+    """Return the versions of what the numbers depend on: these packages, and `more` of those that are installed."""
+    packages = ("edugym", "numpy", "numba", "gymnasium", *more)
     found = [f"{package} {_version(package)}" for package in packages if _version(package)]
     return ", ".join([f"python {platform.python_version()}", *found])
 

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 from gymnasium import spaces
 
 from edugym.mdp.checking import is_own
+from edugym.mdp.in_place import writes_in_place
 from edugym.mdp.protocol import Random
 from edugym.mdp.wrapper import wrapper
 
@@ -35,6 +36,16 @@ class FiniteRewards(NamedTuple):
         if not math.isfinite(reward):
             raise ValueError("a reward is no finite number")
         return reward
+
+
+class FiniteRewardsInPlace(FiniteRewards):
+    """The same for an MDP that writes its observations into an array."""
+
+    __slots__ = ()
+
+    def observe_into(self, state: Any, rng: Random, out: Any) -> None:
+        """Write the observation of the task into `out`."""
+        self.mdp.observe_into(state, rng, out)
 
 
 @wrapper
@@ -68,4 +79,8 @@ def guarded(mdp: Any) -> Any:
     space = mdp.observation_space
     if isinstance(space, spaces.Discrete) and space.start == 0:
         mdp = RowsOfATable(mdp, int(space.n))
-    return FiniteRewards(mdp)
+    return FiniteRewardsInPlace(mdp) if writes_in_place(mdp) else FiniteRewards(mdp)
+
+
+GUARDS = (FiniteRewards, RowsOfATable)
+"""The classes of the guards."""
