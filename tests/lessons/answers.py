@@ -82,14 +82,15 @@ def read_exercises(lesson: Path) -> tuple[str, list[Exercise]]:
         The imports of the lesson, and the exercises in order.
     """
     cells = [cell for cell in build.read_lesson(lesson).cells if is_code(cell)]
-    imports = "\n".join(cell.source for cell in cells if _is_imports(cell))
+    imports = "\n".join(cell.source for cell in cells if is_imports(cell))
     pairs = [(cell, below) for cell, below in pairwise(cells) if is_exercise(cell)]
     return imports, [
         Exercise(without_solutions(cell.source), without_marks(cell.source), _checks(below)) for cell, below in pairs
     ]
 
 
-def _is_imports(cell: NotebookNode) -> bool:
+def is_imports(cell: NotebookNode) -> bool:
+    """Whether a cell has nothing but imports."""
     return all(isinstance(part, ast.Import | ast.ImportFrom) for part in ast.parse(cell.source).body)
 
 

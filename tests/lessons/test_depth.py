@@ -4,7 +4,6 @@ import math
 
 import numpy as np
 import pytest
-from matplotlib import pyplot
 
 from edugym.envs.study import Study
 from edugym.exact.model import finite_model
@@ -148,7 +147,6 @@ def test_what_the_figures_show() -> None:
         assert sheet._repr_png_()[:4] == b"\x89PNG"
         for row in sheet.rows:
             assert row[0].draw().get_title() == row[0].title
-    pyplot.close("all")
 
 
 def test_the_best_returns_are_those_of_planning() -> None:

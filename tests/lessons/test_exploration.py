@@ -209,9 +209,7 @@ def test_attempt_is_an_episode_of_training() -> None:
 
 def test_progress_is_drawn_over_the_whole_training() -> None:
     """From the ground at the start to the top of a low wall at the end."""
-    pyplot = pytest.importorskip("matplotlib.pyplot")
     ax = progress(compare(2, repetitions=2), 2).draw()
     assert ax.get_xlim() == (0.0, exploration.N_STEPS)
     curves = [np.asarray(line.get_ydata()) for line in ax.get_lines()]
     assert [(curve[0], curve[-1]) for curve in curves] == [(0, 2)] * 3
-    pyplot.close("all")

@@ -119,4 +119,3 @@ def test_without_axes_there_is_a_new_figure() -> None:
     ax = Curves(made_results()).draw()
     assert pyplot.get_fignums() == [figure_of(ax).number]
     assert dict(mpl.rcParams) == before
-    pyplot.close("all")
