@@ -16,7 +16,7 @@ import pandas as pd
 import pytest
 from typer.testing import CliRunner, Result
 
-from edugym.cli import app
+from edugym.commands import app
 from edugym.plotting import Lines, Sheet
 from edugym.plotting.report import Report
 from edugym.registration import ENVIRONMENTS
@@ -43,8 +43,8 @@ def lesson(monkeypatch: pytest.MonkeyPatch) -> dict[str, Any]:
         ]
         return Report(claims, [Sheet("picture", [[Lines(x, {"A": x}, "line")]])])
 
-    monkeypatch.setattr("edugym.cli.load_experiments", lambda name: SimpleNamespace(report=report))
-    monkeypatch.setattr("edugym.cli.lesson_names", lambda: ["made_up"])
+    monkeypatch.setattr("edugym.commands.load_experiments", lambda name: SimpleNamespace(report=report))
+    monkeypatch.setattr("edugym.commands.lesson_names", lambda: ["made_up"])
     return asked
 
 
@@ -88,7 +88,7 @@ def test_reproduce_writes_and_says_what_holds(lesson: dict[str, Any], tmp_path: 
 def test_reproduce_writes_a_report(lesson: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """It shows the claims and figures of all lessons with results in the folder, also of earlier commands."""
     lesson["shares"] = (0.9, 0.55)
-    monkeypatch.setattr("edugym.cli.lesson_names", lambda: ["made_up", "other", "never_run"])
+    monkeypatch.setattr("edugym.commands.lesson_names", lambda: ["made_up", "other", "never_run"])
     for name in ("made_up", "other"):
         run("reproduce", name, "--output", str(tmp_path))
     said = (tmp_path / "report.md").read_text()
@@ -153,8 +153,8 @@ def test_ctrl_c_is_status_130(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
         asked.append(how)
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("edugym.cli.load_experiments", lambda name: SimpleNamespace(report=report))
-    monkeypatch.setattr("edugym.cli.lesson_names", lambda: ["one", "two"])
+    monkeypatch.setattr("edugym.commands.load_experiments", lambda name: SimpleNamespace(report=report))
+    monkeypatch.setattr("edugym.commands.lesson_names", lambda: ["one", "two"])
     result = run("reproduce", "--output", str(tmp_path))
     assert result.exit_code == 130
     assert f"interrupted; what is done is kept in {tmp_path}" in result.output
@@ -224,9 +224,30 @@ def test_a_reader_that_leaves_is_no_error() -> None:
     assert done.stderr == ""
 
 
+INTERRUPTED_IMPORT = """
+import signal, sys
+
+class Interrupting:
+    def find_spec(self, name, *_):
+        if name == "typer":
+            signal.raise_signal(signal.SIGINT)
+
+sys.meta_path.insert(0, Interrupting())
+signal.signal(signal.SIGINT, signal.default_int_handler)
+from edugym.cli import main
+main()
+"""
+
+
+def test_ctrl_c_while_it_starts() -> None:
+    """One line, no traceback."""
+    done = subprocess.run([sys.executable, "-c", INTERRUPTED_IMPORT], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (130, "edugym: interrupted\n")
+
+
 def test_without_typer_it_says_what_to_install() -> None:
     """One line, no traceback."""
-    code = "import sys; sys.modules['typer'] = None; import edugym.cli"
+    code = "import sys; sys.modules['typer'] = None; import edugym.commands"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert done.returncode == 1
     assert done.stderr == 'edugym: typer is not installed, run `pip install "edugym[experiments]"`\n'

@@ -30,7 +30,7 @@ def test_later_steps_of_an_episode_count_less_for_the_actor() -> None:
     """I is 1, γ, γ², and 1 again after an end or a truncation."""
     agent, seen = ActorCritic.create((1, 2), discount=0.5), []
     for terminated, truncated in ((False, False), (False, False), (False, True), (True, False), (False, False)):
-        seen.append(agent.I[0])
+        seen.append(agent.weight[0])
         agent.learn(0, 0, 0.0, 0, terminated, truncated)
     assert seen == [1, 0.5, 0.25, 1, 1]
 
@@ -85,8 +85,8 @@ def test_an_episode_that_training_left_is_not_continued() -> None:
     agent = ActorCritic.create((4, 2), discount=0.5)
     agent.learn(0, 0, 0.0, 1, False, False)
     agent.learn(1, 0, 0.0, 2, False, False)
-    assert agent.I[0] == 0.25
+    assert agent.weight[0] == 0.25
     agent.learn(2, 0, 0.0, 0, False, False)
-    assert agent.I[0] == 0.125
+    assert agent.weight[0] == 0.125
     agent.learn(3, 0, 0.0, 0, False, False)
-    assert agent.I[0] == 0.5
+    assert agent.weight[0] == 0.5

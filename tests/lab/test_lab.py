@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from typer.testing import CliRunner, Result
 
-from edugym.cli import app
+from edugym.commands import app
 from edugym.lab import server
 from edugym.lab.warm_up import warming_up
 from tests.lab.browser import running_lab, until

@@ -20,7 +20,7 @@ from PIL import Image
 from typer.testing import CliRunner, Result
 
 from edugym.adapters.keys import keys_of
-from edugym.cli import app
+from edugym.commands import app
 from edugym.playing import play
 from edugym.playing.game import TERMINATED
 from edugym.playing.keyboard import CLEAR, key_presses, windows_keys

@@ -105,6 +105,34 @@ def test_other_processes_change_nothing() -> None:
     assert same(small(), elsewhere)
 
 
+class Faulty(NamedTuple):
+    """A student's agent with a mistake."""
+
+    def act(self, state: int, rng: Random) -> int:
+        """There is no such entry."""
+        return [0][state + 1]
+
+    def learn(self, state: int, action: int, reward: float, next_state: int) -> None:
+        """Nothing."""
+
+
+def faulty(_: Any) -> Faulty:
+    """Make one."""
+    return Faulty()
+
+
+@pytest.mark.slow
+def test_an_error_in_another_process_names_the_students_line() -> None:
+    """Without the traceback of joblib and its processes."""
+    with joblib.parallel_config(backend="loky", n_jobs=2), pytest.raises(IndexError) as caught:
+        small(jobs=None, agents={"faulty": faulty})
+    assert caught.value.__cause__ is None
+    (note,) = caught.value.__notes__
+    assert note.startswith("In another process: ")
+    assert note.endswith("in act\n    return [0][state + 1]")
+    assert __file__ in note
+
+
 def test_a_fixed_layout_stays() -> None:
     """A user who names a layout gets it in every repetition."""
     results = small(parameters={"height": 5, "layout_seed": 7})

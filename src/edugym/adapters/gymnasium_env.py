@@ -17,7 +17,7 @@ from edugym.adapters import keys
 from edugym.adapters.actions import checked_action
 from edugym.adapters.specification import filled
 from edugym.checks import one_of
-from edugym.mdp.checking import CHECKED_STEPS, CheckedMDP, at_students_line, checked_step, is_own, require_mdp
+from edugym.mdp.checking import CHECKED_STEPS, CheckedMDP, checked_step, end_at_students_line, is_own, require_mdp
 from edugym.mdp.protocol import MDP, coerced, history_wanted, named_actions, step_limit
 
 if TYPE_CHECKING:
@@ -60,7 +60,8 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         try:
             require_mdp(mdp)
         except Exception as error:
-            raise at_students_line(error)  # noqa: B904
+            end_at_students_line(error)
+            raise
         mdp = coerced(mdp)
         one_of("render_mode", render_mode, [None, *self.metadata["render_modes"]])
         self.mdp = mdp
@@ -110,7 +111,8 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
             self.state = mdp.initial(rng)
             observed = mdp.observation(self.state, rng)
         except Exception as error:
-            raise at_students_line(error)  # noqa: B904
+            end_at_students_line(error)
+            raise
         self.steps = 0
         self.last_state, self.actions = None, []
         self._over = False
@@ -145,7 +147,8 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
             try:
                 next_state, reward, terminated, observed = checked_step(mdp, state, action, rng)
             except Exception as error:
-                raise at_students_line(error)  # noqa: B904
+                end_at_students_line(error)
+                raise
         else:
             next_state = mdp.transition(state, action, rng)
             reward = float(mdp.reward(state, action, next_state, rng))

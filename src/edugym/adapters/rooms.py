@@ -57,8 +57,8 @@ class ActionsInRooms(InRooms):
         return self.mdp.reward(state, self.actions[action], next_state, rng)
 
 
-class Reader(NamedTuple):
-    """An agent that is told the number of a room, and looks up what is in it.
+class AnyReader(NamedTuple):
+    """An agent that is told the number of a room, and looks up what is in it; how it learns is added below.
 
     Attributes:
         agent: the agent, in the form that the loops ask for.
@@ -76,17 +76,23 @@ class Reader(NamedTuple):
         """The agent's action."""
         return self.agent.act(self.rows[state], rng)
 
+
+class Reader(AnyReader):
+    """One that learns from what happened."""
+
+    __slots__ = ()
+
     def learn(self, state: int, action: Any, reward: float, next_state: int, terminated: bool, truncated: bool) -> None:
         """Let the agent learn."""
         self.agent.learn(self.rows[state], action, reward, self.rows[next_state], terminated, truncated)
 
 
-class OnPolicyReader(Reader):
-    """The same for agents that learn from the action they will take next."""
+class OnPolicyReader(AnyReader):
+    """One that learns from the action it will take next, too."""
 
     __slots__ = ()
 
-    def learn(  # type: ignore[override]
+    def learn(
         self,
         state: int,
         action: Any,
@@ -100,8 +106,8 @@ class OnPolicyReader(Reader):
         self.agent.learn(self.rows[state], action, reward, self.rows[next_state], next_action, terminated, truncated)
 
 
-class ReaderAndWriter(Reader):
-    """The same for agents that write their actions into an array (`act_into`)."""
+class ReaderAndWriter(AnyReader):
+    """One for agents that write their actions into an array (`act_into`)."""
 
     __slots__ = ()
 

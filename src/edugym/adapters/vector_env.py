@@ -17,7 +17,7 @@ from edugym.adapters.gymnasium_env import RENDERING, M, MDPEnv, environment_of
 from edugym.adapters.runner import Runner
 from edugym.adapters.specification import filled
 from edugym.checks import in_short, number_of_steps, one_of, whole_number
-from edugym.mdp.checking import at_students_line, check_mdp, is_own
+from edugym.mdp.checking import check_mdp, end_at_students_line, is_own
 from edugym.mdp.protocol import HISTORY, history_wanted, step_limit
 
 NO_LIMIT = 2**62
@@ -121,7 +121,8 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
             try:
                 self._runner = self._made_runner()
             except Exception as error:
-                raise at_students_line(error)  # noqa: B904
+                end_at_students_line(error)
+                raise
             mask = np.ones(self.num_envs, np.bool_)
         batch = self._batch()
         self._runner.run(reset_copies, self.np_random, batch, self._few, mask)
@@ -162,7 +163,8 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
                 MODES.index(self.autoreset_mode),
             )
         except Exception as error:
-            raise at_students_line(error)  # noqa: B904
+            end_at_students_line(error)
+            raise
         if finished == ACTION_OUTSIDE:
             raise ValueError(f"actions {in_short(actions)} are not in the action space {self.action_space}")
         if self._asked:

@@ -21,7 +21,7 @@ class ActorCritic(NamedTuple):
         preferences: shape (n_states, n_actions): θ, the actor.
         V: shape (n_states,): the critic.
         probabilities: shape (n_actions,): π(·|s) of the state seen last.
-        I: shape (1,): γ to the power of the steps of this episode.
+        weight: shape (1,): I, γ to the power of the steps of this episode.
         next_state: shape (1,): the state in which the episode goes on.
         learning_rate: α^θ, of the actor, greater than 0 and up to 1.
         value_learning_rate: α^w, of the critic, likewise.
@@ -33,7 +33,7 @@ class ActorCritic(NamedTuple):
     preferences: Annotated[Reals, Table(("states", "actions"))]
     V: Annotated[Reals, Table(("states",))]
     probabilities: Annotated[Reals, Table(("actions",))]
-    I: Annotated[Reals, Table((1,), fill=1.0)]  # noqa: E741
+    weight: Annotated[Reals, Table((1,), fill=1.0)]
     next_state: Counter
     learning_rate: LearningRate = 0.1
     value_learning_rate: LearningRate = 0.1
@@ -42,13 +42,13 @@ class ActorCritic(NamedTuple):
     def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool, truncated: bool) -> None:
         """Judge the step, and make its action more or less likely."""
         if self.next_state[0] != state:
-            self.I[0] = 1.0  # training was stopped within an episode, and this is another one
+            self.weight[0] = 1.0  # training was stopped within an episode, and this is another one
         error = one_step_target(reward, self.discount, self.V[next_state], terminated) - self.V[state]
         self.V[state] += self.value_learning_rate * error
         softmax(self.preferences, state, self.probabilities)
-        size = self.learning_rate * self.I[0] * error
+        size = self.learning_rate * self.weight[0] * error
         follow_log_gradient(self.preferences, state, action, self.probabilities, size)
-        self.I[0] = 1.0 if terminated or truncated else self.discount * self.I[0]
+        self.weight[0] = 1.0 if terminated or truncated else self.discount * self.weight[0]
         self.next_state[0] = next_state
 
     def act(self, state: int, rng: Random) -> int:

@@ -62,8 +62,8 @@ def vector_bounds(environment: Any) -> tuple[Reals, Reals]:
 
     Those of whole numbers, which become ones and zeros, and of a mere shape are 0 and 1.
     """
-    space = getattr(environment, "observation_space", None)
+    space: Any = getattr(environment, "observation_space", None)
     if isinstance(space, spaces.Box):
         return np.ravel(space.low).astype(float), np.ravel(space.high).astype(float)
-    n_inputs, _ = environment if isinstance(environment, tuple) and space is None else (vector_length(space), 0)  # type: ignore[arg-type]
+    n_inputs = environment[0] if isinstance(environment, tuple) and space is None else vector_length(space)
     return np.zeros(n_inputs), np.ones(n_inputs)

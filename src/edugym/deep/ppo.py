@@ -240,20 +240,20 @@ class ActorCritic(nn.Module):
 class Several(NamedTuple):
     """The distribution of one or several whole numbers, each with probabilities of its own."""
 
-    parts: list[Categorical]
+    parts: list[Any]  # of Categorical, whose methods have no types
 
     def sample(self) -> Tensor:
         """Shape (n, n_numbers)."""
-        return torch.stack([part.sample() for part in self.parts], -1)  # type: ignore[no-untyped-call]
+        return torch.stack([part.sample() for part in self.parts], -1)
 
     def log_prob(self, actions: Tensor) -> Tensor:
         """Of all numbers together, shape (n,)."""
-        logs = [part.log_prob(actions[..., k]) for k, part in enumerate(self.parts)]  # type: ignore[no-untyped-call]
+        logs = [part.log_prob(actions[..., k]) for k, part in enumerate(self.parts)]
         return torch.stack(logs).sum(0)
 
     def entropy(self) -> Tensor:
         """Likewise."""
-        return torch.stack([part.entropy() for part in self.parts]).sum(0)  # type: ignore[no-untyped-call]
+        return torch.stack([part.entropy() for part in self.parts]).sum(0)
 
     @property
     def mode(self) -> Tensor:

@@ -8,6 +8,7 @@ import copy
 import difflib
 import dis
 import inspect
+import re
 from collections.abc import Iterable
 from types import TracebackType
 from typing import Any
@@ -213,7 +214,8 @@ class CheckedMDP:
             ValueError: it is not in the observation space, or the state was changed.
         """
         before = kept(state)
-        self._mdp.observe_into(state, rng, out)  # type: ignore[attr-defined]
+        mdp: Any = self._mdp  # a method that not every MDP has
+        mdp.observe_into(state, rng, out)
         refuse_change(self._mdp, "observe_into", before, state)
         self._require_observation(out, state)
 
@@ -237,11 +239,10 @@ class CheckedMDP:
             raise ValueError(_sentence(self._mdp, "observation", observation, f"an element of {space}", state))
 
 
-def at_students_line(error: Exception) -> Exception:
-    """The same error, whose traceback shows none of the package's frames, and which says what a frozen field is.
+def end_at_students_line(error: Exception) -> None:
+    """Let the traceback of an error, which is raised again, end at the student's line, with none of our frames.
 
-    Where it is raised again it shows one frame of the package, the function that the student has called, and then only
-    the student's own.
+    An error about a frozen field says what to do instead.
     """
     frames, last = [], error.__traceback__
     while last is not None:
@@ -253,7 +254,18 @@ def at_students_line(error: Exception) -> Exception:
         traceback = TracebackType(traceback, frame.tb_frame, frame.tb_lasti, frame.tb_lineno)
     if frames and isinstance(error, AttributeError):
         _explain_frozen_field(error, frames[-1])
-    return error.with_traceback(traceback)
+    error.__traceback__ = traceback
+    _say_where_in_another_process(error)
+
+
+def _say_where_in_another_process(error: Exception) -> None:
+    """If the error comes from a process of joblib, note the student's line instead of the traceback of all frames."""
+    cause = error.__cause__
+    if type(cause).__name__ == "_RemoteTraceback":
+        *_, last = re.split(r'^  File (?=")', str(cause), flags=re.MULTILINE)
+        lines = last.splitlines()[:2]  # the place, and the line of code
+        error.__cause__ = None
+        error.add_note("\n".join([f"In another process: {lines[0]}", *lines[1:]]))
 
 
 def _explain_frozen_field(error: AttributeError, last: TracebackType) -> None:

@@ -81,10 +81,10 @@ class HashedTable(NamedTuple):
 
     def holds(self, row: int, key: Any) -> bool:
         """Whether a row is that of a key."""
-        for k in range(key.size):  # noqa: SIM110 - a generator does not compile
-            if self.keys[row, k] != key.flat[k]:
-                return False
-        return True
+        k = 0
+        while k < key.size and self.keys[row, k] == key.flat[k]:
+            k += 1
+        return k == int(key.size)
 
     @classmethod
     def create(cls, key: Any, capacity: int, overflow: bool = False) -> "HashedTable":

@@ -76,7 +76,8 @@ def wrapper(kind: Kind) -> Kind:
         if not hasattr(kind, name):
             setattr(kind, name, method)
     if not hasattr(kind, "__getattr__"):
-        setattr(kind, "__getattr__", _from_inside)  # noqa: B010
+        changed: Any = kind
+        changed.__getattr__ = _from_inside
     return kind
 
 

@@ -14,7 +14,7 @@ from edugym.checks import whole_number
 from edugym.extras import require
 from edugym.files import check_writable
 from edugym.interrupts import Interrupted, Stop, Work, interruptibly, ordered_by
-from edugym.mdp.checking import at_students_line
+from edugym.mdp.checking import end_at_students_line
 from edugym.results.tables import MEASURED, Results, with_types
 from edugym.training.checkpoints import Checkpoints
 from edugym.training.configuration import Planned, Task, described, planned_runs, task
@@ -126,7 +126,8 @@ def repeat(
     try:
         experiment = _experiment(environment, parameters, agents, repetitions, seed, training)
     except Exception as error:
-        raise at_students_line(error)  # noqa: B904
+        end_at_students_line(error)
+        raise
     plan = experiment.plan
     stopped_before, runs = stop.is_set(), Runs()
     try:
@@ -148,7 +149,8 @@ def repeat(
         kept = "; the same call goes on from there" if save_to or checkpoints else ""
         raise Interrupted(_so_far(plan, runs) + kept, lambda: _collected(experiment, runs)) from None
     except Exception as error:
-        raise at_students_line(error)  # noqa: B904
+        end_at_students_line(error)
+        raise
     if not results.complete and not stopped_before:
         warnings.warn(f"stopped: {_so_far(plan, runs)}", stacklevel=2)
     return results

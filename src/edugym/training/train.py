@@ -11,7 +11,7 @@ import numpy as np
 
 from edugym.checks import whole_number
 from edugym.interrupts import Interrupted, Stopped, Work
-from edugym.mdp.checking import at_students_line
+from edugym.mdp.checking import end_at_students_line
 from edugym.mdp.protocol import Integers, Reals
 from edugym.training.progress import progress_bar
 from edugym.training.trainers import Trainer, trainer
@@ -107,7 +107,8 @@ def train(
     except KeyboardInterrupt:
         interrupted = True
     except Exception as error:
-        raise at_students_line(error)  # noqa: B904
+        end_at_students_line(error)
+        raise
     run = Run(*curve.columns(), agent, seed, time.perf_counter() - began, complete=curve.last == n_steps)
     if run.complete:
         for doubt in training.doubts(n_steps, int(run.episodes.sum())):
