@@ -19,7 +19,7 @@ test: .venv/dev.installed
 	$(RUN) ruff check
 	$(RUN) ruff format --check
 	$(RUN) mypy
-	$(RUN) pytest -n 2 $(ARGS)
+	$(RUN) pytest -n 2 --dist worksteal $(ARGS)
 	.venv/bin/python lessons/build.py --check
 	.venv/bin/python docs/pages.py --check
 	.venv/bin/python docs/agents.py --check
