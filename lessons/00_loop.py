@@ -1,0 +1,534 @@
+# %% [markdown]
+# # The loop: rewards, returns, and a first learner
+#
+# **The challenge.** Nobody tells the agent what to do. It acts, and now and then it gets a reward. From these rewards
+# alone it has to find out which actions are good, also when the reward comes thirty steps later.
+#
+# **You will be able to** write the loop of agent and environment; say what separates a reward from a return; explain
+# what the discount changes; and write an agent in ten lines that learns in millions of steps a second.
+#
+# **Time.** 20 minutes, and 20 more for the exercises. **Before you start.** Two lectures on reinforcement learning, or
+# sections 3.1 to 3.6 and 6.5 of Sutton and Barto, *Reinforcement Learning*, 2nd edition. All symbols are in the [table of
+# notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
+#
+# **This page is a program.** Text and cells of code take turns. Click into a cell of code and press Shift and Enter: it
+# runs, and its result appears below. Go from top to bottom, since a cell may need the ones above. You cannot break
+# anything: change numbers, and run a cell again.
+
+# %%
+from typing import NamedTuple
+
+import gymnasium as gym
+import numpy as np
+
+from edugym import EpsilonGreedy, QLearning, train
+from edugym.agents.tables import greedy_action, one_step_target
+from edugym.lessons import loop
+from edugym.notebook import frames, play, predict, sliders, source
+
+# %% [markdown]
+# ## Meet the environment: a shop
+#
+# A shopper enters a supermarket and should leave by the exit with three items. The shopper is the **agent**: it chooses
+# the actions. Everything else is the **environment**.
+
+# %%
+env = gym.make("edugym/Supermarket-v0")
+state, info = env.reset(seed=0)
+env.unwrapped.scene()
+
+# %% [markdown]
+# Play it yourself, with the buttons. Each step costs 1 point, an item brings 25 and the exit 50. What is the highest
+# total that you can get? (You will see the answer below.)
+
+# %%
+play("Supermarket", max_steps=100)
+
+# %% [markdown]
+# ### The loop
+# Agent and environment talk in turns (section 3.1). At time step $t$ the agent is in a **state** $S_t$ and chooses an
+# **action** $A_t$. The environment answers with a **reward** $R_{t+1}$, a number, and the next state $S_{t+1}$. In this shop
+# the state is the place of the shopper together with what is in the bag. The actions are 0 up, 1 down, 2 left, 3 right.
+#
+# [Gymnasium](https://gymnasium.farama.org) is how most programs write this down. Take two steps by hand, down and to the
+# right:
+
+# %%
+print("the first state:", state)
+for action in (1, 3):
+    state, reward, terminated, truncated, info = env.step(action)
+    print(f"action {action}: state {state}, reward {reward}, terminated {terminated}, truncated {truncated}")
+
+# %% [markdown]
+# The state is only a number to the agent: nothing tells it that 88 and 96 are neighbours. Here is the whole loop in five
+# lines, with the simplest agent there is. It acts at random.
+
+# %%
+env.action_space.seed(1)
+state, info = env.reset(seed=0)
+total, steps, terminated, truncated = 0, 0, False, False
+while not (terminated or truncated):
+    action = env.action_space.sample()
+    state, reward, terminated, truncated, info = env.step(action)
+    total, steps = total + reward, steps + 1
+print(f"{steps} steps, {total:g} points in all, terminated {terminated}, truncated {truncated}")
+
+# %% [markdown]
+# From start to end is an **episode**. It can end in two ways, and they are not the same:
+#
+# - **terminated**: the task is over. The shopper is at the exit, and nothing can come after it.
+# - **truncated**: somebody stopped the clock, here after 500 steps. The shopper is still somewhere, and could have gone on.
+#
+# A rule that chooses the actions is called a **policy**.
+#
+# **Predict.** How many points does the random policy get in an episode, on average? *In these lessons you answer before you
+# run.* Run the next cell, type your answer into its field, and go on to the cell after it. Nobody grades it; you learn
+# most when you are surprised.
+
+# %%
+random_play = predict("The random policy gets, on average:", unit="points")
+random_play
+
+# %%
+totals = []
+for _ in range(200):
+    state, info = env.reset()
+    total, terminated, truncated = 0, False, False
+    while not (terminated or truncated):
+        state, reward, terminated, truncated, info = env.step(env.action_space.sample())
+        total += reward
+    totals.append(total)
+print(f"mean of 200 episodes: {np.mean(totals):.0f}; computed from the rules of the shop: {loop.random_return():.0f}")
+random_play.measured(loop.random_return())
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** Around −313. Most random episodes never get to the exit, and pay for 500 steps. The second number needs no
+# playing: the rules of this shop are known, so the mean can be computed (section 3.5; lesson 9 shows how). The mean of
+# 200 episodes is near it, by chance a little above or below.
+# </details>
+
+# %% [markdown]
+# ## The idea: not the reward counts, but the return
+#
+# The agent does not want the next reward. It wants a high **return**, the sum of all rewards from now on (equation 3.8):
+#
+# $$
+# G_t = R_{t+1} + \gamma R_{t+2} + \gamma^2 R_{t+3} + \dots
+# $$
+#
+# The **discount** $\gamma$, from 0 to 1, says how much the future counts: a reward that comes $k$ steps later counts
+# $\gamma^k$ times. With $\gamma = 1$ all count the same, and with $\gamma = 0$ only the next one. After a terminal state
+# the return is 0. The second form of the same equation (3.9) is the one to remember:
+#
+# $$
+# G_t = R_{t+1} + \gamma G_{t+1}
+# $$
+#
+# It says how to compute returns: *backwards*, from the end. Two steps at a cost of 1, then an item, with $\gamma = 0.5$:
+
+# %%
+G = 0  # after the end
+for reward in (24, -1, -1):  # the last reward first
+    G = reward + 0.5 * G
+    print(f"reward {reward:3}, return from here on {G:g}")
+
+# %% [markdown]
+# **Reward is not return.** Here is the best way through the shop for $\gamma = 0.95$. The bars are its rewards. The line is
+# the return from each step on.
+
+# %%
+loop.rewards_and_returns(0.95)
+
+# %% [markdown]
+# Nearly all steps of the *best* way have the reward −1, like all steps of a bad one. Their rewards do not tell which of
+# them are good. Their returns do: the line rises towards each item, although the bars stay at −1.
+#
+# **Predict.** A greedy player knows the reward of every action, and always takes the action with the highest *next reward*
+# (if several are equal, one of them at random). The best possible total is 95. What does this player get on average?
+
+# %%
+next_reward = predict("Always the highest next reward:", ["more than 47", "from 0 to 47", "less than 0"])
+next_reward
+
+# %%
+earned = loop.myopic_return()
+print(
+    f"highest next reward: {earned:.0f} points; random: {loop.random_return():.0f}; the best policy: {loop.OPTIMUM:g}"
+)
+next_reward.measured("more than 47" if earned > 47 else "from 0 to 47" if earned >= 0 else "less than 0")
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** −248 points, not much better than random play. Where no item and no exit is beside it, all four rewards are
+# −1, and this player walks at random too. And beside the exit it leaves, whatever is still missing in its bag.
+# </details>
+
+# %% [markdown]
+# ### Values: the return to be expected
+# So an agent needs to know what return an action *leads to*. That is its **value**. With the best policy from then on it is
+# called $q_*(s, a)$, for action $a$ in state $s$ (equation 3.20, here for a world without chance, where $s'$ is the next
+# state and $r$ the reward):
+#
+# $$
+# q_*(s, a) = r + \gamma \max_{a'} q_*(s', a') \qquad\qquad v_*(s) = \max_a q_*(s, a)
+# $$
+#
+# It is equation 3.9 once more: the next reward, and then the best return from there on. $v_*(s)$ is the value of the state.
+# Whoever knows $q_*$ plays perfectly by looking at four numbers: take the action with the highest *value*. That is called
+# **greedy**. The rules of this shop are known, so a computer can find $q_*$ exactly, and you can see what learning should
+# lead to. (How it does so is in lesson 9.)
+#
+# ### Learning: the update of Q-learning
+# The agent of these lessons does *not* know the rules. It keeps a table $Q(s, a)$ of guesses, at first all 0. After each
+# step, from $S$ by $A$ to $S'$ with reward $R$, it moves one guess towards a better one, called the *target*. It moves by
+# the share $\alpha$, the **learning rate** (**Q-learning**, equation 6.8):
+#
+# $$
+# Q(S, A) \leftarrow Q(S, A) + \alpha \big[ \underbrace{R + \gamma \max_a Q(S', a)}_{\text{target}} - Q(S, A) \big]
+# $$
+#
+# The target is the right side of $q_*$, with the guesses in the place of the true values. These are the lines that run,
+# in all lessons:
+
+# %%
+source(QLearning.learn)
+
+# %%
+source(one_step_target)
+
+# %% [markdown]
+# After *terminated* there is no future, so the target is $R$ alone. After *truncated* there is one, and it still counts: that
+# is why the two are told apart.
+#
+# While it learns, the agent must also try what does not look best. **ε-greedy** acts at random with probability
+# $\varepsilon$, and greedily otherwise. Now put the agent into the loop, by hand, for 1 000 steps:
+
+# %%
+agent = QLearning.create(env, learning_rate=0.5, discount=0.99, exploration=EpsilonGreedy(0.1))
+rng = np.random.default_rng(0)
+state, info = env.reset(seed=0)
+for _ in range(1_000):
+    action = agent.act(state, rng)
+    next_state, reward, terminated, truncated, info = env.step(action)
+    agent.learn(state, action, reward, next_state, terminated)
+    state = env.reset()[0] if terminated or truncated else next_state
+print("values of the four actions in the first state:", agent.Q[8].round(2))
+
+# %% [markdown]
+# `train` is the same loop, translated into machine code. Watch the greedy policy of this agent now, after 1 000 steps, and
+# then after 20 000 more. Move the slider of each film, or press its button.
+
+# %%
+frames(env, agent, max_steps=40)
+
+# %%
+train(env, agent, 20_000, seed=0)
+frames(env, agent, max_steps=40)
+
+# %% [markdown]
+# ## The experiment: who learns the way?
+#
+# Three players, the same shop, 20 000 steps. One acts at random and learns nothing. One is Q-learning with
+# $\gamma = 0.99$. The third is the same Q-learning with $\gamma = 0$: its target is $R$ alone, so it learns rewards, not
+# returns.
+#
+# | setting | value |
+# |---|---|
+# | Q-learning | $\alpha = 0.5$, ε-greedy with $\varepsilon = 0.1$ |
+# | the points that are counted | not discounted |
+# | repetitions | 30 runs of each player; lines are means, bands are 95 % intervals |
+#
+# The left panel shows one episode without exploring, every 250 steps: the greedy policy as it is then. (The random player
+# has no other policy than the random one.) The right panel shows the episodes in which the agents learn, so with their
+# random actions. The dashed line is the *optimum*, the best possible result; the dotted one is the best that a policy with
+# 10 % random actions can get. Both are computed from the rules.
+#
+# **Predict.** Over the last 5 000 steps, whose episodes in the left panel are the worst?
+
+# %%
+worst = predict("The lowest points without exploring:", [loop.RANDOM, loop.MYOPIC, loop.Q_LEARNING])
+worst
+
+# %%
+results = loop.play_and_learn(n_steps=20_000, repetitions=30)
+display(loop.learning_curves(results))
+late = {player: results.curves(player).loc[15_000:].to_numpy().mean() for player in results.methods}
+for player, points in late.items():
+    print(f"{player:20} mean over the last 5 000 steps: {points:5.0f} points")
+print(
+    f"runs of {loop.Q_LEARNING} that end with the optimum: {results.share(loop.Q_LEARNING, loop.OPTIMUM).estimate:.0%}"
+)
+worst.measured(min(late, key=late.get))
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** Q-learning with $\gamma = 0$ is the worst, far below random play. Its table says about −1 for every action,
+# except beside an item or the exit. Tiny differences decide, and a greedy policy that comes back to a state in this shop
+# does the same again: it goes round and round until the clock stops, while a random player gets out now and then.
+#
+# The same lines with $\gamma = 0.99$ get to the optimum in most runs. In the others they take the way with two items, which
+# brings 78 points. At first this learner is as bad as the other one. It has to find the exit first, by its
+# random actions, and then the value of the exit comes back along the way, one state after the other.
+# </details>
+
+# %% [markdown]
+# ## Your turn: the discount
+#
+# What is best depends on how much the future counts. With $\gamma = 0.95$ the best way collects all three items.
+#
+# **Predict.** How many items does the best way collect with $\gamma = 0.85$?
+
+# %%
+items = predict("With γ = 0.85 the best way collects ...", ["no item", "one", "two", "all three"])
+items
+
+# %%
+display(loop.with_discount(gamma=0.85))
+items.measured(items.options[loop.items_on(loop.best_way(0.85))])
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** One. The exit is 16 steps away, and its 50 points count $0.85^{15} = 0.09$ times. Each further item makes the
+# way longer, so that everything after it counts still less. The world is the same as before: the discount belongs to the
+# *question*, not to the world.
+# </details>
+
+# %% [markdown]
+# Now find the two values of $\gamma$ at which the best way changes. The map shows $v_*$ of each cell, for the bag
+# that you choose, and the best action as an arrow. (It is slanted where two actions are equally good. There is none where
+# all four are.) The orange line is the best way. On the right is what each of its rewards counts at the start; together they
+# are $v_*$ of the start. *Move a slider and let it go: the cell computes everything again.*
+
+# %%
+sliders(
+    loop.with_discount,
+    gamma=[0.0, 0.5, 0.8, 0.85, 0.88, 0.89, 0.9, 0.92, 0.94, 0.95, 0.97, 0.99, 1.0],
+    bag=["empty", "red", "blue", "green", "red and blue", "red and green", "blue and green", "all three"],
+)
+
+# %% [markdown]
+# And how should it learn? Which settings make it slow, and which make it fail? (10 runs, 10 000 steps, without exploring.)
+
+
+# %%
+def learn_with(epsilon=0.1, alpha=0.5, gamma=0.99):
+    """Draw the learning curve of Q-learning with these settings."""
+    return loop.one_learner(epsilon, alpha, gamma, n_steps=10_000, repetitions=10)
+
+
+sliders(learn_with, epsilon=(0.0, 1.0, 0.1), alpha=(0.1, 1.0, 0.1), gamma=(0.5, 1.0, 0.05))
+
+# %% [markdown]
+# ## See inside: the table while it learns
+#
+# On the left is what one agent has learned with $\gamma = 0.99$, the highest $Q(s, a)$ in each cell. Cells where it has
+# learned nothing are grey. On the right is $v_*$. Move the slider slowly: it is a film of learning.
+
+# %%
+sliders(
+    loop.learned_beside_exact,
+    steps=[0, 500, 1_000, 1_500, 2_000, 2_500, 3_000, 3_500, 4_000, 5_000, 6_000, 8_000, 10_000, 20_000],
+    bag=["empty", "red", "blue", "green", "red and blue", "red and green", "blue and green", "all three"],
+)
+
+# %% [markdown]
+# The colour starts at the items and at the exit, and comes back to the entrance, one cell at a time. With an empty bag it
+# stays in the upper part of the shop. Choose the bag "red" to see where the agent goes next.
+
+# %% [markdown]
+# ## Predict, then check
+#
+# After 20 000 steps the value of the entrance is the exact one in most runs, and the agent takes the best way. The shop has
+# 427 states in which the agent can act: all cells, with all bags.
+#
+# **Predict.** In how many of them is its greedy action a best one?
+
+# %%
+everywhere = predict("States in which the agent's greedy action is a best one:", unit="%")
+everywhere
+
+# %%
+for steps in (0, 20_000):
+    agents = [loop.agent_after(steps, seed=seed) for seed in range(10)]
+    share = np.mean([loop.right_choices(agent.Q, discount=0.99) for agent in agents])
+    print(f"after {steps:6,} steps: a best action in {share:.0%} of the states (mean of 10 agents)")
+everywhere.measured(100 * share)
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** In about half of them, and by pure chance it would be 36 %. (Of equal values each counts by its share.)
+# Q-learning does not learn the shop, it learns *its way*. A state that it hardly visits keeps its first guess. Put this
+# agent in a far corner with an odd bag, and it is lost.
+# </details>
+
+# %% [markdown]
+# ## Exercises
+#
+# Each exercise is a cell with a gap. Put your code in the place of the line `raise NotImplementedError(...)`, run the cell,
+# and then run the one below it, which checks it. The check says more than right or wrong: it says what was expected, what
+# came, and which mistake that looks like. Try as often as you like. Click on a hint to open it. There is a notebook with all
+# solutions too.
+
+# %%
+from edugym.exercises.loop import exercise_1, exercise_2, exercise_3
+from edugym.grading import check
+
+# %% [markdown]
+# ### Exercise 1: the return
+# Write the function that computes the return of an episode from the list of its rewards, in the order in which they came.
+#
+# <details><summary>Hint</summary>Go through the rewards from the last to the first with <code>reversed(rewards)</code>, as
+# the cell under equation 3.9 did. The return after the end is 0.</details>
+
+
+# %%
+def discounted_return(rewards, discount):
+    """Return the discounted sum of a list of rewards."""
+    ### BEGIN SOLUTION
+    G = 0.0
+    for reward in reversed(rewards):
+        G = reward + discount * G
+    return G
+    ### END SOLUTION
+
+
+# %% tags=["check"]
+check(exercise_1, discounted_return)
+### BEGIN HIDDEN TESTS
+check(exercise_1, discounted_return, seed=1, quiet=True)
+### END HIDDEN TESTS
+
+# %% [markdown]
+# ### Exercise 2: choose an action
+# Write ε-greedy. `values` is an array with the value of each action in one state. With probability `epsilon` the function
+# returns a random action, each with the same probability. Otherwise it returns the action with the highest value, and if
+# several have it, one of *these* at random. An action is its index: 0, 1, and so on.
+#
+# <details><summary>Hint</summary><code>rng.random()</code> is a random number from 0 to 1, and <code>rng.integers(n)</code> a
+# random whole number from 0 to n − 1. <code>np.flatnonzero(values == values.max())</code> has the indices of all highest
+# values, and <code>rng.choice(indices)</code> takes one of them.</details>
+
+
+# %%
+def choose(values, epsilon, rng):
+    """Return an action by ε-greedy, ties broken at random."""
+    ### BEGIN SOLUTION
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    return rng.choice(np.flatnonzero(values == values.max()))
+    ### END SOLUTION
+
+
+# %% tags=["check"]
+check(exercise_2, choose)
+### BEGIN HIDDEN TESTS
+check(exercise_2, choose, seed=1, quiet=True)
+### END HIDDEN TESTS
+
+# %% [markdown]
+# ### Exercise 3: your own agent, in ten lines
+# An agent is a class with `act` and `learn`. Write `learn`: one update of Q-learning (equation 6.8). Read
+# `self.learning_rate`, which is $\alpha$, `self.discount`, which is $\gamma$, and the table `self.Q`. After *terminated* the
+# target is the reward alone.
+#
+# Below the check your agent races the players of this lesson. It is plain Python, and it runs as machine code. (To
+# translate it takes some seconds, once.)
+#
+# <details><summary>Hint</summary><code>state</code>, <code>action</code>, <code>reward</code> and <code>next_state</code> are
+# S, A, R and S'. <code>self.Q[state, action]</code> is one guess, and <code>max(self.Q[next_state])</code> the highest value in
+# the next state. First compute the target, then move <code>self.Q[state, action]</code> towards it with
+# <code>+=</code>.</details>
+
+
+# %%
+class MyAgent(NamedTuple):
+    """Q-learning, in ten lines."""
+
+    Q: np.ndarray  # shape (n_states, n_actions)
+    learning_rate: float = 0.5
+    discount: float = 0.99
+
+    def act(self, state, rng):
+        """Choose an action by ε-greedy with ε = 0.1."""
+        return int(rng.random() * self.Q.shape[1]) if rng.random() < 0.1 else self.greedy(state, rng)
+
+    def greedy(self, state, rng):
+        """Choose the action with the highest value."""
+        return greedy_action(self.Q, state, rng)
+
+    def learn(self, state, action, reward, next_state, terminated):
+        """Learn from one step."""
+        ### BEGIN SOLUTION
+        target = reward if terminated else reward + self.discount * max(self.Q[next_state])
+        self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+        ### END SOLUTION
+
+
+# %% tags=["check"] points=2
+check(exercise_3, MyAgent)
+### BEGIN HIDDEN TESTS
+check(exercise_3, MyAgent, seed=1, quiet=True)
+### END HIDDEN TESTS
+display(loop.race({"my agent": lambda shop: MyAgent(np.zeros((800, 4)))}))
+run = train("Supermarket", MyAgent(np.zeros((800, 4))), 3_000_000, evaluate_every=3_000_000)
+display(f"3 million steps, more than a million a second: {run.seconds < 3}")
+
+# %% [markdown]
+# Your agent's line should lie on that of Q-learning with $\gamma = 0.99$, but for chance: it is the same agent. Change it
+# and race again: what does a learning rate of 0.05 do, or a discount of 0.5?
+
+# %% [markdown]
+# ## What you saw
+#
+# - Agent and environment talk in a loop: state, action, reward, next state. An episode ends *terminated*, with no future, or
+#   *truncated*, with one.
+# - The reward is what comes next. The return is what comes in all. Acting for the next reward was hardly better than
+#   acting at random, and learning from it alone was worse.
+# - The discount decides what is best: one item, two or three in the same shop.
+# - Q-learning found the way without knowing the rules. Where it did not go, it knew nothing.
+#
+# ### In one paragraph
+# *Learn it by heart, or better, say it in your own words.* An agent wants a high return, the discounted sum of all rewards
+# from now on: $G_t = R_{t+1} + \gamma G_{t+1}$. A reward alone does not tell whether an action was good, so the agent
+# learns values, the returns that it can expect. Q-learning makes the equation of the return into an update: it moves its
+# guess for an action towards the reward plus the discounted best guess for the next state, where there is one. Then the
+# value of what is far away comes back, one state at a time.
+#
+# ### What comes next
+# The shop was easy in nine ways, and each of the next lessons takes one of them away. Run the cell for their pictures.
+#
+# | lesson | environment | what was easy here | what is hard there |
+# |---|---|---|---|
+# | 1 | Boulder | random steps find an item sooner or later | the only reward is far away: how to *explore*? |
+# | 2 | Roadrunner | a random step costs a point | a random step may be deadly: learn the best way, or the safe one? |
+# | 3 | Study | there was time for values to come back step by step | the exam comes long after the lecture: *how far back* to look? |
+# | 4 | Catch | a table has a row for every state | the state is a picture: too many for a table |
+# | 5 | MemoryCorridor | the agent saw the whole state | it sees a part, and must *remember* |
+# | 6 | Tamagotchi | what it saw was true | it is told little, and not always the truth |
+# | 7 | Trashbot | four actions | actions are numbers, as fine as you like |
+# | 8 | Golf | every action did what it should | the ball goes where it wants: is the mean all that counts? |
+# | 9 | Supermarket | steps were free | steps are dear: build a model, and *think* before you act |
+# | 10 | your own | somebody had written the environment | you write it: states, actions, and a reward that says what you mean |
+
+# %%
+loop.nine_challenges()
+
+# %% [markdown]
+# ### Limits
+# This world has no chance in it, 428 states, and no secrets. The equation of $q_*$ above is the one without chance; with
+# chance it has a mean over what can happen (equation 3.20). And the best way was known here, so that you could see how good
+# the agent is. Mostly nobody knows.
+#
+# ### Further reading
+# - Sutton and Barto, *Reinforcement Learning*, 2nd edition: 3.1–3.6 (agent, return, values), 6.5 (Q-learning); 1.1–1.5 for
+#   the whole story.
+# - Watkins and Dayan (1992), *Q-learning*: where the update comes from, and why it converges.
+# - Moerland et al. (2023), *EduGym: An environment and notebook suite for reinforcement learning education*: the paper
+#   behind the nine environments.
+# - [Gymnasium](https://gymnasium.farama.org): the loop that all these environments share.
