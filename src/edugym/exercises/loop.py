@@ -10,7 +10,7 @@ from edugym.grading.choices import check_choices
 from edugym.grading.one_step import Q_LEARNING
 from edugym.grading.student_code import running
 from edugym.grading.updates import table_of
-from edugym.grading.values import compare, given
+from edugym.grading.values import compare, given, number, same
 from edugym.grading.wrong import WrongAnswer
 from edugym.lessons.loop.exact import discounted
 
@@ -31,22 +31,37 @@ def exercise_1(answer: Any, seed: int) -> str:
     a_function("discounted_return", answer)
     rng = np.random.default_rng(seed)
     cases: list[tuple[list[float], float]] = [([4.0, 2.0, 8.0], 0.5)]
-    for length, discount in ((4, 0.5), (6, 0.25), (3, 1.0), (5, 0.0), (1, 0.5), (0, 0.5)):
+    for length, discount in ((4, 0.5), (6, 0.25), (3, 1.0), (5, 0.0), (1, 0.5)):
         cases.append((rng.choice([-4.0, -2.0, 1.0, 2.0, 3.0, 4.0, 8.0], length).tolist(), discount))
-    for rewards, discount in cases:
-        call, given_rewards = f"discounted_return({rewards}, {discount})", list(rewards)
-        with running(call):
-            found = answer(given_rewards, discount)
-        if given_rewards != rewards:
-            raise WrongAnswer(f"{call} changes the list of rewards that it is given: work on a copy, or only read it")
-        right = discounted(np.array(rewards), discount)
-        if isinstance(found, list | np.ndarray) and len(np.shape(found)) == 1:
-            raise WrongAnswer(f"{call} gives several numbers: only the return from the first step on is asked for")
-        mistakes = {
-            sentence: value for sentence, value in _return_mistakes(rewards, discount).items() if value != right
-        }
-        compare(call, found, right, mistakes)
+    answers = [_found(answer, rewards, discount) for rewards, discount in cases]
+    right = [discounted(np.array(rewards), discount) for rewards, discount in cases]
+    wrong = [_return_mistakes(rewards, discount) for rewards, discount in cases]
+    everywhere = [
+        sentence
+        for sentence in wrong[0]
+        if all(same(found, mistakes[sentence]) for found, mistakes in zip(answers, wrong, strict=True))
+    ]
+    for (rewards, discount), found, expected, mistakes in zip(cases, answers, right, wrong, strict=True):
+        fitting = {sentence: mistakes[sentence] for sentence in everywhere or mistakes}
+        different = {sentence: value for sentence, value in fitting.items() if value != expected}
+        compare(_call(rewards, discount), found, expected, different)
     return "Right: one multiplication a step, and from the last reward to the first no power of γ is needed."
+
+
+def _call(rewards: Sequence[float], discount: float) -> str:
+    return f"discounted_return({rewards}, {discount})"
+
+
+def _found(answer: Callable[..., Any], rewards: list[float], discount: float) -> float:
+    """Return what a student's function gives, a number."""
+    call, passed = _call(rewards, discount), list(rewards)
+    with running(call):
+        found = answer(passed, discount)
+    if passed != rewards:
+        raise WrongAnswer(f"{call} changes the list of rewards that it is given: work on a copy, or only read it")
+    if isinstance(found, list | np.ndarray) and len(np.shape(found)) == 1:
+        raise WrongAnswer(f"{call} gives several numbers: only the return from the first step on is asked for")
+    return number(call, found)
 
 
 def _return_mistakes(rewards: Sequence[float], discount: float) -> dict[str, float]:
@@ -98,6 +113,7 @@ def exercise_2(answer: Any, seed: int) -> str:
     a_function("choose", answer)
     rng = np.random.default_rng(seed)
     cases: list[tuple[list[float], float]] = [
+        ([1.0, 3.0, 2.0, 0.0], 0.3),
         ([1.0, 3.0, 2.0], 0.0),
         ([-1.0, -5.0, -3.0, -0.5], 0.0),
         ([5.0, 0.0, -2.0], 0.0),
