@@ -83,7 +83,7 @@ def _return_mistakes(rewards: Sequence[float], discount: float) -> dict[str, flo
         "the discount goes the wrong way, and once too often: the first reward counts in full": discount
         * weighted(powers[::-1]),
         "all later rewards are discounted by the same γ; a reward k steps later counts γ^k times": weighted(
-            [1.0, *[discount] * (n - 1)][:n]
+            [1.0, *[discount] * (n - 1)]
         ),
         "the whole sum is multiplied by γ once; a reward k steps later counts γ^k times": discount * total,
         "that is γ · k, and it should be γ^k: `**` is the power": weighted([discount * k for k in range(n)]),
@@ -91,13 +91,13 @@ def _return_mistakes(rewards: Sequence[float], discount: float) -> dict[str, flo
             [float(k) ** discount if k else float(discount == 0) for k in range(n)]
         ),
         "the rewards are divided by γ^k; multiply": weighted([1 / p for p in powers]) if discount else total,
-        "that is the mean": total / n if n else 0.0,
-        "the mean is taken; a return is a sum": weighted(powers) / n if n else 0.0,
+        "that is the mean": total / n,
+        "the mean is taken; a return is a sum": weighted(powers) / n,
         "the last reward is left out": weighted([*powers[:-1], 0.0][:n]),
         "the first reward is left out": weighted([0.0, *powers[1:]][:n]),
         "the first reward is left out, and the second one counts in full": weighted([0.0, *powers][:n]),
-        "that is the first reward alone": rewards[0] if n else 0.0,
-        "that is the last reward alone": rewards[-1] if n else 0.0,
+        "that is the first reward alone": rewards[0],
+        "that is the last reward alone": rewards[-1],
         "that is the last reward with its discount; add all of them up": weighted([*[0.0] * (n - 1), *powers[-1:]]),
         "only the first two rewards count: is `return` inside the loop?": weighted([*powers[:2], *[0.0] * n][:n]),
         "1 − γ stands in the place of γ": weighted([(1 - discount) ** k for k in range(n)]),

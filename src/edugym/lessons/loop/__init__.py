@@ -27,6 +27,7 @@ from edugym.lessons.loop.exact import (
     right_choices,
 )
 from edugym.lessons.loop.figures import (
+    BAGS,
     agent_after,
     figures,
     learned_beside_exact,
@@ -60,6 +61,7 @@ from edugym.results.statistics import exactly, mean_interval
 from edugym.results.tables import Results
 
 __all__ = [
+    "BAGS",
     "DISCOUNT",
     "EPSILON",
     "ITEMS",

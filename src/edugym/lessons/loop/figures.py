@@ -12,6 +12,7 @@ from edugym.lessons.loop.methods import (
     DISCOUNT,
     EPSILON,
     ITEMS,
+    LEARNING_RATE,
     MYOPIC,
     OPTIMUM,
     Q_LEARNING,
@@ -133,10 +134,17 @@ def learned_beside_exact(steps: int = 20_000, bag: str = "empty") -> Sheet:
     )
 
 
-def one_learner(epsilon: float, learning_rate: float, discount: float, n_steps: int, **how: Any) -> Sheet:
-    """Return the learning curve of Q-learning with these settings."""
-    results = learn_with(epsilon, learning_rate, discount, n_steps, **how)
-    title = f"ε = {epsilon:g}, α = {learning_rate:g}, γ = {discount:g}"
+def one_learner(
+    epsilon: float = EPSILON,
+    alpha: float = LEARNING_RATE,
+    gamma: float = DISCOUNT,
+    steps: int = 10_000,
+    repetitions: int = 10,
+) -> Sheet:
+    """Return the learning curve of Q-learning with these settings, evaluated without exploring."""
+    results = learn_with(epsilon, alpha, gamma, steps, repetitions=repetitions)
+    points = ", ".join(f"{mean:g}" for mean in sorted({*results.final("Q-learning").tolist()}))
+    title = f"ε = {epsilon:g}, α = {alpha:g}, γ = {gamma:g}: ends with {points}"
     return Sheet("one_learner", [[Curves(results, title, optimum=OPTIMUM, y_range=RANGE)]])
 
 
