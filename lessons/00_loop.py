@@ -12,8 +12,8 @@
 # notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
 #
 # **This page is a program.** Text and cells of code take turns. Click into a cell of code and press Shift and Enter: it
-# runs, and its result appears below. Go from top to bottom, since a cell may need the ones above. You cannot break
-# anything: change numbers, and run a cell again.
+# runs, and its result appears below. Go from top to bottom, since a cell may need the ones above. Change a number and run
+# the cell again as often as you like. If you get lost, restart from the menu "Kernel" and run all cells.
 
 # %%
 from typing import NamedTuple
@@ -39,7 +39,7 @@ env.unwrapped.scene()
 
 # %% [markdown]
 # Play it yourself, with the buttons. Each step costs 1 point, an item brings 25 and the exit 50. What is the highest
-# total that you can get? (You will see the answer below.)
+# total that you can get?
 
 # %%
 play("Supermarket", max_steps=100)
@@ -50,8 +50,8 @@ play("Supermarket", max_steps=100)
 # **action** $A_t$. The environment answers with a **reward** $R_{t+1}$, a number, and the next state $S_{t+1}$. In this shop
 # the state is the place of the shopper together with what is in the bag. The actions are 0 up, 1 down, 2 left, 3 right.
 #
-# [Gymnasium](https://gymnasium.farama.org) is how most programs write this down. Take two steps by hand, down and to the
-# right:
+# [Gymnasium](https://gymnasium.farama.org) is how most programs write this down: `reset` begins an episode, and `step`
+# takes an action. Take two steps by hand, down and to the right:
 
 # %%
 print("the first state:", state)
@@ -60,8 +60,8 @@ for action in (1, 3):
     print(f"action {action}: state {state}, reward {reward}, terminated {terminated}, truncated {truncated}")
 
 # %% [markdown]
-# The state is only a number to the agent: nothing tells it that 88 and 96 are neighbours. Here is the whole loop in five
-# lines, with the simplest agent there is. It acts at random.
+# The state is only a number to the agent: nothing tells it that 88 and 96 are neighbours. Here is the whole loop. The agent
+# in it is the simplest one there is: it acts at random.
 
 # %%
 env.action_space.seed(1)
@@ -74,16 +74,16 @@ while not (terminated or truncated):
 print(f"{steps} steps, {total:g} points in all, terminated {terminated}, truncated {truncated}")
 
 # %% [markdown]
-# From start to end is an **episode**. It can end in two ways, and they are not the same:
+# From the first state to the end is an **episode**. It can end in two ways, and they are not the same:
 #
 # - **terminated**: the task is over. The shopper is at the exit, and nothing can come after it.
 # - **truncated**: somebody stopped the clock, here after 500 steps. The shopper is still somewhere, and could have gone on.
 #
-# A rule that chooses the actions is called a **policy**.
+# A rule that chooses the actions is called a **policy**. This one is the random policy.
 #
 # **Predict.** How many points does the random policy get in an episode, on average? *In these lessons you answer before you
-# run.* Run the next cell, type your answer into its field, and go on to the cell after it. Nobody grades it; you learn
-# most when you are surprised.
+# run.* Run the next cell, type your answer into its field, and go on to the cell after it. Nobody grades your answer. Below,
+# click on the triangle to read what happened.
 
 # %%
 random_play = predict("The random policy gets, on average:", unit="points")
@@ -106,9 +106,8 @@ random_play.measured(loop.random_return())
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** −313. About half of the random episodes do not get to the exit, and pay for 500 steps. This number needs no
-# playing: the rules of the shop are known, so it can be computed. The mean of 400 episodes is near it, by chance a little
-# above or below.
+# **Measured.** −313 points. About half of the random episodes do not get to the exit, and pay for 500 steps. This number
+# needs no playing: the rules of the shop are known, so it can be computed. The mean of 400 episodes is close to it.
 # </details>
 
 # %% [markdown]
@@ -120,15 +119,16 @@ random_play.measured(loop.random_return())
 # G_t = R_{t+1} + \gamma R_{t+2} + \gamma^2 R_{t+3} + \dots
 # $$
 #
-# The **discount** $\gamma$, from 0 to 1, says how much the future counts: a reward that comes $k$ steps later counts
-# $\gamma^k$ times. With $\gamma = 1$ all count the same, and with $\gamma = 0$ only the next one. After a terminal state
-# the return is 0. The second form of the same equation (3.9) is the one to remember:
+# The **discount** $\gamma$, from 0 to 1, says how much the future counts: the next reward counts in full, and one that comes
+# $k$ steps after it counts $\gamma^k$ times. With $\gamma = 1$ all count the same, and with $\gamma = 0$ only the next one.
+# After a terminal state the return is 0. A second form of this equation (3.9) is the one to remember:
 #
 # $$
 # G_t = R_{t+1} + \gamma G_{t+1}
 # $$
 #
-# It says how to compute returns: *backwards*, from the end. Two steps at a cost of 1, then an item, with $\gamma = 0.5$:
+# It says how to compute returns: *backwards*, from the end. Two steps at a cost of 1, then a step onto an item ($25 - 1$),
+# and there the episode ends; $\gamma = 0.5$:
 
 # %%
 G = 0  # after the end
@@ -144,11 +144,11 @@ for reward in (24, -1, -1):  # the last reward first
 loop.rewards_and_returns(0.95)
 
 # %% [markdown]
-# Nearly all steps of the *best* way have the reward −1, like all steps of a bad one. Their rewards do not tell which of
-# them are good. Their returns do: the line rises towards each item, although the bars stay at −1.
+# Nearly all steps of the *best* way have the reward −1, like the steps of any bad way. The reward does not tell that they
+# are good. The return does: the line rises towards each item, although the bars stay at −1.
 #
-# **Predict.** A greedy player knows the reward of every action, and always takes the action with the highest *next reward*
-# (if several are equal, one of them at random). The best possible total is 95. What does this player get on average?
+# **Predict.** A player knows the reward of every action, and always takes the action with the highest *next reward* (if
+# several are equal, one of them at random). The best possible total is 95. What does this player get on average?
 
 # %%
 next_reward = predict("Always the highest next reward:", ["more than 47", "from 0 to 47", "less than 0"])
@@ -156,16 +156,14 @@ next_reward
 
 # %%
 earned = loop.myopic_return()
-print(
-    f"highest next reward: {earned:.0f} points; random: {loop.random_return():.0f}; the best policy: {loop.OPTIMUM:g}"
-)
+print(f"highest next reward: {earned:.0f} points, random: {loop.random_return():.0f}, best policy: {loop.OPTIMUM:g}")
 next_reward.measured("more than 47" if earned > 47 else "from 0 to 47" if earned >= 0 else "less than 0")
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** −248 points, not much better than random play. Where no item and no exit is beside it, all four rewards are
-# −1, and this player walks at random too. And beside the exit it leaves, whatever is still missing in its bag.
+# **Measured.** −248 points, far below 0 like random play. Where no item and no exit is beside it, all four rewards are −1,
+# and this player walks at random too. And beside the exit it leaves, whatever is still missing in its bag.
 # </details>
 
 # %% [markdown]
@@ -179,21 +177,21 @@ next_reward.measured("more than 47" if earned > 47 else "from 0 to 47" if earned
 # $$
 #
 # It is equation 3.9 once more: the next reward, and then the best return from there on. $v_*(s)$ is the value of the state.
-# Whoever knows $q_*$ plays perfectly by looking at four numbers: take the action with the highest *value*. That is called
-# **greedy**. The rules of this shop are known, so a computer can find $q_*$ exactly, and you can see what learning should
-# lead to. (How it does so is in lesson 9.)
+# Whoever knows $q_*$ plays perfectly by looking at four numbers: take the action with the highest *value*. That is the
+# **greedy** action. The rules of this shop are known, so a computer can find $q_*$ exactly (lesson 9 shows how), and you can
+# see what learning should lead to.
 #
 # ### Learning: the update of Q-learning
-# The agent of these lessons does *not* know the rules. It keeps a table $Q(s, a)$ of guesses, at first all 0. After each
-# step, from $S$ by $A$ to $S'$ with reward $R$, it moves one guess towards a better one, called the *target*. It moves by
-# the share $\alpha$, the **learning rate** (**Q-learning**, equation 6.8):
+# The agent does *not* know the rules. It keeps a table $Q(s, a)$ of guesses, at first all 0. After each step, from $S$ by
+# $A$ to $S'$ with reward $R$, it moves one guess a part of the way towards a better one, the *target*. The part is $\alpha$,
+# the **learning rate**. This is **Q-learning** (equation 6.8):
 #
 # $$
 # Q(S, A) \leftarrow Q(S, A) + \alpha \big[ \underbrace{R + \gamma \max_a Q(S', a)}_{\text{target}} - Q(S, A) \big]
 # $$
 #
-# The target is the right side of $q_*$, with the guesses in the place of the true values. These are the lines that run,
-# in all lessons:
+# The target is the right side of the equation of $q_*$, with guesses in the place of the true values. These are the lines
+# that run; the second cell shows the target:
 
 # %%
 source(QLearning.learn)
@@ -202,11 +200,11 @@ source(QLearning.learn)
 source(one_step_target)
 
 # %% [markdown]
-# After *terminated* there is no future, so the target is $R$ alone. After *truncated* there is one, and it still counts: that
+# After *terminated* there is no future, so the target is $R$ alone. After *truncated* there is one, and it still counts. That
 # is why the two are told apart.
 #
-# While it learns, the agent must also try what does not look best. **ε-greedy** acts at random with probability
-# $\varepsilon$, and greedily otherwise. Now put the agent into the loop, by hand, for 1 000 steps:
+# While it learns, the agent must also try what does not look best. **ε-greedy** takes a random action with probability
+# $\varepsilon$, and the greedy action otherwise. Now put this agent into the loop, for 1 000 steps:
 
 # %%
 agent = QLearning.create(env, learning_rate=0.5, discount=0.99, exploration=EpsilonGreedy(0.1))
@@ -220,11 +218,13 @@ for _ in range(1_000):
 print("values of the four actions in the first state:", agent.Q[8].round(2))
 
 # %% [markdown]
-# `train` is the same loop, translated into machine code. Watch the greedy policy of this agent now, after 1 000 steps, and
-# then after 20 000 more. Move the slider of each film, or press its button.
+# Watch what this agent does without exploring now, after 1 000 steps. Press the button of the film, or move its slider.
 
 # %%
 frames(env, agent, max_steps=40)
+
+# %% [markdown]
+# And after 20 000 steps more. `train` is the loop that you have just seen, translated into machine code.
 
 # %%
 train(env, agent, 20_000, seed=0)
@@ -235,15 +235,14 @@ frames(env, agent, max_steps=40)
 #
 # Three players, the same shop, 20 000 steps. One acts at random and learns nothing. One is Q-learning with
 # $\gamma = 0.99$. The third is the same Q-learning with $\gamma = 0$: its target is $R$ alone, so it learns rewards, not
-# returns.
+# returns. Both learners have $\alpha = 0.5$ and $\varepsilon = 0.1$.
 #
-# Both have $\alpha = 0.5$ and $\varepsilon = 0.1$. There are 30 runs of each player. Lines are means, and bands are 95 %
-# intervals. The points in the figure are not discounted. The left panel shows one episode without exploring, every 250 steps: the greedy policy as it is then. (The random player
-# has no other policy than the random one.) The right panel shows the episodes in which the agents learn, so with their
-# random actions. The dashed line is the *optimum*, the best possible result; the dotted one is the best that a policy with
-# 10 % random actions can get. Both are computed from the rules.
+# The left panel shows their greedy policies: one episode without exploring, every 250 steps. (The random player stays
+# random.) The right panel shows the episodes in which they learn, with their random actions. Lines are means of 30 runs, and
+# bands are 95 % intervals. The dashed line is the *optimum*, the best possible total, which is not discounted. The dotted
+# line is the best that a policy with 10 % random actions can get on average. Both are computed from the rules.
 #
-# **Predict.** Over the last 5 000 steps, whose episodes in the left panel are the worst?
+# **Predict.** Over the last 5 000 steps, who has the lowest mean in the left panel?
 
 # %%
 worst = predict("The lowest points without exploring:", [loop.RANDOM, loop.MYOPIC, loop.Q_LEARNING])
@@ -255,9 +254,8 @@ display(loop.learning_curves(results))
 late = {player: results.curves(player).loc[15_000:].to_numpy().mean() for player in results.methods}
 for player, points in late.items():
     print(f"{player:20} mean over the last 5 000 steps: {points:5.0f} points")
-print(
-    f"runs of {loop.Q_LEARNING} that end with the optimum: {results.share(loop.Q_LEARNING, loop.OPTIMUM).estimate:.0%}"
-)
+solved = results.share(loop.Q_LEARNING, loop.OPTIMUM).estimate
+print(f"runs of {loop.Q_LEARNING} that end with the optimum: {solved:.0%}")
 worst.measured(min(late, key=late.get))
 
 # %% [markdown]
@@ -290,16 +288,18 @@ items.measured(items.options[loop.items_on(loop.best_way(0.85))])
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** One. The exit is 16 steps away, and its 50 points count $0.85^{15} = 0.09$ times. Each further item makes the
-# way longer, so that everything after it counts still less. The world is the same as before: the discount belongs to the
-# *question*, not to the world.
+# **Measured.** One. Even on this way the exit is the 16th step, and its reward counts $0.85^{15} = 0.09$ times. A further
+# item makes the way longer, so that everything after it counts still less. The shop is the same as before: the discount
+# belongs to the *question*, not to the world.
 # </details>
 
 # %% [markdown]
-# Now find the two values of $\gamma$ at which the best way changes. The map shows $v_*$ of each cell, for the bag
-# that you choose, and the best action as an arrow. (It is slanted where two actions are equally good. There is none where
-# all four are.) The orange line is the best way. On the right is what each of its rewards counts at the start; together they
-# are $v_*$ of the start. *Move a slider and let it go: the cell computes everything again.*
+# The map shows $v_*$ of each cell, with nothing in the bag, and the best action as an arrow. (It is slanted where two
+# actions are equally good.) The orange line is the best way. On the right is what each of its rewards counts at the start,
+# and their sum is $v_*$ of the start.
+#
+# *Move a slider and let it go: the cell computes everything again.* At which values of $\gamma$ does the best way change?
+# What is best for $\gamma = 0$? And where does the shopper go from each cell when something is in the bag already?
 
 # %%
 sliders(
@@ -309,7 +309,8 @@ sliders(
 )
 
 # %% [markdown]
-# And how should it learn? Which settings make it slow, and which make it fail? (10 runs, without exploring.)
+# And how should an agent learn? Which settings make it slow, and which make it fail? (The title says with which totals the
+# 10 runs end, without exploring.)
 
 # %%
 sliders(
@@ -321,9 +322,9 @@ sliders(
 )
 
 # %% [markdown]
-# Try $\gamma = 0.85$. The map says that one item is best, 59 points, but the learner gets 76, 78 or 95: it stays with the
-# first way that works. Give it 100 000 steps and $\varepsilon = 1$, so that it sees everything, and it does what the map
-# says.
+# Try $\gamma = 0.85$. The map says that one item is best, which makes 59 points, but the runs end with 76, 78 or 95: they
+# keep to a way that they found early. Give them $\varepsilon = 1$ and 100 000 steps, so that they see everything, and they
+# do what the map says.
 
 # %% [markdown]
 # ## See inside: the table while it learns
@@ -339,14 +340,15 @@ sliders(
 )
 
 # %% [markdown]
-# The colour starts at the items and at the exit, and comes back to the entrance, one cell at a time. With an empty bag it
-# stays in the upper part of the shop. Choose the bag "red" to see where the agent goes next.
+# With an empty bag the colour starts beside the red item and comes back to the entrance, one cell at a time. In the end the
+# value of the entrance is exactly right. For the rest of the way of this agent choose the bags "red", "red and green" and
+# "all three".
 
 # %% [markdown]
 # ## Predict, then check
 #
-# After 20 000 steps the value of the entrance is the exact one in most runs, and the agent takes the best way. The shop has
-# 427 states in which the agent can act: all cells, with all bags.
+# The shop has 427 states in which an agent can act: all cells, with all bags that are possible there. After 20 000 steps
+# the agent takes a good way, as you saw.
 #
 # **Predict.** In how many of them is its greedy action a best one?
 
@@ -364,18 +366,17 @@ everywhere.measured(100 * share)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** In about half of them, and by pure chance it would be 36 %. (Of equal values each counts by its share.)
-# Q-learning does not learn the shop, it learns *its way*. A state that it hardly visits keeps its first guess. Put this
-# agent in a far corner with an odd bag, and it is lost.
+# **Measured.** In less than half of them. Before the first step, when all values are equal and chance decides, it was 36 %.
+# Q-learning does not learn the shop, it learns *its way*. A state that it never visits keeps its first guess. Put this agent
+# into another corner with another bag, and it may be lost.
 # </details>
 
 # %% [markdown]
 # ## Exercises
 #
 # Each exercise is a cell with a gap. Put your code in the place of the line `raise NotImplementedError(...)`, run the cell,
-# and then run the one below it, which checks it. The check says more than right or wrong: it says what was expected, what
-# came, and which mistake that looks like. Try as often as you like. Click on a hint to open it. There is a notebook with all
-# solutions too.
+# and then run the one below it, which checks it. The check says more than right or wrong: what was expected, what came, and
+# which mistake that looks like. Try as often as you like. Click on a hint to open it.
 
 # %%
 from edugym.exercises.loop import exercise_1, exercise_2, exercise_3
@@ -439,8 +440,8 @@ check(exercise_2, choose, seed=1, quiet=True)
 # `self.learning_rate`, which is $\alpha$, `self.discount`, which is $\gamma$, and the table `self.Q`. After *terminated* the
 # target is the reward alone.
 #
-# Below the check your agent races the players of this lesson. It is plain Python, and it runs as machine code. (To
-# translate it takes some seconds, once.)
+# Below the check your agent races the players of this lesson. You write plain Python, and it is translated into machine code,
+# which takes some seconds, once. Then it runs millions of steps a second.
 #
 # <details><summary>Hint</summary><code>state</code>, <code>action</code>, <code>reward</code> and <code>next_state</code> are
 # S, A, R and S'. <code>self.Q[state, action]</code> is one guess, and <code>max(self.Q[next_state])</code> the highest value in
@@ -482,16 +483,16 @@ run = train("Supermarket", MyAgent(np.zeros((800, 4))), 3_000_000, evaluate_ever
 print("3 million steps took less than 3 seconds:", run.seconds < 3)
 
 # %% [markdown]
-# Your agent's line should lie on that of Q-learning with $\gamma = 0.99$, but for chance: it is the same agent. Change it
-# and race again: what does a learning rate of 0.05 do, or a discount of 0.5?
+# Your agent's line should lie on that of Q-learning with $\gamma = 0.99$: it is the same agent. Now it is yours. Change its
+# learning rate or the 0.1 in `act`, and race again.
 
 # %% [markdown]
 # ## What you saw
 #
 # - Agent and environment talk in a loop: state, action, reward, next state. An episode ends *terminated*, with no future, or
 #   *truncated*, with one.
-# - The reward is what comes next. The return is what comes in all. Acting for the next reward was hardly better than
-#   acting at random, and learning from it alone was worse.
+# - The reward is what comes next. The return is what comes in all. Acting for the next reward brought −248 points (random
+#   play −313, the best policy 95), and learning the next reward alone was even worse than random play.
 # - The discount decides what is best: one item, two or three in the same shop.
 # - Q-learning found the way without knowing the rules. Where it did not go, it knew nothing.
 #
@@ -503,11 +504,11 @@ print("3 million steps took less than 3 seconds:", run.seconds < 3)
 # value of what is far away comes back, one state at a time.
 #
 # ### What comes next
-# The shop was easy in nine ways, and each of the next lessons takes one of them away. Run the cell for their pictures.
+# The shop was easy in many ways. Each of the next lessons takes one of them away. The cell below shows their environments.
 #
 # | lesson | environment | what was easy here | what is hard there |
 # |---|---|---|---|
-# | 1 | Boulder | random steps find an item sooner or later | the only reward is far away: how to *explore*? |
+# | 1 | Boulder | random steps find an item soon | the only reward is far away: how to *explore*? |
 # | 2 | Roadrunner | a random step costs a point | a random step may be deadly: learn the best way, or the safe one? |
 # | 3 | Study | there was time for values to come back step by step | the exam comes long after the lecture: *how far back* to look? |
 # | 4 | Catch | a table has a row for every state | the state is a picture: too many for a table |
@@ -523,9 +524,9 @@ loop.nine_challenges()
 
 # %% [markdown]
 # ### Limits
-# This world has no chance in it, 428 states, and no secrets. The equation of $q_*$ above is the one without chance; with
-# chance it has a mean over what can happen (equation 3.20). And the best way was known here, so that you could see how good
-# the agent is. Mostly nobody knows.
+# In this shop nothing happens by chance; elsewhere $q_*$ needs a mean over all that can happen (equation 3.20 in full). There
+# are only 428 states, so a table can hold a value for every action in each of them. And the best way is known here, so
+# that you could see how good the agent is. Mostly nobody knows it.
 #
 # ### Further reading
 # - Sutton and Barto, *Reinforcement Learning*, 2nd edition: 3.1–3.6 (agent, return, values), 6.5 (Q-learning); 1.1–1.5 for

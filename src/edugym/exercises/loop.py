@@ -30,7 +30,7 @@ def exercise_1(answer: Any, seed: int) -> str:
     """Check the return of a list of rewards."""
     a_function("discounted_return", answer)
     rng = np.random.default_rng(seed)
-    cases: list[tuple[list[float], float]] = [([4.0, 2.0, 8.0], 0.5)]
+    cases: list[tuple[list[float], float]] = [([4.0, 2.0, 8.0], 0.25)]
     for length, discount in ((4, 0.5), (6, 0.25), (3, 1.0), (5, 0.0), (1, 0.5)):
         cases.append((rng.choice([-4.0, -2.0, 1.0, 2.0, 3.0, 4.0, 8.0], length).tolist(), discount))
     answers = [_found(answer, rewards, discount) for rewards, discount in cases]
