@@ -7,7 +7,7 @@
 # **You will be able to** write the loop of agent and environment; say what separates a reward from a return; explain
 # what the discount changes; and write an agent in ten lines that learns in millions of steps a second.
 #
-# **Time.** 20 minutes, and 20 more for the exercises. **Before you start.** Two lectures on reinforcement learning, or
+# **Time.** 25 minutes, and 20 more for the exercises. **Before you start.** Two lectures on reinforcement learning, or
 # sections 3.1 to 3.6 and 6.5 of Sutton and Barto, *Reinforcement Learning*, 2nd edition. All symbols are in the [table of
 # notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
 #
@@ -74,6 +74,8 @@ while not (terminated or truncated):
 print(f"{steps} steps, {total:g} points in all, terminated {terminated}, truncated {truncated}")
 
 # %% [markdown]
+# The same lines run in any environment of Gymnasium, for example in `gym.make("FrozenLake-v1")`.
+#
 # From the first state to the end is an **episode**. It can end in two ways, and they are not the same:
 #
 # - **terminated**: the task is over. The shopper is at the exit, and nothing can come after it.
@@ -83,7 +85,7 @@ print(f"{steps} steps, {total:g} points in all, terminated {terminated}, truncat
 #
 # **Predict.** How many points does the random policy get in an episode, on average? *In these lessons you answer before you
 # run.* Run the next cell, type your answer into its field, and go on to the cell after it. Nobody grades your answer. Below,
-# click on the triangle to read what happened.
+# click on the triangle to read what happened and why.
 
 # %%
 random_play = predict("The random policy gets, on average:", unit="points")
@@ -224,10 +226,12 @@ print("values of the four actions in the first state:", agent.Q[8].round(2))
 frames(env, agent, max_steps=40)
 
 # %% [markdown]
-# And after 20 000 steps more. `train` is the loop that you have just seen, translated into machine code.
+# The shopper does not get far. Its table knows that steps cost points, and hardly more: what lies at the end of the way has
+# not come back to the entrance yet. And after 20 000 steps more? `train` is the loop that you have just seen, translated into
+# machine code.
 
 # %%
-train(env, agent, 20_000, seed=0)
+train(env, agent, 20_000, seed=1)
 frames(env, agent, max_steps=40)
 
 # %% [markdown]
@@ -295,8 +299,9 @@ items.measured(items.options[loop.items_on(loop.best_way(0.85))])
 
 # %% [markdown]
 # The map shows $v_*$ of each cell, with nothing in the bag, and the best action as an arrow. (It is slanted where two
-# actions are equally good.) The orange line is the best way. On the right is what each of its rewards counts at the start,
-# and their sum is $v_*$ of the start.
+# actions are equally good.) The orange line is the best way to the exit. After an item the bag is another one, so from there
+# on the line may run against the arrows. On the right is what each reward on the way counts at the start, and their sum is
+# $v_*$ of the start.
 #
 # *Move a slider and let it go: the cell computes everything again.* At which values of $\gamma$ does the best way change?
 # What is best for $\gamma = 0$? And where does the shopper go from each cell when something is in the bag already?
