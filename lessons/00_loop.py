@@ -5,7 +5,7 @@
 # alone it has to find out which actions are good, also when the reward comes thirty steps later.
 #
 # **You will be able to** write the loop of agent and environment; say what separates a reward from a return; explain
-# what the discount changes; and write an agent in ten lines that learns in millions of steps a second.
+# what the discount changes; and write an agent in ten lines that takes millions of steps a second.
 #
 # **Time.** 25 minutes, and 20 more for the exercises. **Before you start.** Two lectures on reinforcement learning, or
 # sections 3.1 to 3.6 and 6.5 of Sutton and Barto, *Reinforcement Learning*, 2nd edition. All symbols are in the [table of
@@ -329,7 +329,7 @@ sliders(
 # %% [markdown]
 # Try $\gamma = 0.85$. The map says that one item is best, which makes 59 points, but the runs end with 76, 78 or 95: they
 # keep to a way that they found early. Give them $\varepsilon = 1$ and 100 000 steps, so that they see everything, and they
-# do what the map says.
+# do what the map says. (And why does it learn with $\varepsilon = 0$ too? Exercise 2 of lesson 1 is about that.)
 
 # %% [markdown]
 # ## See inside: the table while it learns
@@ -379,8 +379,8 @@ everywhere.measured(100 * share)
 # %% [markdown]
 # ## Exercises
 #
-# Each exercise is a cell with a gap. Put your code in the place of the line `raise NotImplementedError(...)`, run the cell,
-# and then run the one below it, which checks it. The check says more than right or wrong: what was expected, what came, and
+# Each exercise is a cell of code with a gap. Put your code in the place of the line `raise NotImplementedError(...)`, run the cell,
+# and then run the cell below it, which checks your answer. The check says more than right or wrong: what was expected, what came, and
 # which mistake that looks like. Try as often as you like. Click on a hint to open it.
 
 # %%

@@ -104,6 +104,7 @@ __all__ = [
 def warm_up() -> None:
     """Compile what the cells of the lesson need."""
     play_and_learn(n_steps=80, repetitions=1, jobs=1)
+    agent_after(80)
 
 
 def measure(how: How) -> tuple[Any, ...]:
