@@ -92,16 +92,8 @@ random_play = predict("The random policy gets, on average:", unit="points")
 random_play
 
 # %%
-totals, cut_off = [], 0
-for _ in range(400):
-    state, info = env.reset()
-    total, terminated, truncated = 0, False, False
-    while not (terminated or truncated):
-        state, reward, terminated, truncated, info = env.step(env.action_space.sample())
-        total += reward
-    totals.append(total)
-    cut_off += truncated
-print(f"400 episodes: {np.mean(totals):.0f} points on average, and {cut_off / 400:.0%} of the episodes are truncated")
+totals, cut_off = loop.play_at_random(env, episodes=400)  # the loop above, 400 times
+print(f"400 episodes: {np.mean(totals):.0f} points on average, and {np.mean(cut_off):.0%} of them are truncated")
 print(f"computed from the rules of the shop: {loop.random_return():.0f} points")
 random_play.measured(loop.random_return())
 

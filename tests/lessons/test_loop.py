@@ -1,5 +1,6 @@
 """Rewards, returns and the discount in Supermarket: the claims hold with other seeds than those the lesson shows."""
 
+import gymnasium
 import numpy as np
 import pytest
 
@@ -26,6 +27,7 @@ from edugym.lessons.loop import (
     nine_challenges,
     one_learner,
     play_and_learn,
+    play_at_random,
     race,
     random_return,
     returns_along,
@@ -61,6 +63,17 @@ def test_players() -> None:
     """Random play is worst, the next reward a little better, and both are far from the optimum."""
     assert -500.0 < random_return() < myopic_return() < 0.0 < OPTIMUM
     assert 0.0 < misled() < 1.0
+
+
+def test_half_of_the_random_episodes_are_truncated() -> None:
+    """As the lesson says; those that are cost 500 points, but for items, and the others end with the exit."""
+    env = gymnasium.make("edugym/Supermarket-v0")
+    env.reset(seed=1)
+    env.action_space.seed(3)
+    totals, cut_off = play_at_random(env, episodes=300)
+    assert 0.35 < np.mean(cut_off) < 0.6
+    assert np.mean(totals) == pytest.approx(random_return(), abs=60)
+    assert max(total for total, late in zip(totals, cut_off, strict=True) if late) <= -MAX_STEPS + 75
 
 
 def test_the_discount_makes_the_difference() -> None:

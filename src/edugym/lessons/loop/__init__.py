@@ -54,6 +54,7 @@ from edugym.lessons.loop.methods import (
     learn_with,
     learner,
     play_and_learn,
+    play_at_random,
 )
 from edugym.plotting.report import Report
 from edugym.results.claims import Above, Below, Claim, Within
@@ -89,6 +90,7 @@ __all__ = [
     "nine_challenges",
     "one_learner",
     "play_and_learn",
+    "play_at_random",
     "race",
     "random_return",
     "report",

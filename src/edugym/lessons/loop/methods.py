@@ -43,6 +43,24 @@ class RandomPlayer(NamedTuple):
         return cls(int(environment.action_space.n))
 
 
+def play_at_random(env: Any, episodes: int) -> tuple[list[float], list[bool]]:
+    """Play with random actions in a Gymnasium environment.
+
+    Returns:
+        The sum of the rewards of each episode, and whether it was truncated.
+    """
+    totals, cut_off = list[float](), list[bool]()
+    for _ in range(episodes):
+        env.reset()
+        total, terminated, truncated = 0.0, False, False
+        while not (terminated or truncated):
+            _, reward, terminated, truncated, _ = env.step(env.action_space.sample())
+            total += float(reward)
+        totals.append(total)
+        cut_off.append(truncated)
+    return totals, cut_off
+
+
 def learner(
     epsilon: float = EPSILON, learning_rate: float = LEARNING_RATE, discount: float = DISCOUNT
 ) -> Callable[..., QLearning]:
