@@ -9,8 +9,9 @@
 # an explorer of your own.
 #
 # **Time.** 60 minutes, and 60 more for the exercises. **Before you start.** You should know what a value function and
-# Q-learning are (Sutton and Barto, 2nd edition, sections 3.5 and 6.5), and ε-greedy action selection (section 2.2).
-# All symbols are in the [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
+# Q-learning are (Sutton and Barto, 2nd edition, sections 3.5 and 6.5), and ε-greedy action selection (section 2.2):
+# lesson 0 has them all. All symbols are in the [table of
+# notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
 
 # %%
 from typing import NamedTuple
@@ -69,9 +70,9 @@ play("Boulder", height=8, n_grips=2, layout_seed=5, blind=True)
 # %% [markdown]
 # ## The idea: three ways to explore
 #
-# All three agents of this lesson learn by **Q-learning**. It keeps a table with a value $Q(s, a)$ for each action in
-# each state. After every step from $S$ by $A$ to $S'$ with reward $R$ it moves one value a little, by the learning rate
-# $\alpha$, towards a target (Sutton and Barto, equation 6.8):
+# All three agents of this lesson learn by **Q-learning**, as in lesson 0. It keeps a table with a value $Q(s, a)$ for
+# each action in each state. After every step from $S$ by $A$ to $S'$ with reward $R$ it moves one value a little, by the
+# learning rate $\alpha$, towards a target (Sutton and Barto, equation 6.8):
 #
 # $$
 # Q(S, A) \leftarrow Q(S, A) + \alpha \left[ R + \gamma \max_a Q(S', a) - Q(S, A) \right]

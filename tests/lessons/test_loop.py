@@ -1,25 +1,43 @@
 """Rewards, returns and the discount in Supermarket: the claims hold with other seeds than those the lesson shows."""
 
+import gymnasium
 import numpy as np
 import pytest
 
 from edugym.exact.value_iteration import value_iteration
 from edugym.lessons.loop import (
+    BAGS,
+    DISCOUNT,
     ITEMS,
     MAX_STEPS,
     MYOPIC,
     OPTIMUM,
     Q_LEARNING,
+    RANDOM,
+    agent_after,
+    best_table,
     best_way,
     discounted,
     items_on,
+    learn_with,
+    learned_beside_exact,
     misled,
     model,
     myopic_return,
+    nine_challenges,
+    one_learner,
     play_and_learn,
+    play_at_random,
+    race,
     random_return,
+    returns_along,
     rewards_along,
+    rewards_and_returns,
+    right_choices,
+    warm_up,
+    with_discount,
 )
+from edugym.lessons.loop.panels import ValueMap
 
 
 def test_discounted_by_hand() -> None:
@@ -47,7 +65,77 @@ def test_players() -> None:
     assert 0.0 < misled() < 1.0
 
 
+def test_half_of_the_random_episodes_are_truncated() -> None:
+    """As the lesson says; those that are cost 500 points, but for items, and the others end with the exit."""
+    env = gymnasium.make("edugym/Supermarket-v0")
+    env.reset(seed=1)
+    env.action_space.seed(3)
+    totals, cut_off = play_at_random(env, episodes=300)
+    assert 0.35 < np.mean(cut_off) < 0.6
+    assert np.mean(totals) == pytest.approx(random_return(), abs=60)
+    assert max(total for total, late in zip(totals, cut_off, strict=True) if late) <= -MAX_STEPS + 75
+
+
 def test_the_discount_makes_the_difference() -> None:
     """The same agent, steps and seeds, with discount 0 and 0.99."""
     results = play_and_learn(n_steps=20_000, repetitions=4, seed=3)
     assert results.difference(Q_LEARNING, MYOPIC).low > 100.0
+
+
+def test_returns_backwards() -> None:
+    """1 + (2 + 4/2)/2, as forwards."""
+    rewards = np.array([1.0, 2.0, 4.0])
+    assert returns_along(rewards, 0.5).tolist() == [3.0, 4.0, 4.0]
+    way = rewards_along(best_way(0.95))
+    assert returns_along(way, 0.95)[0] == pytest.approx(value_iteration(model(), 0.95).start)
+
+
+def test_the_exact_table_makes_right_choices_only() -> None:
+    """An empty one makes them by chance, since all are equal."""
+    assert right_choices(best_table(DISCOUNT), DISCOUNT) == 1.0
+    assert 0.25 < right_choices(np.zeros((800, 4)), DISCOUNT) < 0.45
+
+
+def test_an_agent_knows_its_way_and_not_the_shop() -> None:
+    """As the lesson says: the value of the start is right in most runs, and half of the choices are."""
+    agents = [agent_after(20_000, seed=seed) for seed in range(20, 26)]
+    start = value_iteration(model(), DISCOUNT).start
+    assert np.median([agent.Q[8].max() for agent in agents]) == pytest.approx(start, abs=0.1)
+    assert 0.4 < np.mean([right_choices(agent.Q, DISCOUNT) for agent in agents]) < 0.55
+
+
+def test_learning_rewards_is_worse_than_random_play() -> None:
+    """Over the last steps, without exploring."""
+    results = play_and_learn(n_steps=20_000, repetitions=8, seed=5)
+    late = {player: results.curves(player).loc[15_000:].to_numpy().mean() for player in results.methods}
+    assert late[MYOPIC] < late[RANDOM] - 50 < late[Q_LEARNING]
+    assert late[RANDOM] == pytest.approx(random_return(), abs=60)
+
+
+def test_who_sees_everything_does_what_the_map_says() -> None:
+    """With γ = 0.85 one item is best, and a learner that mostly goes one way does not find that out."""
+    curious = learn_with(1.0, 0.5, 0.85, 100_000, repetitions=6, seed=1).final("Q-learning")
+    settled = learn_with(0.1, 0.5, 0.85, 100_000, repetitions=6, seed=1).final("Q-learning")
+    assert curious.tolist() == [59.0] * 6
+    assert settled.min() > 59.0
+
+
+def test_arrows() -> None:
+    """One for a single best action, a slanted one for two; none where more are equal, or nothing is known."""
+    Q = np.full((800, 4), np.nan)
+    Q[8 * 21], Q[8 * 22], Q[8 * 23], Q[8 * 24] = [0, 0, 0, 1], [1, 0, 0, 1], [1, 1, 0, 1], [1, 1, 0, 0]
+    assert ValueMap(Q).arrows() == [(2, 1, 0, 1), pytest.approx((2, 2, -(0.5**0.5), 0.5**0.5))]
+
+
+def test_figures() -> None:
+    """Every one is drawn, at the ends of the sliders too."""
+    warm_up()
+    sheets = [with_discount(gamma, bag) for gamma in (0.0, 1.0) for bag in ("empty", "all three")]
+    sheets += [rewards_and_returns(), learned_beside_exact(0), learned_beside_exact(500, "red"), nine_challenges()]
+    sheets += [one_learner(gamma=0.0, steps=5_000, repetitions=2)]
+    for sheet in sheets:
+        assert sheet.draw().axes
+    assert [len(row) for row in nine_challenges().rows] == [3, 3, 3]
+    assert sorted(BAGS.values()) == [*range(8)]
+    mine = race({"mine": lambda shop: agent_after(0)}, n_steps=80, repetitions=2)
+    assert {text.get_text() for text in mine.draw().legends[0].get_texts()} >= {"mine", Q_LEARNING, MYOPIC, RANDOM}

@@ -1,0 +1,601 @@
+# ruff: noqa
+# Right and wrong answers to the exercises of lesson 0; tests/lessons/test_answers.py tries them all.
+# An answer stands in the place of the exercise's cell. Methods without their class replace those of the solution.
+
+
+# %% exercise 1, right: forwards with a growing power
+def discounted_return(rewards, discount):
+    total, weight = 0.0, 1.0
+    for reward in rewards:
+        total += weight * reward
+        weight *= discount
+    return total
+
+
+# %% exercise 1, right: powers
+def discounted_return(rewards, discount):
+    return sum(discount**k * reward for k, reward in enumerate(rewards))
+
+
+# %% exercise 1, right: recursive
+def discounted_return(rewards, discount):
+    if not rewards:
+        return 0
+    return rewards[0] + discount * discounted_return(rewards[1:], discount)
+
+
+# %% exercise 1, right: NumPy
+def discounted_return(rewards, discount):
+    return np.dot(rewards, discount ** np.arange(len(rewards)))
+
+
+# %% exercise 1, right: reversed by a slice
+def discounted_return(rewards, discount):
+    G = 0
+    for r in rewards[::-1]:
+        G = discount * G + r
+    return G
+
+
+# %% exercise 1, right: indices
+def discounted_return(rewards, discount):
+    G = 0
+    for t in range(len(rewards) - 1, -1, -1):
+        G = rewards[t] + discount * G
+    return float(G)
+
+
+# %% exercise 1, right: reduce
+from functools import reduce
+
+discounted_return = lambda rewards, discount: reduce(lambda G, r: r + discount * G, rewards[::-1], 0)
+
+
+# %% exercise 1, right: an array without axes
+def discounted_return(rewards, discount):
+    return np.sum(np.array(rewards) * np.power(discount, np.arange(len(rewards))), keepdims=False)
+
+
+# %% exercise 1, right: from the last reward on
+def discounted_return(rewards, discount):
+    G = rewards[-1]
+    for reward in reversed(rewards[:-1]):
+        G = reward + discount * G
+    return G
+
+
+# %% exercise 1, wrong: not solved
+# says: Not solved yet
+def discounted_return(rewards, discount):
+    raise NotImplementedError("not solved yet: replace this line")
+
+
+# %% exercise 1, wrong: no return
+# says: is a `return` missing?
+def discounted_return(rewards, discount):
+    G = 0
+    for reward in reversed(rewards):
+        G = reward + discount * G
+
+
+# %% exercise 1, wrong: the sum
+# says: the sum without a discount
+def discounted_return(rewards, discount):
+    return sum(rewards)
+
+
+# %% exercise 1, wrong: the first reward is discounted
+# says: here everything is discounted once too often
+def discounted_return(rewards, discount):
+    return sum(discount ** (k + 1) * reward for k, reward in enumerate(rewards))
+
+
+# %% exercise 1, wrong: backwards, all discounted
+# says: here everything is discounted once too often
+def discounted_return(rewards, discount):
+    G = 0
+    for reward in reversed(rewards):
+        G = discount * (reward + G)
+    return G
+
+
+# %% exercise 1, wrong: forwards with the backward rule
+# says: the *last* reward counts in full
+def discounted_return(rewards, discount):
+    G = 0
+    for reward in rewards:
+        G = reward + discount * G
+    return G
+
+
+# %% exercise 1, wrong: one discount for all
+# says: discounted by the same γ
+def discounted_return(rewards, discount):
+    return rewards[0] + discount * sum(rewards[1:])
+
+
+# %% exercise 1, wrong: the discount outside
+# says: multiplied by γ once
+def discounted_return(rewards, discount):
+    return discount * sum(rewards)
+
+
+# %% exercise 1, wrong: times for power
+# says: `**` is the power
+def discounted_return(rewards, discount):
+    return sum(discount * k * reward for k, reward in enumerate(rewards))
+
+
+# %% exercise 1, wrong: base and exponent
+# says: γ stands before it
+def discounted_return(rewards, discount):
+    return sum(k**discount * reward for k, reward in enumerate(rewards))
+
+
+# %% exercise 1, wrong: the caret
+# says: TypeError
+def discounted_return(rewards, discount):
+    return sum(discount ^ k * reward for k, reward in enumerate(rewards))
+
+
+# %% exercise 1, wrong: the mean
+# says: the mean is taken
+def discounted_return(rewards, discount):
+    return sum(discount**k * reward for k, reward in enumerate(rewards)) / max(len(rewards), 1)
+
+
+# %% exercise 1, wrong: the last one is left out
+# says: the last reward is left out
+def discounted_return(rewards, discount):
+    return sum(discount**k * rewards[k] for k in range(len(rewards) - 1))
+
+
+# %% exercise 1, wrong: counted from 1
+# says: the first reward is left out
+def discounted_return(rewards, discount):
+    return sum(discount**k * rewards[k] for k in range(1, len(rewards)))
+
+
+# %% exercise 1, wrong: backwards, but not to the first
+# says: the first reward is left out, and the second one counts in full
+def discounted_return(rewards, discount):
+    G = 0
+    for t in range(len(rewards) - 1, 0, -1):
+        G = rewards[t] + discount * G
+    return G
+
+
+# %% exercise 1, wrong: return inside the loop
+# says: that is the first reward alone
+def discounted_return(rewards, discount):
+    G = 0
+    for k, reward in enumerate(rewards):
+        G += discount**k * reward
+        return G
+
+
+# %% exercise 1, wrong: return inside the backward loop
+# says: that is the last reward alone
+def discounted_return(rewards, discount):
+    G = 0
+    for reward in reversed(rewards):
+        G = reward + discount * G
+        return G
+
+
+# %% exercise 1, wrong: G is overwritten
+# says: that is the first reward alone
+def discounted_return(rewards, discount):
+    G = 0
+    for reward in reversed(rewards):
+        G = reward
+    return G
+
+
+# %% exercise 1, wrong: all returns
+# says: several numbers
+def discounted_return(rewards, discount):
+    returns = []
+    G = 0
+    for reward in reversed(rewards):
+        G = reward + discount * G
+        returns.append(G)
+    return returns[::-1]
+
+
+# %% exercise 1, wrong: the list is used up
+# says: changes the list of rewards
+def discounted_return(rewards, discount):
+    G = 0
+    while rewards:
+        G = rewards.pop() + discount * G
+    return G
+
+
+# %% exercise 1, wrong: 1 minus the discount
+# says: 1 − γ stands in the place of γ
+def discounted_return(rewards, discount):
+    return sum((1 - discount) ** k * reward for k, reward in enumerate(rewards))
+
+
+# %% exercise 1, wrong: a number
+# says: should be a function
+discounted_return = 4 + 0.5 * 2
+
+
+# %% exercise 2, right: rounds about the exploring
+def choose(values, epsilon, rng):
+    if rng.random() >= epsilon:
+        best = [a for a in range(len(values)) if values[a] == max(values)]
+        return best[int(rng.random() * len(best))]
+    return int(rng.random() * len(values))
+
+
+# %% exercise 2, right: argmax of a shuffled order
+def choose(values, epsilon, rng):
+    if rng.uniform() < epsilon:
+        return int(rng.integers(0, len(values)))
+    order = rng.permutation(len(values))
+    return int(order[np.argmax(values[order])])
+
+
+# %% exercise 2, right: probabilities
+def choose(values, epsilon, rng):
+    n = len(values)
+    best = values == values.max()
+    p = epsilon / n + (1 - epsilon) * best / best.sum()
+    return rng.choice(n, p=p)
+
+
+# %% exercise 2, right: one loop
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    best, ties = 0, 1
+    for action in range(1, len(values)):
+        if values[action] > values[best]:
+            best, ties = action, 1
+        elif values[action] == values[best]:
+            ties += 1
+            if rng.random() < 1 / ties:
+                best = action
+    return best
+
+
+# %% exercise 2, right: a tiny noise
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(values.size)
+    return np.argmax(values + 1e-9 * rng.random(values.size))
+
+
+# %% exercise 2, right: argwhere
+def choose(values, epsilon, rng):
+    explore = rng.binomial(1, epsilon)
+    if explore:
+        return rng.choice(len(values))
+    return rng.choice(np.argwhere(values == np.max(values)).ravel())
+
+
+# %% exercise 2, wrong: not solved
+# says: Not solved yet
+def choose(values, epsilon, rng):
+    raise NotImplementedError("not solved yet: replace this line")
+
+
+# %% exercise 2, wrong: the first of equals
+# says: takes the first of equals
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    return np.argmax(values)
+
+
+# %% exercise 2, wrong: the last of equals
+# says: takes the last of equals
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    return max(range(len(values)), key=lambda action: (values[action], action))
+
+
+# %% exercise 2, wrong: never explores
+# says: it never explores
+def choose(values, epsilon, rng):
+    return rng.choice(np.flatnonzero(values == values.max()))
+
+
+# %% exercise 2, wrong: the wrong way round
+# says: ε and 1 − ε have changed places
+def choose(values, epsilon, rng):
+    if rng.random() > epsilon:
+        return rng.integers(len(values))
+    return rng.choice(np.flatnonzero(values == values.max()))
+
+
+# %% exercise 2, wrong: the others only
+# says: a random action may be the best one too
+def choose(values, epsilon, rng):
+    best = np.flatnonzero(values == values.max())
+    if rng.random() < epsilon:
+        others = np.flatnonzero(values < values.max())
+        return rng.choice(others if len(others) else best)
+    return rng.choice(best)
+
+
+# %% exercise 2, wrong: argmin
+# says: it takes the *lowest* value
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    return rng.choice(np.flatnonzero(values == values.min()))
+
+
+# %% exercise 2, wrong: the value
+# says: should give the number of an action
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    return values.max()
+
+
+# %% exercise 2, wrong: all best actions
+# says: should give the number of an action
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    return np.flatnonzero(values == values.max())
+
+
+# %% exercise 2, wrong: four actions
+# says: should give an action from 0 to 2
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(4)
+    return rng.choice(np.flatnonzero(values == values.max())) if len(values) == 4 else 3
+
+
+# %% exercise 2, wrong: never the last
+# says: the random action is never the last one
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values) - 1)
+    return rng.choice(np.flatnonzero(values == values.max()))
+
+
+# %% exercise 2, wrong: one too many
+# says: should give an action from 0 to 3, but gives 4
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values) + 1)
+    return rng.choice(np.flatnonzero(values == values.max()))
+
+
+# %% exercise 2, wrong: other random numbers
+# says: does not draw its random numbers from `rng`
+def choose(values, epsilon, rng):
+    if np.random.random() < epsilon:
+        return np.random.randint(len(values))
+    return np.random.choice(np.flatnonzero(values == values.max()))
+
+
+# %% exercise 2, wrong: no return when greedy
+# says: is a `return` missing?
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    rng.choice(np.flatnonzero(values == values.max()))
+
+
+# %% exercise 2, wrong: starts from zero
+# says: should choose action 3
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    best, highest = 0, 0
+    for action, value in enumerate(values):
+        if value > highest:
+            best, highest = action, value
+    return best
+
+
+# %% exercise 2, wrong: sorts the values
+# says: changes the table `values`
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    best = rng.choice(np.flatnonzero(values == values.max()))
+    values.sort()
+    return best
+
+
+# %% exercise 2, wrong: always random
+# says: it always acts at random
+def choose(values, epsilon, rng):
+    return rng.integers(len(values))
+
+
+# %% exercise 2, wrong: action 0 when exploring
+# says: its random action is always action 0
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return 0
+    return rng.choice(np.flatnonzero(values == values.max()))
+
+
+# %% exercise 3, right: in steps
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.0
+    if not terminated:
+        value = np.max(self.Q[next_state])
+    error = reward + self.discount * value - self.Q[state, action]
+    self.Q[state, action] += self.learning_rate * error
+
+
+# %% exercise 3, right: a weighted mean
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward + (1 - terminated) * self.discount * self.Q[next_state].max()
+    self.Q[state, action] = (1 - self.learning_rate) * self.Q[state, action] + self.learning_rate * target
+
+
+# %% exercise 3, right: the package's pieces
+def learn(self, state, action, reward, next_state, terminated):
+    target = one_step_target(reward, self.discount, max(self.Q[next_state]), terminated)
+    self.Q[state][action] += self.learning_rate * (target - self.Q[state][action])
+
+
+# %% exercise 3, right: a loop for the maximum
+def learn(self, state, action, reward, next_state, terminated):
+    best = self.Q[next_state, 0]
+    for value in self.Q[next_state]:
+        if value > best:
+            best = value
+    if terminated:
+        best = 0.0
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * best - self.Q[state, action])
+
+
+# %% exercise 3, right: argmax
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward
+    if not terminated:
+        target += self.discount * self.Q[next_state, np.argmax(self.Q[next_state])]
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% exercise 3, right: truncated is taken and not used
+def learn(self, state, action, reward, next_state, terminated, truncated):
+    if terminated:
+        target = reward
+    else:
+        target = reward + self.discount * max(self.Q[next_state])
+    self.Q[state, action] -= self.learning_rate * (self.Q[state, action] - target)
+
+
+# %% exercise 3, wrong: not solved
+# says: Not solved yet
+def learn(self, state, action, reward, next_state, terminated):
+    raise NotImplementedError("not solved yet: replace this line")
+
+
+# %% exercise 3, wrong: nothing after the end is forgotten
+# says: a terminal state has no future
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward + self.discount * max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% exercise 3, wrong: the reward alone
+# says: without bootstrapping nothing is carried back
+def learn(self, state, action, reward, next_state, terminated):
+    self.Q[state, action] += self.learning_rate * (reward - self.Q[state, action])
+
+
+# %% exercise 3, wrong: the mean
+# says: the mean over the actions
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * self.Q[next_state].mean()
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% exercise 3, wrong: no discount
+# says: is not discounted
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% exercise 3, wrong: the old value is missing
+# says: − Q(S, A) is missing
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * target
+
+
+# %% exercise 3, wrong: set instead of add
+# says: the old value is lost
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * max(self.Q[next_state])
+    self.Q[state, action] = self.learning_rate * (target - self.Q[state, action])
+
+
+# %% exercise 3, wrong: the state that was left
+# says: the state that was left
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * max(self.Q[state])
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% exercise 3, wrong: no self
+# says: write `self.` before a field
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + discount * max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% exercise 3, wrong: the numbers of the lesson
+# says: a learning rate of 0.5
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + 0.99 * max(self.Q[next_state])
+    self.Q[state, action] += 0.5 * (target - self.Q[state, action])
+
+
+# %% exercise 3, wrong: the wrong sign
+# says: it moves away from the target
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * max(self.Q[next_state])
+    self.Q[state, action] -= self.learning_rate * (target - self.Q[state, action])
+
+
+# %% exercise 3, wrong: the brackets
+# says: α belongs to the whole bracket
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * max(self.Q[next_state])
+    self.Q[state, action] += target - self.learning_rate * self.Q[state, action]
+
+
+# %% exercise 3, wrong: the test is the wrong way round
+# says: the wrong way round
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward + self.discount * max(self.Q[next_state]) if terminated else reward
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% exercise 3, wrong: truncated like terminated
+# says: only its clock ran out
+def learn(self, state, action, reward, next_state, terminated, truncated):
+    target = reward if terminated or truncated else reward + self.discount * max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% exercise 3, wrong: nothing is stored
+# says: `learn` changes no table at all; it returns something instead
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * max(self.Q[next_state])
+    return self.Q[state, action] + self.learning_rate * (target - self.Q[state, action])
+
+
+# %% exercise 3, wrong: argmax for max
+# says: gives the *number* of the best action
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * np.argmax(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% exercise 3, wrong: the whole row
+# says: and only one should
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * max(self.Q[next_state])
+    self.Q[state] += self.learning_rate * (target - self.Q[state])
+
+
+# %% exercise 3, wrong: max of the table
+# says: the whole table instead of the row
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * self.Q.max()
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% exercise 3, wrong: an instance
+# says: should be the class
+MyAgent = QLearning.create((6, 3))
