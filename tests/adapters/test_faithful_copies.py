@@ -102,9 +102,8 @@ def test_late_error() -> None:
     several_steps(vector, 150)
     with pytest.raises(IndexError, match="index 150 is out of bounds for axis 0 with size 150") as caught:
         vector.step([0, 0])
-    here, ours, students = traceback.extract_tb(caught.value.__traceback__)
+    here, students = traceback.extract_tb(caught.value.__traceback__)
     assert here.filename == __file__
-    assert ours.filename.endswith("vector_env.py")
     assert "np.zeros(150)[state]" in str(students.line)
 
 
