@@ -45,6 +45,8 @@ env.scene()
 # - The **state** $s$ is how the toy really is. It decides what happens next.
 # - The **observation** $o$ is what the agent is told about it: the hit points and the message.
 #
+# (In the code $L$ is `max_msg_length`, and $H$ is `vocab_size`; a message always has exactly $L$ words.)
+#
 # | | | in words |
 # |---|---|---|
 # | states | four variables $v_i$ from 0 to 100, the hit points, the wanted action, the message | hidden, except for the hit points and the message; all variables start at 100 |
@@ -52,13 +54,13 @@ env.scene()
 # | actions | $\mathcal{A} = \{0, 1, 2, 3\}$ | play, sleep, feed, clean |
 # | dynamics | $v_a$ grows by 30, each other $v_i$ falls by 5 | action $a$ meets need $a$; in the end all are cut off at 0 and 100 |
 # | | all four fall by 10 more if $a$ is not the wanted action | so a wrong action costs every need 10 |
-# | reward | $\sum_i (v_i - 50)\, u_i$ with the *urgency* $u_i = e^{-v_i/100}$ | what is low weighs most |
+# | reward | $\sum_i (v_i - 50)\, u_i$ with the *urgency* $u_i = e^{-v_i/100}$ | with the variables *after* the action; what is low weighs most |
 # | the toy wants | the action with the largest $u_i$ | ties are broken at random |
 # | discount | $\gamma = 0.5$ | used by Q-learning; the returns in the figures are not discounted |
 #
-# An episode has 100 steps. It *terminates* earlier if the hit points fall to 0; they grow or fall by a tenth of each
-# reward. The *return* is the sum of all rewards of an episode. The best possible return is 6 707 on average, and
-# random actions return −676.
+# After each step a tenth of the reward is added to the hit points; the sum is rounded down, and kept between 0 and 100.
+# They start at 100. An episode has 100 steps. It *terminates* earlier if the hit points fall to 0. The *return* is the
+# sum of all rewards of an episode. The best possible return is 6 707 on average, and random actions return −676.
 #
 # These are the methods that run. (`rng` draws random numbers.)
 
@@ -128,8 +130,8 @@ for length in (1, 4, 28):
 # ### Two players that do not learn
 # To see how much of a message Q-learning uses, we compare it with two players who know from the start what the words
 # mean. One **obeys the first word**. The other takes a **majority vote**: it does what most words name. Both are the
-# same code, with a different number of words that are `heard`. (If there are more than four words, the words $i$,
-# $i + 4$, $i + 8$, ... all mean need $i$.)
+# same code, with a different number of words that are `heard`. (If the *vocabulary* has more than four words, the words
+# $i$, $i + 4$, $i + 8$, ... all mean need $i$.)
 
 # %%
 source(signal.Voter.act)
@@ -148,11 +150,11 @@ frames(
 
 # %% [markdown]
 # ### How much does a message tell? Count it in bits
-# Let $X$ be the need, that is, the wanted action, and $Y$ the message. How much does $Y$ tell about $X$? Before the
-# message, need $x$ has the probability $p(x)$. After message $y$ it has the probability
-# $p(x \mid y) = p(x, y) / p(y)$. The message has made it more likely by the factor $p(x \mid y) / p(x)$. The
-# **information** in the message is the mean of the logarithm of this factor (Shannon, 1948; it is also called mutual
-# information):
+# Let $X$ be the need, that is, the wanted action, and $Y$ the message. (The hit points are left out of $Y$.) How much
+# does $Y$ tell about $X$? Before the message, need $x$ has the probability $p(x)$. After message $y$ it has the
+# probability $p(x \mid y) = p(x, y) / p(y)$. The message has made it more likely by the factor $p(x \mid y) / p(x)$.
+# The **information** in the message is the mean of the logarithm of this factor (Shannon, 1948; it is also called
+# mutual information):
 #
 # $$
 # I(X; Y) = \sum_{x, y} p(x, y) \log_2 \frac{p(x \mid y)}{p(x)} = \sum_{x, y} p(x, y) \log_2 \frac{p(x, y)}{p(x)\, p(y)}
@@ -164,7 +166,11 @@ frames(
 #
 # To compute it, all we need is a table of $p(x, y)$. This is the one for messages of one word. It belongs to a toy
 # that always gets what it wants: that gives us the variables $v_i$ that occur, and how often. (A neglected toy has
-# needs that differ more, so its words tell more.)
+# needs that differ more, so its words tell more.) `states_in_care` plays some episodes and counts the states. The last
+# line adds up the probabilities of the needs that share a word.
+#
+# For longer messages a table of $p(x, y)$ over all counts of words is enough: given the state the words are independent,
+# so their order tells nothing. Since they speak of the same state, they repeat each other.
 
 # %%
 source(signal.joint_table)
@@ -188,7 +194,8 @@ named.measured(100 * np.trace(signal.joint_table(0.1)))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** 33 %, only a little more than chance. In a table of pure noise all numbers would be 1/16, about 0.06;
-# where there is no noise, all the weight is on the diagonal. The bits fall faster than the share of right words: at
+# where there is no noise, all the weight is on the diagonal. (The states are a sample, and the numbers are rounded. So
+# one of them is 0.05 where its neighbours are 0.06.) The bits fall faster than the share of right words: at
 # $\tau = 0.02$ two words of three are right, and three quarters of the information are gone.
 # </details>
 
@@ -230,11 +237,11 @@ half.measured(signal.noise_label(first))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** At $\tau = 0.05$ it gets 3 000, a little less than half. At 0.02 it still gets 6 000, nine tenths of
-# the optimum, with a quarter of the two bits. Of the words that a perfect player hears there, 64 % are right. A player
-# that obeys them hears more right words, 77 %: each mistake leaves a need that is more urgent than the others, and
-# then the words are clearer. At 0.1 the return is about 0, and at $\tau = \infty$ it is that of random actions. (Where
-# a line dips for a moment, one run or two of the 20 have lost a good policy, and find it again.)
+# **Measured.** At $\tau = 0.05$ it gets 3 000, a little less than half. At 0.02 it still gets 6 000, nine tenths of the
+# optimum, with a quarter of the two bits. Of the words that a perfect player hears there, 64 % are right. A player that
+# obeys them hears more right words, 77 %: probably because each mistake leaves a need that is more urgent than the
+# others, and then the words are clearer. At 0.1 the return is about 0, and at $\tau = \infty$ it is that of random
+# actions. (Where a line dips for a moment, one run or two of the 20 have lost a good policy, and find it again.)
 # </details>
 
 # %% [markdown]
@@ -246,8 +253,9 @@ panels = [signal.answers(by_tau[tau], tau) for tau in (0.0, 0.05, 0.1, math.inf)
 Sheet("answers", [panels[:2], panels[2:]])
 
 # %% [markdown]
-# At $\tau = 0$ and at 0.05 it does what the toy says, nearly always, and at 0.1 in more than eight steps of ten. So it
-# is not that the agent has learned badly. What is lost is lost in the words.
+# At $\tau = 0$ and at 0.05 it does what the toy says, nearly always, and at 0.1 in more than eight steps of ten. So the
+# agent has learned nearly all that the words allow. Most of what is lost is lost in the words, at least for a player
+# without memory.
 
 # %% [markdown]
 # ## Your turn
@@ -277,10 +285,27 @@ sliders(
 )
 
 # %% [markdown]
+# <details><summary>What you may have found</summary>
+#
+# Mean returns in the second half of training, all else as at first:
+#
+# | change | return |
+# |---|---|
+# | none ($\tau = 0.05$, $L = 1$, $H = 4$, $\alpha = 0.02$, $\gamma = 0.5$) | 3 000 |
+# | $\gamma = 0$; 0.9 | 3 190; 2 950 |
+# | $L = 2$; 3; 4 | 2 410; 780; 280 |
+# | $H = 8$; 3 | 3 080; −720 |
+#
+# It need not look ahead. Synonyms ($H = 8$) cost nothing here, and ambiguous words ($H = 3$) cost everything. Longer
+# messages hurt: next comes why. Before that, try $L = 4$ with $\alpha = 0.2$.
+# </details>
+
+# %% [markdown]
 # ## See inside: information, and being able to use it
 #
-# A toy that is hard to understand can repeat itself. At $\tau = 0.1$ four words tell four times as much as one,
-# nearly. But the table of Q-learning is then 64 times larger, and each of its rows is visited less often.
+# A toy that is hard to understand can repeat itself. At $\tau = 0.1$ four words tell four times as much as one, nearly.
+# But the table of Q-learning is then 64 times larger, and each of its rows is visited less often. (This is the longest
+# cell of the lesson; it takes 10 to 30 seconds.)
 #
 # **Predict.** Q-learning trains at $\tau = 0.1$ with four words in each message instead of one. What does it get after
 # the same 200 000 steps, with the same $\alpha = 0.02$?
@@ -314,19 +339,21 @@ longer.measured(
 # <details><summary>What was measured</summary>
 #
 # **Measured.** A lower one, although the message tells nearly four times as much. The table has about 100 000 values,
-# so 200 000 steps are some two tries for each, and with $\alpha = 0.02$ two tries take a value only 4 % of the way to
-# its target. So a larger table needs a larger learning rate, or more time. With $\alpha = 0.2$ four words are ahead of
-# one after 200 000 steps already. But a large learning rate keeps values noisy, and in the end $\alpha = 0.05$ is the
-# best of the three. None of them gets as far as the vote, which hears the same words and has nothing to learn. The
-# vote knows two things that the table has to find out row by row: what each word means, and that the *order* of the
-# words does not matter.
+# so 200 000 steps are two tries for each *on average*. In fact about half are never tried. The others are tried more
+# often, above all at full hit points, where every episode starts. A value that is tried twice with $\alpha = 0.02$ has
+# gone only 4 % of the way to its target. So a larger table needs a larger learning rate, or more time. With
+# $\alpha = 0.2$ four words are ahead of one after 200 000 steps already. Probably because a large learning rate keeps values
+# noisy, $\alpha = 0.05$ is the best of the three in the end. None of them gets as far as the vote, which hears the same
+# words and has nothing to learn. The vote knows two things that the table has to find out row by row: what each word
+# means, and that the *order* of the words does not matter.
 # </details>
 
 # %% [markdown]
 # Now the picture of this lesson. The $x$ axis is the information in a message, the $y$ axis is the return. On the left
 # the messages have one word, and the noise falls from $\infty$ (left) to 0 (right). On the right the noise stays at
-# 0.1, and the numbers beside the points are the numbers of words, from 1 to 28. Q-learning has the settings of the
-# experiment; a single point stands for its longer training with $\alpha = 0.05$.
+# 0.1, and the numbers beside the points are the numbers of words, from 1 to 28. (The $x$ axes differ: the left one goes
+# to 2 bits, the right one to half a bit.) Q-learning has the settings of the experiment; a single point stands for its
+# longer training with $\alpha = 0.05$.
 
 # %%
 learned = {
@@ -350,9 +377,9 @@ for tau, length in ((0.02, 1), (0.1, 28), (0.1, 2), (0.1, 1)):
 #   the two disagree it can only guess.
 # - Q-learning stands at the lower left. At 28 words its table would have $7 \cdot 10^{18}$ rows.
 #
-# **Information, and being able to use it, are two things.** A bit that is spread over 28 words is there, and a table
-# cannot find it. (That is what features and networks are for: an agent that is told how often each word occurs would
-# see at once what the vote sees.)
+# **Information, and being able to use it, are two things.** Information that is spread over 28 words is there, and a
+# table cannot find it. (That is what features and networks are for: an agent that is told how often each word occurs
+# would see at once what the vote sees.)
 
 # %% [markdown]
 # ## Predict, then check
@@ -364,11 +391,11 @@ for tau, length in ((0.02, 1), (0.1, 28), (0.1, 2), (0.1, 1)):
 # clean". So a word carries exactly one bit. That is twice as much as at $\tau = 0.02$, where Q-learning got nine
 # tenths of the optimum.
 #
-# **Predict.** What does Q-learning get with two words?
+# **Predict.** What does Q-learning get with a vocabulary of two words?
 
 # %%
 ambiguous = predict(
-    "With one bit, in two words without noise, Q-learning gets ...",
+    "With one bit, from a vocabulary of two words without noise, Q-learning gets ...",
     ["more than 90 % of the optimum", "about half of it", "no more than random actions"],
 )
 ambiguous
@@ -377,7 +404,7 @@ ambiguous
 two_words = signal.learn(parameters={"vocab_size": 2}, repetitions=20)
 mean = signal.late(two_words, "Q-learning").mean()
 coin = signal.play(signal.Coin.create, parameters={"vocab_size": 2}).mean()
-print(f"two words carry {signal.information(0.0, vocab_size=2):.2f} bit")
+print(f"a word out of two carries {signal.information(0.0, vocab_size=2):.2f} bit")
 print(f"mean return of Q-learning {mean:.0f}, of random actions {signal.RANDOM_PLAY:.0f}")
 print(f"mean return of a player who tosses a coin between the two meanings of the word {coin:.0f}")
 lost = "no more than random actions" if mean < signal.RANDOM_PLAY / 2 else "about half of it"
@@ -526,13 +553,13 @@ moods.measured("both get about the same" if abs(returns["in turn"] - returns["ob
 # <details><summary>What was measured</summary>
 #
 # **Measured.** The noisy word gets more. Taking turns falls from 99 % of the optimum to about a tenth of it: a mood
-# changes the order of the needs, the player does not notice, and each wrong action costs all four. Memory can stand in
-# for a signal as far as the world is predictable, and no further. Who should win here is a player that uses both: that
-# is exercise 3, and the challenge.
+# changes the order of the needs, the player does not notice, and each wrong action costs all four. Obeying falls too,
+# from about 3 290 to 2 040. Memory can stand in for a signal as far as the world is predictable, and no further. Who
+# should win here is a player that uses both: that is exercise 3, and the challenge.
 # </details>
 
 # %% [markdown]
-# ### The same on a frozen lake
+# ### Fog on a frozen lake
 # FrozenLake of Gymnasium is a grid of 4 by 4 with holes in it; the agent sees its cell, and reaching the goal returns
 # one. Let there be *fog*: with some probability the agent is told a random cell instead of its own. Any Gymnasium
 # environment can be changed in this way.
@@ -608,7 +635,7 @@ from edugym.grading import check
 # Its first argument is τ, the second one is L. Try some numbers, or write a loop.</details>
 
 # %%
-words = 1
+words = 1  # put your number here
 ### BEGIN SOLUTION
 while signal.information(0.1, words) < 0.4:
     words += 1
@@ -675,8 +702,9 @@ display({f"τ = {tau}": round(float(bits_in(signal.joint_table(tau))), 3) for ta
 # largest, with short messages or with long ones?
 #
 # <details><summary>Hint</summary>Start with <code>votes = np.zeros(4)</code>, and let a loop over
-# <code>range(1, len(observation))</code> count. A vote of −1 is below all others, so give that to the last action before you
-# pick.</details>
+# <code>range(1, len(observation))</code> count. A vote of −1 is below all others, so give that to the last action before
+# you pick, if there is one: as an index, −1 is the last entry. (<code>last</code> is kept from one episode to the
+# next.)</details>
 
 
 # %%
@@ -738,10 +766,11 @@ display(signal.race({"my listener": Listener.create}))
 
 # %% [markdown]
 # ### The open challenge: a moody toy
-# Moods with probability 0.1, drops of 20, four words in a message, $\tau = 0.05$, and 20 000 steps, about 200
-# episodes. *All* training episodes count. Nobody who does not see the state can get the optimum, 6 595. The vote gets
-# about two thirds of it, and taking turns a tenth. (The return at the end, one episode, is noisy: look at the
-# average.) How close can you come, with messages and memory together?
+# Moods with probability 0.1, drops of 20, four words in a message, $\tau = 0.05$, and 20 000 steps, about 200 episodes.
+# *All* training episodes count. Nobody who does not see the state can get the optimum, 6 595. The vote gets about two
+# thirds of it, and taking turns a tenth. "Q-learning" in the table has a row for each observation, $\alpha = 0.1$,
+# $\gamma = 0.5$ and $\varepsilon = 0.1$. (The return at the end, one episode, is noisy: look at the average.) How close
+# can you come, with messages and memory together?
 #
 # Of the task your agent is told only its observation space and its action space. It needs `act(observation, rng)` and
 # `learn`, like yours of exercise 3; an agent without `tabular = False` sees the number of its row instead of the
@@ -769,7 +798,7 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - Longer messages carry more. A vote used that, and Q-learning with a table needed far more steps to use a part of it.
 # - Synonyms made learning slow. Ambiguous words made it fail, although they carried a whole bit.
 # - Taking the four actions in turn got 99 % without any message, and Q-learning found that once it could see its last
-#   action. On a moody toy it broke down.
+#   action. On a moody toy, taking turns broke down: it got a tenth.
 # - A memory of one action helped the vote at every length, and most where a message told something, but not enough.
 #
 # ### In one paragraph

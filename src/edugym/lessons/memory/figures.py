@@ -6,11 +6,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from edugym.lessons.memory.network import WINDOWS
 from edugym.lessons.memory.players import (
     DISCOUNT,
     EPSILON,
     LEARNING_RATE,
     joined,
+    late,
     learn_all,
     learn_on,
     name,
@@ -26,13 +28,14 @@ from edugym.lessons.memory.windows import (
     twins,
     window_law,
 )
+from edugym.mdp.protocol import Reals
 from edugym.plotting.curves import Curves
 from edugym.plotting.lines import Lines
 from edugym.plotting.panel import ALONE, Place
 from edugym.plotting.sheet import Sheet
 from edugym.plotting.style import REFERENCE, SOFT_REFERENCE, add_legend, dress, own_axes, stroke
 from edugym.rendering.palette import INK, SHADE
-from edugym.results.statistics import Interval
+from edugym.results.statistics import Interval, mean_interval
 from edugym.results.tables import Results
 
 if TYPE_CHECKING:
@@ -207,7 +210,7 @@ def one_window(
 
     Args:
         k: the number of observations.
-        num_doors: at every place.
+        num_doors: the number of doors at every place.
         epsilon: ε.
         learning_rate: α.
         discount: γ.
@@ -223,9 +226,35 @@ def one_window(
     return Sheet("one_window", [[WithBest(Curves(joined(parts), title), best)]])
 
 
-def window_lines(lengths: Sequence[int]) -> Lines:
-    """Return the smallest windows of perfect play, found by trying all doors, and the law for observations alone."""
-    return Lines(
+class WithLaws(NamedTuple):
+    """Lines, and circles for what the laws say.
+
+    Attributes:
+        lines: the lines.
+        laws: for each law its values, shape (n,).
+    """
+
+    lines: Lines
+    laws: Sequence[Reals]
+
+    @property
+    def title(self) -> str:
+        """The text above the axes."""
+        return self.lines.title
+
+    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
+        """Draw lines and circles on `ax`, by default in a new figure, and return the axes."""
+        ax = self.lines.draw(own_axes(ax), place)
+        for i, law in enumerate(self.laws):
+            ax.plot(self.lines.x, law, "o", color=INK, fillstyle="none", markersize=7, label="" if i else "the laws")
+        if place.alone:
+            add_legend(ax)
+        return ax
+
+
+def window_lines(lengths: Sequence[int]) -> WithLaws:
+    """Return the smallest windows of perfect play, found by trying all doors, and both laws."""
+    lines = Lines(
         np.array(lengths, float),
         {
             FRAMES_ALONE: np.array([smallest_window(length) for length in lengths], float),
@@ -234,11 +263,8 @@ def window_lines(lengths: Sequence[int]) -> Lines:
         "perfect play through corridor L",
         "L",
         "smallest window",
-        {
-            "the laws": np.array([window_law(length) for length in lengths], float),
-            "": np.array([action_law(length) for length in lengths], float),
-        },
     )
+    return WithLaws(lines, [np.array([law(length) for length in lengths], float) for law in (window_law, action_law)])
 
 
 class Worth(NamedTuple):
@@ -248,9 +274,8 @@ class Worth(NamedTuple):
         ks: the numbers of observations.
         sure: the return of perfect play through the longest corridor in which the window never errs.
         best: the return of the best play.
-        learned: by label, where points lie: (k, mean, low, high).
+        learned: by label, the points: k, and the mean with its interval.
         title: the text above the axes.
-        first: the number of the stroke.
         top: the upper end of the y axis.
     """
 
@@ -297,10 +322,6 @@ class Worth(NamedTuple):
 
 def worth(tables: Sequence[Results], networks: Results, windows: int = 7) -> Sheet:
     """Return what windows are worth, without and with actions, beside what tables and networks have learned."""
-    from edugym.lessons.memory.network import WINDOWS
-    from edugym.lessons.memory.players import late
-    from edugym.results.statistics import mean_interval
-
     panels = []
     ks = [*range(1, windows + 1)]
     for results, actions, title in zip(tables, (False, True), (FRAMES_ALONE, WITH_ACTIONS), strict=True):

@@ -77,7 +77,7 @@ def learn(
         learning_rate: α.
         discount: γ.
         epsilon: ε of ε-greedy exploration.
-        num_doors: at every place.
+        num_doors: the number of doors at every place.
         **how: more arguments of `edugym.training.repeat`, such as `repetitions`, `seed` and `jobs`.
     """
     task = FrameStack.create(MemoryCorridor.create(num_doors), k, actions=actions)

@@ -125,7 +125,7 @@ def best_play(k: int, actions: bool = False, num_doors: int = DOORS) -> BestPlay
     Args:
         k: the number of observations in the window.
         actions: whether it also shows the actions between them.
-        num_doors: at every place.
+        num_doors: the number of doors at every place.
     """
     longest = max(n for n in range(1, LONGEST + 1) if num_doors**n <= MOST_SEQUENCES)
     doors = np.array([*product(range(num_doors), repeat=longest)])

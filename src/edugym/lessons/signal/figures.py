@@ -54,6 +54,7 @@ class Points(NamedTuple):
         x_label: the label of the x axis.
         marked: the player whose points are named.
         marks: the names of its points.
+        shift: where they stand from the points, in typographic points: to the right, and up.
         optimum: the optimum, drawn as a dashed line.
         chance: what random actions return, drawn as a dotted line.
     """
@@ -63,6 +64,7 @@ class Points(NamedTuple):
     x_label: str = "I(X; Y) in bits"
     marked: str = ""
     marks: Sequence[str] = ()
+    shift: tuple[float, float] = (6, -9)
     optimum: float = OPTIMUM
     chance: float = -676.0
 
@@ -80,7 +82,7 @@ class Points(NamedTuple):
         if self.marked:
             x, rows = self.measured[self.marked]
             for at, row, text in zip(x, rows, self.marks, strict=True):
-                ax.annotate(text, (at, row.mean()), (6, -9), textcoords="offset points", fontsize=7, color=INK)
+                ax.annotate(text, (at, row.mean()), self.shift, textcoords="offset points", fontsize=7, color=INK)
         ax.axhline(self.optimum, label="optimum", **REFERENCE)
         ax.axhline(self.chance, label="random actions", **SOFT_REFERENCE)
         dress(ax, self.x_label, "return", self.title)
@@ -95,10 +97,12 @@ class Beside(NamedTuple):
     Attributes:
         curves: the curves.
         levels: by label of the player, its mean return.
+        ticks: the numbers on the x axis; none: as usual.
     """
 
     curves: Curves
     levels: Mapping[str, float]
+    ticks: Sequence[int] = ()
 
     @property
     def title(self) -> str:
@@ -111,6 +115,8 @@ class Beside(NamedTuple):
         for label, level in self.levels.items():
             look = SOFT_REFERENCE if label not in STROKES else stroke(STROKES[label])._asdict()
             ax.axhline(level, label=label, **{"linewidth": 1.4, **look})
+        if self.ticks:
+            ax.set_xticks(self.ticks)
         if place.alone:
             add_legend(ax)
         return ax
@@ -327,7 +333,8 @@ def messages_panel(
         parameters = [{"tau": tau, "max_msg_length": length} for length in lengths]
         measured[label] = (bits, [play(make, parameters=one, repetitions=repetitions) for one in parameters])
     title = f"{lengths[0]} to {lengths[-1]} words, τ = {tau:g}"
-    return Points(measured, title, marked=VOTE, marks=[f"{length}" for length in lengths])
+    shift = (6, -9) if own else (-4, 5)  # away from the other lines
+    return Points(measured, title, marked=VOTE, marks=[f"{length}" for length in lengths], shift=shift)
 
 
 def race(own: Mapping[str, Maker], lengths: Sequence[int] = (1, 4, 8, 28), *, repetitions: int = 5) -> Sheet:
@@ -359,11 +366,12 @@ def memory_sheet(by_label: Mapping[str, Results]) -> Sheet:
     results = conditions(by_label)
     first = next(iter(by_label))
     curves = by_label[first].curves("Q-learning")
-    runs = Runs(np.array(curves.index, float), curves.to_numpy(float).T, f"each run {first}")
+    title = f"{curves.shape[1]} runs that see their last action"
+    runs = Runs(np.array(curves.index, float), curves.to_numpy(float).T, title)
     return Sheet("memory", [[Curves(results, "a toy with one word", optimum=OPTIMUM), runs]])
 
 
 def lengths_sheet(by_label: Mapping[str, Results], voted: float) -> Sheet:
     """Return the learning curves with messages of one and of four words at τ = 0.1, beside the vote over four."""
     curves = Curves(conditions(by_label), "messages at τ = 0.1", y_range=(-800.0, 2_000.0))
-    return Sheet("lengths", [[Beside(curves, {VOTE_FOUR: voted})]])
+    return Sheet("lengths", [[Beside(curves, {VOTE_FOUR: voted}, range(0, LONG + 1, LONG // 4))]])
