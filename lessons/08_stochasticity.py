@@ -60,10 +60,10 @@ env.scene()
 source(type(env.mdp), "aim", "transition", "reward", "terminal")
 
 # %% [markdown]
-# Here are a thousand balls of each swing from the tee. (The putts lie so close together that the mark of their aim hides
-# them.) The drive has a standard deviation of $0.015 \cdot 10^2 = 1.5$ cells, and the water is 3.5 cells to the left
-# and to the right. So 3.5/1.5 = 2.33 standard deviations are left on each side, and a table of the normal distribution
-# says that a ball flies farther than that with probability 2.0 %.
+# Here are a thousand balls of each swing from the tee. (The putts lie so close together that the mark of their aim
+# hides them.) The drive has a standard deviation of $0.015 \cdot 10^2 = 1.5$ cells, and the water is 3.5 cells to the
+# left and to the right. So 3.5/1.5 = 2.33 standard deviations are left on each side, and a table of the normal
+# distribution says that a ball flies farther than that with probability 2.0 %.
 
 # %%
 display(stochasticity.landings_figure())
@@ -148,8 +148,8 @@ stochasticity.weights_figure()
 # the mean, and for $\beta < 0$ a fine for the variance. *Why:* the value rests where $2\sigma(\beta\delta)\,\delta$ is
 # 0 on average. If the value is the one above, then $\delta$, which is $R$ less the value, is normal with the mean
 # $-\frac{\beta}{2}\mathrm{Var}[R]$. Its density is therefore proportional to $e^{-\delta^2 / (2 \mathrm{Var}[R])} \cdot
-# e^{-\beta\delta/2}$. Multiply it by the *weighted error* $2\sigma(\beta\delta)\delta$, and use $\sigma(\beta\delta)\, e^{-\beta\delta/2} = 1 /
-# (e^{\beta\delta/2} + e^{-\beta\delta/2})$:
+# e^{-\beta\delta/2}$. Multiply it by the *weighted error* $2\sigma(\beta\delta)\delta$, and use $\sigma(\beta\delta)\,
+# e^{-\beta\delta/2} = 1 / (e^{\beta\delta/2} + e^{-\beta\delta/2})$:
 #
 # $$
 # \text{weighted error} \cdot \text{density} \;\propto\;
@@ -214,17 +214,17 @@ highest.measured(seen)
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Neutral and seeking are level, near 0.82, and the averse player earns about 0.06 less. What it gets for
-# that is in the other two panels: the averse player loses hardly a ball, the neutral one about 1 in 100, and the seeking
-# one about 3 in 100, and the spread grows from less than 0.05 to more than 0.3. So taking more risk than the neutral
-# player did not pay here. (In the left curves the two lines lie on each other. While exploring, the seeking player is
-# a little ahead.)
+# that is in the other two panels: the averse player loses hardly a ball, the neutral one about 1 in 100, and the
+# seeking one about 3 in 100, and the spread grows from less than 0.05 to more than 0.3. So taking more risk than the
+# neutral player did not pay here. (In the left curves the two lines lie on each other. While exploring, the seeking
+# player is a little ahead.)
 #
 # The last lines say more about the two outer players. The *order* of the swings matters. Seeking runs that drive first
 # earn 0.86. But half of the seeking runs chip first and drive then, from closer to the far edge. They lose more than
 # twice as many balls, and earn 0.78. That keeps the seeking player at 0.82. Of the averse runs, 8 of 30 have learned to
 # start with a putt, which wastes a hit: 0.70. The others earn 0.78, and a player who follows a rule and never drives
-# earns 0.79 (exercise 2). Played without a mistake, the fast plan earns 0.87. So safety itself costs about 0.07 here. The
-# neutral player does not play the fast plan without mistakes. So the averse player is only 0.06 behind it.
+# earns 0.79 (exercise 2). Played without a mistake, the fast plan earns 0.87. So safety itself costs about 0.07 here.
+# The neutral player does not play the fast plan without mistakes. So the averse player is only 0.06 behind it.
 # </details>
 
 # %% [markdown]
@@ -271,8 +271,8 @@ sliders(
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# Up to about 0.0075 all three play alike. With $\beta = 5$ the averse player falls to 0.66, and the seeking player gains
-# nothing. With $\alpha = 1$ the seeking player falls to 0.64.
+# Up to about 0.0075 all three play alike. With $\beta = 5$ the averse player falls to 0.66, and the seeking player
+# gains nothing. With $\alpha = 1$ the seeking player falls to 0.64.
 # </details>
 
 # %% [markdown]
@@ -323,9 +323,9 @@ change.measured(exact.change)
 #
 # **Measured.** 0.0187, so the estimate was close. Both lines are exact, for a player who sees where the ball lies and
 # plays as well as possible after the first swing. Below the crossing the risk of the drive pays on average; above it,
-# it does not. At 0.015 the drive is ahead by 0.07. (With very little noise both are worth 0.9, since a chip and *then* a
-# drive also takes two hits. With a little noise the drive is worth more than 0.9, since some drives land on the green at
-# once.)
+# it does not. At 0.015 the drive is ahead by 0.07. (With very little noise both are worth 0.9, since a chip and *then*
+# a drive also takes two hits. With a little noise the drive is worth more than 0.9, since some drives land on the green
+# at once.)
 # </details>
 
 # %% [markdown]
@@ -352,8 +352,8 @@ for label, lead in attitudes.lines.items():
 # the left the chip is no safe start: with little noise the best way to go on is a drive, from closer to the far edge.
 # So the averse player drives there too.)
 #
-# At level 0.015, by this figure, even the averse player should drive, and in the experiment it did not. Keep that
-# in mind. "What noise does to learning" finds out why, for the neutral player.
+# At level 0.015, by this figure, even the averse player should drive, and in the experiment it did not. Keep that in
+# mind. "What noise does to learning" finds out why, for the neutral player.
 
 # %% [markdown]
 # ## Predict, then check
@@ -520,10 +520,10 @@ pays.measured("the same, within 0.01" if abs(gain) < 0.01 else more)
 # repetitions) it is ahead again. And that lead is gone against the patient player, who is as neutral as the other.
 #
 # There is one reason behind all of them. At level 0.015 the drive *is* the best swing on average, and many neutral
-# learners are scared away from it by bad luck. With the hits hidden only 23 % of the neutral runs take the risk, against
-# 47 %. (A likely reason: one row of the table stands for good games and bad ones.) So the neutral player is worse there:
-# 0.795 instead of 0.816. The seeking player stays near 0.81: $\beta = 2$ is a push towards the drive. (In both games
-# about half of its runs still chip first; after ten times the training none does.)
+# learners are scared away from it by bad luck. With the hits hidden only 23 % of the neutral runs take the risk,
+# against 47 %. (A likely reason: one row of the table stands for good games and bad ones.) So the neutral player is
+# worse there: 0.795 instead of 0.816. The seeking player stays near 0.81: $\beta = 2$ is a push towards the drive. (In
+# both games about half of its runs still chip first; after ten times the training none does.)
 #
 # So risk-seeking does not pay as such: a player who knew the true values could never gain by it. It *can* make up for
 # another fault. At level 0.02, where the drive is not the best swing, the same $\beta = 2$ costs dearly.
@@ -705,10 +705,10 @@ for name in ("drive from 5 to 20 cells, chip beyond 2.8", "no drive, chip beyond
 # right.) One player on the frontier lies below the panel: who only putts loses every game after 10 hits, and so has a
 # spread of 0. A small spread alone is not safety.
 #
-# The averse player of the experiment is close to the safe end, but below it, as 8 of its 30 runs start with a putt.
-# The seeking one is beaten by the fast plan, in both numbers. The neutral one is near the frontier, between the ends,
-# like a player with a coin: some of its 30 runs drive and others do not. (It is a little above the line, since its
-# spread is a mean over runs, and not the spread of a mixture.)
+# The averse player of the experiment is close to the safe end, but below it, as 8 of its 30 runs start with a putt. The
+# seeking one is beaten by the fast plan, in both numbers. The neutral one is near the frontier, between the ends, like
+# a player with a coin: some of its 30 runs drive and others do not. (It is a little above the line, since its spread is
+# a mean over runs, and not the spread of a mixture.)
 # </details>
 
 # %% [markdown]

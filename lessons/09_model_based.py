@@ -111,9 +111,9 @@ source(FiniteModel.action_values)
 
 # %% [markdown]
 # Watch the values spread, from the exit and from the items, one cell a sweep. The maps show the shop with an *empty
-# bag*: there is a value in every cell where a shopper with an empty bag can be, and the arrow is the best action.
-# Cells whose value is not above 0 are cream and have no arrow. (The three items stay white: who steps on an item has it
-# in the bag. The exit has the value 0.) After 30 sweeps nothing changes any more, and the best way is known, before the
+# bag*: there is a value in every cell where a shopper with an empty bag can be, and the arrow is the best action. Cells
+# whose value is not above 0 are cream and have no arrow. (The three items stay white: who steps on an item has it in
+# the bag. The exit has the value 0.) After 30 sweeps nothing changes any more, and the best way is known, before the
 # first step.
 
 # %%
@@ -151,9 +151,9 @@ source(DynaQ, "learn", "plan", "imagined_target")
 # P = \left| R + \gamma \max_a Q(S', a) - Q(S, A) \right| ,
 # $$
 #
-# where $R, S'$ is what the model says of the pair $(S, A)$. A pair gets into the queue if $P$ is above a small threshold
-# $\theta$. Each update takes the first pair of the queue,
-# and then looks at all pairs that lead to its state. All learning is by planning.
+# where $R, S'$ is what the model says of the pair $(S, A)$. A pair gets into the queue if $P$ is above a small
+# threshold $\theta$. Each update takes the first pair of the queue, and then looks at all pairs that lead to its state.
+# All learning is by planning.
 
 # %%
 source(PrioritisedSweeping, "consider", "plan")
@@ -223,8 +223,8 @@ watch("prioritised sweeping")
 # %% [markdown]
 # <details><summary>What the films show</summary>
 #
-# Dyna-10 leaves after 18 steps with one item, prioritised sweeping after 39 with two. Q-learning is still looking for the
-# exit.
+# Dyna-10 leaves after 18 steps with one item, prioritised sweeping after 39 with two. Q-learning is still looking for
+# the exit.
 # </details>
 
 # %% [markdown]
@@ -265,11 +265,11 @@ at_the_end.measured(max(learned.methods, key=lambda method: learned.final(method
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** The planners need a fifth to a quarter of the steps of Q-learning: that is what a model is for. (The curves
-# are means, which a few slow runs pull down.) And then they stop improving. Q-learning, which does not plan, ends highest. All three planners end below it, and prioritised
-# sweeping, whose updates do most, ends lowest. *Planning makes the last policy worse* here. (Among the three the intervals
-# of neighbours overlap, and those of Dyna-10 and prioritised sweeping do not.) The section "See inside" shows why, and
-# what to do.
+# **Measured.** The planners need a fifth to a quarter of the steps of Q-learning: that is what a model is for. (The
+# curves are means, which a few slow runs pull down.) And then they stop improving. Q-learning, which does not plan,
+# ends highest. All three planners end below it, and prioritised sweeping, whose updates do most, ends lowest. *Planning
+# makes the last policy worse* here. (Among the three the intervals of neighbours overlap, and those of Dyna-10 and
+# prioritised sweeping do not.) The section "See inside" shows why, and what to do.
 #
 # Both panels cut off a bad start. The right one counts an episode when it ends. By step 250 only short episodes have
 # ended, and about half of the planners' runs, or more, have none. The first long ones end by step 500, the limit of an
@@ -296,11 +296,11 @@ for _ in range(50):
 print("more than 10 updates in the 0.02 seconds of a step, on average:", updates / 50 > 10)
 
 # %% [markdown]
-# So let us count time. What takes time is to compute a target. Q-learning computes one a step, and Dyna one more for each
-# imagined step. Prioritised sweeping computes one for each update and one for each *priority*: we count both. Say a target
-# takes 10 microseconds, and is computed while a step is under way. Then a step takes as long as the world needs, or as
-# long as its targets need if that is longer. (The figure computes the time from the number of targets, so that it is the
-# same on every machine.)
+# So let us count time. What takes time is to compute a target. Q-learning computes one a step, and Dyna one more for
+# each imagined step. Prioritised sweeping computes one for each update and one for each *priority*: we count both. Say
+# a target takes 10 microseconds, and is computed while a step is under way. Then a step takes as long as the world
+# needs, or as long as its targets need if that is longer. (The figure computes the time from the number of targets, so
+# that it is the same on every machine.)
 #
 # **Predict.** In a simulator steps may cost nothing, and targets are all that takes time. Who gets a return of 70 first
 # then?
@@ -323,9 +323,9 @@ free.measured(min(learned.methods, key=lambda method: simulator.seconds_to(metho
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Q-learning, by far. Each planner saves steps, and pays for them with more targets than it saves.
-# Prioritised sweeping computes about 6 200 in its first 500 steps, most of them for priorities. Later its queue is mostly
-# empty. Where a step takes a tenth of a second (right), targets are free, and the planners are ahead by minutes. A model
-# pays where steps are dear.
+# Prioritised sweeping computes about 6 200 in its first 500 steps, most of them for priorities. Later its queue is
+# mostly empty. Where a step takes a tenth of a second (right), targets are free, and the planners are ahead by minutes.
+# A model pays where steps are dear.
 # </details>
 
 # %% [markdown]
@@ -348,9 +348,9 @@ sliders(one_shop, n=(0, 40, 2), epsilon=(0.02, 0.9, 0.02), alpha=(0.1, 1.0, 0.1)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# - $n$: from about 10 on, more updates save few steps, and no planner ends near Q-learning.
+# - $n$: more than 10 updates save few steps more.
 # - $\varepsilon$: with 0.5 both planners end above 92, and Q-learning falls to 79.
-# - $\alpha$: with 0.1 all need more steps, Q-learning three times as many. Nothing is random, so 1 is best.
+# - $\alpha$: with 0.1 all need more steps, Q-learning three times as many. Nothing is random, so 1 is fastest.
 # - $\gamma$ matters little: with 0.9 all three take about as many steps as before.
 # </details>
 #
@@ -397,10 +397,10 @@ more_planning.measured(known["Dyna-10"][1].mean())
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** No better: planning is not what Dyna lacks. Its policy already is the best one by what it has seen, and
-# so, within a fraction of a point, are those of Dyna-50 and prioritised sweeping. Their models lack an item, most
-# often the blue one: nearly half of the runs of prioritised sweeping never stepped on it. With Q-learning it is the
-# other way round: it has seen the whole shop, and makes less of it.
+# **Measured.** About 84, no better: planning is not what Dyna lacks. Its policy already is the best one by what it has
+# seen, and so, within a fraction of a point, are those of Dyna-50 and prioritised sweeping. Their models lack an item,
+# most often the blue one: nearly half of the runs of prioritised sweeping never stepped on it. With Q-learning it is
+# the other way round: it has seen the whole shop, and makes less of it.
 # </details>
 
 # %% [markdown]
@@ -431,10 +431,10 @@ more_planning.measured(known["Dyna-10"][1].mean())
 # high values in its table (*optimistic initial values*, section 2.6): those fade as they are tried, and nobody plans
 # with them.
 #
-# The code keeps two tables. `optimistic` is the one above, by which it acts. `Q` is the same with $-100$ in the
-# place of $U$: it says how to use what is known, for evaluation. (The tables are filled with 100 and −100 when the agent
-# is made. `sweep` holds the list of known pairs, and where the
-# sweep has got to; planning goes on until a whole sweep changes nothing.)
+# The code keeps two tables. `optimistic` is the one above, by which it acts. `Q` is the same with $-100$ in the place
+# of $U$: it says how to use what is known, for evaluation. (The tables are filled with 100 and −100 when the agent is
+# made. `sweep` holds the list of known pairs, and where the sweep has got to; planning goes on until a whole sweep
+# changes nothing.)
 
 # %%
 source(RMax, "learn", "plan", "act")
@@ -443,8 +443,8 @@ source(RMax, "learn", "plan", "act")
 source(TabularModel.expected_target)
 
 # %% [markdown]
-# (`first` and `following` walk through the outcomes of the pair; `weights` says how often each came. The loop takes their
-# weighted mean.)
+# (`first` and `following` walk through the outcomes of the pair; `weights` says how often each came. The loop takes
+# their weighted mean.)
 #
 # The experiment has the settings from above, and 40 repetitions. R-max has no $\varepsilon$ and no $\alpha$, and makes
 # up to 1 000 updates a step.
@@ -525,8 +525,9 @@ depth.measured(int(looking.x[looking.lines["knows nothing"] >= 95][0]))
 # distribution with mean 0 and standard deviation $\sigma$. The shop itself has none. Now plan by value iteration with such
 # a model, and follow the plan in the real shop.
 #
-# **Predict.** At $\sigma = 1.5$ an error is about as large as the cost of a step (1), and small beside an item (25) and the
-# exit (50). With $\gamma = 0.95$, how many of the plans never get to the exit? (The figure shows $\gamma = 0.9$ too.)
+# **Predict.** At $\sigma = 1.5$ an error is about as large as the cost of a step (1), and small beside an item (25) and
+# the exit (50). With $\gamma = 0.95$, how many of the plans never get to the exit? (The figure shows $\gamma = 0.9$
+# too.)
 
 # %%
 never = predict("With noise 1.5, plans that never end:", unit="%")
@@ -581,10 +582,10 @@ saved.measured(saved.options[slow + 2 * fast])
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Only with $\alpha = 0.1$ (in the right panel). With $\alpha = 1$ a value is what the last update says,
-# and of eleven updates ten are imagined. The likely reason for the difference: with $\alpha = 0.1$ a value is a mean over many updates. The imagined ones
-# are spread evenly over the whole model, and the real ones are all on the way of the agent. Where it walks often,
-# reality wins: a bump that disappoints again and again is given up. With the right model (left) the small rate is the
-# slowest. What is best depends on how far you trust your model.
+# and of eleven updates ten are imagined. The likely reason for the difference: with $\alpha = 0.1$ a value is a mean
+# over many updates. The imagined ones are spread evenly over the whole model, and the real ones are all on the way of
+# the agent. Where it walks often, reality wins: a bump that disappoints again and again is given up. With the right
+# model (left) the small rate is the slowest. What is best depends on how far you trust your model.
 # </details>
 
 # %% [markdown]
@@ -630,10 +631,11 @@ display({f"γ = {gamma}": round(smallest_error(40.0, gamma), 3) for gamma in (0.
 # better and better. Actions that were *never* taken are imagined too: they give reward 0 and lead back to their own state.
 # That is not the end of the episode, so the value of that state counts. Their $\tau$ counts from step 0.
 #
-# The agent remembers in tables what followed each action: `rewards[s, a]`, `next_states[s, a]`, and `ends[s, a]`, which is
-# 1 if the episode ended there. `last[s, a]` is the step at which it was last taken, 0 for never, and `clock[0]` counts the
-# steps. Complete `imagine`, which returns the target of an imagined step, bonus included. `discount` and `kappa` are
-# $\gamma$ and $\kappa$; read them from `self`. It runs as machine code (plain numbers, `max`, `if` and loops).
+# The agent remembers in tables what followed each action: `rewards[s, a]`, `next_states[s, a]`, and `ends[s, a]`, which
+# is 1 if the episode ended there. `last[s, a]` is the step at which it was last taken, 0 for never, and `clock[0]`
+# counts the steps. Complete `imagine`, which returns the target of an imagined step, bonus included. `discount` and
+# `kappa` are $\gamma$ and $\kappa$; read them from `self`. It runs as machine code (plain numbers, `max`, `if` and
+# loops).
 #
 # Below the check your agent races against Q-learning, Dyna-10 and R-max. The left panel shows their learning curves, and
 # the right one what they do with what they know, as in "See inside". Predict: your agent has a bonus that never ends. How
