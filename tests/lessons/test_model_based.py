@@ -2,12 +2,15 @@
 
 import math
 from functools import partial
+from typing import Any
 
 import numpy as np
 import pytest
 
 from edugym.agents.dyna_q import DynaQ
 from edugym.agents.prioritised_sweeping import PrioritisedSweeping
+from edugym.agents.tabular_model import TabularModel
+from edugym.envs.supermarket import Supermarket
 from edugym.exact.value_iteration import value_iteration
 from edugym.lessons.model_based import (
     DYNA_10,
@@ -16,6 +19,7 @@ from edugym.lessons.model_based import (
     OPTIMUM,
     Q_LEARNING,
     R_MAX,
+    SWEEPING,
     Clock,
     Close,
     FloorMap,
@@ -35,6 +39,7 @@ from edugym.lessons.model_based import (
     random_walk,
     spreading,
     steps_to,
+    targets_computed,
     used_and_seen,
     warm_up,
     who_knows_the_way,
@@ -42,6 +47,7 @@ from edugym.lessons.model_based import (
 )
 from edugym.lessons.model_based.figures import OWN, STROKES, strokes_of
 from edugym.lessons.model_based.maps import after_walk
+from edugym.lessons.model_based.methods import CountingSweeping
 from edugym.plotting import Sheet
 
 
@@ -128,13 +134,51 @@ def test_planning_invents_no_knowledge() -> None:
 
 
 def test_the_clock() -> None:
-    """A step takes as long as the world or as its updates need, whichever is longer."""
-    results = compare({label: LEARNED[label] for label in (Q_LEARNING, DYNA_10)}, n_steps=2_000, repetitions=4)
-    clock = Clock(results, step_ms=0.05, update_us=10.0)
-    assert clock.seconds_per_step(Q_LEARNING) == pytest.approx(5e-5)
-    assert clock.seconds_per_step(DYNA_10) == pytest.approx(1.1e-4)
-    assert steps_to(results, DYNA_10, 1_000.0) == math.inf
-    assert steps_to(results, DYNA_10, -600.0) == 0.0
+    """A step takes as long as the world or as its targets need, whichever is longer."""
+    methods = {label: LEARNED[label] for label in (Q_LEARNING, DYNA_10, SWEEPING)}
+    results = compare(methods, n_steps=2_000, repetitions=4)
+    targets = targets_computed(results)
+    clock = Clock(results, targets, step_ms=0.05, target_us=10.0)
+    assert clock.seconds(Q_LEARNING)[-1] == pytest.approx([2_000 * 5e-5] * 4)
+    assert clock.seconds(DYNA_10)[[0, 1]] == pytest.approx(np.array([[0.0] * 4, [50 * 1.1e-4] * 4]))
+    assert clock.seconds(SWEEPING)[-1] == pytest.approx(np.maximum(targets[SWEEPING] * 1e-5, 5e-5).sum(axis=1))
+    assert steps_to(results, DYNA_10, 1_000.0) == clock.seconds_to(DYNA_10, 1_000.0) == math.inf
+    assert steps_to(results, DYNA_10, -600.0) == clock.seconds_to(DYNA_10, -600.0) == 0.0
+
+
+def test_the_targets_of_prioritised_sweeping() -> None:
+    """What counts them learns the same; priorities count, and with an empty queue one target a step is left."""
+    how: dict[str, Any] = {"n_steps": 2_000, "repetitions": 3}
+    results = compare({SWEEPING: LEARNED[SWEEPING]}, **how)
+    counting = compare({SWEEPING: partial(CountingSweeping.create, n_steps=2_000)}, **how)
+    assert counting.curves(SWEEPING).equals(results.curves(SWEEPING))
+    targets = targets_computed(results)[SWEEPING]
+    assert targets.shape == (3, 2_000)
+    assert targets.min() == 1
+    assert targets[:, :500].sum(axis=1).min() > 1_000
+    assert targets[:, 1_000:].mean() < 3
+
+
+def test_the_count_is_that_of_the_code(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Interpreted, as many targets are computed as are counted."""
+    computed = []
+    expected_target = TabularModel.expected_target
+
+    def counted(self: TabularModel, *rest: Any) -> float:
+        computed.append(rest)
+        return expected_target(self, *rest)
+
+    shop, rng = Supermarket.create(), np.random.default_rng(0)
+    agent = CountingSweeping.create(shop, 600)
+    monkeypatch.setattr(TabularModel, "expected_target", counted)
+    state = shop.initial(rng)
+    for _ in range(600):
+        action = agent.act(state, rng)
+        next_state = shop.transition(state, action, rng)
+        ended = shop.terminal(next_state)
+        agent.learn(state, action, shop.reward(state, action, next_state, rng), next_state, ended)
+        state = shop.initial(rng) if ended else next_state
+    assert agent.targets[0, :-1].sum() == len(computed) > 2_000
 
 
 def test_methods_keep_their_colours() -> None:
@@ -160,7 +204,7 @@ def test_figures_are_drawn() -> None:
         spreading(20),
         dynamic_programming((1, 2)),
         wrong_plan(1.5, 0),
-        Sheet("one", [[Knowledge(used_and_seen(results)), Clock(results, 1.0, 1.0)]]),
+        Sheet("one", [[Knowledge(used_and_seen(results)), Clock(results, targets_computed(results), 1.0, 1.0)]]),
         Sheet("two", [[look_ahead_lines(results, (0, 1)), Close(look_ahead_lines(results, (0, 1)), (50.0, 100.0))]]),
         race({"mine": lambda shop: DynaQ.create(shop)}, 2, n_steps=400),
     ):

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from edugym import QLearning, Results
-from edugym.envs.golf import Golf
+from edugym.envs.golf import SWINGS, Golf
 from edugym.lessons import stochasticity
 from edugym.lessons.stochasticity import (
     AVERSE,
@@ -197,6 +197,18 @@ def test_the_order_of_swings(trained: Results) -> None:
     seeking = groups[stochasticity.SEEKING]
     assert seeking["drive"][1] > seeking["chip"][1]
     assert seeking["drive"][2] < seeking["chip"][2]
+
+
+def test_first_swings_with_the_hits_hidden() -> None:
+    """The tee has another row of the table then."""
+    results = stochasticity.learn(observe_hits=False, risks={NEUTRAL: 0.0}, n_steps=2_000, repetitions=2)
+    played = play(results, observe_hits=False)
+    groups = stochasticity.by_first_swing(results, played, observe_hits=False)[NEUTRAL]
+    task = Golf.create()
+    rng = np.random.default_rng(0)
+    tee = np.ravel_multi_index(task.observation(task.initial(rng), rng), (task.width, task.length))
+    first = [SWINGS[int(agent.Q[tee].argmax())] for agent in results.complete_agents(NEUTRAL).values()]
+    assert {swing: runs for swing, (runs, _, _) in groups.items()} == {swing: first.count(swing) for swing in first}
 
 
 def test_shares_of_games(trained: Results) -> None:

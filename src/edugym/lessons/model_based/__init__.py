@@ -73,6 +73,7 @@ from edugym.lessons.model_based.methods import (
     compare_planners,
     exact_model,
     make,
+    targets_computed,
     with_right_model,
 )
 from edugym.lessons.model_based.plans import (
@@ -138,6 +139,7 @@ __all__ = [
     "report",
     "spreading",
     "steps_to",
+    "targets_computed",
     "tried",
     "used_and_seen",
     "warm_up",
@@ -149,7 +151,7 @@ __all__ = [
 
 def warm_up() -> None:
     """Compile what the cells of the lesson need."""
-    compare({**LEARNED, **REMEDIES}, n_steps=POINTS, repetitions=1, jobs=1)
+    targets_computed(compare({**LEARNED, **REMEDIES}, n_steps=POINTS, repetitions=1, jobs=1))
     compare(with_right_model(GIVEN), n_steps=POINTS, repetitions=1, jobs=1)
 
 

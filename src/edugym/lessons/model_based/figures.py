@@ -29,7 +29,7 @@ from edugym.lessons.model_based.methods import (
     exact_model,
 )
 from edugym.lessons.model_based.plans import Plan, look_ahead, used_and_seen
-from edugym.mdp.protocol import Reals
+from edugym.mdp.protocol import Integers, Reals
 from edugym.plotting.curves import Curves
 from edugym.plotting.lines import Lines
 from edugym.plotting.panel import ALONE, Place
@@ -55,8 +55,6 @@ STROKES: Mapping[str, int] = MappingProxyType(
     }
 )
 """The stroke of each method, the same in all figures."""
-UPDATES: Mapping[str, int] = MappingProxyType({Q_LEARNING: 1, DYNA_10: 11, DYNA_50: 51, SWEEPING: 10})
-"""How often a method updates a value at each step."""
 
 
 OWN = (
@@ -143,31 +141,40 @@ class Clock(NamedTuple):
 
     Attributes:
         results: the results to draw.
+        targets: by method, how many targets each step computed (see `targets_computed`).
         step_ms: how long a step in the world takes, in milliseconds.
-        update_us: how long an update takes, in microseconds; updates are made while the step takes its time.
+        target_us: how long it takes to compute a target, in microseconds; that is done while the step takes its time.
         title: the text above the axes.
     """
 
     results: Results
+    targets: Mapping[str, Integers]
     step_ms: float
-    update_us: float
+    target_us: float
     title: str = ""
 
-    def seconds_per_step(self, method: str) -> float:
-        """Return how long a step of a method takes: the step, or its updates if they take longer."""
-        return max(self.step_ms * 1e-3, UPDATES.get(method, 1) * self.update_us * 1e-6)
+    def seconds(self, method: str) -> Reals:
+        """Return when the points of the curves of a method are reached, shape (points, n_repetitions).
+
+        A step takes as long as the world, or as its targets if they take longer.
+        """
+        curves = self.results.curves(method)
+        each = np.maximum(self.step_ms * 1e-3, self.targets[method] * self.target_us * 1e-6)
+        passed = np.pad(each.cumsum(axis=1), ((0, 0), (1, 0)))
+        seconds: Reals = np.broadcast_to(passed[:, curves.index].T, curves.shape)
+        return seconds
 
     def seconds_to(self, method: str, level: float) -> float:
-        """Return the time that half of the runs need for a greedy return of `level`."""
-        return steps_to(self.results, method, level) * self.seconds_per_step(method)
+        """Return the time that half of the runs need for a greedy return of `level`; inf for never."""
+        reached = self.results.curves(method).to_numpy(float) >= level
+        return float(np.median(np.where(reached, self.seconds(method), np.inf).min(axis=0)))
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the curves on `ax`, by default in a new figure, and return the axes."""
         ax = own_axes(ax)
         for method, look in strokes_of(self.results.methods).items():
-            curve = self.results.curves(method).mean(axis=1)
-            seconds = curve.index.to_numpy(float) * self.seconds_per_step(method)
-            ax.plot(seconds[1:], curve.to_numpy(float)[1:], linewidth=1.6, label=method, **look)
+            curve = self.results.curves(method).mean(axis=1).to_numpy(float)
+            ax.plot(self.seconds(method).mean(axis=1)[1:], curve[1:], linewidth=1.6, label=method, **look)
         ax.axhline(OPTIMUM, label="optimum", **REFERENCE)
         ax.set_xscale("log")
         ax.set_ylim(-100.0, 100.0)
@@ -228,10 +235,10 @@ def learning_curves(results: Results, epsilon: float = EPSILON) -> Sheet:
     return Sheet("learned", [[learning(results, "without exploring"), exploring]])
 
 
-def clocks(results: Results, step_ms: float = 100.0, update_us: float = 10.0) -> Sheet:
+def clocks(results: Results, targets: Mapping[str, Integers], step_ms: float = 100.0, target_us: float = 10.0) -> Sheet:
     """Return the same curves over time, where steps cost nothing, and where they cost something."""
     titles = {0.0: "steps cost nothing", step_ms: f"a step takes {step_ms:g} ms"}
-    return Sheet("clocks", [[Clock(results, cost, update_us, title) for cost, title in titles.items()]])
+    return Sheet("clocks", [[Clock(results, targets, cost, target_us, title) for cost, title in titles.items()]])
 
 
 def look_ahead_lines(results: Results, depths: Sequence[int] = range(16)) -> Coloured:
@@ -295,7 +302,7 @@ def given_curves(right: Results, wrong: Results) -> Sheet:
 def plan_lines(by_discount: Mapping[float, Mapping[float, list[Plan]]]) -> Lines:
     """Return the share of plans that never end, against the noise of the model, for each discount."""
     shares = {
-        f"discount {discount:g}": np.array(
+        f"γ = {discount:g}": np.array(
             [mean_interval([not plan.ends for plan in plans[noise]]).estimate for noise in NOISES]
         )
         for discount, plans in by_discount.items()

@@ -1,19 +1,23 @@
 """The methods of lesson 9 and their settings, and how they are compared."""
 
+import re
 from collections.abc import Callable, Mapping
 from functools import cache, partial
-from typing import Any
+from typing import Annotated, Any, NamedTuple
 
 import gymnasium
+import numpy as np
 
 from edugym.agents.dyna_q import DynaQ
 from edugym.agents.prioritised_sweeping import PrioritisedSweeping
 from edugym.agents.q_learning import QLearning
 from edugym.agents.r_max import RMax
+from edugym.agents.settings import Table, new
 from edugym.agents.strategies import LinearDecay, ScheduledEpsilonGreedy
 from edugym.envs.supermarket import Supermarket
 from edugym.exact.model import finite_model
 from edugym.exact.tables import FiniteModel
+from edugym.mdp.protocol import Integers, Random
 from edugym.results.tables import Results
 from edugym.training.repeat import repeat
 
@@ -79,7 +83,7 @@ REMEDIES: Mapping[str, Maker] = {
     MORE_RANDOM: partial(make, DynaQ, planning_steps=10, epsilon=(0.5, 0.5)),
     DECAYING: partial(make, DynaQ, planning_steps=10, epsilon=(1.0, 0.02)),
 }
-SLOW_DYNA = "Dyna-10, learning rate 0.1"
+SLOW_DYNA = "Dyna-10, α = 0.1"
 GIVEN: Mapping[str, Maker] = {
     SWEEPING: partial(make, PrioritisedSweeping, given=True, planning_steps=1_000),
     DYNA_10: partial(make, DynaQ, given=True, planning_steps=10),
@@ -134,3 +138,71 @@ def with_right_model(makers: Mapping[str, Callable[[Any], Any]]) -> dict[str, An
     """Make agents with the right model, once for all repetitions, of which each gets a copy."""
     environment = gymnasium.make("edugym/Supermarket-v0")
     return {label: maker(environment) for label, maker in makers.items()}
+
+
+class CountingSweeping(NamedTuple):
+    """Prioritised sweeping, with a count of its work. It learns and acts as `PrioritisedSweeping` does.
+
+    Attributes:
+        sweeping: the agent, whose budget is one update: it is asked n times.
+        targets: shape (1, steps + 1): how many targets each step computed, for an update or for a priority alone; the
+            last place holds the number of the step.
+        planning_steps: n.
+    """
+
+    sweeping: PrioritisedSweeping
+    targets: Annotated[Integers, Table((1, "places"))]
+    planning_steps: int
+
+    def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool) -> None:
+        """Let it learn, which computes one target: a priority."""
+        self.sweeping.learn(state, action, reward, next_state, terminated)
+        self.targets[0, self.targets[0, -1]] += 1
+        self.targets[0, -1] += 1
+
+    def act(self, state: int, rng: Random) -> int:
+        """Let it plan update by update: each computes a target, and one for each outcome that leads to the state."""
+        for _ in range(self.planning_steps):
+            if self.sweeping.queue.size[0] > 0:
+                computed = 1
+                outcome = self.sweeping.model.first_into[self.sweeping.queue.items[1] // self.sweeping.Q.shape[1]]
+                while outcome >= 0:
+                    computed += 1
+                    outcome = self.sweeping.model.following_into[outcome]
+                self.targets[0, self.targets[0, -1]] += computed
+                self.sweeping.plan(rng)
+        return self.sweeping.exploration.choose(self.sweeping.Q, state, rng)
+
+    def greedy(self, state: int, rng: Random) -> int:
+        """The action with the highest value."""
+        return self.sweeping.greedy(state, rng)
+
+    @classmethod
+    def create(cls, environment: Any, n_steps: int, planning_steps: int = 10) -> "CountingSweeping":
+        """A new agent with the settings of the lesson, for so many steps."""
+        sweeping = make(PrioritisedSweeping, environment, planning_steps=1)
+        settings = {"planning_steps": planning_steps}
+        return new(cls, environment, settings, {"sweeping": sweeping}, places=n_steps + 1)
+
+
+def targets_computed(results: Results) -> dict[str, Integers]:
+    """Return by method how many targets each step computed: shape (n_repetitions, n_steps), or (1, n_steps).
+
+    Q-learning computes one, and Dyna-n computes n more. Prioritised sweeping computes them for priorities too, and
+    does nothing while its queue is empty: the same runs are trained again, and counted.
+
+    Args:
+        results: what `compare` returned for methods of the lesson, with its seed.
+    """
+    counted = dict[str, Integers]()
+    for method in results.methods:
+        curves = results.curves(method)
+        n_steps = int(curves.index[-1])
+        if method == SWEEPING:
+            makers = {method: partial(CountingSweeping.create, n_steps=n_steps)}
+            again = compare(makers, n_steps=n_steps, repetitions=curves.shape[1])
+            counted[method] = np.array([agent.targets[0, :-1] for agent in again.complete_agents(method).values()])
+        else:
+            dyna = re.fullmatch(r"Dyna-(\d+)", method)
+            counted[method] = np.full((1, n_steps), 1 + int(dyna[1]) if dyna else 1)
+    return counted

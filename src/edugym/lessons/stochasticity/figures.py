@@ -14,6 +14,7 @@ from edugym.lessons.stochasticity.methods import (
     RISKS,
     Maker,
     Played,
+    by_first_swing,
     landings,
     learn,
     play,
@@ -122,7 +123,7 @@ class Games(NamedTuple):
             at = np.arange(len(bars)) + width * (i - (len(self.played) - 1) / 2)
             ax.bar(at, bars, width, color=stroke(i).color, label=method)
         ax.set_xticks(np.arange(len(names)), names)
-        dress(ax, "hits of a game that is won", "share of games", self.title)
+        dress(ax, "lost, or won with so many hits", "share of games", self.title)
         return ax
 
 
@@ -382,6 +383,8 @@ def frontier_figure(
 def race(own: Mapping[str, Maker], players: Mapping[str, Played], *, level: float = LEVEL, **how: Any) -> Sheet:
     """Return the lesson's figure of mean, spread and lost balls with methods of the reader's own beside its three.
 
+    It prints with which swing their runs start.
+
     Args:
         own: by label, functions that make agents.
         players: how the three play; empty leaves them out.
@@ -389,4 +392,8 @@ def race(own: Mapping[str, Maker], players: Mapping[str, Played], *, level: floa
         **how: more arguments of `learn`.
     """
     results = learn(level=level, risks={}, own=own, evaluation_episodes=1, **how)
-    return outcomes({**players, **play(results, level=level)}, level)._replace(name="race")
+    theirs = play(results, level=level)
+    for label, swings in by_first_swing(results, theirs).items():
+        starts = ", ".join(f"{runs} with a {swing}" for swing, (runs, _, _) in swings.items())
+        print(f"{label:15}: first swings of {len(theirs[label].mean)} runs: {starts}")
+    return outcomes({**players, **theirs}, level)._replace(name="race")

@@ -279,18 +279,20 @@ def values_on_the_tee(results: Results) -> dict[str, Reals]:
     return {method: np.mean(_on_the_tee(results, method), axis=0) for method in results.methods}
 
 
-def _on_the_tee(results: Results, method: str) -> Reals:
-    """Return the values of the three swings from the tee in every complete run, shape (n, 3); hits are observed."""
-    golf = Golf.create(observe_hits=True)
-    row = (golf.width // 2) * golf.length * (golf.max_hits + 1)
+def _on_the_tee(results: Results, method: str, observe_hits: bool = True) -> Reals:
+    """Return the values of the three swings from the tee in every complete run, shape (n, 3)."""
+    golf = Golf.create()
+    row = (golf.width // 2) * golf.length * (golf.max_hits + 1 if observe_hits else 1)
     return np.array([agent.Q[row] for agent in results.complete_agents(method).values()])
 
 
-def by_first_swing(results: Results, played: Mapping[str, Played]) -> dict[str, dict[str, tuple[int, float, float]]]:
+def by_first_swing(
+    results: Results, played: Mapping[str, Played], observe_hits: bool = True
+) -> dict[str, dict[str, tuple[int, float, float]]]:
     """Return by method and by the first swing of its runs: how many they are, their mean return, their lost balls."""
     table = {}
     for method, one in played.items():
-        first = _on_the_tee(results, method).argmax(axis=1)
+        first = _on_the_tee(results, method, observe_hits).argmax(axis=1)
         runs = {swing: first == k for k, swing in enumerate(SWINGS) if (first == k).any()}
         table[method] = {
             swing: (int(of.sum()), float(one.mean[of].mean()), float(one.lost[of].mean())) for swing, of in runs.items()
