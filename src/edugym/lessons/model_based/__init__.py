@@ -267,8 +267,8 @@ def remedy_claims(learned: Results, remedied: Results) -> list[Claim]:
         ),
         *(
             Claim(
-                f"{method} is not at the optimum by then",
-                f"share of runs with return 95 after {EARLY} steps",
+                f"{method} is not at the optimum after {EARLY} steps",
+                "share of runs with return 95",
                 share_interval(learned.at(method, EARLY) >= OPTIMUM),
                 Below(0.5),
             )
@@ -312,11 +312,11 @@ def plan_claims(plans: Mapping[float, list[Plan]]) -> list[Claim]:
             for noise, (statement, expected) in statements.items()
         ),
         Claim(
-            "The reason: a wall that seems to pay for each bump is farmed for ever",
+            "Most plans that never end walk into the same wall for ever",
             f"share of the plans that never end, noise {WRONG:g}",
             share_interval([plan.bumps for plan in lost[WRONG]]),
             Above(0.5),
-            "an error above 1 makes a step without end worth more than the exit",
+            "with an error above 1 the wall seems to pay for each bump, so that bumping without end is worth most",
         ),
     ]
 
@@ -338,7 +338,7 @@ def noise_claims(right: Results, wrong: Results) -> list[Claim]:
             )
         ),
         Claim(
-            "With learning rate 0.1 Dyna-10 gets over it in most runs: it loses less than 50",
+            f"With learning rate 0.1 Dyna-10 gets over noise {WRONG:g} in most runs: it loses less than 50",
             "share of runs",
             share_interval(wrong.final(SLOW_DYNA) - right.final(SLOW_DYNA) > -50.0),
             Above(0.7),

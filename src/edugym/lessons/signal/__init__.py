@@ -235,7 +235,7 @@ def vocabulary_claims(words: Results) -> list[Claim]:
             for few, many in ((4, 16), (16, 64))
         ),
         Claim(
-            "They only slow it: with 16 words Q-learning still reaches the optimum",
+            "With 16 words, synonyms included, Q-learning still reaches the optimum",
             f"return / {OPTIMUM:.0f}",
             mean_interval(words.final("16 words") / OPTIMUM),
             Within(0.99, 1.001),
@@ -305,13 +305,13 @@ def memory_claims(in_turn: Reals, memory: Results) -> list[Claim]:
             "it remembers its last action and needs no message",
         ),
         Claim(
-            "Q-learning that observes its last action learns this without a message",
+            "Q-learning that observes its last action learns nearly the best play without a message",
             f"share of evaluations above {0.98 * OPTIMUM:.0f} in the second half of training, one word in all",
             mean_interval(1 - time_below(memory, "with its last action", 0.98 * OPTIMUM)),
             Above(0.5),
         ),
         Claim(
-            "Negative control: without its last action it does no better than random play",
+            "Negative control: without its last action and a message Q-learning does no better than random play",
             "return, one word in all",
             memory.mean("without"),
             Below(RANDOM_PLAY),

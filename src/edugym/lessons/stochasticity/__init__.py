@@ -187,7 +187,7 @@ def speed_claims(by_level: Mapping[float, Results]) -> list[Claim]:
             "a few lost balls make the drive look bad, and it is then tried too rarely to recover",
         ),
         Claim(
-            "It does not slow Q-learning by much: it gets to its own final return as soon as without noise",
+            "Noise hardly slows Q-learning: it gets to its own final return as soon as without noise",
             f"share of the final return, averaged over {SHORT} steps, level {LEVEL:g} less 0",
             paired_difference(share_on_the_way(by_level[LEVEL]), share_on_the_way(by_level[0.0])),
             Within(-0.05, 0.05),
