@@ -279,10 +279,11 @@ def message_claims(voted: Mapping[int, Reals], one: Results, four: Results) -> l
             f"its table has {rows_of_table(FOUR)} rows instead of {rows_of_table(1)}, each visited less often",
         ),
         Claim(
-            f"After {LONG} steps Q-learning with four words is no longer behind Q-learning with one",
-            "return with four words less that with one",
-            paired_difference(after(four, LONG), after(one, LONG)),
-            Above(-50.0),
+            f"At the end of {LONG} steps Q-learning with four words is at most 100 behind Q-learning with one",
+            "return with four words less that with one, last five evaluations",
+            paired_difference(four.late("Q-learning"), one.late("Q-learning")),
+            Above(-100.0),
+            "it catches up, but whether it gets ahead in that time does not show in 10 runs",
         ),
         Claim(
             "With four words Q-learning earns less than a majority vote",
