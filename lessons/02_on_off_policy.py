@@ -493,7 +493,7 @@ edge_walkers.measured(names.get(tuple(walkers), "all three"))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Q-learning only, with the optimal 13 steps. The other two keep one row of distance, which costs them
-# two steps. While exploring they earn about −26 a walk, and Q-learning about −49. The left panel shows the walk that
+# two steps. While exploring they earn about −25 a walk, and Q-learning about −49. The left panel shows the walk that
 # most of the five runs end with. One run of SARSA ends with −500: its values are noisy, and its greedy policy walks
 # against the upper border until the step limit.
 # </details>

@@ -378,7 +378,7 @@ noisy
 # %%
 earned, lost = stochasticity.against_level(repetitions=10)
 display(Sheet("levels", [[earned, lost]]))
-at = lost.levels.index(0.02)
+at = lost.x.index(0.02)
 shares = {label.split(",")[0]: float(np.mean(rows[at])) for label, rows in lost.measured.items()}
 print("lost at level 0.02:", ", ".join(f"{label} {share:.2%}" for label, share in shares.items()))
 print("mean at level 0.02:", ", ".join(f"{label} {np.mean(rows[at]):.3f}" for label, rows in earned.measured.items()))

@@ -8,11 +8,21 @@ all of it with a `KeyboardInterrupt`. `reporting` makes it of two functions, one
 
 import threading
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple, Protocol
 
 from edugym.plotting.report import Report
 from edugym.training.checkpoints import CHECKPOINTS
+
+
+def for_mdp(make: Callable[[Any], Any]) -> Callable[[Any], Any]:
+    """Return a function that makes an agent for an environment, from one that makes it for the MDP in it."""
+    return partial(_make_for_mdp, make)
+
+
+def _make_for_mdp(make: Callable[[Any], Any], environment: Any) -> Any:
+    return make(environment.unwrapped.mdp)
 
 
 class Reporter(Protocol):

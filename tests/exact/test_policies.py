@@ -20,7 +20,7 @@ from edugym import (
     make_mdp,
     train,
 )
-from edugym.exact.policies import policy_of
+from edugym.exact.policies import policy_of, soft
 from edugym.exact.policy_evaluation import policy_evaluation
 from edugym.mdp.protocol import Random, Reals
 from tests.exact.tasks import Gambler, Hidden, Walk, Ways
@@ -171,3 +171,8 @@ def test_too_many_ties(monkeypatch: pytest.MonkeyPatch) -> None:
     model = finite_model(Gambler())
     with pytest.raises(ValueError, match="can go more than 100 ways: are many actions equally good"):
         policy_of(QLearning.create(Gambler()), model)
+
+
+def test_soft() -> None:
+    """A share ε of each row goes to all actions alike."""
+    assert soft(np.array([[0.0, 1.0], [0.5, 0.5]]), 0.2).tolist() == [[0.1, 0.9], [0.5, 0.5]]

@@ -140,7 +140,7 @@ def test_uncorrected_targets() -> None:
 def test_what_the_figures_show() -> None:
     """Every panel has a line for each method, and draws itself alone as well as on a sheet."""
     by_rate = through_rates((0.1, 0.3), n_steps=100, repetitions=2)
-    assert [*rate_series(by_rate).lines] == ["n = 1", "n = 3", "n = 5", "Monte Carlo"]
+    assert [*rate_series(by_rate).measured] == ["n = 1", "n = 3", "n = 5", "Monte Carlo"]
     assert set(best_rates(by_rate)) == {1, 3, 5, math.inf}
     assert [[panel.title for panel in row] for row in credit_maps().rows] == [["n = 1", "n = 3", "Monte Carlo"]]
     for sheet in (credit_maps(), variance_sheet(), off_policy_sheet(), Sheet("rates", [[rate_series(by_rate)]])):

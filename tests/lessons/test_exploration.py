@@ -32,8 +32,6 @@ from edugym.lessons.exploration.stalling import record_frontier
 from edugym.results.claims import Above, Below
 from edugym.results.statistics import proportion_interval
 
-pytestmark = pytest.mark.slow
-
 SOLVES, FAILS = Above(0.5), Below(0.5)
 
 
@@ -43,6 +41,7 @@ def trained(height: int) -> Results:
     return compare(height, repetitions=20, seed=1)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("method", "height", "expected"),
     [
@@ -63,6 +62,7 @@ def test_who_solves_what(method: str, height: int, expected: Above | Below) -> N
     assert expected.holds(share), f"{method} at {height}: {share}"
 
 
+@pytest.mark.slow
 def test_remedies_are_better_on_the_same_walls() -> None:
     """The difference in return, paired by wall and seed, is above zero."""
     assert trained(30).difference(NOVELTY, EPSILON_GREEDY).low > 0
@@ -81,6 +81,7 @@ def optimistic(environment: Any) -> QLearning:
     return QLearning.create(environment, learning_rate=0.5, discount=0.9, initial_value=1.0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("make", "height", "expected"),
     [
@@ -97,6 +98,7 @@ def test_what_makes_the_remedy(make: Callable[..., Any], height: int, expected: 
     assert expected.holds(share), str(share)
 
 
+@pytest.mark.slow
 def test_what_was_learned_is_the_wall() -> None:
     """On a wall other than its own, an agent that solves its own one falls."""
     tops = 0
@@ -107,6 +109,7 @@ def test_what_was_learned_is_the_wall() -> None:
     assert FAILS.holds(proportion_interval(int(tops), 20))
 
 
+@pytest.mark.slow
 def test_everything_that_the_lesson_claims(tmp_path: Any) -> None:
     """With the lesson's own settings and seed; and its data is where it says."""
     report = exploration.report(folder=tmp_path)
@@ -147,6 +150,7 @@ def test_share_of_climbs_by_hand() -> None:
     assert first_at_top(visits, 1_000) == 500.0
 
 
+@pytest.mark.slow
 def test_visits_of_the_figure() -> None:
     """Every step of every run is somewhere on the wall."""
     for method in METHODS:
@@ -195,18 +199,7 @@ def test_visits_of_two_branches_by_hand() -> None:
     assert returns_to(visits)
 
 
-def test_attempt_is_an_episode_of_training() -> None:
-    """It begins after the steps asked for, and what it does can be replayed."""
-    wall = make_mdp("Boulder", height=3)
-    actions = exploration.attempt(METHODS[GO_EXPLORE], wall, after=500)
-    rng, state = np.random.default_rng(0), 0
-    for action in actions:
-        assert not wall.terminal(state)
-        state = wall.transition(state, action, rng)
-    assert wall.terminal(state) or len(actions) == wall.max_steps
-    assert actions == exploration.attempt(METHODS[GO_EXPLORE], wall, after=500)
-
-
+@pytest.mark.slow
 def test_progress_is_drawn_over_the_whole_training() -> None:
     """From the ground at the start to the top of a low wall at the end."""
     ax = progress(compare(2, repetitions=2), 2).draw()

@@ -76,7 +76,7 @@ def test_a_window_that_is_enough_is_learned() -> None:
 
 @pytest.mark.parametrize(("k", "actions"), [(1, False), (4, False), (7, False), (2, True), (5, True), (7, True)])
 def test_best_play(k: int, actions: bool) -> None:
-    """It never errs as far as the law goes, goes on a little further, and is what Q-learning and DQN come close to."""
+    """It never errs as far as the law goes, and goes on a little further."""
     best, sure = best_play(k, actions), never_errs(k, actions)
     assert best.through[:sure] == (1.0,) * sure
     assert best.through[sure] < 1.0

@@ -71,7 +71,7 @@ def test_voter() -> None:
 def test_players() -> None:
     """Obeying returns the optimum without noise, the first of several words is as good, and so is taking turns."""
     assert vote(0.0, 1, 1, repetitions=2) == pytest.approx([OPTIMUM, OPTIMUM], abs=0.01)
-    assert vote(0.0, 3, 3, repetitions=2) == pytest.approx([OPTIMUM, OPTIMUM], abs=0.01)
+    assert vote(0.0, 3, 1, repetitions=2) == pytest.approx([OPTIMUM, OPTIMUM], abs=0.01)
     blind = play(RoundRobin.create, repetitions=2, parameters={"tau": math.inf})
     assert (blind / OPTIMUM > 0.985).all()
 

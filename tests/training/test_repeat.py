@@ -16,7 +16,7 @@ from edugym import CountBased, EpsilonGreedy, GoExplore, QLearning, Results, mak
 from edugym.envs.boulder import Boulder
 from edugym.extras import require
 from edugym.mdp.protocol import Random, Reals
-from edugym.results.tables import MEASURED
+from edugym.results.tables import MEASURED, joined
 from edugym.training.configuration import described
 
 AGENTS: dict[str, Any] = {
@@ -345,6 +345,29 @@ def test_results_answer_questions() -> None:
     assert results.mean("novelty").estimate == 2
     assert results.share("novelty", at_least=2)[0::3] == (2 / 3, 3)
     assert results.difference("novelty", "ε-greedy")[:3] == (1, 1, 1)
+
+
+def test_values_of_every_run() -> None:
+    """At a step, and late; an incomplete run has none, and a step between two points is named."""
+    table = small(repetitions=3, evaluate_every=1_000).table
+    table["return"] = table["step"] / 1_000 + table["repetition"]
+    table.loc[table["repetition"] == 1, "complete"] = False
+    table = table[(table["repetition"] != 1) | (table["step"] < table["n_steps"])]
+    results, last = Results(table), table["n_steps"].iloc[0] / 1_000
+    np.testing.assert_equal(results.at("novelty", 1_000), [1.0, np.nan, 3.0])
+    np.testing.assert_equal(results.late("novelty", 2), [last - 0.5, np.nan, last + 1.5])
+    with pytest.raises(ValueError, match=r"step must be a point of the learning curves, \[0, 1000.*, but is 7"):
+        results.at("novelty", 7)
+
+
+def test_joined_under_other_labels() -> None:
+    """Tables and agents keep together."""
+    parts = {label: small(200, agents={"Q": QLearning.create}, seed=seed) for seed, label in enumerate(("one", "two"))}
+    both = joined(part.renamed(label) for label, part in parts.items())
+    assert both.methods == ["one", "two"]
+    for label, part in parts.items():
+        assert both.final(label).tolist() == part.final("Q").tolist()
+        assert both.agents[label] is part.agents["Q"]
 
 
 @pytest.mark.parametrize(("method", "column"), [("Q", "return"), ("novelty", "reward")])

@@ -77,6 +77,12 @@ def policy_of(agent: Any, model: FiniteModel, *, greedy: bool = False) -> Reals:
     return followed() if changes else policy
 
 
+def soft(policy: Reals, epsilon: float) -> Reals:
+    """The policy that takes a random action with probability ε, and else follows another one; both of shape (S, A)."""
+    mixed: Reals = (1 - epsilon) * policy + epsilon / policy.shape[1]
+    return mixed
+
+
 def _contents(agent: Any) -> bytes | None:
     """What an agent holds, to see whether acting changes it; None where that cannot be told."""
     try:

@@ -70,3 +70,8 @@ class Sheet(NamedTuple):
     def _repr_png_(self) -> bytes:
         """Return the picture for a notebook."""
         return to_bytes(self.draw(), "png", dpi=SCREEN_DPI)
+
+
+def in_pairs(name: str, panels: Sequence[Panel]) -> Sheet:
+    """Return a sheet with two panels in a row, so that it can be read on a narrow page."""
+    return Sheet(name, [panels[first : first + 2] for first in range(0, len(panels), 2)])

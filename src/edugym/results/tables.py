@@ -4,13 +4,14 @@ import hashlib
 import io
 import json
 import os
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 import numpy as np
 
-from edugym.checks import one_of
+from edugym.checks import one_of, whole_number
 from edugym.extras import require
 from edugym.files import write_whole
 from edugym.mdp.protocol import Reals
@@ -104,6 +105,50 @@ class Results:
         last: Reals = curves.reindex([int(self.table["n_steps"].iloc[0])]).to_numpy(float)[0]
         return last
 
+    def at(self, method: str, step: int, column: str = "return") -> Reals:
+        """Return the value of every complete run of a method after a number of training steps.
+
+        Args:
+            method: one of `methods`.
+            step: the training steps; the learning curves have a point there.
+            column: as in `curves`.
+
+        Returns:
+            Shape (n_repetitions,); NaN where a run is not complete.
+
+        Raises:
+            ValueError: an argument is none of these.
+        """
+        curves = self._complete_curves(method, column)
+        if step not in curves.index and not np.isnan(self.final(method)).all():
+            raise ValueError(f"step must be a point of the learning curves, {[*curves.index]}, but is {step!r}")
+        values: Reals = curves.reindex([step]).to_numpy(float)[0]
+        return values
+
+    def late(self, method: str, points: int = 5) -> Reals:
+        """Return the mean of the last evaluations of every complete run of a method.
+
+        Args:
+            method: one of `methods`.
+            points: the number of evaluations, 1 or more.
+
+        Returns:
+            Shape (n_repetitions,); NaN where a run is not complete.
+
+        Raises:
+            ValueError: an argument is none of these.
+        """
+        whole_number("points", points, 1)
+        values: Reals = self._complete_curves(method).iloc[-points:].to_numpy(float).mean(axis=0)
+        return values
+
+    def _complete_curves(self, method: str, column: str = "return") -> "pandas.DataFrame":
+        """Return the learning curves of a method with a column for every repetition; NaN in those not complete."""
+        final = self.final(method)
+        curves = self.curves(method, column).reindex(columns=range(len(final)))
+        curves.loc[:, np.isnan(final)] = np.nan
+        return curves
+
     def average(self, method: str, column: str = "return") -> Reals:
         """Return the average over training of every complete run of a method: how well it did while it learned.
 
@@ -158,6 +203,11 @@ class Results:
         """Return one value of each complete run."""
         one_of("over", over, ["end", "training"])
         return self.final(method, column) if over == "end" else self.average(method, column)
+
+    def renamed(self, label: str) -> "Results":
+        """Return the results of a single method under another label."""
+        agents = [*self.agents.values()]
+        return Results(self.table.assign(method=label), {label: agents[0]} if agents else {})
 
     def save(self, path: str | os.PathLike[str]) -> Path:
         """Write the table as a compact CSV file, and a JSON file beside it with what is the same in all rows.
@@ -246,6 +296,15 @@ def _plain(value: Any) -> Any:
     """Return a number, text or boolean as JSON can hold it, and None for no value."""
     plain = value.item() if isinstance(value, np.generic) else value
     return plain if isinstance(plain, bool | int | float | str) and plain == plain else None
+
+
+def joined(parts: Iterable[Results]) -> Results:
+    """Join the results of several experiments whose methods have different labels."""
+    import pandas
+
+    parts = [*parts]
+    table = pandas.concat([part.table for part in parts], ignore_index=True)
+    return Results(table, {label: agents for part in parts for label, agents in part.agents.items()})
 
 
 def with_types(table: "pandas.DataFrame") -> "pandas.DataFrame":

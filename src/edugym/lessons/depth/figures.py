@@ -8,6 +8,7 @@ import numpy as np
 
 from edugym.envs.study import Study
 from edugym.exact.model import finite_model
+from edugym.experiments import for_mdp
 from edugym.lessons.depth.methods import (
     BY_DEPTH,
     SHORT,
@@ -20,9 +21,9 @@ from edugym.lessons.depth.methods import (
 from edugym.lessons.depth.panels import Parts, Series
 from edugym.lessons.depth.targets import DAYS, EPSILON, soft_policy, target, true_values
 from edugym.mdp.protocol import Reals
+from edugym.plotting.against import Against
 from edugym.plotting.curves import Curves
-from edugym.plotting.sheet import Sheet
-from edugym.results.statistics import by_point
+from edugym.plotting.sheet import Sheet, in_pairs
 from edugym.results.tables import Results
 
 MANY_RATES = (0.003, 0.01, 0.03, 0.1, 0.3, 1.0)
@@ -37,7 +38,7 @@ def curves(results: Results, title: str, epsilon: float = EPSILON) -> Curves:
 def learning_curves(by_title: Mapping[str, Results]) -> Sheet:
     """Return a panel for each experiment, two in a row."""
     panels = [curves(results, title) for title, results in by_title.items()]
-    return Sheet("depth", [panels[first : first + 2] for first in range(0, len(panels), 2)])
+    return in_pairs("depth", panels)
 
 
 def race(own: Mapping[str, Maker], *, repetitions: int = 50, **how: Any) -> Sheet:
@@ -48,11 +49,7 @@ def race(own: Mapping[str, Maker], *, repetitions: int = 50, **how: Any) -> Shee
         repetitions: the number of runs of each method, each with a layout of its own.
         **how: more arguments of `compare`.
     """
-
-    def for_study(make: Maker) -> Maker:
-        return lambda environment: make(environment.unwrapped.mdp)
-
-    methods = {name: for_study(make) for name, make in own.items()}
+    methods = {name: for_mdp(make) for name, make in own.items()}
     return learning_curves(
         {
             f"{n_actions} actions": compare(
@@ -68,18 +65,15 @@ def through_rates(rates: Sequence[float] = MANY_RATES, *, n_steps: int = SHORT, 
     return {rate: compare(depths=BY_DEPTH, learning_rate=rate, n_steps=n_steps, **how) for rate in rates}
 
 
-def rate_series(by_rate: Mapping[float, Results], title: str = "the first 500 episodes") -> Series:
+def rate_series(by_rate: Mapping[float, Results], title: str = "the first 500 episodes") -> Against:
     """Return how well each depth does while it learns, against the learning rate."""
     names = next(iter(by_rate.values())).methods
-    values = {name: np.array([results.average(name) for results in by_rate.values()]) for name in names}
-    points = {name: by_point(one) for name, one in values.items()}
-    return Series(
-        np.array(list(by_rate)),
-        {name: one[:, 0] for name, one in points.items()},
+    return Against(
+        [*by_rate],
+        {name: [results.average(name) for results in by_rate.values()] for name in names},
         title,
         "learning rate α",
         "return (greedy), mean over training",
-        {name: one[:, 1:] for name, one in points.items()},
         log=True,
     )
 

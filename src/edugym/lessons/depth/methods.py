@@ -32,7 +32,7 @@ BY_DEPTH = (1, 3, 5, math.inf)
 """The same in their order, as the figures of the lesson show them."""
 SIGMAS = (0.0, 0.2, 1.0)
 MET = 0.5
-"""A value of studying above this comes from the exam, whose first reward makes it about 1 at the learning rate 0.1."""
+"""If a value of studying is above this, the run has passed the exam: the first pass adds about 1 (α = 0.1)."""
 PASSING = 5.0
 """A policy that passes the exam returns more than this, and one that fails returns less than 0."""
 

@@ -6,6 +6,7 @@ import numpy as np
 
 from edugym.envs.study import Study
 from edugym.exact.model import finite_model
+from edugym.exact.policies import soft
 from edugym.exact.tables import FiniteModel
 from edugym.exact.value_iteration import value_iteration
 from edugym.lessons.depth.panels import Series
@@ -28,12 +29,11 @@ def uncorrected(model: FiniteModel, epsilon: float = EPSILON) -> tuple[Reals, Re
     """
     best = value_iteration(model)
     greedy = np.eye(best.Q.shape[1])[best.Q.argmax(axis=1)]
-    soft = (1 - epsilon) * greedy + epsilon / greedy.shape[1]
     start = int(model.initial.argmax())
     action = int(greedy[start].argmax())
     after, reward = model.successors[start, action, 0], float(model.rewards[start, action, 0])
     from_there = model._replace(initial=np.eye(len(model.states))[after])
-    targets = [target(from_there, soft, best.V, n - 1, 0.0) for n in range(1, DAYS + 1)]
+    targets = [target(from_there, soft(greedy, epsilon), best.V, n - 1, 0.0) for n in range(1, DAYS + 1)]
     bias: Reals = np.array([reward + one.mean for one in targets]) - best.start
     return bias, np.sqrt([max(one.exploration, 0.0) for one in targets])
 

@@ -1,7 +1,6 @@
 """The kinds of panels that only this lesson has."""
 
 from collections.abc import Mapping
-from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -18,7 +17,7 @@ PART_COLOURS = ("#d55e00", "#4d4d4d")
 
 
 class Series(NamedTuple):
-    """Lines with points, over anything, with bands where there are some.
+    """Lines with points, over n.
 
     Attributes:
         x: shape (n,): the places of the values.
@@ -26,9 +25,7 @@ class Series(NamedTuple):
         title: the text above the axes.
         x_label: the label of the x axis.
         y_label: the label of the y axis.
-        bands: by label, the ends of the intervals, shape (n, 2).
         first: the number of the stroke of the first line, so that a figure need not have the colours of methods.
-        log: whether the x axis is logarithmic.
         zero: whether a thin line marks zero.
     """
 
@@ -37,9 +34,7 @@ class Series(NamedTuple):
     title: str = ""
     x_label: str = ""
     y_label: str = ""
-    bands: Mapping[str, Reals] = MappingProxyType({})
     first: int = 0
-    log: bool = False
     zero: bool = False
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
@@ -50,13 +45,6 @@ class Series(NamedTuple):
         for i, (name, line) in enumerate(self.lines.items(), start=self.first):
             color, dashes = stroke(i)
             ax.plot(self.x, line, color=color, linestyle=dashes, linewidth=1.6, marker="o", markersize=3, label=name)
-            if name in self.bands:
-                low, high = self.bands[name].T
-                ax.fill_between(self.x, low, high, color=color, alpha=0.16, linewidth=0)
-        if self.log:
-            ax.set_xscale("log")
-            ax.set_xticks(self.x, [f"{x:g}" for x in self.x])
-            ax.minorticks_off()
         dress(ax, self.x_label, self.y_label, self.title)
         if place.alone:
             add_legend(ax)

@@ -6,11 +6,11 @@ import numpy as np
 
 from edugym.envs.study import Study
 from edugym.exact.model import finite_model
+from edugym.exact.policies import soft
 from edugym.exact.policy_evaluation import policy_evaluation
 from edugym.exact.tables import FiniteModel
 from edugym.exact.value_iteration import value_iteration
 from edugym.mdp.protocol import Reals
-from edugym.plotting.lines import Lines
 from edugym.results.claims import Below, Claim, Within
 from edugym.results.statistics import exactly
 
@@ -36,8 +36,7 @@ class Target(NamedTuple):
 def soft_policy(model: FiniteModel, epsilon: float) -> Reals:
     """Return the best policy among those that act at random with probability ε, shape (S, A)."""
     greedy = value_iteration(model, DISCOUNT, epsilon=epsilon).greedy_policy()
-    policy: Reals = (1 - epsilon) * greedy + epsilon / greedy.shape[1]
-    return policy
+    return soft(greedy, epsilon)
 
 
 def true_values(model: FiniteModel, policy: Reals) -> Reals:
@@ -99,7 +98,7 @@ def target_claims() -> list[Claim]:
             Below(0.2),
         ),
         Claim(
-            "and is no more biased",
+            "With learned values the one-step target has the same mean as the return",
             "mean of the one-step target less that of the return, computed",
             exactly(one.mean - whole.mean),
             Within(-1e-6, 1e-6),
@@ -110,40 +109,5 @@ def target_claims() -> list[Claim]:
             "mean of the one-step target with Q = 0 / mean return, computed",
             exactly(unlearned.mean / whole.mean),
             Within(-0.1, 0.1),
-        ),
-    ]
-
-
-def target_lines() -> list[Lines]:
-    """Return variance and bias of the target of the first day against n, exactly."""
-    model = finite_model(Study.create())
-    policy = soft_policy(model, EPSILON)
-    Q = true_values(model, policy)
-    depths = range(1, DAYS + 1)
-    learned = {sigma: [target(model, policy, Q, n, sigma) for n in depths] for sigma in (0.2, 1.0)}
-    early = [target(model, policy, np.zeros_like(Q), n, 0.0) for n in depths]
-    return [
-        Lines(
-            np.array(depths, float),
-            {
-                "exploration": np.array([one.exploration for one in learned[0.2]]),
-                **{
-                    f"reward noise, σ = {sigma:g}": np.array([one.noise for one in targets])
-                    for sigma, targets in learned.items()
-                },
-            },
-            "variance of the target, values learned",
-            "n",
-            "variance",
-        ),
-        Lines(
-            np.array(depths, float),
-            {
-                "values still 0": np.array([one.mean for one in early]) - early[-1].mean,
-                "values learned": np.array([one.mean for one in learned[0.2]]) - early[-1].mean,
-            },
-            "bias of the target",
-            "n",
-            "bias",
         ),
     ]

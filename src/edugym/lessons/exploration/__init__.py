@@ -31,7 +31,6 @@ from edugym.lessons.exploration.climbs import (
 from edugym.lessons.exploration.figures import (
     climb_shares,
     curves,
-    in_pairs,
     learning_curves,
     race,
     visit_maps,
@@ -59,7 +58,6 @@ from edugym.lessons.exploration.methods import (
     OPTIMISM,
     OPTIMIST,
     REPETITIONS,
-    attempt,
     best_return,
     compare,
     paper_methods,
@@ -68,9 +66,11 @@ from edugym.lessons.exploration.methods import (
 from edugym.lessons.exploration.stalling import frontier_lines, right_grips, stalling_claims, watch_frontier
 from edugym.plotting import Sheet
 from edugym.plotting.report import Report
+from edugym.plotting.sheet import in_pairs
 from edugym.results.claims import Above, Below, Claim, Within
 from edugym.results.statistics import Interval, mean_interval, paired_difference, share_interval
 from edugym.results.tables import Results
+from edugym.training.attempt import attempt
 
 __all__ = [
     "BONUS",
@@ -174,7 +174,7 @@ def judge(
         *stalling_claims(watched),
         far_sighted_claim(far_sighted),
         *optimism_claims(optimism, patient),
-        *fork_claims(forks),
+        *fork_claims(forks, by_height[HEIGHTS[-1]]),
     ]
     return Report(claims, figures(by_height, watched, forks))
 
@@ -205,7 +205,7 @@ def speed_claim(low: Results, steps: int = 2_000) -> Claim:
         low: the results on walls of the smallest height.
         steps: the training steps after which the methods are compared.
     """
-    novelty, random = (low.curves(method).loc[steps].to_numpy(float) for method in (NOVELTY, EPSILON_GREEDY))
+    novelty, random = (low.at(method, steps) for method in (NOVELTY, EPSILON_GREEDY))
     return Claim(
         f"After {steps} steps more runs of novelty than of ε-greedy solve height {HEIGHTS[0]}",
         f"share of runs: novelty {novelty.mean():.0%} less ε-greedy {random.mean():.0%}",
@@ -292,13 +292,13 @@ def optimism_claims(optimism: Mapping[int, Results], patient: Results) -> list[C
             "what it has not tried looks best, so that it tries every grip: it explores systematically",
         ),
         Claim(
-            "It first gets to the top sooner than Go-Explore",
+            "Optimism first gets to the top sooner than Go-Explore",
             "training steps, optimism less Go-Explore",
             paired_difference(first[OPTIMISM], first[GO_EXPLORE]),
             Below(0.0),
         ),
         Claim(
-            "but knows the way later",
+            "Averaged over training, optimism returns less than Go-Explore",
             "return averaged over training, optimism less Go-Explore",
             two.difference(OPTIMISM, GO_EXPLORE, over="training"),
             Below(0.0),
@@ -311,23 +311,24 @@ def optimism_claims(optimism: Mapping[int, Results], patient: Results) -> list[C
             Above(0.5),
         ),
         Claim(
-            "but does not know the way yet",
+            f"With three grips optimism does not solve height {height} in {N_STEPS} steps",
             "share of runs that end at the top",
             three.share(OPTIMISM, at_least=1.0),
             Below(0.5),
             "there are twice as many optimistic values of wrong grips as with two grips",
         ),
         Claim(
-            "and Go-Explore does",
+            f"With three grips Go-Explore solves height {height}",
             "share of runs that end at the top",
             three.share(GO_EXPLORE, at_least=1.0),
             Above(0.5),
         ),
         Claim(
-            f"It is slower, not stuck: in {2 * N_STEPS} steps optimism solves height {height} with three grips",
+            f"With three grips optimism solves height {height} in {2 * N_STEPS} steps",
             "share of runs that end at the top",
             patient.share(OPTIMISM, at_least=1.0),
             Above(0.5),
+            "it is slower, not stuck",
         ),
     ]
 

@@ -1,11 +1,11 @@
 """The figures of lesson 1."""
 
 from collections.abc import Mapping, Sequence
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from edugym.experiments import for_mdp
 from edugym.lessons.exploration.climbs import later, no_slip, share_of_climbs
 from edugym.lessons.exploration.methods import (
     EPSILON,
@@ -21,6 +21,7 @@ from edugym.lessons.exploration.methods import (
 from edugym.mdp.protocol import Integers
 from edugym.plotting import Curves, Lines, Sheet, VisitMap
 from edugym.plotting.panel import ALONE, Place
+from edugym.plotting.sheet import in_pairs
 from edugym.plotting.style import format_steps
 from edugym.results.tables import Results
 
@@ -48,11 +49,6 @@ def learning_curves(by_height: Mapping[int, Results], n_grips: int = 2, epsilon:
     return in_pairs("exploration", [*panels, progress(by_height[highest], highest)])
 
 
-def in_pairs(name: str, panels: Sequence[Any]) -> Sheet:
-    """Return a sheet with two panels in a row, so that it can be read on a narrow page."""
-    return Sheet(name, [panels[first : first + 2] for first in range(0, len(panels), 2)])
-
-
 def race(
     own: Mapping[str, Maker],
     heights: Sequence[int] = HEIGHTS,
@@ -70,12 +66,7 @@ def race(
         repetitions: the number of runs of each method, each on a wall of its own.
         **how: more arguments of `compare`.
     """
-
-    def for_wall(make: Maker, environment: Any) -> Any:
-        return make(environment.unwrapped.mdp)
-
-    for_walls: dict[str, Maker] = {label: partial(for_wall, make) for label, make in own.items()}
-    methods = {**METHODS, **for_walls}
+    methods = {**METHODS, **{label: for_mdp(make) for label, make in own.items()}}
     compared = {
         height: compare(height, methods=methods, n_grips=n_grips, repetitions=repetitions, **how) for height in heights
     }

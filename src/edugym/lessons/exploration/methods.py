@@ -5,8 +5,6 @@ from functools import partial
 from types import MappingProxyType
 from typing import Any
 
-import numpy as np
-
 from edugym.agents.count_based import CountBased
 from edugym.agents.go_explore import GoExplore
 from edugym.agents.q_learning import QLearning
@@ -16,7 +14,6 @@ from edugym.exact.value_iteration import value_iteration
 from edugym.mdp.protocol import Integers
 from edugym.registration import make_mdp
 from edugym.results.tables import Results
-from edugym.training.contract import learner
 from edugym.training.repeat import repeat
 from edugym.training.visits import record_visits
 
@@ -118,32 +115,3 @@ def best_return(height: int, epsilon: float = 0.0, n_grips: int = 2) -> float:
     """
     wall = make_mdp("Boulder", height=height, n_grips=n_grips)
     return value_iteration(finite_model(wall), epsilon=epsilon, horizon=wall.max_steps).start
-
-
-def attempt(make: Maker, wall: Any, after: int, seed: int = 0) -> list[int]:
-    """Return the actions of one episode of training, as it explores: the first that begins `after` so many steps.
-
-    This is the loop of Sutton and Barto in plain Python. On a wall, where nothing is random, the actions are enough to
-    replay the episode.
-
-    Args:
-        make: makes the agent for the wall.
-        wall: the wall, an MDP.
-        after: the number of training steps before the episode, or a few more, since episodes are not cut.
-        seed: the seed of the agent.
-    """
-    agent = make(wall)
-    pupil, rng, steps = learner(agent), np.random.default_rng(seed), 0
-    while True:
-        state, actions, terminated = wall.initial(rng), list[int](), False
-        while not terminated and len(actions) < wall.max_steps:
-            action = agent.act(state, rng)
-            next_state = wall.transition(state, action, rng)
-            reward = wall.reward(state, action, next_state, rng)
-            actions.append(int(action))
-            terminated = wall.terminal(next_state)
-            pupil.learn(state, action, reward, next_state, terminated, len(actions) == wall.max_steps)
-            state = next_state
-        if steps >= after:
-            return actions
-        steps += len(actions)

@@ -132,9 +132,6 @@ def frontier_lines(watched: Results) -> Lines:
 def _pooled(watched: Results, method: str, n: int) -> float:
     """Return the share of right grips on the n-th visits of all frontiers of all runs; NaN for fewer than 30."""
     runs = watched.complete_agents(method).values()
-    visits, right = (sum(int(counts[n - 1]) for counts in column) for column in _columns(runs))
+    visits = sum(int(run.visits[n - 1]) for run in runs)
+    right = sum(int(run.right[n - 1]) for run in runs)
     return right / visits if visits >= 30 else np.nan
-
-
-def _columns(runs: Any) -> tuple[list[Integers], list[Integers]]:
-    return [run.visits for run in runs], [run.right for run in runs]

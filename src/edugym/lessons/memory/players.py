@@ -4,16 +4,15 @@ from collections.abc import Sequence
 from functools import partial
 from typing import Annotated, Any, NamedTuple
 
-import numpy as np
-
 from edugym.agents.q_learning import QLearning
 from edugym.agents.settings import Counter, Table, new
 from edugym.agents.strategies import EpsilonGreedy
 from edugym.envs.memory_corridor import MemoryCorridor
 from edugym.lessons.memory.windows import DOORS
 from edugym.mdp.frame_stack import FrameStack
-from edugym.mdp.protocol import Integers, Random
+from edugym.mdp.protocol import Integers, Random, Reals
 from edugym.results.tables import Results
+from edugym.results.tables import joined as joined  # for the modules beside this one
 from edugym.training.repeat import repeat
 
 N_STEPS = 1_000_000
@@ -116,16 +115,6 @@ def name(k: int) -> str:
     return f"k = {k}"
 
 
-def joined(results: Sequence[Results]) -> Results:
-    """Join the results of several windows, with the windows as methods."""
-    import pandas
-
-    table = pandas.concat([part.table for part in results], ignore_index=True)
-    return Results(table, {label: agents for part in results for label, agents in part.agents.items()})
-
-
-def late(results: Results, label: str) -> Any:
+def late(results: Results, label: str) -> Reals:
     """Return the mean of the last five evaluations of every run with a label, shape (n_repetitions,)."""
-    last = results.final(label)
-    curves = results.curves(label).reindex(columns=range(len(last)))
-    return np.where(np.isnan(last), np.nan, curves.iloc[-5:].mean())
+    return results.late(label)

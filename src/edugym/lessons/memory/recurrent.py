@@ -45,7 +45,17 @@ def learn_with_memory(**how: Any) -> Results:
     return repeat_deep({RECURRENT: trainer()}, N_STEPS, **how)
 
 
-STORED = Stored("memory.recurrent", learn_with_memory, ("edugym.envs.memory_corridor", "edugym.deep.baselines"))
+STORED = Stored(
+    "memory.recurrent",
+    learn_with_memory,
+    (
+        "edugym.envs.memory_corridor",
+        "edugym.deep.baselines",
+        "edugym.deep.curves",
+        "edugym.deep.vec_env",
+        "edugym.deep.repeated",
+    ),
+)
 
 
 def recurrent_claims(recurrent: Results) -> list[Claim]:

@@ -5,7 +5,8 @@ for R-max, which needs neither rate nor ε. Dyna-Q and prioritised sweeping plan
 50), R-max with up to 1 000. 60 repetitions (100 of the remedies); the seeds are the same for every method.
 
 The given model has wrong rewards where `noise` is above 0: each repetition has a layout of its own, which draws the
-errors, the same for every method; 24 repetitions. With a given model discount is 0.95.
+errors, the same for every method; 24 repetitions, and 100 layouts for plans that nobody learns from. With a given model
+discount is 0.95.
 
 "Final" is the return of the last greedy evaluation episode. A policy that never gets to the exit returns -300 or less.
 The best way returns 95.
@@ -21,11 +22,9 @@ from typing import Any
 
 from edugym.agents.prioritised_sweeping import PrioritisedSweeping
 from edugym.experiments import How, reporting
-from edugym.lessons.exploration.methods import attempt
 from edugym.lessons.model_based.figures import (
     Clock,
     Close,
-    Coloured,
     Knowledge,
     Learning,
     clocks,
@@ -91,6 +90,7 @@ from edugym.plotting.report import Report
 from edugym.results.claims import Above, Below, Claim, Expectation, Within
 from edugym.results.statistics import Interval, paired_difference, proportion_interval, share_interval
 from edugym.results.tables import Results
+from edugym.training.attempt import attempt
 
 __all__ = [
     "DECAYING",
@@ -102,7 +102,6 @@ __all__ = [
     "GIVEN",
     "LEARNED",
     "LOST",
-    "MORE_RANDOM",
     "NOISES",
     "N_STEPS",
     "OPTIMUM",
@@ -113,7 +112,6 @@ __all__ = [
     "SWEEPING",
     "Clock",
     "Close",
-    "Coloured",
     "FloorMap",
     "Knowledge",
     "Learning",
@@ -155,12 +153,6 @@ def warm_up() -> None:
     compare(with_right_model(GIVEN), n_steps=POINTS, repetitions=1, jobs=1)
 
 
-def at(results: Results, method: str, step: int) -> Reals:
-    """Return the evaluation of every run after a number of steps, shape (n_repetitions,)."""
-    values: Reals = results.curves(method).loc[step].to_numpy(float)
-    return values
-
-
 def early(results: Results, method: str) -> Reals:
     """Return the mean of the evaluations in the first steps of every run, shape (n_repetitions,)."""
     mean: Reals = results.curves(method).loc[:EARLY].to_numpy(float).mean(axis=0)
@@ -184,7 +176,7 @@ def measure(how: How) -> tuple[Any, ...]:
     wrong = compare(GIVEN, noise=WRONG, **how(f"noise_{WRONG:g}", **fewer))
     whole = {SWEEPING: partial(make, PrioritisedSweeping, given=True, planning_steps=math.inf)}
     at_once = compare(with_right_model(whole), n_steps=1, **how(**fewer))
-    layouts = sorted(int(seed) for seed in wrong.table["layout_seed"].unique())
+    layouts = sorted(int(seed) for seed in remedied.table["layout_seed"].unique())  # as there are most of them
     plans = {noise: [follow_plan(noise, seed) for seed in layouts] for noise in NOISES}
     return learned, remedied, right, wrong, at_once, plans
 
@@ -250,7 +242,7 @@ def end_claims(learned: Results, remedied: Results) -> list[Claim]:
             )
             for more, method, reason in (
                 ("Five times as much", DYNA_50, "planning invents no knowledge: one of the items was never seen"),
-                ("Better", SWEEPING, "10 updates where they matter most do more than 10 at random, too soon"),
+                ("Better", SWEEPING, "its updates make the agent follow the first way it finds even sooner"),
             )
         ),
     ]
@@ -271,15 +263,15 @@ def remedy_claims(learned: Results, remedied: Results) -> list[Claim]:
         Claim(
             f"Planning to explore mends it: R-max is at the optimum after {EARLY} steps",
             "share of runs with return 95",
-            share_interval(at(learned, R_MAX, EARLY) >= OPTIMUM),
+            share_interval(learned.at(R_MAX, EARLY) >= OPTIMUM),
             Above(0.8),
-            "what it does not know seems worth going there",
+            "it plans as if unknown actions were worth most, so it tries them",
         ),
         *(
             Claim(
-                f"{method} is not at the optimum by then",
-                f"share of runs with return 95 after {EARLY} steps",
-                share_interval(at(learned, method, EARLY) >= OPTIMUM),
+                f"{method} is not at the optimum after {EARLY} steps",
+                "share of runs with return 95",
+                share_interval(learned.at(method, EARLY) >= OPTIMUM),
                 Below(0.5),
             )
             for method in (Q_LEARNING, DYNA_10, DYNA_50, SWEEPING)
@@ -313,7 +305,7 @@ def plan_claims(plans: Mapping[float, list[Plan]]) -> list[Claim]:
     share = {noise: proportion_interval(len(lost[noise]), len(plans[noise])) for noise in NOISES}
     statements: dict[float, tuple[str, Expectation]] = {
         0.5: ("With noise 0.5 hardly a plan fails", Below(0.2)),
-        1.0: ("With noise 1 a few plans never get to the exit", Within(0.0, 0.5)),
+        1.0: ("With noise 1 a few plans never get to the exit", Within(0.01, 0.5)),
         1.5: ("With noise 1.5 most plans never get to the exit", Above(0.5)),
     }
     return [
@@ -322,11 +314,11 @@ def plan_claims(plans: Mapping[float, list[Plan]]) -> list[Claim]:
             for noise, (statement, expected) in statements.items()
         ),
         Claim(
-            "The reason: a wall that seems to pay for each bump is farmed for ever",
+            "Most plans that never end walk into the same wall for ever",
             f"share of the plans that never end, noise {WRONG:g}",
             share_interval([plan.bumps for plan in lost[WRONG]]),
             Above(0.5),
-            "an error above 1 makes a step without end worth more than the exit",
+            "with an error above 1 the wall seems to pay for each bump, so that bumping without end is worth most",
         ),
     ]
 
@@ -348,7 +340,7 @@ def noise_claims(right: Results, wrong: Results) -> list[Claim]:
             )
         ),
         Claim(
-            "With learning rate 0.1 Dyna-10 gets over it in most runs: it loses less than 50",
+            f"With learning rate 0.1 Dyna-10 gets over noise {WRONG:g} in most runs: it loses less than 50",
             "share of runs",
             share_interval(wrong.final(SLOW_DYNA) - right.final(SLOW_DYNA) > -50.0),
             Above(0.7),

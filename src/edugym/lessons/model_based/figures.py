@@ -2,13 +2,13 @@
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from functools import partial
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from edugym.exact.value_iteration import value_iteration
+from edugym.experiments import for_mdp
 from edugym.lessons.model_based.methods import (
     DECAYING,
     DYNA_10,
@@ -265,11 +265,7 @@ def race(own: Mapping[str, Maker], repetitions: int = 20, **how: Any) -> Sheet:
         repetitions: the number of runs of each method.
         **how: more arguments of `compare`.
     """
-
-    def for_shop(make: Maker, environment: Any) -> Any:
-        return make(environment.unwrapped.mdp)
-
-    mine = {label: partial(for_shop, make) for label, make in own.items()}
+    mine = {label: for_mdp(make) for label, make in own.items()}
     others = {label: LEARNED[label] for label in (Q_LEARNING, DYNA_10, R_MAX)}
     results = compare({**others, **mine}, repetitions=repetitions, **how)
     curves = learning(results, "without exploring", y_range=(-510.0, 110.0))
@@ -302,9 +298,7 @@ def given_curves(right: Results, wrong: Results) -> Sheet:
 def plan_lines(by_discount: Mapping[float, Mapping[float, list[Plan]]]) -> Lines:
     """Return the share of plans that never end, against the noise of the model, for each discount."""
     shares = {
-        f"γ = {discount:g}": np.array(
-            [mean_interval([not plan.ends for plan in plans[noise]]).estimate for noise in NOISES]
-        )
+        f"γ = {discount:g}": np.array([np.mean([not plan.ends for plan in plans[noise]]) for noise in NOISES])
         for discount, plans in by_discount.items()
     }
     return Lines(

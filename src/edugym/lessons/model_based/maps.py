@@ -14,7 +14,7 @@ from edugym.lessons.model_based.methods import DISCOUNT, exact_model
 from edugym.lessons.model_based.plans import follow_plan
 from edugym.mdp.protocol import Reals
 from edugym.plotting.panel import ALONE, Place
-from edugym.plotting.sheet import Sheet
+from edugym.plotting.sheet import Sheet, in_pairs
 from edugym.plotting.style import own_axes
 from edugym.rendering.palette import BLUE, BRICK, GREEN, INK, PAPER, RED
 
@@ -162,7 +162,7 @@ def dynamic_programming(n_sweeps: tuple[int, ...] = (1, 8, 16, 30), discount: fl
             panels.append(FloorMap(table, title, arrows=True, highest=90.0))
         if sweep >= max(wanted):
             break
-    return Sheet("dynamic_programming", [panels[first : first + 2] for first in range(0, len(panels), 2)])
+    return in_pairs("dynamic_programming", panels)
 
 
 def wrong_plan(noise: float = 1.5, errors: int = 0, gamma: float = 0.95) -> Sheet:

@@ -4,6 +4,7 @@ import numpy as np
 
 from edugym.envs.roadrunner import Roadrunner, Runner
 from edugym.exact.model import finite_model
+from edugym.exact.policies import soft
 from edugym.exact.policy_evaluation import policy_evaluation
 from edugym.exact.tables import FiniteModel
 from edugym.exact.value_iteration import value_iteration
@@ -35,9 +36,7 @@ def share_lost(model: FiniteModel, epsilon: float, planned_for: float) -> float:
 
 
 def _soft(model: FiniteModel, epsilon: float, planned_for: float) -> Reals:
-    greedy = value_iteration(model, DISCOUNT, epsilon=planned_for, horizon=HORIZON).greedy_policy()
-    soft: Reals = (1 - epsilon) * greedy + epsilon / greedy.shape[1]
-    return soft
+    return soft(value_iteration(model, DISCOUNT, epsilon=planned_for, horizon=HORIZON).greedy_policy(), epsilon)
 
 
 def switch(model: FiniteModel, low: float = 0.0, high: float = 0.2, tolerance: float = 1e-4) -> float:

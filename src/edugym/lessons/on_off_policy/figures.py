@@ -1,7 +1,6 @@
 """The figures of lesson 2."""
 
 from collections.abc import Mapping, Sequence
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -21,63 +20,19 @@ from edugym.lessons.on_off_policy.methods import (
     walk,
 )
 from edugym.mdp.protocol import Reals
+from edugym.plotting.against import Against
 from edugym.plotting.curves import Curves
 from edugym.plotting.lines import Lines
 from edugym.plotting.panel import ALONE, Place
 from edugym.plotting.sheet import Sheet
-from edugym.plotting.style import REFERENCE, SOFT_REFERENCE, add_legend, dress, own_axes, plot_line, stroke
+from edugym.plotting.style import SOFT_REFERENCE, add_legend, dress, own_axes, stroke
 from edugym.rendering.palette import INK
-from edugym.results.statistics import mean_interval
 from edugym.results.tables import Results
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 FAST_RUN, SAFE_RUN = "fast run (4 steps)", "safe run (5 steps)"
-
-
-class Against(NamedTuple):
-    """What each method earns against a parameter: the mean over repetitions, with its 95 % interval as a band.
-
-    Attributes:
-        x: the values of the parameter.
-        measured: by label of the method, one row of values for each x: shape (n, repetitions).
-        title: the text above the axes.
-        x_label: the name of the parameter.
-        y_label: the label of the y axis.
-        theory: by label, lines that theory predicts, as their x and y.
-        log: whether the x axis is logarithmic.
-        y_range: both ends of the y axis; None shows everything.
-    """
-
-    x: Sequence[float]
-    measured: Mapping[str, Sequence[Reals]]
-    title: str = ""
-    x_label: str = ""
-    y_label: str = ""
-    theory: Mapping[str, tuple[Reals, Reals]] = MappingProxyType({})
-    log: bool = False
-    y_range: tuple[float, float] | None = None
-
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the lines on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
-        for i, (method, rows) in enumerate(self.measured.items()):
-            intervals = [mean_interval(row) for row in rows]
-            plot_line(ax, i, np.array(self.x), np.array([one.estimate for one in intervals]), method)
-            low, high = ([one.low for one in intervals], [one.high for one in intervals])
-            ax.fill_between(self.x, low, high, color=stroke(i).color, alpha=0.16, linewidth=0)
-            ax.plot(self.x, [one.estimate for one in intervals], "o", color=stroke(i).color, markersize=3)
-        for (label, (x, y)), look in zip(self.theory.items(), (REFERENCE, SOFT_REFERENCE), strict=False):
-            ax.plot(x, y, label=label, **look)
-        if self.log:
-            ax.set_xscale("log")
-        if self.y_range is not None:
-            ax.set_ylim(self.y_range)
-        dress(ax, self.x_label, self.y_label, self.title)
-        if place.alone:
-            add_legend(ax)
-        return ax
 
 
 class Paths(NamedTuple):
@@ -224,7 +179,7 @@ def shortfall_against_epsilon(
         "what the methods lose while exploring",
         "ε",
         "return, less the best possible",
-        {"best ε-soft policy": (np.array([0.0, max(epsilons)]), np.zeros(2))},
+        {"best ε-soft policy": np.zeros(len(epsilons))},
     )
 
 
@@ -240,7 +195,7 @@ def online_against_rate(
         "second half of training",
         "learning rate α",
         "return (while exploring)",
-        {"best ε-soft policy": (np.array([rates[0], rates[-1]]), np.array([best, best]))},
+        {"best ε-soft policy": np.full(len(rates), best)},
         log=True,
     )
 

@@ -133,7 +133,7 @@ def online(results: Results, method: str) -> Reals:
     """Return the mean return of the training episodes in the second half of training, shape (n_repetitions,)."""
     returns = results.curves(method, "training_return").to_numpy(float)
     episodes = results.curves(method, "episodes").to_numpy(float)
-    half = len(returns) // 2
+    half = len(returns) // 2 + 1  # the first point is step 0, and the point at half time is about the steps before it
     total = np.nansum(returns[half:] * episodes[half:], axis=0)
     mean: Reals = total / episodes[half:].sum(axis=0)
     return mean

@@ -1,9 +1,9 @@
 """The amount of signal (lesson 6): what a toy says about its need, and how much of it players and Q-learning use.
 
 On Tamagotchi, Q-learning trains with learning rate 0.02, discount 0.5 and ε-greedy exploration with ε = 0.1 for 200 000
-steps, and for 1.6 million where messages have four words. 10 repetitions; the seeds are the same in every condition.
-Each point of a learning curve is the mean of 10 greedy evaluation episodes (50 with four words). Players without a
-table are evaluated for 20 000 steps, about 200 episodes, a repetition. Returns are undiscounted.
+steps, and for 1.6 million where messages of one and of four words are compared. 10 repetitions; the seeds are the same
+in every condition. Each point of a learning curve is the mean of 10 greedy evaluation episodes (50 in the long runs).
+Players without a table are evaluated for 20 000 steps, about 200 episodes, a repetition. Returns are undiscounted.
 
 The dashed line is the optimum of 6706.85, which planning with the whole state gives (as a test of the environment
 shows); the states with their messages are too many for `finite_model`. No policy that sees only the message can do
@@ -14,14 +14,11 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-import numpy as np
-
 from edugym.experiments import How, reporting
 from edugym.lessons.signal.figures import (
     LEARNED,
     LONGER,
     OBEY,
-    VOTE,
     answers,
     figures,
     joint_tables,
@@ -89,8 +86,6 @@ __all__ = [
     "RANDOM_PLAY",
     "REPETITIONS",
     "TAUS",
-    "VOCABULARIES",
-    "VOTE",
     "Coin",
     "Moody",
     "RoundRobin",
@@ -141,12 +136,15 @@ def measure(how: How) -> tuple[Any, ...]:
     }
     noise = conditions({noise_label(tau): results for tau, results in by_tau.items()})
     words = conditions({f"{size} words": results for size, results in by_vocabulary.items()})
-    four = learn(
-        n_steps=LONG,
-        evaluate_every=N_STEPS // 2,
-        evaluation_episodes=50,
-        parameters={"tau": NOISY, "max_msg_length": FOUR},
-        **how("four"),
+    one, four = (
+        learn(
+            n_steps=LONG,
+            evaluate_every=N_STEPS // 2,
+            evaluation_episodes=50,
+            parameters={"tau": NOISY, "max_msg_length": length},
+            **how(name),
+        )
+        for length, name in ((1, "one"), (FOUR, "four"))
     )
     curve: dict[str, Any] = {"evaluate_every": N_STEPS // 40, "evaluation_episodes": 5}
     brief = how(n_steps=N_STEPS // 2, repetitions=4 * how.repetitions, **curve)
@@ -161,13 +159,13 @@ def measure(how: How) -> tuple[Any, ...]:
     in_turn = play(RoundRobin.create, parameters={"tau": math.inf}, **how())
     obeyed = {tau: vote(tau, 1, 1, **how()) for tau in TAUS}
     voted = {length: vote(NOISY, length, length, **how()) for length in LENGTHS}
-    return noise, words, four, (steady, hasty), memory, in_turn, obeyed, voted
+    return noise, words, (one, four), (steady, hasty), memory, in_turn, obeyed, voted
 
 
 def judge(
     noise: Results,
     words: Results,
-    four: Results,
+    lengths: tuple[Results, Results],
     rates: tuple[Results, Results],
     memory: Results,
     in_turn: Reals,
@@ -175,12 +173,12 @@ def judge(
     voted: Mapping[int, Reals],
 ) -> Report:
     """Return claims and figures."""
-    steady, hasty = rates
+    (one, four), (steady, hasty) = lengths, rates
     claims = [
         *noise_claims(obeyed, noise),
         rate_claim(hasty, steady),
         *vocabulary_claims(words),
-        *message_claims(voted, four, noise),
+        *message_claims(voted, one, four),
         *memory_claims(in_turn, memory),
     ]
     return Report(claims, figures(noise, words, four, memory, obeyed, voted))
@@ -215,7 +213,7 @@ def rate_claim(hasty: Results, steady: Results) -> Claim:
     """Return the claim on the learning rate, at discount 0.9 and τ = 0.02."""
     label = "Q-learning"
     return Claim(
-        "Learning rate 0.1 loses good policies for a while more often than 0.02 (τ = 0.02, discount 0.9)",
+        "With learning rate 0.1 more evaluations are below 5000 than with 0.02 (τ = 0.02, discount 0.9)",
         "share of evaluations below 5000 in the second half of training, rate 0.1 less rate 0.02",
         paired_difference(time_below(hasty, label, 5_000), time_below(steady, label, 5_000)),
         Above(0.0),
@@ -237,7 +235,7 @@ def vocabulary_claims(words: Results) -> list[Claim]:
             for few, many in ((4, 16), (16, 64))
         ),
         Claim(
-            "They only slow it: with 16 words Q-learning still reaches the optimum",
+            "With 16 words, synonyms included, Q-learning still reaches the optimum",
             f"return / {OPTIMUM:.0f}",
             mean_interval(words.final("16 words") / OPTIMUM),
             Within(0.99, 1.001),
@@ -246,17 +244,14 @@ def vocabulary_claims(words: Results) -> list[Claim]:
             "Two ambiguous words carry one bit, and Q-learning without memory does no better than random play with it",
             "return",
             words.mean("2 words"),
-            Within(-800, -600),
+            Below(RANDOM_PLAY),
             "each word means two needs, and the action that is not wanted harms all four variables",
         ),
     ]
 
 
-def message_claims(voted: Mapping[int, Reals], four: Results, noise: Results) -> list[Claim]:
+def message_claims(voted: Mapping[int, Reals], one: Results, four: Results) -> list[Claim]:
     """Return the claims on the length of messages, at τ = 0.1: what they carry, and what is made of it."""
-    curve = four.curves("Q-learning").reindex([N_STEPS, LONG]).reindex(columns=range(len(voted[1]))).to_numpy(float)
-    early, end = curve if len(curve) == 2 else np.full((2, 0), np.nan)
-    one_word = late(noise, noise_label(NOISY))
     bits = information(NOISY)
     return [
         Claim(
@@ -279,22 +274,23 @@ def message_claims(voted: Mapping[int, Reals], four: Results, noise: Results) ->
         Claim(
             f"With four words, after {N_STEPS} steps Q-learning gets less than with one, although they carry more",
             "return with four words less that with one",
-            paired_difference(early, one_word),
+            paired_difference(after(four, N_STEPS), after(one, N_STEPS)),
             Below(0.0),
             f"its table has {rows_of_table(FOUR)} rows instead of {rows_of_table(1)}, each visited less often",
         ),
         Claim(
-            f"After {LONG} steps it gets more than with one word",
-            f"return with four words less that with one after {N_STEPS}",
-            paired_difference(end, one_word),
-            Above(0.0),
+            f"At the end of {LONG} steps Q-learning with four words is at most 100 behind Q-learning with one",
+            "return with four words less that with one, last five evaluations",
+            paired_difference(four.late("Q-learning"), one.late("Q-learning")),
+            Above(-100.0),
+            "it catches up, but whether it gets ahead in that time does not show in 10 runs",
         ),
         Claim(
-            "and still less than the vote, which has nothing to learn",
-            "return of Q-learning less that of the vote, four words",
-            paired_difference(end, voted[FOUR]),
+            "With four words Q-learning earns less than a majority vote",
+            f"return of Q-learning after {LONG} steps less that of the vote, four words",
+            paired_difference(after(four, LONG), voted[FOUR]),
             Below(0.0),
-            "information, and being able to use it, are two things",
+            "a message can carry more than a learner makes of it, and the vote has nothing to learn",
         ),
     ]
 
@@ -310,13 +306,13 @@ def memory_claims(in_turn: Reals, memory: Results) -> list[Claim]:
             "it remembers its last action and needs no message",
         ),
         Claim(
-            "Q-learning that observes its last action learns this without a message",
+            "Q-learning that observes its last action learns nearly the best play without a message",
             f"share of evaluations above {0.98 * OPTIMUM:.0f} in the second half of training, one word in all",
             mean_interval(1 - time_below(memory, "with its last action", 0.98 * OPTIMUM)),
             Above(0.5),
         ),
         Claim(
-            "Negative control: without its last action it does no better than random play",
+            "Negative control: without its last action and a message Q-learning does no better than random play",
             "return, one word in all",
             memory.mean("without"),
             Below(RANDOM_PLAY),

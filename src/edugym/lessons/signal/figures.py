@@ -66,7 +66,7 @@ class Points(NamedTuple):
     marks: Sequence[str] = ()
     shift: tuple[float, float] = (6, -9)
     optimum: float = OPTIMUM
-    chance: float = -676.0
+    chance: float = RANDOM_PLAY
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the points on `ax`, by default in a new figure, and return the axes."""

@@ -13,7 +13,7 @@ from edugym.envs.tamagotchi import Tamagotchi
 from edugym.lessons.signal.players import Voter
 from edugym.mdp.frame_stack import FrameStack
 from edugym.mdp.protocol import Reals
-from edugym.results.tables import Results
+from edugym.results.tables import Results, joined
 from edugym.training.repeat import repeat
 
 Maker = Callable[[Any], Any]
@@ -93,11 +93,7 @@ def vote(tau: float, length: int, heard: int, *, vocab_size: int = 4, **how: Any
 
 def conditions(results: Mapping[str, Results]) -> Results:
     """Join the results of one method under several conditions, with the conditions as methods."""
-    import pandas
-
-    tables = [part.table.assign(method=label) for label, part in results.items()]
-    agents = {label: next(iter(part.agents.values())) for label, part in results.items()}
-    return Results(pandas.concat(tables, ignore_index=True), agents)
+    return joined(part.renamed(label) for label, part in results.items())
 
 
 def time_below(results: Results, method: str, threshold: float) -> Reals:
@@ -109,9 +105,8 @@ def time_below(results: Results, method: str, threshold: float) -> Reals:
 
 def late(results: Results, method: str) -> Reals:
     """Return the mean of the evaluations in the second half of training, shape (n_repetitions,)."""
-    curves = results.curves(method).to_numpy(float)
-    mean: Reals = curves[len(curves) // 2 :].mean(axis=0)
-    return mean
+    points = len(results.curves(method))
+    return results.late(method, points - points // 2)
 
 
 def rows_of_table(length: int, vocab_size: int = 4) -> int:
@@ -137,8 +132,7 @@ def compare_vocabularies(sizes: Sequence[int] = VOCABULARIES, **how: Any) -> Res
 
 def after(results: Results, step: int) -> Reals:
     """Return the evaluations of Q-learning after a number of steps, shape (n_repetitions,)."""
-    values: Reals = results.curves("Q-learning").loc[step].to_numpy(float)
-    return values
+    return results.at("Q-learning", step)
 
 
 def learn_long(length: int = FOUR, learning_rate: float = LEARNING_RATE, *, n_steps: int = LONG, **how: Any) -> Results:

@@ -1,4 +1,4 @@
-"""How much the words of Tamagotchi tell, exactly."""
+"""How much the words of Tamagotchi tell, computed over the states of simulated episodes."""
 
 import math
 from functools import cache

@@ -20,6 +20,7 @@ from edugym.lessons.stochasticity.methods import (
     play,
 )
 from edugym.mdp.protocol import Reals
+from edugym.plotting.against import Against
 from edugym.plotting.curves import Curves
 from edugym.plotting.lines import Lines
 from edugym.plotting.panel import ALONE, Panel, Place
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
+LEVEL_LABEL = "stochasticity level"
 FIRST_FREE = 5
 """The first stroke that no player of the lesson has."""
 
@@ -66,6 +68,8 @@ class Course(NamedTuple):
         ax.set_xlim(-2.5, golf.width + 2.5)
         ax.set_ylim(-0.8, golf.length + 0.8)
         dress(ax, "x, in cells", "y, in cells", self.title)
+        if place.alone:
+            add_legend(ax)
         return ax
 
 
@@ -96,6 +100,8 @@ class Dots(NamedTuple):
         ax.set_xlim(-0.6, len(self.measured) - 0.4)
         dress(ax, "method", self.y_label, self.title)
         ax.set_xticks([])
+        if place.alone:
+            add_legend(ax)
         return ax
 
 
@@ -124,38 +130,8 @@ class Games(NamedTuple):
             ax.bar(at, bars, width, color=stroke(i).color, label=method)
         ax.set_xticks(np.arange(len(names)), names)
         dress(ax, "lost, or won with so many hits", "share of games", self.title)
-        return ax
-
-
-class Against(NamedTuple):
-    """What each method gets against the stochasticity level: the mean over repetitions, with its 95 % interval.
-
-    Attributes:
-        levels: the levels.
-        measured: by label of the method, one row of values for each level: shape (n, n_repetitions).
-        title: the text above the axes.
-        y_label: the label of the y axis.
-        theory: by label, the values that theory predicts, shape (n,).
-    """
-
-    levels: Sequence[float]
-    measured: Mapping[str, Sequence[Reals]]
-    title: str = ""
-    y_label: str = ""
-    theory: Mapping[str, Reals] = MappingProxyType({})
-
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the lines on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
-        for i, (method, rows) in enumerate(self.measured.items()):
-            intervals = [mean_interval(row) for row in rows]
-            plot_line(ax, i, np.array(self.levels), np.array([one.estimate for one in intervals]), method)
-            low, high = [one.low for one in intervals], [one.high for one in intervals]
-            ax.fill_between(self.levels, low, high, color=stroke(i).color, alpha=0.16, linewidth=0)
-        for label, line in self.theory.items():
-            ax.plot(self.levels, line, label=label, **REFERENCE)
-        dress(ax, "stochasticity level", self.y_label, self.title)
-        ax.locator_params(axis="x", nbins=5)
+        if place.alone:
+            add_legend(ax)
         return ax
 
 
@@ -289,7 +265,7 @@ def _outcomes(played: Mapping[str, Played], level: float) -> list[Panel]:
     return [
         Dots(columns["mean"], "mean", "mean return (greedy)", {"optimum": optimum(level)}),
         Dots(columns["spread"], "spread", "standard deviation of the return"),
-        Dots(columns["lost"], "lost balls", "share of games lost"),
+        Dots(columns["lost"], "lost balls", "share of lost balls"),
     ]
 
 
@@ -311,7 +287,7 @@ def crossing_lines(levels: Sequence[float] = tuple(np.linspace(0.005, 0.0225, 15
         np.array(levels),
         {swing: np.array([from_the_tee(level)[swing] for level in levels]) for swing in ("drive", "chip")},
         "first this swing, then best play",
-        "stochasticity level",
+        LEVEL_LABEL,
         "expected return",
     )
 
@@ -328,7 +304,7 @@ def crossing_by_attitude(
         np.array(levels),
         lines,
         "from the tee, computed exactly",
-        "stochasticity level",
+        LEVEL_LABEL,
         "worth of drive less chip",
         {"drive and chip are equal": np.zeros(len(levels))},
     )
@@ -344,8 +320,8 @@ def against_level(
     )
     best = {"optimum": np.array([optimum(level) for level in levels])}
     return (
-        Against(levels, mean, "what they earn", "mean return (greedy)", best),
-        Against(levels, lost, "what they lose", "share of games lost"),
+        Against(levels, mean, "what they earn", LEVEL_LABEL, "mean return (greedy)", best),
+        Against(levels, lost, "what they lose", LEVEL_LABEL, "share of lost balls"),
     )
 
 

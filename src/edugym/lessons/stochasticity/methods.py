@@ -34,7 +34,9 @@ LOW_RATE = 0.005
 EPSILON = 0.1
 DISCOUNT = 1.0
 LEVEL, TOO_NOISY = 0.015, 0.02
-"""The level at which aversion can be seen, and one at which the risk-neutral player takes no risk either."""
+"""The level at which aversion shows in lost balls, and one at which it does not."""
+HARDLY = 0.002
+"""A player whose share of lost balls is below this loses hardly a ball."""
 LEVELS = (0.005, 0.01, 0.0125, 0.015, 0.0175, 0.02, 0.0225)
 AVERSE, NEUTRAL, SEEKING = "averse, β = -2", "neutral, β = 0", "seeking, β = 2"
 Maker = Callable[..., Any]
@@ -78,7 +80,7 @@ class Played(NamedTuple):
     Attributes:
         mean: shape (n_repetitions,): the mean return.
         spread: shape (n_repetitions,): the standard deviation of the return.
-        lost: shape (n_repetitions,): the share of lost balls.
+        lost: shape (n_repetitions,): the share of lost balls (off the course or out of hits).
         games: shape (n_repetitions, 1 + hits): the share of lost games, and of those won with 1, 2, ... hits.
     """
 
@@ -344,12 +346,11 @@ def compare_on_lake(
 
 def late(results: Results) -> Reals:
     """Return the mean of the last five evaluations of Q-learning in every run, shape (n_repetitions,)."""
-    mean: Reals = results.curves(NEUTRAL).iloc[-5:].to_numpy(float).mean(axis=0)
-    return mean
+    return results.late(NEUTRAL)
 
 
 def share_on_the_way(results: Results) -> Reals:
     """Return the greedy return averaged over training as a share of what is learned in the end, above random play."""
-    first = results.curves(NEUTRAL).iloc[0].to_numpy(float)
+    first = results.at(NEUTRAL, 0)
     share: Reals = (results.average(NEUTRAL) - first) / (late(results) - first)
     return share
