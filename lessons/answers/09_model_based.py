@@ -572,6 +572,64 @@ def imagine(self, s, a):
     return reward + bonus + self.discount * value
 
 
+# %% exercise 2, wrong: any action of the state asked
+# says: whether any action of the state was tried
+# says: this *pair*
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if max(self.last[s]) == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
+# %% exercise 2, wrong: by the reward asked
+# says: a reward may be 0
+# says: this *pair*
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.rewards[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
+# %% exercise 2, wrong: by the next state asked
+# says: the next state may be 0
+# says: this *pair*
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.next_states[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
+# %% exercise 2, wrong: the discount as a number
+# says: a discount of 0.99: use self.discount
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + 0.99 * value
+
+
+# %% exercise 2, wrong: kappa as a number
+# says: a κ of 0.03: use self.kappa
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = 0.03 * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
 # %% exercise 3, right: return early
 def learn(self, state, action, reward, next_state, terminated):
     if self.known[state, action]:
@@ -1190,6 +1248,41 @@ MyRMax = RMax.create((6, 3))
 # %% exercise 3, wrong: the package's
 # says: known
 MyRMax = RMax
+
+
+# %% exercise 3, right: the parameters of learn in another order
+def learn(self, action, state, terminated, next_state, reward):
+    if self.known[state, action] == 0:
+        self.known[state, action] = 1
+        self.rewards[state, action] = reward
+        self.next_states[state, action] = next_state
+        self.ends[state, action] = 1 if terminated else 0
+        self.plan()
+
+
+# %% exercise 3, right: learn is told whether the episode was cut off
+def learn(self, state, action, reward, next_state, terminated, truncated):
+    if self.known[state, action] == 0:
+        self.known[state, action] = 1
+        self.rewards[state, action] = reward
+        self.next_states[state, action] = next_state
+        self.ends[state, action] = 1 if terminated else 0
+        self.plan()
+
+
+# %% exercise 3, wrong: the discount as a number
+# says: a discount of 0.99: use self.discount
+def sweep(self):
+    largest = 0.0
+    for s in range(self.Q.shape[0]):
+        for a in range(self.Q.shape[1]):
+            if self.known[s, a] == 1:
+                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
+                new = self.rewards[s, a] + 0.99 * value
+                largest = max(largest, abs(new - self.Q[s, a]))
+                self.Q[s, a] = new
+    return largest
+
 
 # %% exercise 4, right: a smaller rate
 lake_results = repeat(

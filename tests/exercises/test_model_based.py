@@ -8,8 +8,8 @@ import pytest
 
 from edugym import DynaQ
 from edugym.exercises.model_based.imagining import imagined
-from edugym.exercises.model_based.students import SHAPE, Memory, memories
-from edugym.exercises.model_based.sweeping import swept
+from edugym.exercises.model_based.students import SHAPE, memories
+from edugym.exercises.model_based.sweeping import Model, swept
 from edugym.lessons.model_based import OPTIMUM, compare, follow_plan, used_and_seen
 from tests.lessons.answers import read_exercises
 
@@ -45,7 +45,7 @@ def test_sweeps_settle_at_the_values_by_hand() -> None:
     next_states, ends = known.copy(), known.copy()
     known[1, 0] = known[2, 0] = ends[1, 0] = 1
     rewards[1, 0], rewards[2, 0], next_states[2, 0] = 3.0, -1.0, 1
-    Q = swept(Memory(np.full(SHAPE, 100.0), rewards, next_states, ends, known, 0, 0, 0), known, discount=0.5)
+    Q = swept(Model(np.full(SHAPE, 100.0), known, rewards, next_states, ends), discount=0.5)
     assert (Q[1, 0], Q[2, 0]) == (3.0, 49.0)
     assert (Q[known == 0] == 100.0).all()
 
