@@ -931,6 +931,22 @@ def learn(self, state, action, reward, next_state, terminated):
     self.tries[state, action] += 1
 
 
+# %% exercise 3, wrong: one untried grip at most, by item
+# says: `return int(np.where(self.tries[state] == 0)[0].item())` raises ValueError
+def act(self, state, rng):
+    if (self.tries[state] == 0).any():
+        return int(np.where(self.tries[state] == 0)[0].item())
+    return self.greedy(state, rng)
+
+
+# %% exercise 3, wrong: only where one grip is left
+# says: should choose a grip that was never tried, but chooses 0
+def act(self, state, rng):
+    if sum(self.tries[state] == 0) == 1:
+        return int(self.tries[state].argmin())
+    return self.greedy(state, rng)
+
+
 # %% exercise 4, right: a union of dictionaries
 frozen = repeat(
     lake,
