@@ -702,7 +702,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: index out of the table
-# says: of a table Q the first index is the state
+# says: the order of the indices
 # says: self.tries[action, state] += 1
 def learn(self, state, action, reward, next_state, terminated):
     self.tries[action, state] += 1

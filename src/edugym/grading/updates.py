@@ -208,6 +208,8 @@ def _miscounted(cases: list[Case], right: Outcomes, found: Outcomes, difference:
     now = found[case][step][table][entry]
     if now == 1:
         return f"`{table}` is set to 1 there, and it should become one more: write `+= 1`"
+    if now == before[entry]:
+        return f"`{table}` does not change there, and every time it should be one more"
     return f"`{table}` changes by {now - before[entry]:+g} there, and every time it should be one more"
 
 
