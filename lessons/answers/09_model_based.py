@@ -3,7 +3,8 @@
 # An answer stands in the place of the exercise's cell. Methods without their class replace those of the solution.
 
 # %% setup
-# Exercise 4 needs what came out of the student's method: it trains, and is evaluated at three points only, to save time.
+# Exercise 4 needs what came out of the student's method: it trains, and is evaluated at three points only, to save
+# time. Where the experiment is another one, any agent will do: the check does not get as far as what came out.
 import math
 from fractions import Fraction
 import edugym.training.repeat
@@ -1325,8 +1326,8 @@ lake_results = repeat(
     lake,
     {
         **methods,
-        "one": partial(DynaQ.create, learning_rate=1.0, planning_steps=10, expected_updates=True),
-        "two": PrioritisedSweeping.create,
+        "one": partial(DynaQ.create, learning_rate=0.1, planning_steps=5),
+        "two": partial(QLearning.create, learning_rate=0.1),
     },
     3_000,
     repetitions=5,
@@ -1359,7 +1360,7 @@ lake_results = repeat(environment=lake, agents=others, n_steps=3000, repetitions
 # says: however many updates it makes
 lake_results = repeat(
     lake,
-    {**methods, "mine": partial(DynaQ.create, planning_steps=50, learning_rate=1.0)},
+    {**methods, "mine": partial(DynaQ.create, planning_steps=20, learning_rate=1.0)},
     3_000,
     repetitions=5,
     evaluation_episodes=10,
@@ -1405,7 +1406,7 @@ lake_results = repeat(lake, {**methods, "mine": methods["Dyna-10"]}, 3_000, repe
 # says: keep the labels
 lake_results = repeat(
     lake,
-    {"mine": partial(DynaQ.create, learning_rate=1.0, planning_steps=10, expected_updates=True)},
+    {"mine": SARSA.create},
     3_000,
     repetitions=5,
 )
@@ -1417,7 +1418,7 @@ lake_results = repeat(
     {
         "Q-learning": methods["Q-learning"],
         "Dyna": methods["Dyna-10"],
-        "mine": partial(DynaQ.create, learning_rate=1.0, planning_steps=10, expected_updates=True),
+        "mine": SARSA.create,
     },
     3_000,
     repetitions=5,
@@ -1430,7 +1431,7 @@ lake_results = repeat(
     {
         **methods,
         "Q-learning": QLearning.create,
-        "mine": partial(DynaQ.create, learning_rate=1.0, planning_steps=10, expected_updates=True),
+        "mine": SARSA.create,
     },
     3_000,
     repetitions=5,
@@ -1440,22 +1441,20 @@ lake_results = repeat(
 # says: n_steps 3000, but it has n_steps 300
 lake_results = repeat(
     lake,
-    {**methods, "mine": partial(DynaQ.create, learning_rate=1.0, planning_steps=10, expected_updates=True)},
+    {**methods, "mine": SARSA.create},
     300,
     repetitions=5,
 )
 
 # %% exercise 4, wrong: ten repetitions
 # says: repetitions 5, but it has repetitions 10
-lake_results = repeat(
-    lake, {**methods, "mine": partial(DynaQ.create, learning_rate=1.0, planning_steps=10, expected_updates=True)}, 3_000
-)
+lake_results = repeat(lake, {**methods, "mine": SARSA.create}, 3_000)
 
 # %% exercise 4, wrong: the shop
 # says: environment FrozenLake-v1
 lake_results = repeat(
     "Supermarket",
-    {**methods, "mine": partial(DynaQ.create, learning_rate=1.0, planning_steps=10, expected_updates=True)},
+    {**methods, "mine": SARSA.create},
     3_000,
     repetitions=5,
 )
@@ -1465,7 +1464,7 @@ lake_results = repeat(
 lake = gym.make("FrozenLake-v1", map_name="4x4", is_slippery=False)
 lake_results = repeat(
     lake,
-    {**methods, "mine": partial(DynaQ.create, learning_rate=1.0, planning_steps=10, expected_updates=True)},
+    {**methods, "mine": SARSA.create},
     3_000,
     repetitions=5,
 )
@@ -1475,7 +1474,7 @@ lake_results = repeat(
 lake = gym.make("FrozenLake-v1", map_name="8x8", is_slippery=True)
 lake_results = repeat(
     lake,
-    {**methods, "mine": partial(DynaQ.create, learning_rate=1.0, planning_steps=10, expected_updates=True)},
+    {**methods, "mine": SARSA.create},
     3_000,
     repetitions=5,
 )
@@ -1484,7 +1483,7 @@ lake_results = repeat(
 # says: is of the type ndarray
 lake_results = repeat(
     lake,
-    {**methods, "mine": partial(DynaQ.create, learning_rate=1.0, planning_steps=10, expected_updates=True)},
+    {**methods, "mine": SARSA.create},
     3_000,
     repetitions=5,
 ).final("mine")
@@ -1493,7 +1492,7 @@ lake_results = repeat(
 # says: is of the type DataFrame
 lake_results = repeat(
     lake,
-    {**methods, "mine": partial(DynaQ.create, learning_rate=1.0, planning_steps=10, expected_updates=True)},
+    {**methods, "mine": SARSA.create},
     3_000,
     repetitions=5,
 ).table
