@@ -702,7 +702,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: index out of the table
-# says: of a table Q the first index is the state
+# says: the order of the indices
 # says: self.tries[action, state] += 1
 def learn(self, state, action, reward, next_state, terminated):
     self.tries[action, state] += 1
@@ -929,6 +929,22 @@ def learn(self, state, action, reward, next_state, terminated):
     self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
     self.visits[next_state] += 1
     self.tries[state, action] += 1
+
+
+# %% exercise 3, wrong: one untried grip at most, by item
+# says: `return int(np.where(self.tries[state] == 0)[0].item())` raises ValueError
+def act(self, state, rng):
+    if (self.tries[state] == 0).any():
+        return int(np.where(self.tries[state] == 0)[0].item())
+    return self.greedy(state, rng)
+
+
+# %% exercise 3, wrong: only where one grip is left
+# says: should choose a grip that was never tried, but chooses 0
+def act(self, state, rng):
+    if sum(self.tries[state] == 0) == 1:
+        return int(self.tries[state].argmin())
+    return self.greedy(state, rng)
 
 
 # %% exercise 4, right: a union of dictionaries

@@ -417,6 +417,14 @@ def importance_ratio(greedy, epsilon):
     return 1 / (1 - epsilon) ** len(greedy[1:])
 
 
+# %% exercise 2, wrong: 0 where nothing is left
+# says: an empty product is 1
+def importance_ratio(greedy, epsilon, n_actions):
+    if len(greedy) == 1:
+        return 0.0
+    return np.prod([is_greedy / (1 - epsilon + epsilon / n_actions) for is_greedy in greedy[1:]])
+
+
 # %% exercise 3, right: reversed
 def hand_back(self, length):
     G = 0.0
@@ -896,3 +904,16 @@ def learn(self, state, action, reward, next_state, terminated):
     self.length[0] = k + 1
     if terminated:
         self.hand_back(k + 1)
+
+
+# %% exercise 3, wrong: the reward of the next step
+# says: `rewards[k]` is R_{k+1} already
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k + 1] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        best = max(self.Q[s])
+        if self.Q[s, a] < best:
+            G = best

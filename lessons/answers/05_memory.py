@@ -93,7 +93,7 @@ def table_rows(num_doors, length):
 
 
 # %% exercise 1, wrong: all steps up to the end
-# says: the *first* place
+# says: the mark that is needed lies only L(L-1)/2 steps back
 def table_rows(num_doors, length):
     return (num_doors + 1) ** (length * (length + 1) // 2)
 
@@ -382,7 +382,7 @@ def row(self, window):
 
 
 # %% exercise 2, wrong: the digit is added too early
-# says: and then add the digit
+# says: and then add it
 def row(self, window):
     number = 0
     for i in range(len(window)):
@@ -407,6 +407,33 @@ def row(self, window):
     for i in range(len(window)):
         number = number * (n_observations if i % 2 == 0 else n_actions) + window[i]
     return number
+
+
+# %% exercise 2, wrong: floats
+# says: whole numbers are needed, so start from window.copy(), or np.zeros(len(window), np.int64)
+def push(self, window, action, seen):
+    new = np.zeros(len(window))
+    new[:-2] = window[2:]
+    new[-2] = action
+    new[-1] = seen
+    return new
+
+
+# %% exercise 2, wrong: a float for a row
+# says: should be a whole number, but is 0.0
+def row(self, window):
+    row = 0.0
+    for i in range(len(window)):
+        row = row * (self.n_observations if i % 2 == 0 else self.n_actions) + window[i]
+    return row
+
+
+# %% exercise 2, wrong: the row writes into its window
+# says: changes the window that it is given, and that is still needed
+def row(self, window):
+    for i in range(1, len(window)):
+        window[i] += window[i - 1] * (self.n_observations if i % 2 == 0 else self.n_actions)
+    return window[-1]
 
 
 # %% exercise 3, right: the other case first
@@ -590,7 +617,7 @@ def update(self, notes, place, seen, action):
 
 
 # %% exercise 3, wrong: three doors
-# says: with 4 doors
+# says: 3 stands where self.num_doors should
 def update(self, notes, place, seen, action):
     notes[place] = action
     return place + 1 if seen == 3 else 0
@@ -615,3 +642,17 @@ def update(self, notes, place, seen, action):
 def update(self, notes, place, seen, action):
     notes[action] = action
     return place + 1 if seen == self.num_doors else 0
+
+
+# %% exercise 3, wrong: a share of a place
+# says: should be a whole number, but is 1.9
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    return place + 1.9 if seen == self.num_doors else 0
+
+
+# %% exercise 3, wrong: a float
+# says: should be a whole number, but is 1.0
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    return (place + 1.0) if seen == self.num_doors else 0

@@ -67,9 +67,9 @@ level = stochasticity.crossing()
 
 # %% exercise 1, wrong: the hits are forgotten in a loop
 # says: that is the crossing with 10 hits
-level = 0.015
+level = 0.018
 while stochasticity.from_the_tee(level)["drive"] > stochasticity.from_the_tee(level)["chip"]:
-    level += 0.00001
+    level += 0.00002
 
 # %% exercise 1, wrong: the estimate, measured from the safe plan
 # says: costs 1.8
@@ -88,7 +88,7 @@ level = 0.015
 level = 0.02
 
 # %% exercise 1, wrong: three digits
-# says: give four digits
+# says: look in steps of 0.0001
 level = 0.023
 
 # %% exercise 1, wrong: too high
@@ -124,6 +124,14 @@ level = -0.0232
 # %% exercise 1, wrong: the function
 # says: call it
 level = stochasticity.crossing
+
+# %% exercise 1, wrong: no chance at all
+# says: is not a level, a number above 0 and far below 1: it is too low
+level = 0
+
+# %% exercise 1, wrong: two steps too far
+# says: look in steps of 0.0001
+level = 0.0234
 
 # %% exercise 1, wrong: steps of a thousandth
 # says: too high
@@ -354,14 +362,14 @@ def frontier(players):
 
 
 # %% exercise 2, wrong: by mean less spread
-# says: mean less spread
+# says: mean minus spread is largest
 def frontier(players):
     top = max(m - s for m, s in players.values())
     return [n for n, (m, s) in players.items() if m - s == top]
 
 
 # %% exercise 2, wrong: by mean over spread
-# says: largest mean for their spread
+# says: mean divided by spread is largest; that is only one taste
 def frontier(players):
     top = max(m / s for m, s in players.values())
     return [n for n, (m, s) in players.items() if m / s == top]

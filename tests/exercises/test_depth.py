@@ -1,7 +1,6 @@
 """The exercises of lesson 3: their rules are right, and what the text says of the solutions is so."""
 
 import math
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -24,19 +23,10 @@ from edugym.lessons.depth import (
     race,
 )
 from edugym.plotting import Curves
-from tests.lessons.answers import read_exercises
+from tests.lessons.answers import solution
 
-LESSON = Path(__file__).parents[2] / "lessons" / "03_depth.py"
+LESSON = "03_depth"
 SETTINGS = {"learning_rate": 0.25, "discount": 0.5}
-
-
-def solution(number: int, name: str) -> Any:
-    """What the lesson's solution of an exercise defines."""
-    imports, all_exercises = read_exercises(LESSON)
-    namespace: dict[str, Any] = {"__name__": "__main__"}
-    exec(imports, namespace)
-    exec(all_exercises[number - 1].solution, namespace)
-    return namespace[name]
 
 
 def test_the_ratio_by_hand() -> None:
@@ -87,7 +77,7 @@ def test_every_mistake_shows() -> None:
 @pytest.mark.slow
 def test_what_the_solutions_reach() -> None:
     """Without exploration Monte Carlo passes on fewer layouts; cut targets end above all depths, and start early."""
-    own = {"quiet": solution(1, "quiet"), "mine": solution(3, "MyAgent").create}
+    own = {"quiet": solution(LESSON, 1, "quiet"), "mine": solution(LESSON, 3, "MyAgent").create}
     results = compare(depths=BY_DEPTH, own=own, repetitions=40, seed=1)
     share = {method: passes(results, method).mean() for method in results.methods}
     assert share["quiet"] < share[MONTE_CARLO] - 0.1

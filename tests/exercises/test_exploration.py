@@ -1,6 +1,5 @@
 """The exercises of lesson 1: their rule is the package's, and what their text says of the walls is so."""
 
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -10,18 +9,9 @@ from edugym import CountBased, make_mdp
 from edugym.exercises import exploration as exercises
 from edugym.lessons.exploration import EPSILON_GREEDY, METHODS, compare, race
 from edugym.plotting import Curves, Lines
-from tests.lessons.answers import read_exercises
+from tests.lessons.answers import solution
 
-LESSON = Path(__file__).parents[2] / "lessons" / "01_exploration.py"
-
-
-def solution(number: int, name: str) -> Any:
-    """What the lesson's solution of an exercise defines."""
-    imports, all_exercises = read_exercises(LESSON)
-    namespace: dict[str, Any] = {"__name__": "__main__"}
-    exec(imports, namespace)
-    exec(all_exercises[number - 1].solution, namespace)
-    return namespace[name]
+LESSON = "01_exploration"
 
 
 def test_the_rule_is_that_of_the_packages_agent() -> None:
@@ -47,7 +37,7 @@ def test_epsilon() -> None:
 @pytest.mark.slow
 def test_what_the_solutions_reach() -> None:
     """The optimist solves height 30 where ε-greedy fails; the explorer solves 100."""
-    makers = {"optimist": solution(2, "optimist"), "explorer": solution(3, "MyExplorer").create}
+    makers = {"optimist": solution(LESSON, 2, "optimist"), "explorer": solution(LESSON, 3, "MyExplorer").create}
     middle = compare(30, methods={**makers, EPSILON_GREEDY: METHODS[EPSILON_GREEDY]}, repetitions=10)
     assert middle.final("optimist").mean() == 1
     assert middle.final(EPSILON_GREEDY).mean() < 0.2
@@ -74,4 +64,4 @@ def test_a_race_shows_all_methods() -> None:
 def test_walls_of_the_lesson_can_be_given() -> None:
     """Answers may use the fields of the wall."""
     wall = make_mdp("Boulder", height=4)
-    assert solution(2, "optimist")(wall).Q.shape == (5, 2)
+    assert solution(LESSON, 2, "optimist")(wall).Q.shape == (5, 2)

@@ -1,28 +1,16 @@
 """The exercises of lesson 9: their rules are the package's, and what their text says of the agents is so."""
 
-from pathlib import Path
-from typing import Any
-
 import numpy as np
 import pytest
 
 from edugym import DynaQ
 from edugym.exercises.model_based.imagining import imagined
-from edugym.exercises.model_based.students import SHAPE, Memory, memories
-from edugym.exercises.model_based.sweeping import swept
-from edugym.lessons.model_based import OPTIMUM, compare, follow_plan, used_and_seen
-from tests.lessons.answers import read_exercises
+from edugym.exercises.model_based.students import SHAPE, memories
+from edugym.exercises.model_based.sweeping import Model, swept
+from edugym.lessons.model_based import OPTIMUM, compare, used_and_seen
+from tests.lessons.answers import solution
 
-LESSON = Path(__file__).parents[2] / "lessons" / "09_model_based.py"
-
-
-def solution(number: int, name: str) -> Any:
-    """What the lesson's solution of an exercise defines."""
-    imports, all_exercises = read_exercises(LESSON)
-    namespace: dict[str, Any] = {"__name__": "__main__"}
-    exec(imports, namespace)
-    exec(all_exercises[number - 1].solution, namespace)
-    return namespace[name]
+LESSON = "09_model_based"
 
 
 def test_the_rule_of_dyna_q_plus_is_that_of_the_packages_agent() -> None:
@@ -45,22 +33,23 @@ def test_sweeps_settle_at_the_values_by_hand() -> None:
     next_states, ends = known.copy(), known.copy()
     known[1, 0] = known[2, 0] = ends[1, 0] = 1
     rewards[1, 0], rewards[2, 0], next_states[2, 0] = 3.0, -1.0, 1
-    Q = swept(Memory(np.full(SHAPE, 100.0), rewards, next_states, ends, known, 0, 0, 0), known, discount=0.5)
+    Q = swept(Model(np.full(SHAPE, 100.0), known, rewards, next_states, ends), discount=0.5)
     assert (Q[1, 0], Q[2, 0]) == (3.0, 49.0)
     assert (Q[known == 0] == 100.0).all()
 
 
 def test_an_error_that_pays() -> None:
-    """The value of bumping for ever is that of the best way."""
-    e = solution(1, "smallest_error")(40.0, 0.75)
-    assert (e - 1) / (1 - 0.75) == 40.0
-    assert follow_plan(0.0, 0).ends
+    """With the error of the solution bumping for ever is worth what the best way is, and with a smaller one less."""
+    v, gamma = 40.0, 0.75
+    e = solution(LESSON, 1, "smallest_error")(v, gamma)
+    for error, worth in ((e, v), (e - 1, v - 1 / (1 - gamma))):
+        assert sum((error - 1) * gamma**k for k in range(200)) == pytest.approx(worth)
 
 
 @pytest.mark.slow
 def test_what_the_solutions_reach() -> None:
     """R-max finds the best way; Dyna-Q+ has seen the shop, and its policy goes on asking."""
-    makers = {"mine": solution(3, "MyRMax").create, "plus": solution(2, "DynaPlus").create}
+    makers = {"mine": solution(LESSON, 3, "MyRMax").create, "plus": solution(LESSON, 2, "DynaPlus").create}
     results = compare(makers, repetitions=5)
     known = used_and_seen(results)
     assert (results.final("mine") == OPTIMUM).all()

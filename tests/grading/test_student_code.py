@@ -1,15 +1,16 @@
 """Errors in an answer: a sentence that ends at the student's own line."""
 
 import linecache
+import math
 import warnings
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
 
 from edugym import QLearning
 from edugym.grading import Unsolved, WrongAnswer
-from edugym.grading.student_code import running
+from edugym.grading.student_code import HINTS, running
 
 
 def run(code: str, **names: Any) -> str:
@@ -26,7 +27,7 @@ def test_the_line_is_the_students() -> None:
     """Also when the error is raised further down, in a library or in this package."""
     assert run("def f():\n    x = 1\n    return x / 0") == (
         "the line `return x / 0` raises ZeroDivisionError: division by zero"
-        " (nothing was counted yet: count first, then divide)"
+        " (the number below the line can be 0: is it a count that should grow first?)"
     )
     said = run("def f():\n    return np.zeros(2).reshape(3)\n", np=np)
     assert said.startswith("the line `return np.zeros(2).reshape(3)` raises ValueError: cannot reshape")
@@ -39,6 +40,58 @@ def test_every_error_is_one_line() -> None:
     assert "raises KeyError: there is no key 'a'" in run("def f():\n    return {}['a']")
     assert run("def f():\n    f()").endswith("raises RecursionError: a function calls itself for ever")
     assert "\n" not in run("def f():\n    raise ValueError('one\\ntwo')")
+
+
+class Pair(NamedTuple):
+    """Two numbers."""
+
+    a: int
+    b: int
+
+
+ERRORS = [
+    ("Pair(1, 2).a = 3", "the fields of a NamedTuple are fixed"),
+    ("Pair(1, 2)[0] = 3", "only arrays and lists have entries"),
+    ("return 1 if np.zeros(2) > 0 else 0", "compare single entries"),
+    ("return tries[0]", "write `self.` before a field"),
+    ("x += 1; x = 2", "it gets a value on some paths only"),
+    ("x = None; return x[0]", "something is None there"),
+    ("return 1 / 0", "the number below the line can be 0"),
+    ("return Pair.a[0]", "that is the field of the class"),
+    ("return np.zeros(2)[0, 1]", "the array has fewer axes than there are indices"),
+    ("return np.zeros(2)[2]", "indices go from 0 to the size less 1"),
+    ("return [1, 2][2]", "indices go from 0 to the size less 1"),
+    ("return math.log(0)", "a logarithm needs a number above 0"),
+    ("return np.array([[1], [1, 2]])", "an array of numbers is needed there"),
+    ("return np.zeros(2)[1.0]", "an index is a whole number"),
+    ("return create()", "`create` takes the environment first"),
+    ("return g(1)", "it has more parameters than the call gives it values"),
+    ("return g(1, 2, 3)", "its parameters are not those of the exercise"),
+    ("return g(1, z=2)", "its parameters are not those of the exercise"),
+    ("return [True].all()", "that is a list: np.array(...) makes an array of it"),
+    ("return np.zeros(2).maximum()", "is the name spelt as in the exercise?"),
+]
+"""Lines that raise an error, and what is said of it."""
+
+
+@pytest.mark.parametrize(("line", "hint"), ERRORS)
+def test_what_often_lies_behind_an_error(line: str, hint: str) -> None:
+    """The hint belongs to the error, and no other one comes first."""
+
+    def create(environment: Any) -> None:
+        """A function that needs an environment."""
+
+    def g(x: int, y: int) -> None:
+        """A function of two parameters."""
+
+    said = run(f"def f():\n    {line}", np=np, math=math, Pair=Pair, create=create, g=g)
+    assert f"({hint}" in said
+
+
+def test_every_hint_has_an_error() -> None:
+    """And so each pattern is known to find what it should."""
+    for _, told in HINTS:
+        assert any(hint in told for _, hint in ERRORS), told
 
 
 def test_placeholders_are_not_solved_yet() -> None:

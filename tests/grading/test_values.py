@@ -75,3 +75,6 @@ def test_as_many_digits_as_tell_two_numbers_apart() -> None:
     assert digits(1 / 3, 0.5) == "0.3333"
     assert digits(0.1234567, 0.1234566) == "0.1234567"
     assert digits(2.0, 3.0) == "2"
+    assert digits(78_125.0, 9_765_625.0) == "78125"
+    assert digits(-0.0, 1.0) == "0"
+    assert digits(-0.8999999999999999, -0.9) == "-0.9"

@@ -147,3 +147,18 @@ def _with_methods(solution: str, answer: str) -> str | None:
         old = methods[name]
         lines[old.lineno - 1 : old.end_lineno] = textwrap.indent(mine[name], " " * old.col_offset).splitlines()
     return "\n".join([*imports, *lines]) + "\n"
+
+
+def solution(lesson: str, number: int, name: str) -> Any:
+    """Return what the lesson's solution of an exercise defines.
+
+    Args:
+        lesson: the name of the lesson: "01_exploration".
+        number: the number of the exercise, from 1.
+        name: what it defines.
+    """
+    imports, exercises = read_exercises(build.ROOT / "lessons" / f"{lesson}.py")
+    namespace: dict[str, Any] = {"__name__": "__main__"}
+    exec(imports, namespace)
+    exec(exercises[number - 1].solution, namespace)
+    return namespace[name]

@@ -54,11 +54,15 @@ def test_every_exercise_has_answers(path: Path) -> None:
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
-def test_solutions_pass_and_placeholders_are_not_solved_yet(path: Path) -> None:
-    """The lesson's own solution of an exercise is right, and its empty cell is told that it is empty."""
+def test_solutions_pass_and_placeholders_are_not_solved_yet(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The lesson's own solution of an exercise is right, and counts; its empty cell is told that it is empty."""
+    counted: list[tuple[str, int]] = []
+    monkeypatch.setattr("edugym.grading.verdict.record_passed", lambda *passed: counted.append(passed))
     before, exercises = exercises_of(path.stem)
     for number, exercise in enumerate(exercises, start=1):
         solved = Answer(path.stem, number, True, "solution", (), exercise.solution)
         empty = Answer(path.stem, number, False, "placeholder", (), exercise.placeholder)
+        counted.clear()
         assert verdict(solved, exercise, before) == ""
+        assert {*counted} == {(path.stem.partition("_")[2], number)}
         assert "Not solved yet" in verdict(empty, exercise, before) or "began" in verdict(empty, exercise, before)

@@ -1,6 +1,6 @@
 """The exercises of lesson 5: the size of a table, a window with actions, and notes of the doors that were opened."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from itertools import product
 from types import MappingProxyType
@@ -10,6 +10,7 @@ import numpy as np
 
 from edugym.agents.q_learning import QLearning
 from edugym.envs.memory_corridor import MemoryCorridor
+from edugym.grading.agents import require_class, require_function
 from edugym.grading.challenge import Challenge
 from edugym.grading.student_code import running
 from edugym.grading.values import compare, given, number
@@ -23,11 +24,7 @@ UNUSUAL = "that is none of the usual mistakes, so work it out by hand for a smal
 
 def exercise_1(answer: Any, seed: int) -> str:
     """Check the number of rows of a table over windows of observations."""
-    given("table_rows", answer)
-    if not callable(answer) or isinstance(answer, type):
-        raise WrongAnswer(
-            f"table_rows should be a function of the doors and the length, but is of the type {type(answer).__name__}"
-        )
+    require_function("table_rows", answer, "the doors and the length")
     rng = np.random.default_rng(seed)
     cases = [(4, 3 + int(rng.integers(2))), (int(rng.integers(5, 8)), 3), (2, 5), (3, 2), (6, 1)]
     for doors, length in cases:
@@ -37,7 +34,7 @@ def exercise_1(answer: Any, seed: int) -> str:
         right = (doors + 1) ** window_law(length)
         mistakes = {why: float(wrong) for why, wrong in _row_mistakes(doors, length).items() if wrong != right}
         compare(call, found, float(right), mistakes, otherwise=UNUSUAL)
-    return "Right: for corridor 7 with three doors that are 4^22, or 18 million million rows."
+    return "Right: corridor 7 with three doors needs 4^22 rows, about 18 million million."
 
 
 def _row_mistakes(doors: int, length: int) -> dict[str, float]:
@@ -48,8 +45,10 @@ def _row_mistakes(doors: int, length: int) -> dict[str, float]:
         "the present observation is in the window as well: L(L-1)/2 steps back, and one": (doors + 1) ** (window - 1),
         "a window of L is not enough without the actions: the first mark lies L(L-1)/2 steps back": (doors + 1)
         ** length,
-        "L(L+1)/2 is the number of steps through all corridors; the window need only reach back from the *first* place"
-        " of corridor L": (doors + 1) ** (length * (length + 1) // 2),
+        "L(L+1)/2 counts the steps to the end of corridor L; the mark that is needed lies only L(L-1)/2 steps back": (
+            doors + 1
+        )
+        ** (length * (length + 1) // 2),
         "that is the window for corridor L + 1": (doors + 1) ** window_law(length + 1),
         "that is the number of entries, a row has one for each action; the rows are asked for": (doors + 1) ** window
         * doors,
@@ -71,7 +70,7 @@ def _row_mistakes(doors: int, length: int) -> dict[str, float]:
 
 def exercise_2(answer: Any, seed: int) -> str:
     """Check the class of a window with actions."""
-    _is_class("MyWindow", answer)
+    require_class("MyWindow", answer)
     rng = np.random.default_rng(seed)
     for k, n, m in ((4, 4, 3), (3, 3, 2), (2, 5, 4)):
         with running("MyWindow(...)"):
@@ -84,13 +83,6 @@ def exercise_2(answer: Any, seed: int) -> str:
     for k, n, m in ((2, 3, 2), (2, 2, 3), (3, 3, 2), (3, 2, 3)):
         _check_rows(answer(MemoryCorridor.create(m), k=k, n_observations=n, n_actions=m), k, n, m)
     return "Right: the history includes the actions. See it race:"
-
-
-def _is_class(name: str, answer: Any) -> None:
-    """Refuse what is no class."""
-    given(name, answer)
-    if not isinstance(answer, type):
-        raise WrongAnswer(f"{name} should be the class, but is of the type {type(answer).__name__}")
 
 
 def _some_window(k: int, n: int, m: int, rng: np.random.Generator) -> Any:
@@ -166,6 +158,30 @@ def _check_push(made: Any, window: Any, action: int, seen: int) -> None:
         raise WrongAnswer(f"{told} {entries.tolist()}: {why}")
     if not isinstance(found, np.ndarray):
         raise WrongAnswer(f"{call} gives a {type(found).__name__}: give a NumPy array, as the window is one")
+    if found.dtype.kind not in "iu":
+        raise WrongAnswer(
+            f"{call} gives {found.dtype} numbers, but whole numbers are needed, so start from window.copy(), or"
+            " np.zeros(len(window), np.int64)"
+        )
+
+
+DIGITS = (
+    "multiply by the number of values of the digit that you add, and then add it: n_observations at even indices,"
+    " n_actions at odd ones"
+)
+
+
+def _whole(call: str, found: Any) -> int:
+    """Return a whole number as an int.
+
+    Raises:
+        WrongAnswer: it is something else, such as 2.0.
+    """
+    value = number(call, found)
+    if not isinstance(found, int | np.integer):
+        told = np.asarray(found).item()
+        raise WrongAnswer(f"{call} should be a whole number, but is {told!r}: use `//` for `/`, and 0 for 0.0")
+    return int(value)
 
 
 def _check_rows(made: Any, k: int, n: int, m: int) -> None:
@@ -175,26 +191,27 @@ def _check_rows(made: Any, k: int, n: int, m: int) -> None:
     for entries in product(*(range(m if i % 2 else n) for i in range(2 * k - 1))):
         window = np.array(entries)
         call = f"row({window.tolist()}) with {n} observations and {m} actions"
+        mine = window.copy()
         with running(call):
-            found = made.row(window)
-        row = number(call, found)
-        if row != int(row):
-            raise WrongAnswer(f"{call} should be the number of a row, a whole number, but is {row:g}")
+            found = made.row(mine)
+        row = _whole(call, found)
+        if not np.array_equal(mine, window):
+            raise WrongAnswer(f"{call} changes the window that it is given, and that is still needed: only read it")
         if not 0 <= row < size:
             raise WrongAnswer(
-                f"{call} should be from 0 to {size - 1}, but is {row:.0f}: an observation is a digit with {n} values"
-                f" and an action one with {m}; multiply by that number before you add the digit"
+                f"{call} should be from 0 to {size - 1}, but is {row}: an observation is a digit with {n} values and"
+                f" an action one with {m}; {DIGITS}"
             )
-        other = known.setdefault(int(row), window.tolist())
+        other = known.setdefault(row, window.tolist())
         if other != window.tolist():
             differ = [i for i in range(len(other)) if other[i] != window[i]]
             why = (
                 "they differ in an action only, so the action makes no difference to the row"
                 if all(i % 2 for i in differ)
-                else "multiply the row by the number of values of a digit, and then add the digit"
+                else DIGITS
             )
             raise WrongAnswer(
-                f"row({other}) and row({window.tolist()}) are both {row:.0f} with {n} observations and {m} actions, but"
+                f"row({other}) and row({window.tolist()}) are both {row} with {n} observations and {m} actions, but"
                 f" different windows need different rows: {why}"
             )
 
@@ -231,9 +248,8 @@ UPDATES: Mapping[str, Callable[[Any, int, int, int, int], Notes]] = MappingProxy
                 else (np.full_like(_noted(notes, place, action), n), 0)
             )
         ),
-        "the marked door is not noted: write every door into `notes[place]`, marked or not": (
-            lambda notes, place, seen, action, n: (notes, place + 1 if seen == n else 0)
-        ),
+        "the marked door is not noted: write every door into `notes[place]`, marked or not (and into `notes` itself,"
+        " not into a copy)": (lambda notes, place, seen, action, n: (notes, place + 1 if seen == n else 0)),
         "it notes the place instead of the door": (
             lambda notes, place, seen, action, n: (_noted(notes, place, place), place + 1 if seen == n else 0)
         ),
@@ -245,6 +261,9 @@ UPDATES: Mapping[str, Callable[[Any, int, int, int, int], Notes]] = MappingProxy
         ),
         "the present place is compared with the number of doors; compare what was *seen* with it": (
             lambda notes, place, seen, action, n: (_noted(notes, place, action), place + 1 if place == n else 0)
+        ),
+        "3 stands where self.num_doors should": (
+            lambda notes, place, seen, action, n: (_noted(notes, place, action), place + 1 if seen == 3 else 0)
         ),
     }
 )
@@ -268,22 +287,28 @@ def _right(notes: Any, place: int, seen: int, action: int, n: int) -> Notes:
     return _noted(notes, place, action), place + 1 if seen == n else 0
 
 
+def _walk(n: int, rng: np.random.Generator) -> Iterator[tuple[Any, int, int, int, int]]:
+    """Yield the arguments of `update`, and the number of doors, on the right way through five corridors."""
+    doors = [*rng.integers(n, size=6).tolist()]
+    notes, place = np.full(8, n), 0
+    for length in range(1, 6):
+        for p in range(length):
+            case = notes, place, doors[p] if p == length - 1 else n, doors[p], n
+            yield case
+            notes, place = _right(*case)
+
+
 def exercise_3(answer: Any, seed: int) -> str:
     """Check the class of a corridor with a notebook."""
-    _is_class("Notebook", answer)
+    require_class("Notebook", answer)
     rng = np.random.default_rng(seed)
     cases, outcomes = [], []
     for n in (3, 4, 6):
         with running("Notebook(...)"):
             made = answer(MemoryCorridor.create(n), num_doors=n)
-        doors = [*rng.integers(n, size=6).tolist()]
-        notes, place = np.full(8, n), 0
-        for length in range(1, 6):
-            for p in range(length):
-                seen = doors[p] if p == length - 1 else n
-                cases.append((notes, place, seen, doors[p], n))
-                outcomes.append(_updated(made, *cases[-1]))
-                notes, place = _right(*cases[-1])
+        walk = [*_walk(n, rng)]
+        cases += walk
+        outcomes += [_updated(made, *case) for case in walk]
     for case, (mine, place) in zip(cases, outcomes, strict=True):
         notes, expected = _right(*case)
         if place == expected and np.array_equal(mine, notes):
@@ -320,7 +345,7 @@ def _updated(made: Any, notes: Any, place: int, seen: int, action: int, n: int) 
             f"{call} should return the next place alone, but returns a {type(found).__name__}; the notes are changed in"
             " place, so they need not be returned"
         )
-    return mine, int(number(f"update(notes, {place}, {seen}, {action})", found))
+    return mine, _whole(f"update(notes, {place}, {seen}, {action})", found)
 
 
 def _agree(case: Any, outcome: Notes, rule: Callable[..., Notes]) -> bool:

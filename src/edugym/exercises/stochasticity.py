@@ -1,6 +1,5 @@
 """The exercises of lesson 8: where a risk stops being worth it, players worth choosing, an agent with two weights."""
 
-import inspect
 from collections.abc import Callable, Mapping
 from functools import partial
 from types import MappingProxyType
@@ -8,8 +7,9 @@ from typing import Any
 
 import numpy as np
 
+from edugym.grading.agents import agent_with_table, require_class, require_function
 from edugym.grading.challenge import Challenge
-from edugym.grading.one_step import Q_LEARNING, one_step_update
+from edugym.grading.one_step import Q_LEARNING, numbers_of, one_step_update
 from edugym.grading.student_code import running
 from edugym.grading.updates import Tables, Transition, Update, table_of
 from edugym.grading.values import compare, digits, given, number
@@ -35,7 +35,8 @@ def exercise_1(answer: Any, seed: int) -> str:
 
     found = number("level", answer)
     near = abs(found - expected) < 0.001
-    side = "too low, as the drive is worth more there" if found < expected else "too high"
+    why = ", as the drive is worth more there" if found > 0 else ""
+    side = f"too low{why}" if found < expected else "too high"
     compare(
         "level",
         answer,
@@ -52,7 +53,7 @@ def exercise_1(answer: Any, seed: int) -> str:
         },
         tolerance=0.00015,
         says=says,
-        otherwise=f"it is {side}" + ("; you are close, give four digits after the decimal point" if near else ""),
+        otherwise=f"it is {side}" + ("; you are close, look in steps of 0.0001" if near else ""),
     )
     return (
         "Right: near 0.0232. By hand: 1.8 p = 0.2, so p = 0.111, which is 1.59 standard deviations on each side: "
@@ -118,10 +119,10 @@ FRONTIER_MISTAKES: Mapping[str, Callable[[Mapping[str, Pair]], set[str]]] = {
             if not (any(m > mean for m, _ in players.values()) and any(s < spread for _, s in players.values()))
         }
     ),
-    "these are the players with the largest mean less spread, which is one taste of many": (
+    "these are the players for whom mean minus spread is largest; that is only one taste": (
         lambda players: {n for n, (m, s) in players.items() if m - s == max(a - b for a, b in players.values())}
     ),
-    "these are the players with the largest mean for their spread, which is one taste of many": (
+    "these are the players for whom mean divided by spread is largest; that is only one taste": (
         lambda players: {n for n, (m, s) in players.items() if m / s == max(a / b for a, b in players.values())}
     ),
     "of players with the same two numbers only one is left; they do not beat each other": (
@@ -153,9 +154,7 @@ def made_up_players(seed: int) -> list[dict[str, Pair]]:
 
 def exercise_2(answer: Any, seed: int) -> str:
     """Check the function that finds the players that no other one beats."""
-    given("frontier", answer)
-    if not callable(answer) or isinstance(answer, type):
-        raise WrongAnswer(f"frontier should be a function of the players, but is of the type {type(answer).__name__}")
+    require_function("frontier", answer, "the players")
     cases = made_up_players(seed)
     found = [_names(answer, players) for players in cases]
     for players, names in zip(cases, found, strict=True):
@@ -284,19 +283,13 @@ TWO_WEIGHTS = Update(
     rule=two_weights_update,
     tables=Q_LEARNING.tables,
     mistakes={**WEIGHT_MISTAKES, **Q_LEARNING.mistakes},
-    numbers={
-        "learning_rate": "everything fits a learning rate of {found:.4g}, not {right:.4g}: use self.learning_rate",
-        "discount": "everything fits a discount of {found:.4g}, not {right:.4g}: use self.discount",
-        "kappa": "everything fits a κ of {found:.4g}, not {right:.4g}: use self.kappa",
-    },
+    numbers=numbers_of("learning_rate", "discount", "kappa"),
 )
 
 
 def exercise_3(answer: Any, seed: int) -> str:
     """Check the class of an agent that weighs good and bad surprises."""
-    given("TwoWeights", answer)
-    if not isinstance(answer, type):
-        raise WrongAnswer(f"TwoWeights should be the class, but is of the type {type(answer).__name__}")
+    require_class("TwoWeights", answer)
     rng = np.random.default_rng(seed)
     for n_states, n_actions, sign in ((6, 3, 1), (5, 2, -1), (7, 4, 1)):
         settings = {
@@ -304,23 +297,10 @@ def exercise_3(answer: Any, seed: int) -> str:
             "discount": float(rng.choice([0.5, 0.625, 0.75])),
             "kappa": sign * float(rng.choice([0.3, 0.6, 0.8])),
         }
-        make = partial(_made, answer, (n_states, n_actions), settings)
+        make = partial(agent_with_table, "TwoWeights", answer, (n_states, n_actions), settings)
         table_of(make(), "Q", (n_states, n_actions))
         TWO_WEIGHTS.check(make, (n_states, n_actions), settings, seed)
     return "Right: two weights are enough to move the crossing. See it race:"
-
-
-def _made(answer: Callable[..., Any], shape: tuple[int, int], settings: Mapping[str, float]) -> Any:
-    """Make a student's agent with a table of this shape."""
-    fields = getattr(answer, "_fields", None) or [*inspect.signature(answer).parameters]
-    missing = [name for name in ("Q", *settings) if name not in fields]
-    if missing:
-        raise WrongAnswer(f"TwoWeights should keep its field `{missing[0]}`, from which `learn` reads the number")
-    with running("TwoWeights(Q, ...)"):
-        made = answer(Q=np.zeros(shape), **settings)
-    if not hasattr(made, "learn"):
-        raise WrongAnswer("TwoWeights should have a method `learn`")
-    return made
 
 
 CHALLENGE = Challenge(

@@ -63,8 +63,8 @@ class Score:
 
     Attributes:
         name: whose tasks it was tried on.
-        points: 0 to 100: the average return over training, of the best possible one. The mean over the tasks. Where
-            returns are costs, below 0, it is the best possible cost as a share of the agent's.
+        points: 0 to 100: the average return over training in percent of the best possible one, averaged over the tasks.
+            Where returns are negative, the best possible return in percent of the agent's.
         rows: by label, the mean return at the end and the average return over training.
         ahead: how much the average return of the agent is above that of the best baseline, paired by task.
         best_baseline: the label of that baseline.

@@ -1,6 +1,7 @@
 """One-step updates of action values, and the mistakes that are usually made in them: for every lesson that has one."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -107,6 +108,25 @@ def made_up_values(n_states: int, n_actions: int, rng: np.random.Generator) -> R
     Q: Reals = rng.choice(np.arange(-2.0, 2.25, 0.25), (n_states, n_actions))
     Q[rng.integers(n_states)] -= 3.0
     return Q
+
+
+NUMBERS: Mapping[str, str] = MappingProxyType(
+    {
+        "learning_rate": "a learning rate",
+        "discount": "a discount",
+        "bonus": "a first bonus",
+        "target_epsilon": "an ε_π",
+        "kappa": "a κ",
+    }
+)
+"""What the fields of students' agents are called in a sentence."""
+
+
+def numbers_of(*names: str) -> dict[str, str]:
+    """Return what to say of numbers that should be read from the fields of an agent, for `Update.numbers`."""
+    return {
+        name: f"everything fits {NUMBERS[name]} of {{found:.4g}}, not {{right:.4g}}: use self.{name}" for name in names
+    }
 
 
 Q_LEARNING = Update(

@@ -206,8 +206,11 @@ def _miscounted(cases: list[Case], right: Outcomes, found: Outcomes, difference:
     if before.dtype.kind != "i" or right[case][step][table][entry] != before[entry] + 1:
         return ""
     now = found[case][step][table][entry]
-    if now == 1:
+    counted = [right[k][0][table] != cases[k].tables[table] for k in range(len(cases))]
+    if all((found[k][0][table][grows] == 1).all() for k, grows in enumerate(counted)):
         return f"`{table}` is set to 1 there, and it should become one more: write `+= 1`"
+    if now == before[entry]:
+        return f"`{table}` does not change there, and every time it should be one more"
     return f"`{table}` changes by {now - before[entry]:+g} there, and every time it should be one more"
 
 

@@ -117,7 +117,11 @@ def _looks_like(found: float, wrong: float, expected: float) -> bool:
 
 
 def digits(value: float, other: float) -> str:
-    """Return a number with as many digits as tell it from another."""
+    """Return a number with as many digits as tell it from another; a whole one with all of its digits."""
+    if float(value).is_integer() and abs(value) < 1e15:
+        return f"{value + 0.0:.0f}"  # -0.0 is 0
+    if same(value, other):
+        return f"{value:.4g}"
     return next(
         (text for places in range(4, 17) if (text := f"{value:.{places}g}") != f"{other:.{places}g}"), repr(value)
     )

@@ -13,7 +13,9 @@ __all__ = ["Unsolved", "WrongAnswer", "check"]
 
 
 def check(exercise: Callable[..., str], answer: Any, *, seed: int = 0, quiet: bool = False) -> None:
-    """Check an answer, and print one line if it is right. In a folder of `edugym lab` the start page is told.
+    """Check an answer, and print one line if it is right.
+
+    In a folder that `edugym lab` made, it also updates the start page.
 
     Args:
         exercise: the exercise, a function of the answer and a `seed`, such as `exercise_2` of a lesson.
@@ -28,7 +30,8 @@ def check(exercise: Callable[..., str], answer: Any, *, seed: int = 0, quiet: bo
     whole_number("seed", seed, 0)
     with running("your code"):
         worth_knowing = exercise(answer, seed)
-    lesson, number = exercise.__module__.rpartition(".")[2], re.fullmatch(r"exercise_(\d+)", exercise.__name__)
+    lesson = exercise.__module__.removeprefix("edugym.exercises.").partition(".")[0]  # it may be a package
+    number = re.fullmatch(r"exercise_(\d+)", exercise.__name__)
     if number:
         record_passed(lesson, int(number[1]))
     if not quiet:

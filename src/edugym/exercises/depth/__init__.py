@@ -10,14 +10,15 @@ import numpy as np
 from gymnasium.spaces import Discrete, MultiDiscrete
 
 from edugym.exercises.depth.cutting import alike, cases, explained, outcomes
-from edugym.exercises.depth.episodes import N_ACTIONS, N_STATES, learn_from, made_by
+from edugym.exercises.depth.episodes import N_ACTIONS, N_STATES, learn_from
 from edugym.exercises.depth.quiet import check_depth
 from edugym.exercises.depth.ratio import RatioCase, compare_ratios, ratio
+from edugym.grading.agents import agent_created_by, agent_made_by, require_class, require_function, with_settings
 from edugym.grading.challenge import Challenge, Sizes
 from edugym.grading.choices import check_choices
 from edugym.grading.student_code import running
 from edugym.grading.updates import table_of
-from edugym.grading.values import given, number, same
+from edugym.grading.values import number, same
 from edugym.grading.wrong import WrongAnswer
 from edugym.lessons.depth import label, maker
 from edugym.registration import make_mdp
@@ -25,20 +26,17 @@ from edugym.registration import make_mdp
 
 def exercise_1(answer: Any, seed: int) -> str:
     """Check the function that makes a Monte Carlo agent without exploration."""
-    given("quiet", answer)
-    if isinstance(answer, type) or not callable(answer):
-        kind = answer.__name__ if isinstance(answer, type) else type(answer).__name__
-        raise WrongAnswer(f"quiet should be a function of the task that returns an agent, but is of the type {kind}")
+    require_function("quiet", answer, "the task that returns an agent")
     study = make_mdp("Study", layout_seed=seed)
     shape = int(np.prod(study.observation_space.nvec)), len(study.action_rewards)
-    made, other = made_by("quiet(study)", answer, study), made_by("quiet(study)", answer, study)
+    made, other = (agent_made_by("quiet(study)", answer, study) for _ in range(2))
     Q = table_of(made, "Q", shape)
     if np.shares_memory(Q, other.Q):
         raise WrongAnswer("two calls of quiet(study) share one table: make a new one in every call")
     if Q.any():
         raise WrongAnswer(f"every value in Q should be 0 at first, but one is {Q.ravel()[np.abs(Q).argmax()]:g}")
     small = make_mdp("Study", n_actions=2, layout_seed=seed)
-    table_of(made_by("quiet(study)", answer, small), "Q", (shape[0], 2))
+    table_of(agent_made_by("quiet(study)", answer, small), "Q", (shape[0], 2))
     epsilon = getattr(getattr(made, "exploration", None), "epsilon", 0.0)
     if epsilon != 0.0:
         raise WrongAnswer(f"the quiet agent never explores, so ε should be 0, but it is {epsilon:g}")
@@ -65,9 +63,7 @@ def exercise_1(answer: Any, seed: int) -> str:
 
 def exercise_2(answer: Any, seed: int) -> str:
     """Check the importance-sampling ratio of a greedy policy against an ε-greedy one."""
-    given("importance_ratio", answer)
-    if not callable(answer):
-        raise WrongAnswer(f"importance_ratio should be a function, but is of the type {type(answer).__name__}")
+    require_function("importance_ratio", answer, "greedy, epsilon and n_actions")
     rng = np.random.default_rng(seed)
     length = 4 + int(rng.integers(3))
     epsilon, n_actions = float(rng.choice([0.2, 0.4, 0.5])), int(rng.choice([4, 8]))
@@ -111,14 +107,12 @@ def _answered(answer: Any, greedy: list[bool], epsilon: float, n_actions: int) -
 
 def exercise_3(answer: Any, seed: int) -> str:
     """Check the class of an agent that looks as deep as its actions were greedy."""
-    given("MyAgent", answer)
-    if not isinstance(answer, type):
-        raise WrongAnswer(f"MyAgent should be the class, but is of the type {type(answer).__name__}")
+    require_class("MyAgent", answer)
     rng = np.random.default_rng(seed)
     settings = {"learning_rate": float(rng.choice([0.25, 0.75])), "discount": float(rng.choice([0.5, 0.625]))}
     all_cases, found = cases(seed), []
     for Q, episodes in all_cases:
-        agent = _with_settings(answer, settings)
+        agent = _small_agent(answer, settings)
         table_of(agent, "Q", Q.shape)[...] = Q
         for episode in episodes:
             learn_from(agent, episode)
@@ -128,18 +122,10 @@ def exercise_3(answer: Any, seed: int) -> str:
     return "Right: greedy actions hand the reward on, and exploring ones do not blur it. See it race:"
 
 
-def _with_settings(answer: Any, settings: Mapping[str, float]) -> Any:
+def _small_agent(answer: Any, settings: Mapping[str, float]) -> Any:
     """Make a student's agent for a small task, with other settings than its own."""
     small = Sizes(MultiDiscrete([2, N_STATES // 2]), Discrete(N_ACTIONS))
-    made = made_by("MyAgent.create(study)", answer.create, small)
-    missing = [name for name in settings if not hasattr(made, name)]
-    if missing:
-        raise WrongAnswer(f"MyAgent should keep its field `{missing[0]}`, from which `hand_back` reads the number")
-    if hasattr(made, "_replace"):
-        return made._replace(**settings)
-    for name, value in settings.items():
-        setattr(made, name, value)
-    return made
+    return with_settings("MyAgent", agent_created_by("MyAgent", answer, "study", small), settings, "hand_back")
 
 
 CHALLENGE = Challenge(

@@ -30,8 +30,13 @@ def hand_back(
     rewards: str = "plain",
     start: str = "zero",
     step: str = "difference",
+    index: str = "k",
+    left_over: float = 0.0,
 ) -> None:
-    """Learn from an episode as exercise 3 asks, in place; other arguments than the defaults are mistakes."""
+    """Learn from an episode as exercise 3 asks, in place; other arguments than the defaults are mistakes.
+
+    `left_over` is what stands behind the rewards of the episode in the agent's array: one of a longer episode before.
+    """
     last = len(episode.states) - 1
     ks = {
         "all": range(last, -1, -1),
@@ -44,6 +49,8 @@ def hand_back(
     G = 0.0 if start == "zero" else float(Q[N_STATES - 1].max()) + (1.0 if start == "one" else 0.0)
     for k in ks:
         s, a, r = episode.states[k], episode.actions[k], episode.rewards[k]
+        if index == "k + 1":
+            r = episode.rewards[k + 1] if k < last else left_over
         best_before, mine_before = float(Q[s].max()), float(Q[s, a])
         G = {
             "plain": r + discount * G,
@@ -110,6 +117,7 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = {
         "steps": "not the first"
     },
     "the last step of the episode learns nothing: start at length - 1": {"steps": "not the last"},
+    "`rewards[k]` is R_{k+1} already, the reward after step k": {"index": "k + 1"},
     "the discount is missing: G becomes R + γ G": {"rewards": "undiscounted"},
     "the reward is discounted too; γ belongs to G only": {"rewards": "all discounted"},
     "γ belongs to G, not to the reward": {"rewards": "discounted reward"},
@@ -150,9 +158,10 @@ def cases(seed: int) -> list[Case]:
 def outcomes(all_cases: Sequence[Case], settings: Settings) -> Iterator[Reals]:
     """Yield the values after each episode of each case."""
     for Q, episodes in all_cases:
-        now = Q.copy()
+        now, stored = Q.copy(), [0.0] * N_STATES
         for episode in episodes:
-            hand_back(now, episode, **settings)
+            stored[: len(episode.rewards)] = episode.rewards
+            hand_back(now, episode, **settings, left_over=stored[len(episode.rewards)])
             yield now.copy()
 
 

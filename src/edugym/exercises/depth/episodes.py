@@ -1,14 +1,11 @@
 """Made-up episodes, and how a student's agent learns from them."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from edugym.grading.student_code import running
-from edugym.grading.values import given
-from edugym.grading.wrong import WrongAnswer
-from edugym.training.contract import learns_from
+from edugym.grading.agents import learn_step
 
 N_STATES, N_ACTIONS = 6, 3
 """The size of the tables on which agents are tried."""
@@ -44,10 +41,6 @@ def learn_from(agent: Any, episode: Episode, end: int = N_STATES - 1) -> None:
         episode: the episode.
         end: the terminal state.
     """
-    try:
-        names = learns_from(agent)
-    except ValueError as error:
-        raise WrongAnswer(str(error)) from None
     last = len(episode.states) - 1
     for k, (state, action, reward) in enumerate(zip(*episode, strict=True)):
         step = {
@@ -59,27 +52,9 @@ def learn_from(agent: Any, episode: Episode, end: int = N_STATES - 1) -> None:
             "terminated": k == last,
             "truncated": False,
         }
-        with running("learn(" + ", ".join(f"{name}={step[name]}" for name in names) + ")"):
-            agent.learn(**{name: step[name] for name in names})
+        learn_step(agent, step)
 
 
 def numbers(values: Iterable[float]) -> str:
     """Return numbers in brackets, each as short as it is."""
     return "[" + ", ".join(f"{value:.4g}" for value in values) + "]"
-
-
-def made_by(call: str, make: Callable[[Any], Any], study: Any) -> Any:
-    """Make a student's agent, and refuse what is none."""
-    with running(call):
-        made = make(study)
-    given(call, made)
-    if isinstance(made, type):
-        raise WrongAnswer(
-            f"{call} should give an agent, but gives the class {made.__name__}: write {made.__name__}.create"
-        )
-    missing = [name for name in ("act", "learn") if not hasattr(made, name)]
-    if missing:
-        raise WrongAnswer(
-            f"{call} should give an agent, but what it gives, of the type {type(made).__name__}, has no `{missing[0]}`"
-        )
-    return made

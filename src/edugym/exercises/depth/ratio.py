@@ -19,6 +19,7 @@ def ratio(
     likely: str = "1 - ε + ε/N",
     otherwise: str = "0",
     how: str = "product",
+    empty: float = 1.0,
 ) -> float:
     """Return the ratio; other arguments than the defaults are mistakes."""
     best = {
@@ -39,6 +40,8 @@ def ratio(
     actions = list(greedy[skipped:] if how != "without last" else greedy[skipped:-1])
     if otherwise == "stop" and False in actions:
         actions = actions[: actions.index(False)]
+    if not actions and empty != 1.0:
+        return empty
     factors = [of_best if is_greedy else of_others for is_greedy in actions]
     if how == "inverse":
         return best ** len(factors) if all(actions) else 0.0
@@ -60,6 +63,7 @@ def ratio(
 MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "the first entry of `greedy` is A_t, which is not in the product: start at greedy[1]": {"skipped": 0},
     "two actions are left out at the start; only A_t is, so start at greedy[1]": {"skipped": 2},
+    "with one action no factor is left, and an empty product is 1": {"empty": 0.0},
     "the last action is left out; the product goes to the end of the list": {"how": "without last"},
     "a random action may be the best one too, so b takes it with probability 1 − ε + ε/N, not 1 − ε": {
         "likely": "1 - ε"

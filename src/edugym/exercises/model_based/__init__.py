@@ -7,23 +7,22 @@ import gymnasium
 
 from edugym.exercises.model_based.imagining import exercise_2 as exercise_2
 from edugym.exercises.model_based.sweeping import exercise_3 as exercise_3
+from edugym.grading.agents import require_function
 from edugym.grading.challenge import Challenge
 from edugym.grading.results import check_results
 from edugym.grading.student_code import running
-from edugym.grading.values import compare, given
+from edugym.grading.values import compare
 from edugym.grading.wrong import WrongAnswer
 from edugym.lessons.model_based import DYNA_10, LEARNED, OPTIMUM, Q_LEARNING, R_MAX, SWEEPING
 
 LAKE_STEPS = 3_000
 ENOUGH = 0.15
-"""The share of goals that tells averaging from luck: rates of 1 with sampled updates get 0.07 at most."""
+"""A share of goals that averaging reaches and luck does not: rates of 1 with sampled updates get 0.07 at most."""
 
 
 def exercise_1(answer: Any, seed: int) -> str:
     """Check the error from which bumping into a wall for ever looks better than anything else."""
-    given("smallest_error", answer)
-    if not callable(answer):
-        raise WrongAnswer(f"smallest_error should be a function, but is of the type {type(answer).__name__}")
+    require_function("smallest_error", answer, "v and gamma")
     for v, gamma in ((40.0, 0.75), (8.0 + seed % 4, 0.5), (33.0, 0.875)):
         with running(f"smallest_error({v:g}, {gamma})"):
             found = answer(v, gamma)
@@ -82,8 +81,8 @@ def exercise_4(answer: Any, seed: int) -> str:
         )
         raise WrongAnswer(f"{best!r} should get {ENOUGH:g} or more: {hint}. {measured}")
     return (
-        f"Right. {measured} Chance breaks a rate of 1 with sampled updates: each keeps the last outcome only. Expected"
-        " updates, or a lower rate, average over all of them."
+        f"Right. {measured} A learning rate of 1 with sampled updates fails on slippery ice: each value keeps only the"
+        " last outcome. Expected updates, or a lower rate, average over all of them."
     )
 
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from edugym.exercises.model_based.students import SHAPE, Memory, first_that_fits, made, memories, with_settings
+from edugym.exercises.model_based.students import SHAPE, Memory, agent_with, first_that_fits, memories
 from edugym.grading.student_code import running
 from edugym.grading.updates import table_of
 from edugym.grading.values import digits, number, same
@@ -22,6 +22,7 @@ def imagined(
     since: str = "now − last",
     ends: str = "heeded",
     untried: str = "stays",
+    asks: str = "pair",
     backup: str = "max",
     target: str = "all",
 ) -> float:
@@ -30,40 +31,42 @@ def imagined(
     last = case.last[s, a]
     tried = last > 0
     tau = {"now − last": case.now - last, "last": last, "now": case.now, "one more": case.now - last + 1}[since]
-    bonus = {"√τ": np.sqrt(tau), "τ": tau, "none": 0.0, "tried": np.sqrt(tau) if tried else 0.0}.get(root, 0.0)
-    if root == "untried":
-        bonus = 0.0 if tried else np.sqrt(tau)
-    if root == "minus":
-        bonus = -np.sqrt(tau)
-    if root == "κ inside":
-        bonus = np.sqrt(kappa * tau) / kappa
-    reward, next_state, ended = case.rewards[s, a], case.next_states[s, a], case.ends[s, a] == 1
-    if not tried:
-        if untried == "zero":
-            return 0.0
-        if untried == "bonus only":
-            return float(kappa * bonus)
-        if untried == "stays":
-            reward, next_state, ended = 0.0, s, False
-    if ends == "ignored":
-        ended = False
+    bonus = {
+        "√τ": kappa * np.sqrt(tau),
+        "τ": kappa * tau,
+        "κ inside": np.sqrt(kappa * tau),
+        "minus": -kappa * np.sqrt(tau),
+        "none": 0.0,
+        "tried": kappa * np.sqrt(tau) if tried else 0.0,
+        "untried": 0.0 if tried else kappa * np.sqrt(tau),
+    }[root]
+    stored = case.rewards[s, a], case.next_states[s, a], case.ends[s, a] == 1
+    known = {
+        "pair": tried,
+        "state": case.last[s].any(),
+        "reward": stored[0] != 0.0,
+        "next state": stored[1] != 0,
+        "nothing": True,
+    }[asks]
+    if not known and untried != "stays":
+        return {"zero": 0.0, "bonus only": float(bonus)}[untried]
+    reward, next_state, ended = stored if known else (0.0, s, False)
     row = case.Q[next_state]
     value = {"max": row.max(), "mean": row.mean(), "own": case.Q[s].max(), "same": row[a], "none": 0.0}[backup]
-    future = 0.0 if ended else discount * value
-    if target == "undiscounted" and not ended:
-        future = value
-    if target == "bonus discounted":
-        return float(reward + future + discount * kappa * bonus)
-    if target == "no reward":
-        reward = 0.0
-    if target == "difference":
-        return float(reward + kappa * bonus + future - case.Q[s, a])
-    if target == "no bonus at the end" and ended:
-        bonus = 0.0
-    return float(reward + kappa * bonus + future)
+    future = 0.0 if ended and ends == "heeded" else value
+    return float(
+        {
+            "all": reward + bonus + discount * future,
+            "no reward": bonus + discount * future,
+            "undiscounted": reward + bonus + future,
+            "bonus discounted": reward + discount * (bonus + future),
+            "no bonus at the end": reward + (0.0 if ended else bonus) + discount * future,
+            "difference": reward + bonus + discount * future - case.Q[s, a],
+        }[target]
+    )
 
 
-IMAGINED_MISTAKES: Mapping[str, Mapping[str, str]] = MappingProxyType(
+IMAGINED_MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
     {
         "the bonus is missing": {"root": "none"},
         "the root is missing: the bonus is κ√τ": {"root": "τ"},
@@ -81,7 +84,13 @@ IMAGINED_MISTAKES: Mapping[str, Mapping[str, str]] = MappingProxyType(
             "untried": "zero"
         },
         "an action that was never tried has nothing in the tables yet, so do not read `next_states` there: it leads"
-        " back to its own state": {"untried": "as stored"},
+        " back to its own state": {"asks": "nothing"},
+        "`max(self.last[s])` asks whether any action of the state was tried; ask whether this *pair* was tried:"
+        " `self.last[s, a] == 0`": {"asks": "state"},
+        "a reward may be 0, so it does not say that nothing was tried; ask whether this *pair* was tried:"
+        " `self.last[s, a] == 0`": {"asks": "reward"},
+        "the next state may be 0, so it does not say that nothing was tried; ask whether this *pair* was tried:"
+        " `self.last[s, a] == 0`": {"asks": "next state"},
         "the mean over the actions stands where the maximum should": {"backup": "mean"},
         "the maximum is taken over Q(s, a) of the state itself instead of the next state": {"backup": "own"},
         "the value of the *same* action stands where the maximum over all actions should": {"backup": "same"},
@@ -93,26 +102,27 @@ IMAGINED_MISTAKES: Mapping[str, Mapping[str, str]] = MappingProxyType(
         "at the end of an episode the bonus is lost: only the value of the next state is 0 there": {
             "target": "no bonus at the end"
         },
+        "everything fits a discount of 0.99: use self.discount": {"discount": 0.99},
+        "everything fits a κ of 0.03: use self.kappa": {"kappa": 0.03},
     }
 )
+SETTINGS: Mapping[str, Any] = MappingProxyType({"discount": 0.75, "kappa": 2.0})
 
 
 def exercise_2(answer: Any, seed: int) -> str:
     """Check the imagined target of Dyna-Q+."""
-    agent = made("DynaPlus", answer)
-    agent = with_settings("DynaPlus", agent, {"discount": 0.75, "kappa": 2.0})
+    agent = agent_with("DynaPlus", answer, SETTINGS, "imagine")
     if not hasattr(agent, "imagine"):
         raise WrongAnswer("DynaPlus should have the method `imagine`")
     cases = [*memories(seed)]
-    right = [imagined(case, discount=0.75, kappa=2.0) for case in cases]
+    right = [imagined(case, **SETTINGS) for case in cases]
     found = [_imagined_by(agent, case) for case in cases]
     wrong = [k for k in range(len(cases)) if not same(found[k], right[k])]
     if wrong:
         why = first_that_fits(
             IMAGINED_MISTAKES,
             lambda change: all(
-                same(imagined(case, discount=0.75, kappa=2.0, **change), mine)
-                for case, mine in zip(cases, found, strict=True)
+                same(imagined(case, **{**SETTINGS, **change}), mine) for case, mine in zip(cases, found, strict=True)
             ),
         )
         case, mine, expected = cases[wrong[0]], found[wrong[0]], right[wrong[0]]

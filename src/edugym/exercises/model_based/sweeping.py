@@ -3,23 +3,34 @@
 from collections.abc import Mapping
 from functools import partial
 from types import MappingProxyType
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from edugym.exercises.model_based.students import SHAPE, Memory, first_that_fits, made, with_settings
+from edugym.exercises.model_based.students import SHAPE, agent_with, first_that_fits
+from edugym.grading.agents import learn_step
 from edugym.grading.student_code import running
 from edugym.grading.updates import table_of
 from edugym.grading.values import digits, number, same
 from edugym.grading.wrong import WrongAnswer
 
 SETTLED = 400
-"""So many sweeps over them change nothing any more."""
+"""After so many sweeps nothing changes any more."""
+SETTINGS: Mapping[str, Any] = MappingProxyType({"discount": 0.5})
+
+
+class Model(NamedTuple):
+    """What the agent knows, and its values: its tables by their names."""
+
+    Q: Any
+    known: Any
+    rewards: Any
+    next_states: Any
+    ends: Any
 
 
 def swept(
-    case: Memory,
-    known: Any,
+    model: Model,
     *,
     discount: float,
     ends: str = "heeded",
@@ -28,7 +39,7 @@ def swept(
     target: str = "all",
 ) -> Any:
     """Return the values that sweeps of R-max settle at; other arguments than the defaults are mistakes."""
-    Q = case.Q.copy()
+    Q, known = model.Q.copy(), model.known
     for _ in range(SETTLED):
         for s, a in np.ndindex(*SHAPE):
             if (not known[s, a] and unknown == "left") or (unknown == "only" and known[s, a]):
@@ -36,11 +47,11 @@ def swept(
             if not known[s, a] and unknown == "zero":
                 Q[s, a] = 0.0
                 continue
-            row = Q[case.next_states[s, a]]
+            row = Q[model.next_states[s, a]]
             value = {"max": row.max(), "mean": row.mean(), "own": Q[s].max(), "same": row[a], "none": 0.0}[backup]
-            if case.ends[s, a] == 1 and ends == "heeded":
+            if model.ends[s, a] == 1 and ends == "heeded":
                 value = 0.0
-            reward = case.rewards[s, a]
+            reward = model.rewards[s, a]
             Q[s, a] = {
                 "all": reward + discount * value,
                 "all discounted": discount * (reward + value),
@@ -51,7 +62,7 @@ def swept(
     return Q
 
 
-SWEEP_MISTAKES: Mapping[str, Mapping[str, str]] = MappingProxyType(
+SWEEP_MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
     {
         "pairs that are not known change as well; leave them at U, which is what makes the agent curious": {
             "unknown": "all"
@@ -69,6 +80,7 @@ SWEEP_MISTAKES: Mapping[str, Mapping[str, str]] = MappingProxyType(
         "the reward is missing": {"target": "no reward"},
         "the value of the next state is subtracted": {"target": "minus"},
         "the old value is still in the sum: Q(s, a) *becomes* the target, `=` and not `+=`": {"target": "added"},
+        "everything fits a discount of 0.99: use self.discount": {"discount": 0.99},
     }
 )
 
@@ -86,73 +98,87 @@ def exercise_3(answer: Any, seed: int) -> str:
 def _check_sweep(answer: Any, seed: int) -> None:
     rng = np.random.default_rng(seed)
     for _ in range(3):
-        agent = with_settings("MyRMax", made("MyRMax", answer), {"discount": 0.5})
-        known = rng.permutation(np.repeat([0, 1], [6, 9])).reshape(-1, SHAPE[1])
-        known = np.vstack([np.ones((1, SHAPE[1]), np.int64), known])
-        next_states = np.where(known, rng.integers(1, SHAPE[0], SHAPE), 0)
-        rewards = np.where(known, rng.choice([-2.0, -1.0, 3.0, 6.0], SHAPE), 0.0)
-        ends = np.where(known, rng.random(SHAPE) < 0.25, 0).astype(np.int64)
-        Q = np.full(SHAPE, 100.0)
-        Q[known == 1] = rng.choice([-4.0, 2.0, 50.0], 12)
-        Q[0, 0] = 400.0  # it falls by more than any other value rises
-        case = Memory(Q, rewards, next_states, ends, known, 0, 0, 0)
-        tables = {"Q": Q, "known": known, "rewards": rewards, "next_states": next_states, "ends": ends}
-        for name, values in tables.items():
+        agent, model = agent_with("MyRMax", answer, SETTINGS, "sweep"), _some_model(rng)
+        for name, values in model._asdict().items():
             table_of(agent, name, SHAPE, values.dtype.kind)[...] = values
         with running("sweep()"):
             first = agent.sweep()
             if first is None:
                 raise WrongAnswer("sweep() gives None: it should return the largest change of a value")
-            changes = agent.Q - Q
+            changes = agent.Q - model.Q
             for _ in range(SETTLED - 1):
                 last = agent.sweep()
-        right = swept(case, known, discount=0.5)
-        wrong = np.argwhere(~np.isclose(agent.Q, right, atol=1e-6))
-        if len(wrong):
-            found = agent.Q.copy()
-            changed = ~np.isclose(found, Q)
-            if not changed.any():
-                why = "sweep() changes no value: set Q[s, a] to the target"
-            elif not changed[1:].any():
-                one = " and action 0" if not changed[0, 1:].any() else ""
-                why = (
-                    f"only state 0{one} is swept. `return` ends the loops: write it below both, as far to the left as"
-                    " the first `for`"
-                )
-            else:
-                why = first_that_fits(SWEEP_MISTAKES, partial(_sweeps_to, found, case))
-            s, a = wrong[0]
-            what = "known" if known[s, a] else "not known"
-            raise WrongAnswer(
-                f"after many sweeps with γ = 0.5, Q[{s}, {a}], a pair that is {what}, should be"
-                f" {digits(right[s, a], agent.Q[s, a])}, but is {digits(agent.Q[s, a], right[s, a])}: {why}"
-            )
-        for name, values in tables.items():
+        _check_values(agent.Q.copy(), model)
+        for name, values in model._asdict().items():
             if name != "Q" and not np.array_equal(getattr(agent, name), values):
                 raise WrongAnswer(f"sweep() changes the table `{name}`: planning changes Q only")
         if not same(number("sweep()", last), 0.0):
             raise WrongAnswer(
                 f"once nothing changes any more, sweep() should return 0, the largest change, but returns {last:.4g}"
             )
-        largest = np.abs(changes).max()
-        if not same(number("sweep()", first), largest):
-            sizes = np.abs(changes)
-            hint = "compare the new value with the old one before you store it, and keep the largest change"
-            if same(first, max(changes.max(), 0.0)):
-                hint = "values fall as well as rise, and a fall counts too: `abs(new - old)`"
-            elif same(first, sizes.sum()):
-                hint = "that is the sum of all changes"
-            elif same(first, sizes[known == 1][-1]) or same(first, sizes[-1].max()):
-                hint = "that is a change of the last state: keep the largest of all, and set it to 0.0 above both loops"
-            raise WrongAnswer(
-                f"the largest change of the first sweep(), without its sign, is {digits(largest, first)}, but it"
-                f" returns {digits(first, largest)}: {hint}"
-            )
+        _check_largest(number("sweep()", first), changes, model.known)
 
 
-def _sweeps_to(found: Any, case: Memory, change: Mapping[str, str]) -> bool:
+def _some_model(rng: np.random.Generator) -> Model:
+    """Make a model up: all actions of state 0 are known, and of the other pairs 9."""
+    known = rng.permutation(np.repeat([0, 1], [6, 9])).reshape(-1, SHAPE[1])
+    known = np.vstack([np.ones((1, SHAPE[1]), np.int64), known])
+    next_states = np.where(known, rng.integers(1, SHAPE[0], SHAPE), 0)
+    rewards = np.where(known, rng.choice([-2.0, -1.0, 3.0, 6.0], SHAPE), 0.0)
+    ends = np.where(known, rng.random(SHAPE) < 0.25, 0).astype(np.int64)
+    Q = np.full(SHAPE, 100.0)
+    Q[known == 1] = rng.choice([-4.0, 2.0, 50.0], 12)
+    Q[0, 0] = 400.0  # it falls by more than any other value rises
+    return Model(Q, known, rewards, next_states, ends)
+
+
+def _check_values(found: Any, model: Model) -> None:
+    """Check the values after many sweeps."""
+    right = swept(model, **SETTINGS)
+    wrong = np.argwhere(~np.isclose(found, right, atol=1e-6))
+    if not len(wrong):
+        return
+    changed = ~np.isclose(found, model.Q)
+    if not changed.any():
+        why = "sweep() changes no value: set Q[s, a] to the target"
+    elif not changed[1:].any():
+        one = " and action 0" if not changed[0, 1:].any() else ""
+        why = (
+            f"only state 0{one} is swept. `return` ends the loops: write it below both, as far to the left as the first"
+            " `for`"
+        )
+    else:
+        why = first_that_fits(SWEEP_MISTAKES, partial(_sweeps_to, found, model))
+    s, a = wrong[0]
+    what = "known" if model.known[s, a] else "not known"
+    raise WrongAnswer(
+        f"after many sweeps with γ = 0.5, Q[{s}, {a}], a pair that is {what}, should be"
+        f" {digits(right[s, a], found[s, a])}, but is {digits(found[s, a], right[s, a])}: {why}"
+    )
+
+
+def _sweeps_to(found: Any, model: Model, change: Mapping[str, Any]) -> bool:
     """Whether a mistake gives the values that were found."""
-    return np.allclose(swept(case, case.last, discount=0.5, **change), found, atol=1e-6, rtol=1e-6)
+    return np.allclose(swept(model, **{**SETTINGS, **change}), found, atol=1e-6, rtol=1e-6)
+
+
+def _check_largest(found: float, changes: Any, known: Any) -> None:
+    """Check what the first sweep returns."""
+    sizes = np.abs(changes)
+    largest = sizes.max()
+    if same(found, largest):
+        return
+    hint = "compare the new value with the old one before you store it, and keep the largest change"
+    if same(found, max(changes.max(), 0.0)):
+        hint = "values fall as well as rise, and a fall counts too: `abs(new - old)`"
+    elif same(found, sizes.sum()):
+        hint = "that is the sum of all changes"
+    elif same(found, sizes[known == 1][-1]) or same(found, sizes[-1].max()):
+        hint = "that is a change of the last state: keep the largest of all, and set it to 0.0 above both loops"
+    raise WrongAnswer(
+        f"the largest change of the first sweep(), without its sign, is {digits(largest, found)}, but it returns"
+        f" {digits(found, largest)}: {hint}"
+    )
 
 
 NOT_PLANNED = "a new pair is known now, so `learn` should call self.plan(), which sweeps until nothing changes"
@@ -160,7 +186,7 @@ NOT_PLANNED = "a new pair is known now, so `learn` should call self.plan(), whic
 
 def _check_learn(answer: Any, seed: int) -> None:
     rng = np.random.default_rng(seed + 100)
-    agent = with_settings("MyRMax", made("MyRMax", answer), {"discount": 0.5})
+    agent = agent_with("MyRMax", answer, SETTINGS, "sweep")
     names = ("known", "rewards", "next_states", "ends")
     seen: dict[str, Any] = {
         "known": np.zeros(SHAPE, np.int64),
@@ -178,9 +204,8 @@ def _check_learn(answer: Any, seed: int) -> None:
         again = k == len(steps)  # a known pair, and something else seems to follow: nothing changes
         ended = k == 3
         reward = float(rng.choice([-1.0, 4.0, 7.0])) if not again else 9.0
-        call = f"learn({state}, {action}, {reward:g}, {next_state}, {ended})"
-        with running(call):
-            agent.learn(state, action, reward, next_state, ended)
+        step = {"state": state, "action": action, "reward": reward, "next_state": next_state, "next_action": 0}
+        call = learn_step(agent, {**step, "terminated": ended, "truncated": False})
         if not again:
             for name, value in zip(names, (1, reward, next_state, int(ended)), strict=True):
                 seen[name][state, action] = value
@@ -207,9 +232,7 @@ def _check_learn(answer: Any, seed: int) -> None:
 
 def _planned(seen: Mapping[str, Any]) -> Any:
     """Return the values of a plan with what was seen, from U everywhere."""
-    stored = {name: seen[name] for name in ("rewards", "next_states", "ends")}
-    case = Memory(Q=np.full(SHAPE, 100.0), **stored, last=seen["known"], now=0, state=0, action=0)
-    return swept(case, seen["known"], discount=0.5)
+    return swept(Model(Q=np.full(SHAPE, 100.0), **seen), **SETTINGS)
 
 
 def _compare_memory(

@@ -6,15 +6,15 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from edugym.grading.agents import agent_created_by
 from edugym.grading.choices import action_of, check_choices
 from edugym.grading.student_code import running
-from edugym.grading.values import given
 from edugym.grading.wrong import WrongAnswer
 from edugym.mdp.protocol import Integers, Reals
 
 FOUR_NEEDS = 4
 DRAWS, CLOSE = 300, 0.12
-"""How often each case is drawn to find a mistake, and how far a share may then be from its probability."""
+"""Draws for each case when a mistake is looked for, and the largest error of a share."""
 
 
 class Heard(NamedTuple):
@@ -134,8 +134,11 @@ def _chooser(made: Any, case: Heard) -> Callable[[np.random.Generator], Any]:
     """Return a function that lets a student's player choose in a case."""
 
     def choose(rng: np.random.Generator) -> Any:
-        made.last[0] = case.last
-        return made.act(case.array, rng)
+        made.last[0], observation = case.last, case.array
+        action = made.act(observation, rng)
+        if not np.array_equal(observation, case.array):
+            raise WrongAnswer(f"{case.call} changes the observation that it is given: only read it, or copy it first")
+        return action
 
     return choose
 
@@ -153,28 +156,21 @@ def check_case(made: Any, case: Heard, suspected: set[str]) -> None:
     """Check what is chosen in a case."""
     right = probabilities(case)
     mistakes = {sentence: probabilities(case, **LISTENER_MISTAKES[sentence]) for sentence in suspected}
-    observation = case.array
     check_choices(
         case.call,
         _chooser(made, case),
         right.tolist(),
         {sentence: found.tolist() for sentence, found in mistakes.items() if not np.allclose(found, right)},
-        tables={"observation": observation},
+        tables={},
         where=case.told,
     )
 
 
 def made_by(answer: Any) -> Any:
     """Make a student's player."""
-    if not hasattr(answer, "create"):
-        raise WrongAnswer("Listener should keep its method `create`")
-    with running("Listener.create(toy)"):
-        made = answer.create(None)
-    given("Listener.create(toy)", made)
+    made = agent_created_by("Listener", answer, "toy", None)
     if getattr(getattr(made, "last", None), "shape", None) != (1,):
         raise WrongAnswer("Listener should keep its field `last`, an array with one entry")
-    if not hasattr(made, "act"):
-        raise WrongAnswer("Listener should have a method `act`")
     return made
 
 

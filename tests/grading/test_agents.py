@@ -1,0 +1,92 @@
+"""What an answer must be before it is tried: each thing that it is not has its sentence."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+
+from edugym import QLearning
+from edugym.grading import Unsolved, WrongAnswer
+from edugym.grading.agents import (
+    agent_created_by,
+    agent_made_by,
+    agent_with_table,
+    learn_step,
+    require_class,
+    require_function,
+    with_settings,
+)
+
+STEP = {"state": 1, "action": 0, "reward": 2.0, "next_state": 3, "next_action": 1, "terminated": True}
+
+
+class Player(NamedTuple):
+    """A student's agent."""
+
+    Q: Any
+    rate: float = 0.5
+
+    def act(self, state: int, rng: Any) -> int:
+        """Do nothing."""
+        return 0
+
+    def learn(self, reward: float, state: int) -> None:
+        """Take the reward for the value."""
+        self.Q[state] = reward
+
+
+def test_a_class_and_a_function() -> None:
+    """Each is no other, and a placeholder is not solved yet."""
+    require_class("Mine", Player)
+    require_function("f", len, "a list")
+    with pytest.raises(WrongAnswer, match="Mine should be the class, but is of the type Player"):
+        require_class("Mine", Player(None))
+    with pytest.raises(WrongAnswer, match="f should be a function of a list, but is the class Player"):
+        require_function("f", Player, "a list")
+    with pytest.raises(WrongAnswer, match="f should be a function of a list, but is a float"):
+        require_function("f", 2.0, "a list")
+    with pytest.raises(Unsolved):
+        require_class("Mine", ...)
+    with pytest.raises(Unsolved):
+        require_function("f", None, "a list")
+
+
+def test_what_makes_no_agent() -> None:
+    """None, the class, something without `learn`, a class without `create`."""
+    assert isinstance(agent_created_by("QLearning", QLearning, "wall", (3, 2)), QLearning)
+    for make, says in (
+        (lambda task: None, "is a `return` missing"),
+        (lambda task: Player, r"gives the class Player: write Player\.create"),
+        (lambda task: object(), "of the type object, has no `act`"),
+        (lambda task: 1 / 0, "raises ZeroDivisionError"),
+    ):
+        with pytest.raises(WrongAnswer, match=says):
+            agent_made_by("mine(task)", make, None)
+    with pytest.raises(WrongAnswer, match="Player should keep its method `create`, which makes a new agent for a wall"):
+        agent_created_by("Player", Player, "wall", None)
+
+
+def test_settings() -> None:
+    """They are given to a named tuple and to a plain object; a field that is gone is named."""
+
+    class Plain:
+        rate = 0.5
+
+    assert with_settings("Player", Player(None), {"rate": 0.25}, "learn").rate == 0.25
+    assert with_settings("Plain", Plain(), {"rate": 0.25}, "learn").rate == 0.25
+    with pytest.raises(WrongAnswer, match="Player should keep its field `speed`, from which `learn` reads the number"):
+        with_settings("Player", Player(None), {"speed": 1.0}, "learn")
+    made = agent_with_table("Player", Player, (3, 2), {"rate": 0.25})
+    assert made.Q.shape == (3, 2)
+    with pytest.raises(WrongAnswer, match="Player should keep its field `speed`"):
+        agent_with_table("Player", Player, (3, 2), {"speed": 1.0})
+
+
+def test_a_step_is_told_by_names() -> None:
+    """In whatever order `learn` has them; a name that there is not is refused."""
+    player = Player(np.zeros(4))
+    assert learn_step(player, STEP) == "learn(reward=2, state=1)"
+    assert player.Q.tolist() == [0.0, 2.0, 0.0, 0.0]
+    other = type("Other", (Player,), {"learn": lambda self, state, done: None})
+    with pytest.raises(WrongAnswer, match="is 'terminated' meant"):
+        learn_step(other(None), STEP)
