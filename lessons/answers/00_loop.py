@@ -3,6 +3,10 @@
 # An answer stands in the place of the exercise's cell. Methods without their class replace those of the solution.
 
 
+# %% setup
+from edugym.agents.tables import one_step_target
+
+
 # %% exercise 1, right: forwards with a growing power
 def discounted_return(rewards, discount):
     total, weight = 0.0, 1.0
@@ -340,7 +344,7 @@ def choose(values, epsilon, rng):
 
 
 # %% exercise 2, wrong: all best actions
-# says: should give the number of an action
+# says: return one of its entries, drawn with rng.choice
 def choose(values, epsilon, rng):
     if rng.random() < epsilon:
         return rng.integers(len(values))
@@ -375,6 +379,24 @@ def choose(values, epsilon, rng):
 # says: does not draw its random numbers from `rng`
 def choose(values, epsilon, rng):
     if np.random.random() < epsilon:
+        return np.random.randint(len(values))
+    return np.random.choice(np.flatnonzero(values == values.max()))
+
+
+# %% exercise 2, wrong: a generator of its own
+# says: it draws the same number every time: use the `rng`
+def choose(values, epsilon, rng):
+    rng = np.random.default_rng(0)
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    return rng.choice(np.flatnonzero(values == values.max()))
+
+
+# %% exercise 2, wrong: a new seed in each call
+# says: it draws the same number every time: use the `rng`
+def choose(values, epsilon, rng):
+    np.random.seed(1)
+    if np.random.rand() < epsilon:
         return np.random.randint(len(values))
     return np.random.choice(np.flatnonzero(values == values.max()))
 

@@ -37,7 +37,7 @@ def test_right_choices() -> None:
         (lambda rng: None, "a `return` missing"),
         (lambda rng: 1.0, "a whole number, but gives 1.0$"),
         (lambda rng: True, "a whole number, but gives True$"),
-        (lambda rng: np.array([1]), "gives an array, so take its first entry$"),
+        (lambda rng: np.array([1]), "gives an array: return one of its entries, drawn with rng.choice$"),
         (lambda rng: 3, "from 0 to 2, but gives 3$"),
         (lambda rng: -1, "from 0 to 2, but gives -1$"),
         (lambda rng: 1 // 0, "raises ZeroDivisionError"),

@@ -19,13 +19,11 @@ from edugym.lessons.loop import (
     best_way,
     discounted,
     items_on,
-    learn_with,
     learned_beside_exact,
     misled,
     model,
     myopic_return,
     nine_challenges,
-    one_learner,
     play_and_learn,
     play_at_random,
     race,
@@ -34,6 +32,7 @@ from edugym.lessons.loop import (
     rewards_along,
     rewards_and_returns,
     right_choices,
+    untried,
     warm_up,
     with_discount,
 )
@@ -94,6 +93,7 @@ def test_the_exact_table_makes_right_choices_only() -> None:
     """An empty one makes them by chance, since all are equal."""
     assert right_choices(best_table(DISCOUNT), DISCOUNT) == 1.0
     assert 0.25 < right_choices(np.zeros((800, 4)), DISCOUNT) < 0.45
+    assert (untried(best_table(DISCOUNT)), untried(np.zeros((800, 4)))) == (0.0, 1.0)
 
 
 def test_an_agent_knows_its_way_and_not_the_shop() -> None:
@@ -102,6 +102,16 @@ def test_an_agent_knows_its_way_and_not_the_shop() -> None:
     start = value_iteration(model(), DISCOUNT).start
     assert np.median([agent.Q[8].max() for agent in agents]) == pytest.approx(start, abs=0.1)
     assert 0.4 < np.mean([right_choices(agent.Q, DISCOUNT) for agent in agents]) < 0.55
+    assert 0.3 < np.mean([untried(agent.Q) for agent in agents]) < 0.65
+    unseen, seen = (np.mean([right_choices(agent.Q, DISCOUNT, tried) for agent in agents]) for tried in (False, True))
+    assert unseen < 0.4 < 0.5 < seen < 0.65
+
+
+def test_shares_of_the_parts_make_the_whole() -> None:
+    """Tried states and the others, weighted by their numbers."""
+    Q = agent_after(2_000).Q
+    share, parts = untried(Q), [right_choices(Q, DISCOUNT, tried) for tried in (False, True)]
+    assert share * parts[0] + (1 - share) * parts[1] == pytest.approx(right_choices(Q, DISCOUNT))
 
 
 def test_learning_rewards_is_worse_than_random_play() -> None:
@@ -110,14 +120,6 @@ def test_learning_rewards_is_worse_than_random_play() -> None:
     late = {player: results.curves(player).loc[15_000:].to_numpy().mean() for player in results.methods}
     assert late[MYOPIC] < late[RANDOM] - 50 < late[Q_LEARNING]
     assert late[RANDOM] == pytest.approx(random_return(), abs=60)
-
-
-def test_who_sees_everything_does_what_the_map_says() -> None:
-    """With γ = 0.85 one item is best, and a learner that mostly goes one way does not find that out."""
-    curious = learn_with(1.0, 0.5, 0.85, 100_000, repetitions=6, seed=1).final("Q-learning")
-    settled = learn_with(0.1, 0.5, 0.85, 100_000, repetitions=6, seed=1).final("Q-learning")
-    assert curious.tolist() == [59.0] * 6
-    assert settled.min() > 59.0
 
 
 def test_arrows() -> None:
@@ -132,7 +134,6 @@ def test_figures() -> None:
     warm_up()
     sheets = [with_discount(gamma, bag) for gamma in (0.0, 1.0) for bag in ("empty", "all three")]
     sheets += [rewards_and_returns(), learned_beside_exact(0), learned_beside_exact(500, "red"), nine_challenges()]
-    sheets += [one_learner(gamma=0.0, steps=5_000, repetitions=2)]
     for sheet in sheets:
         assert sheet.draw().axes
     assert [len(row) for row in nine_challenges().rows] == [3, 3, 3]

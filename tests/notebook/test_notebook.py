@@ -26,15 +26,15 @@ def test_playing_with_buttons() -> None:
     assert [button.description for button in panel.actions.values()] == ["putt", "chip", "drive"]
     picture, line, history = texts(panel.widget)
     assert picture.startswith("<svg ")
-    assert (line, history) == ("start, observation 3 0, return 0", "No episode finished yet.")
+    assert (line, history) == ("start, observation 3 0, total 0", "No episode finished yet.")
     panel.actions["drive"].click()
     assert texts(panel.widget)[0] != picture
-    assert texts(panel.widget)[1] == "step 1: drive, observation 3 10, reward 0, return 0"
+    assert texts(panel.widget)[1] == "step 1: drive, observation 3 10, reward 0, total 0"
     assert not any(button.disabled for button in panel.actions.values())
     panel.actions["chip"].click()
     assert texts(panel.widget)[1:] == [
-        "step 2: chip, observation 3 14, reward 0.9, return 0.9<br>Terminated: the task itself has ended.",
-        "Episodes finished: 1. Returns: 0.9. Mean: 0.9.",
+        "step 2: chip, observation 3 14, reward 0.9, total 0.9<br>Terminated: the task itself has ended.",
+        "Episodes finished: 1. Totals: 0.9. Mean: 0.9.",
     ]
     assert all(button.disabled for button in panel.actions.values())
     assert panel.new_episode.button_style == "primary"
@@ -89,7 +89,7 @@ def test_what_stands_where_no_kernel_runs() -> None:
     assert " at 0x" not in bundle["text/plain"]
     pixels = play("CliffWalking-v1").still()["text/html"]
     assert 'src="data:image/png;base64,' in pixels
-    assert pixels.endswith("start, observation 36, return 0")
+    assert pixels.endswith("start, observation 36, total 0")
     characters = play(Game("CliffWalking-v1", picture="ansi")).still()["text/html"]
     assert "<pre>" in characters
     assert "\x1b" not in characters
@@ -103,7 +103,7 @@ def test_a_film_of_an_agent() -> None:
     assert (film.slider.min, film.slider.max) == (0, 3)
     assert (film.player.min, film.player.max, film.player.interval) == (0, 3, 200)
     assert (film._link.source, film._link.target) == ((film.player, "value"), (film.slider, "value"))
-    assert texts(film.widget)[1] == "start, observation 3 0, return 0"
+    assert texts(film.widget)[1] == "start, observation 3 0, total 0"
     seen = {texts(film.widget)[0]}
     for step in (1, 2, 3):
         film.slider.value = step

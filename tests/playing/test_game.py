@@ -19,11 +19,11 @@ def test_the_score_of_a_game() -> None:
     """The line says what happened in each step and how an episode ended; only episodes that did so count."""
     game = Game(Walk())
     assert game.actions == {"left": 0, "right": 1}
-    assert (game.name, game.line()) == ("Walk", "start, observation 2, return 0")
+    assert (game.name, game.line()) == ("Walk", "start, observation 2, total 0")
     assert game.history() == "No episode finished yet."
     game.step("right")
     game.step(1)
-    assert game.line() == f"step 2: right, observation 4, reward 1.5, return 1.5\n{TERMINATED}"
+    assert game.line() == f"step 2: right, observation 4, reward 1.5, total 1.5\n{TERMINATED}"
     assert game.over
     with pytest.raises(ResetNeeded):
         game.step("left")
@@ -33,8 +33,8 @@ def test_the_score_of_a_game() -> None:
     for action in ("left", "right", "left", "right"):
         assert not game.over
         game.step(action)
-    assert game.line() == f"step 4: right, observation 2, reward 0, return 0\n{TRUNCATED}"
-    assert game.history() == "Episodes finished: 2. Returns: 1.5, 0. Mean: 0.75."
+    assert game.line() == f"step 4: right, observation 2, reward 0, total 0\n{TRUNCATED}"
+    assert game.history() == "Episodes finished: 2. Totals: 1.5, 0. Mean: 0.75."
     with pytest.raises(ValueError, match="action must be one of 'left', 'right', but is 'up'"):
         game.step("up")
 
@@ -61,7 +61,7 @@ def test_a_long_history_is_shortened() -> None:
     first, second = (f"{value:g}" for value in (game.returns[0], game.returns[6]))
     assert {first, second} == {"0", "1"}
     last_ten = ", ".join([first] * 4 + [second] * 6)
-    assert game.history() == f"Episodes finished: 12. Returns: ..., {last_ten}. Mean: 0.5."
+    assert game.history() == f"Episodes finished: 12. Totals: ..., {last_ten}. Mean: 0.5."
 
 
 def test_seeds_repeat_a_game() -> None:
@@ -154,19 +154,19 @@ def test_actions_that_nobody_can_name(space: spaces.Space[Any]) -> None:
 @pytest.mark.parametrize(
     ("observation", "line"),
     [
-        (True, "start, observation 1, return 0"),
-        (np.float32(0.25), "start, observation 0.25, return 0"),
-        (np.arange(4), "start, observation 0 1 2 3, return 0"),
-        (np.arange(5), "start, return 0\nobservation 0 1 2 3 4"),
-        (np.arange(8), "start, return 0\nobservation 0 1 2 3 4 5 6 7"),
-        (np.arange(9), "start, return 0"),
-        ((3, np.array([1.5, 2.0])), "start, observation 3 1.5 2, return 0"),
+        (True, "start, observation 1, total 0"),
+        (np.float32(0.25), "start, observation 0.25, total 0"),
+        (np.arange(4), "start, observation 0 1 2 3, total 0"),
+        (np.arange(5), "start, total 0\nobservation 0 1 2 3 4"),
+        (np.arange(8), "start, total 0\nobservation 0 1 2 3 4 5 6 7"),
+        (np.arange(9), "start, total 0"),
+        ((3, np.array([1.5, 2.0])), "start, observation 3 1.5 2, total 0"),
         (
             np.array([1 / 3, -1 / 300, 12345, np.inf, np.nan]),
-            "start, return 0\nobservation 0.333 -0.00333 12345 inf nan",
+            "start, total 0\nobservation 0.333 -0.00333 12345 inf nan",
         ),
-        ({"a": 1}, "start, return 0"),
-        ("hello", "start, return 0"),
+        ({"a": 1}, "start, total 0"),
+        ("hello", "start, total 0"),
     ],
 )
 def test_only_short_observations_are_written_out(observation: Any, line: str) -> None:
@@ -179,7 +179,7 @@ def test_actions_without_a_name_are_written_out() -> None:
     game = Game("Trashbot")
     game.step(np.array([-1, 1 / 3], np.float32))
     score, observation = game.line().splitlines()
-    assert score == "step 1: action -1 0.333, reward 0, return 0"
+    assert score == "step 1: action -1 0.333, reward 0, total 0"
     assert observation.startswith("observation -0.28")
 
 

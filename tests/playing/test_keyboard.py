@@ -50,7 +50,7 @@ def test_play_through_a_pipe() -> None:
     assert "'' is no key here:   [0] left   [1] right   [r] new episode   [q] quit" in lines
     assert "The episode is over:   [r] new episode   [q] quit" in lines
     assert lines.count(TERMINATED) == 2
-    assert lines[-1] == "Episodes finished: 1. Returns: 1.5. Mean: 1.5."
+    assert lines[-1] == "Episodes finished: 1. Totals: 1.5. Mean: 1.5."
     assert not any("\x1b" in line for line in lines)
 
 
@@ -75,7 +75,7 @@ def test_interrupts_end_the_game_with_its_score(monkeypatch: pytest.MonkeyPatch)
     monkeypatch.setattr(keyboard, "readline", interrupted)
     game = play(Walk(), keyboard=keyboard, screen=screen)
     assert game.returns == [1.5]
-    assert screen.getvalue().endswith("Episodes finished: 1. Returns: 1.5. Mean: 1.5.\n")
+    assert screen.getvalue().endswith("Episodes finished: 1. Totals: 1.5. Mean: 1.5.\n")
 
 
 def test_a_screen_with_few_characters() -> None:
@@ -357,9 +357,9 @@ def test_play_in_a_window(typist: tuple[list[Any], list[Scene]], windows: list[p
     assert game.returns == [1.5]
     choices = "[r] new episode   [q] quit"
     assert [texts(scene)[-1] for scene in shown] == [*[f"[0] left   [1] right   {choices}"] * 2, choices]
-    assert texts(shown[-1])[-3:-1] == ["step 2: right, observation 4, reward 1.5, return 1.5", TERMINATED]
+    assert texts(shown[-1])[-3:-1] == ["step 2: right, observation 4, reward 1.5, total 1.5", TERMINATED]
     assert len(windows) == 1
-    assert screen.getvalue() == "\nEpisodes finished: 1. Returns: 1.5. Mean: 1.5.\n"
+    assert screen.getvalue() == "\nEpisodes finished: 1. Totals: 1.5. Mean: 1.5.\n"
 
 
 @pytest.mark.parametrize("name", [entry.name for entry in ENVIRONMENTS])

@@ -67,6 +67,12 @@ def test_smoothed_training_returns_weigh_episodes() -> None:
     assert heights(curves.draw(new_axes()).lines[0])[1:] == [1.0, 1.0, 2.0]
 
 
+def test_the_soft_optimum_by_another_name() -> None:
+    """Where "ε-soft" is not explained yet."""
+    ax = Curves(made_results(), soft_optimum=18.0, soft_label="best that slips").draw(new_axes())
+    assert ax.lines[-1].get_label() == "best that slips"
+
+
 def test_optima_are_dashed_lines() -> None:
     """Both are in the legend, whose ground hides lines that would run through its text."""
     ax = Curves(made_results(), optimum=20.0, soft_optimum=18.0).draw(new_axes())

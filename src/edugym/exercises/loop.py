@@ -111,6 +111,7 @@ def _return_mistakes(rewards: Sequence[float], discount: float) -> dict[str, flo
 def exercise_2(answer: Any, seed: int) -> str:
     """Check ε-greedy with ties broken at random."""
     a_function("choose", answer)
+    _uses_the_generator(answer)
     rng = np.random.default_rng(seed)
     cases: list[tuple[list[float], float]] = [
         ([1.0, 3.0, 2.0, 0.0], 0.3),
@@ -136,6 +137,21 @@ def exercise_2(answer: Any, seed: int) -> str:
             where=f"with values = {numbers} and epsilon = {epsilon}",
         )
     return "Right: an action that ties is as good as the first one, so each of them gets its share."
+
+
+def _uses_the_generator(answer: Any) -> None:
+    """Refuse a function that makes a generator of its own, with the same seed in each call."""
+    names = getattr(getattr(answer, "__code__", None), "co_names", ())
+    if not {"default_rng", "RandomState", "seed"}.intersection(names):
+        return
+    rng, call = np.random.default_rng(0), "choose(values, epsilon, rng)"
+    with running(call):
+        drawn = {str(answer(np.zeros(8), 1.0, rng)) for _ in range(20)}
+    if len(drawn) == 1:
+        raise WrongAnswer(
+            f"{call} makes a new generator in each call, so it draws the same number every time: use the `rng` "
+            "that it is given"
+        )
 
 
 def _chosen(answer: Callable[..., Any], values: Any, epsilon: float, rng: np.random.Generator) -> Any:

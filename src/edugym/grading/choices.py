@@ -64,7 +64,9 @@ def action_of(call: str, value: Any, n_actions: int) -> int:
     given(call, value)
     if isinstance(value, bool | np.bool_) or not isinstance(value, int | np.integer):
         kind = "an array" if isinstance(value, np.ndarray) else f"{value!r}"
-        hint = ", so take its first entry" if isinstance(value, np.ndarray | list | tuple) else ""
+        hint = (
+            ": return one of its entries, drawn with rng.choice" if isinstance(value, np.ndarray | list | tuple) else ""
+        )
         raise WrongAnswer(f"{call} should give the number of an action, a whole number, but gives {kind}{hint}")
     if not 0 <= value < n_actions:
         raise WrongAnswer(f"{call} should give an action from 0 to {n_actions - 1}, but gives {value}")

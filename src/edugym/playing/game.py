@@ -121,19 +121,19 @@ class Game:
             self._last_episode = self.frames
 
     def line(self) -> str:
-        """Return the score: the last step, its reward, and the return so far; then a long observation, and the end."""
+        """Return the score: the last step, its reward, and the total so far; then a long observation, and the end."""
         seen, own_line = _in_words(self.observation)
-        parts = (self._happened, "" if own_line else seen, self._reward, f"return {self._return:.4g}")
+        parts = (self._happened, "" if own_line else seen, self._reward, f"total {self._return:.4g}")
         lines = (", ".join(filter(None, parts)), seen if own_line else "", self._end)
         return "\n".join(filter(None, lines))
 
     def history(self) -> str:
-        """Return a line about the finished episodes: their number, the last ten returns, and the mean of all."""
+        """Return a line about the finished episodes: their number, the last ten totals, and the mean of all."""
         if not self.returns:
             return "No episode finished yet."
         last = ", ".join(f"{value:.4g}" for value in self.returns[-10:])
         more = "..., " if len(self.returns) > 10 else ""
-        return f"Episodes finished: {len(self.returns)}. Returns: {more}{last}. Mean: {np.mean(self.returns):.3g}."
+        return f"Episodes finished: {len(self.returns)}. Totals: {more}{last}. Mean: {np.mean(self.returns):.3g}."
 
     def picture(self) -> Picture:
         """Return the present picture: the scene, or else the pixels or characters, or else the observation as text."""

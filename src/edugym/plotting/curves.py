@@ -43,6 +43,7 @@ class Curves(NamedTuple):
         share: whether every value is 1 or 0, so that the mean is a share; the band is then Wilson's interval.
         optimum: the best possible value, drawn as a dashed line; None draws none.
         soft_optimum: the best value of a policy that goes on exploring, drawn as a dotted line; None draws none.
+        soft_label: what the legend calls it.
         smooth: the number of points to average, the point itself and those before it; None averages none. Training
             returns are weighted by their numbers of episodes.
         y_label: the label of the y axis; None describes the column.
@@ -56,6 +57,7 @@ class Curves(NamedTuple):
     share: bool = False
     optimum: float | None = None
     soft_optimum: float | None = None
+    soft_label: str = "best ε-soft policy"
     smooth: int | None = None
     y_label: str | None = None
     y_range: tuple[float, float] | None = None
@@ -78,7 +80,7 @@ class Curves(NamedTuple):
         if self.optimum is not None:
             ax.axhline(self.optimum, label="optimum", **REFERENCE)
         if self.soft_optimum is not None:
-            ax.axhline(self.soft_optimum, label="best ε-soft policy", **SOFT_REFERENCE)
+            ax.axhline(self.soft_optimum, label=self.soft_label, **SOFT_REFERENCE)
         default = SHARE_LABEL if self.share and self.column == "return" else LABELS[self.column]
         dress(ax, "training steps", default if self.y_label is None else self.y_label, self.title)
         if not self.results.table.empty:

@@ -105,7 +105,7 @@ def test_scripted_controller_plays_films() -> None:
     """It is an actor like any agent, and takes observations as they are."""
     frames = play_episode("Trashbot", ScriptedController(SCALE))
     assert len(frames) == 12
-    assert frames[-1].line.splitlines()[0].endswith("reward 4, return 5")
+    assert frames[-1].line.splitlines()[0].endswith("reward 4, total 5")
 
 
 @given(st.floats(0.01, 0.3), st.floats(0.2501, 1.0))

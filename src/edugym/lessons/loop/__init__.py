@@ -25,6 +25,7 @@ from edugym.lessons.loop.exact import (
     returns_along,
     rewards_along,
     right_choices,
+    untried,
 )
 from edugym.lessons.loop.figures import (
     BAGS,
@@ -33,7 +34,6 @@ from edugym.lessons.loop.figures import (
     learned_beside_exact,
     learning_curves,
     nine_challenges,
-    one_learner,
     race,
     rewards_and_returns,
     with_discount,
@@ -51,7 +51,6 @@ from edugym.lessons.loop.methods import (
     REPETITIONS,
     RETURNS,
     RandomPlayer,
-    learn_with,
     learner,
     play_and_learn,
     play_at_random,
@@ -80,7 +79,6 @@ __all__ = [
     "best_way",
     "discounted",
     "items_on",
-    "learn_with",
     "learned_beside_exact",
     "learner",
     "learning_curves",
@@ -88,7 +86,6 @@ __all__ = [
     "model",
     "myopic_return",
     "nine_challenges",
-    "one_learner",
     "play_and_learn",
     "play_at_random",
     "race",
@@ -98,6 +95,7 @@ __all__ = [
     "rewards_along",
     "rewards_and_returns",
     "right_choices",
+    "untried",
     "warm_up",
     "with_discount",
 ]

@@ -92,14 +92,26 @@ def best_table(discount: float) -> Reals:
     return table
 
 
-def right_choices(Q: Any, discount: float) -> float:
-    """Return the share of the states, all but the terminal ones, in which the greedy action of a table is a best one.
+def right_choices(Q: Any, discount: float, tried: bool | None = None) -> float:
+    """Return the share of the states in which the greedy action of a table is a best one.
 
-    Of actions with equal values in the table each counts with its probability.
+    Of actions with equal values in the table each counts with its probability. Terminal states do not count.
+
+    Args:
+        Q: the table, shape (800, 4), by what the agent observes.
+        discount: γ.
+        tried: whether only states count in which an action was tried, or only the others; None counts all.
     """
     right = optimal(discount).Q
     is_best = right >= right.max(axis=1, keepdims=True) - 1e-9
     learned = np.asarray(Q)[list(model().states)]
     chosen = learned == learned.max(axis=1, keepdims=True)
     shares = (chosen * is_best).sum(axis=1) / chosen.sum(axis=1)
-    return float(shares[~model().terminal].mean())
+    counts = np.full(len(shares), True) if tried is None else learned.any(axis=1) == tried
+    return float(shares[counts & ~model().terminal].mean())
+
+
+def untried(Q: Any) -> float:
+    """Return the share of the states, all but the terminal ones, in which a table has its first guesses, all 0."""
+    touched = np.asarray(Q)[list(model().states)].any(axis=1)
+    return float(1.0 - np.mean(touched, where=~model().terminal))

@@ -12,12 +12,10 @@ from edugym.lessons.loop.methods import (
     DISCOUNT,
     EPSILON,
     ITEMS,
-    LEARNING_RATE,
     MYOPIC,
     OPTIMUM,
     Q_LEARNING,
     RANDOM,
-    learn_with,
     learner,
     play_and_learn,
 )
@@ -42,6 +40,18 @@ BAGS = {
 }
 """What can be in the bag, as the state has it."""
 RANGE = (-540.0, 120.0)
+HARDER = {
+    "Boulder": "the only reward is far away: how to explore?",
+    "Roadrunner": "a random step may be deadly",
+    "Study": "the exam comes long after the lecture",
+    "Catch": "the state is a picture: too many for a table",
+    "MemoryCorridor": "it sees only a part, and must remember",
+    "Tamagotchi": "what it is told is not always true",
+    "Trashbot": "an action is any value in a range",
+    "Golf": "the ball goes where it wants",
+    "Supermarket": "a step takes time: think before you act",
+}
+"""What is harder in each environment than in this lesson."""
 
 
 def figures(results: Results) -> list[Sheet]:
@@ -54,8 +64,24 @@ def learning_curves(results: Results) -> Sheet:
     own = [label for label in results.methods if label not in (Q_LEARNING, MYOPIC, RANDOM)]
     soft = value_iteration(model(), epsilon=EPSILON).start
     methods = [Q_LEARNING, MYOPIC, RANDOM, *own]
-    greedy = Curves(results, "without exploring", optimum=OPTIMUM, methods=methods, y_range=RANGE)
-    exploring = Curves(results, "while it learns", "training_return", methods=methods, soft_optimum=soft, y_range=RANGE)
+    greedy = Curves(
+        results,
+        "without exploring",
+        optimum=OPTIMUM,
+        methods=methods,
+        y_label="points per episode, without exploring",
+        y_range=RANGE,
+    )
+    exploring = Curves(
+        results,
+        "while it learns",
+        "training_return",
+        methods=methods,
+        soft_optimum=soft,
+        soft_label=f"best with {EPSILON:.0%} random actions".replace("%", " %"),
+        y_label="points per episode, while exploring",
+        y_range=RANGE,
+    )
     return Sheet("loop", [[greedy, exploring]])
 
 
@@ -84,7 +110,9 @@ def rewards_and_returns(discount: float = 0.95) -> Sheet:
     """Return the reward of each step on the best way, and the return from each step on."""
     rewards = rewards_along(best_way(discount))
     title = f"the best way for γ = {discount:g}"
-    return Sheet("rewards", [[RewardBars(rewards, title, returns=returns_along(rewards, discount))]])
+    return Sheet(
+        "rewards", [[RewardBars(rewards, title, y_label="reward, return", returns=returns_along(rewards, discount))]]
+    )
 
 
 def with_discount(gamma: float = 0.95, bag: str = "empty") -> Sheet:
@@ -134,20 +162,6 @@ def learned_beside_exact(steps: int = 20_000, bag: str = "empty") -> Sheet:
     )
 
 
-def one_learner(
-    epsilon: float = EPSILON,
-    alpha: float = LEARNING_RATE,
-    gamma: float = DISCOUNT,
-    steps: int = 10_000,
-    repetitions: int = 10,
-) -> Sheet:
-    """Return the learning curve of Q-learning with these settings, evaluated without exploring."""
-    results = learn_with(epsilon, alpha, gamma, steps, repetitions=repetitions)
-    points = ", ".join(f"{mean:g}" for mean in sorted({*results.final("Q-learning").tolist()}))
-    title = f"ε = {epsilon:g}, α = {alpha:g}, γ = {gamma:g}: ends with {points}"
-    return Sheet("one_learner", [[Curves(results, title, optimum=OPTIMUM, y_range=RANGE)]])
-
-
 def race(own: Mapping[str, Callable[..., Any]], *, n_steps: int = 20_000, repetitions: int = 30, **how: Any) -> Sheet:
     """Return the figure of the lesson with agents of the reader's own beside its three.
 
@@ -161,7 +175,7 @@ def race(own: Mapping[str, Callable[..., Any]], *, n_steps: int = 20_000, repeti
 
 
 def nine_challenges() -> Sheet:
-    """Return the pictures of the nine environments, each with its challenge and its lesson."""
+    """Return the pictures of the nine environments, each with its lesson and what is harder there."""
     entries = sorted((entry for entry in ENVIRONMENTS if entry.lesson), key=lambda entry: entry.lesson or 0)
-    panels = [Picture(entry.name, f"{entry.lesson}  {entry.name}: {entry.challenge}") for entry in entries]
+    panels = [Picture(entry.name, f"{entry.lesson}  {entry.name}\n{HARDER[entry.name]}") for entry in entries]
     return Sheet("challenges", [panels[first : first + 3] for first in range(0, len(panels), 3)])

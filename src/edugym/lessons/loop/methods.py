@@ -96,9 +96,3 @@ def play_and_learn(
         **(own or {}),
     }
     return repeat("Supermarket", methods, n_steps, evaluate_every=max(n_steps // POINTS, 1), **how)
-
-
-def learn_with(epsilon: float, learning_rate: float, discount: float, n_steps: int, **how: Any) -> Results:
-    """Train one learner with these settings, by the name of "Q-learning"."""
-    make = learner(epsilon, learning_rate, discount)
-    return repeat("Supermarket", {"Q-learning": make}, n_steps, evaluate_every=max(n_steps // POINTS, 1), **how)
