@@ -12,6 +12,7 @@ import inspect
 import keyword
 import linecache
 import re
+import symtable
 import sys
 import textwrap
 from collections.abc import Callable, Iterator
@@ -186,9 +187,20 @@ def _home(name: str, value: Any) -> tuple[str, str] | None:
 
 
 def _names(text: str) -> list[str]:
-    """Return the names that code uses and that Python itself does not have, in order."""
+    """Return the names that code takes from outside and that Python itself does not have, in order."""
+    outside = {*_from_outside(symtable.symtable(text, "<shared>", "exec"))}
     nodes = (node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Name))
-    return [name for name in dict.fromkeys(node.id for node in nodes) if not hasattr(builtins, name)]
+    return [name for name in dict.fromkeys(node.id for node in nodes) if name in outside and not hasattr(builtins, name)]
+
+
+def _from_outside(table: symtable.SymbolTable) -> Iterator[str]:
+    """Yield the names that are not local to a scope or to one around it."""
+    is_whole = table.get_type() == "module"
+    for symbol in table.get_symbols():
+        if (symbol.is_referenced() and not symbol.is_assigned()) if is_whole else symbol.is_global():
+            yield symbol.get_name()
+    for inside in table.get_children():
+        yield from _from_outside(inside)
 
 
 def _meaning(name: str, user: Any) -> Any:

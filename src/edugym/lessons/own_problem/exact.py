@@ -127,3 +127,10 @@ def in_words(values: Values, names: Mapping[int, str], most: int = 40) -> str:
 def solve(mdp: Any) -> Values:
     """Return the undiscounted optimum of any finite MDP, up to its step limit if it has one."""
     return value_iteration(finite_model(mdp), DISCOUNT, horizon=step_limit(mdp))
+
+
+def player(mdp: Any) -> Callable[[Any], int]:
+    """Return the best policy of an MDP whose agent sees the state, as a function of the observation, for a film."""
+    values = solve(mdp)
+    policy = values.greedy_policy()
+    return lambda seen: int(policy[values.model.row(tuple(np.ravel(seen).tolist()))].argmax())

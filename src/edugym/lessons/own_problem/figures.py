@@ -8,7 +8,7 @@ import numpy as np
 from edugym.exact.values import Values
 from edugym.lessons.own_problem.bedroom import SLEEP, clock
 from edugym.lessons.own_problem.exact import best_policy, solve, what_happens
-from edugym.lessons.own_problem.morning import Morning
+from edugym.lessons.own_problem.morning import Morning, WithBonus
 from edugym.mdp.protocol import Reals, named_actions
 from edugym.plotting.curves import Curves
 from edugym.plotting.panel import ALONE, Place
@@ -233,9 +233,17 @@ def race(results: Results, learned: Mapping[str, Reals], optimum: float, random:
     )
 
 
-def weights_sheet(ring: float = 4.0, late: float = 10.0) -> Sheet:
-    """Return the map of the best policy when a ring and oversleeping cost so much, and above it what happens."""
-    mdp = Morning(ring=ring, late=late)
-    night = what_happens(mdp, best_policy(mdp))
-    told = f"asleep {night.sleep:.0f} min, {night.rings:.2f} rings, oversleeps {night.late:.0%}"
-    return Sheet("weights", [[morning_map(mdp, told)]])
+def weights_sheet(ring: float = 4.0, late: float = 10.0, bonus: float = 0.0) -> Sheet:
+    """Return the map of the best policy for some weights, and above it what happens on average.
+
+    Args:
+        ring: what a ring costs.
+        late: what oversleeping costs.
+        bonus: what is paid each time she wakes.
+    """
+    mdp = Morning(ring=float(ring), late=float(late))
+    night = what_happens(mdp, best_policy(WithBonus(mdp, float(bonus))))
+    told = (
+        f"asleep {night.sleep:.0f} min, {night.rings:.1f} rings, {night.wakings:.1f} wakings, oversleeps {night.late:.0%}"
+    )
+    return Sheet("weights", [[morning_map(WithBonus(mdp, float(bonus)), told)]])
