@@ -272,7 +272,9 @@ learned = own_problem.learn(morning)
 worth = {method: own_problem.true_returns(learned, method, morning) for method in learned.methods}
 display(own_problem.race(learned, worth, best.start, own_problem.random_return(morning)))
 for method, returns in worth.items():
-    print(f"{method:14} mean {returns.mean():5.2f}; runs with the best policy: {np.mean(returns > best.start - 1e-6):.0%}")
+    print(
+        f"{method:14} mean {returns.mean():5.2f}; runs with the best policy: {np.mean(returns > best.start - 1e-6):.0%}"
+    )
 
 # %% [markdown]
 # All five learn a good clock within some hundred mornings. (On the left the points are means of played episodes, which
@@ -287,9 +289,6 @@ for method, returns in worth.items():
 # and release it: the problem is solved again, exactly. Find (1) a cost of oversleeping at which the clock is silent
 # for ever, (2) one at which she is late in less than 2 % of all mornings, (3) the bonus at which the clock begins to
 # play tricks.
-
-# %%
-own_problem.weights_sheet()
 
 # %%
 sliders(own_problem.weights_sheet, ring=(0.0, 12.0, 0.5), late=(0.0, 30.0, 0.5), bonus=(0.0, 15.0, 1.0))
@@ -371,7 +370,7 @@ progress.measured(progress.options[2 if wakings > 1.5 else 1 if earlier else 0])
 
 # %%
 tricky = own_problem.TASKS[own_problem.WAKINGS]
-frames(tricky, own_problem.player(tricky), seed=3)
+frames(tricky, own_problem.player(tricky), seed=12)
 
 # %% [markdown]
 # ### A bonus that changes no optimum

@@ -190,7 +190,9 @@ def _names(text: str) -> list[str]:
     """Return the names that code takes from outside and that Python itself does not have, in order."""
     outside = {*_from_outside(symtable.symtable(text, "<shared>", "exec"))}
     nodes = (node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Name))
-    return [name for name in dict.fromkeys(node.id for node in nodes) if name in outside and not hasattr(builtins, name)]
+    return [
+        name for name in dict.fromkeys(node.id for node in nodes) if name in outside and not hasattr(builtins, name)
+    ]
 
 
 def _from_outside(table: symtable.SymbolTable) -> Iterator[str]:

@@ -1,6 +1,6 @@
 """The exercises of lesson 10: a cost at which the best policy changes, shaping, a state that knows enough, one's own."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import Any
 
@@ -11,7 +11,7 @@ from edugym.exact.model import finite_model
 from edugym.exact.tables import FiniteModel
 from edugym.exact.values import Values
 from edugym.grading.student_code import running
-from edugym.grading.values import compare, digits, given, number
+from edugym.grading.values import compare, digits, given, number, same
 from edugym.grading.wrong import WrongAnswer
 from edugym.lessons.own_problem.exact import random_return, solve
 from edugym.lessons.own_problem.figures import names_of
@@ -75,11 +75,11 @@ SHAPING_MISTAKES: Mapping[str, Callable[..., float]] = {
     ),
     "φ(s) is not subtracted: that is a bonus which can be farmed": lambda r, a, b, end, g: r + g * b * (not end),
     "that is a bonus for the next state, without discount and without the bill φ(s)": lambda r, a, b, end, g: r + b,
-    "that is the reward alone, without shaping": lambda r, a, b, end, g: r,
     "that is the shaping reward alone; add the reward": lambda r, a, b, end, g: g * b * (not end) - a,
     "at the end the bill still has to be paid: − φ(s) counts also when `terminated`": lambda r, a, b, end, g: (
         r if end else r + g * b - a
     ),
+    "that is the reward alone, without shaping": lambda r, a, b, end, g: r,
     "only φ(s') is discounted, not φ(s)": lambda r, a, b, end, g: r + g * (b * (not end) - a),
     "γ belongs before φ(s'), not before φ(s)": lambda r, a, b, end, g: r + b * (not end) - g * a,
     "the reward itself is not discounted": lambda r, a, b, end, g: g * (r + b * (not end)) - a,
@@ -95,21 +95,31 @@ def exercise_2(answer: Any, seed: int) -> str:
     if not callable(answer) or isinstance(answer, type):
         raise WrongAnswer(f"shaped_reward should be a function, but is of the type {type(answer).__name__}")
     rng = np.random.default_rng(seed)
-    for terminated in (False, True, False):
-        potentials = {name: float(rng.integers(2, 9)) for name in ("bed", "door")}
-        potentials["door"] += 10.0
-        reward, discount = float(rng.integers(1, 6)) + 40.0, float(rng.choice([0.5, 0.75]))
-        call = (
-            f"shaped_reward({reward:g}, potential, 'bed', 'door', {terminated}, {discount:g}) with potential('bed') ="
-            f" {potentials['bed']:g} and potential('door') = {potentials['door']:g}"
-        )
-        with running(call):
-            found = answer(reward, potentials.__getitem__, "bed", "door", terminated, discount)
-        told = (reward, potentials["bed"], potentials["door"], terminated, discount)
-        right = reward + (0.0 if terminated else discount * told[2]) - told[1]
-        wrong = {sentence: rule(*told) for sentence, rule in SHAPING_MISTAKES.items()}
-        compare(call, found, right, {sentence: value for sentence, value in wrong.items() if value != right})
+    cases = [_shaping_case(answer, terminated, rng) for terminated in (False, True, False)]
+    all_of_it = [
+        why for why, rule in SHAPING_MISTAKES.items() if all(same(rule(*told), value) for _, told, value in cases)
+    ]
+    for call, told, value in cases:
+        reward, before, after, terminated, discount = told
+        right = reward + (0.0 if terminated else discount * after) - before
+        wrong = {why: SHAPING_MISTAKES[why](*told) for why in (all_of_it or SHAPING_MISTAKES)}
+        compare(call, value, right, {why: result for why, result in wrong.items() if result != right})
     return "Right: what is given on the way to a state is taken back when it is left. Here are both policies:"
+
+
+def _shaping_case(
+    answer: Callable[..., Any], terminated: bool, rng: Random
+) -> tuple[str, tuple[float, float, float, bool, float], float]:
+    """Call a student's function on made-up numbers; return the call, its numbers, and what came."""
+    before, after = float(rng.integers(2, 9)), 10.0 + float(rng.integers(2, 9))
+    reward, discount = 40.0 + float(rng.integers(1, 6)), float(rng.choice([0.5, 0.75]))
+    call = (
+        f"shaped_reward({reward:g}, potential, 'bed', 'door', {terminated}, {discount:g}) with potential('bed') ="
+        f" {before:g} and potential('door') = {after:g}"
+    )
+    with running(call):
+        found = answer(reward, {"bed": before, "door": after}.__getitem__, "bed", "door", terminated, discount)
+    return call, (reward, before, after, terminated, discount), number(call, found)
 
 
 class UsedToChimes(Morning):
@@ -124,7 +134,7 @@ class UsedToChimes(Morning):
     def transition(self, state: Any, action: int, rng: Random, mistake: str = "") -> Any:
         """A chime after the second is like silence; other values of `mistake` are what students may write."""
         time, depth, chimes = state
-        limit = {"three": 3, "one": 1}.get(mistake, 2)
+        limit = 1 if mistake == "one" else 2
         before = chimes
         counted = {"rings": action > 0, "all": True, "none": False}.get(mistake, action == 1)
         chimes = chimes + 1 if counted else chimes
@@ -148,10 +158,9 @@ class UsedToChimes(Morning):
 
 
 USED_MISTAKES = {
-    "a third chime still wakes her: she hears a chime as long as *fewer than* two came before it": "three",
     "the second chime does nothing any more: look at how many chimes came *before* this one": "first",
     "she does not hear the second chime; two of them work": "one",
-    "she always hears the chime; after two of them it should be like silence": "deaf",
+    "she hears every chime; after two of them a chime should be like silence (is it `chimes < 2`?)": "deaf",
     "rings are counted as well; count chimes only": "rings",
     "every action is counted; count a chime only": "all",
     "chimes are not counted: the third number has to grow with every chime": "none",
@@ -180,9 +189,7 @@ def exercise_3(answer: Any, seed: int) -> str:
         raise WrongAnswer(f"initial should return (0, 2, 0), fast asleep and no chime yet, but returns {first!r}")
     rng = np.random.default_rng(seed)
     states = [(int(rng.integers(1, 7)), depth, chimes) for depth in (2, 1, 0) for chimes in (0, 1, 2)]
-    for state in states:
-        for action in (0, 1, 2):
-            _compare_ways(mine, right, state, action)
+    _compare_ways(mine, right, [(state, action) for state in states for action in (0, 1, 2)])
     with running("observation_space"):
         n = [*getattr(mine.observation_space, "nvec", ())]
     if n != [9, 3, 3]:
@@ -197,21 +204,30 @@ def exercise_3(answer: Any, seed: int) -> str:
     return "Right: one number more, and the next state depends on the state and the action alone again. See it learn:"
 
 
-def _compare_ways(mine: Any, right: UsedToChimes, state: Any, action: int) -> None:
-    """Compare where a step can lead, and with which probabilities."""
-    call = f"transition({state}, {action}, rng)"
-    with running(call):
-        found = _ways(lambda rng: mine.transition(state, action, rng), call)
-    expected = _ways(lambda rng: right.transition(state, action, rng), call)
-    if _same(found, expected):
+def _compare_ways(mine: Any, right: UsedToChimes, steps: Sequence[tuple[Any, int]]) -> None:
+    """Compare where steps can lead, and with which probabilities; a mistake is best named if it explains all steps."""
+    found, expected = [], []
+    for state, action in steps:
+        call = f"transition({state}, {action}, rng)"
+        with running(call):
+            found.append(_ways(partial(mine.transition, state, action), call))
+        expected.append(_ways(partial(right.transition, state, action), call))
+    wrong = [k for k, ways in enumerate(found) if not _same(ways, expected[k])]
+    if not wrong:
         return
-    why = "that is none of the usual mistakes: write down by hand what can happen"
-    for sentence, mistake in USED_MISTAKES.items():
-        wrong = _ways(partial(right.transition, state, action, mistake=mistake), call)  # type: ignore[arg-type]
-        if _same(found, wrong):
-            why = sentence
-            break
-    raise WrongAnswer(f"{call} should lead to {_told(expected)}, but leads to {_told(found)}: {why}")
+
+    def explained(mistake: str, places: Sequence[int]) -> bool:
+        return all(_same(found[k], _ways(partial(right.transition, *steps[k], mistake=mistake), "")) for k in places)
+
+    whys = [
+        why for places in (range(len(steps)), wrong[:1]) for why, m in USED_MISTAKES.items() if explained(m, places)
+    ]
+    why = [*whys, "that is none of the usual mistakes: write down by hand what can happen"][0]
+    (state, action), first = steps[wrong[0]], wrong[0]
+    raise WrongAnswer(
+        f"transition({state}, {action}, rng) should lead to {_told(expected[first])}, but leads to"
+        f" {_told(found[first])}: {why}"
+    )
 
 
 def _ways(draw: Callable[[Any], Any], call: str) -> dict[Any, float]:

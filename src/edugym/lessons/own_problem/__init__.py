@@ -65,8 +65,8 @@ __all__ = [
     "count_matters",
     "first_stall",
     "learn",
-    "methods_with",
     "learning_lines",
+    "methods_with",
     "morning_map",
     "player",
     "policies",
@@ -175,9 +175,7 @@ def exact_claims() -> list[Claim]:
             exactly(what_happens(Morning(), best_policy(Morning(late=3.0))).late),
             Above(0.999),
         ),
-        Claim(
-            "On Roadrunner with R = -1 the optimum is -1", "optimum", exactly(stalling[0]), Within(-1.001, -0.999)
-        ),
+        Claim("On Roadrunner with R = -1 the optimum is -1", "optimum", exactly(stalling[0]), Within(-1.001, -0.999)),
         Claim(
             "and it stalls in the first step",
             "change of speed in the first step",

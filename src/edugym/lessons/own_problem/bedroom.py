@@ -32,7 +32,9 @@ def bedroom(time: int, depth: int, length: int = 8, last_action: int | None = No
         *_table(clock(time, length), last_action or 0),
     ]
     over = time == length
-    text = f"{clock(time, length)}, {SLEEP[depth]}" + (": overslept!" if over and depth else ": in time" if over else "")
+    text = f"{clock(time, length)}, {SLEEP[depth]}" + (
+        ": overslept!" if over and depth else ": in time" if over else ""
+    )
     shapes.append(Text(6.0, 0.6, text, size=0.62))
     return Scene(12.0, 8.0, shapes, blend(PAPER, BLUE, 0.28 * (1 - daylight)), f"Morning: {text}", columns=48)
 
@@ -70,9 +72,14 @@ def _bed(depth: int) -> list[Shape]:
         Rectangle(2.3, cover, 4.4, 5.75 - cover, 0.35, fill=(SKY, blend(SKY, BLUE, 0.4), blend(SKY, BLUE, 0.7))[depth]),
         Rectangle(6.7, 4.6, 0.3, 2.2, fill=WALL),
     ]
-    shapes += [
-        Text(3.0 + 0.75 * k, 4.0 - 0.75 * k, "z" if depth == 1 else "Z", size=0.6 + 0.25 * k) for k in range(depth + 1)
-    ] if depth else []
+    shapes += (
+        [
+            Text(3.0 + 0.75 * k, 4.0 - 0.75 * k, "z" if depth == 1 else "Z", size=0.6 + 0.25 * k)
+            for k in range(depth + 1)
+        ]
+        if depth
+        else []
+    )
     return shapes
 
 

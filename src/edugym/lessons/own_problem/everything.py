@@ -79,8 +79,10 @@ def warnings_about(tour: Tour) -> list[str]:
     policy = values.greedy_policy()[~values.model.terminal]
     if (policy > 0).all(axis=0).any():
         found.append("Look again: one action is best in every state, so there is nothing to decide.")
-    if any(mean_interval(learned).estimate < values.start - 0.3 * (values.start - tour.random)
-           for learned in tour.learned.values()):
+    if any(
+        mean_interval(learned).estimate < values.start - 0.3 * (values.start - tour.random)
+        for learned in tour.learned.values()
+    ):
         found.append("An agent is far from the optimum: is a variable missing in its observation, or time to learn?")
     return found
 

@@ -181,14 +181,14 @@ class Compared(NamedTuple):
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw a dot for each method on `ax`, by default in a new figure, and return the axes."""
         ax = own_axes(ax)
-        for i, (method, values) in enumerate(self.measured.items()):
+        for i, values in enumerate(self.measured.values()):
             interval = mean_interval(values)
             ax.plot(i, interval.estimate, "o", color=stroke(i).color, markersize=7)
             ax.plot([i, i], [interval.low, interval.high], color=stroke(i).color, linewidth=2)
         if self.optimum is not None:
             ax.axhline(self.optimum, label="optimum", **REFERENCE)
         ax.set_xlim(-0.6, len(self.measured) - 0.4)
-        dress(ax, "", "expected return of the learned policy", self.title)
+        dress(ax, "", "expected return", self.title)
         ax.set_xticks(range(len(self.measured)), self.measured, rotation=20)
         if place.alone:
             add_legend(ax)
@@ -243,7 +243,6 @@ def weights_sheet(ring: float = 4.0, late: float = 10.0, bonus: float = 0.0) -> 
     """
     mdp = Morning(ring=float(ring), late=float(late))
     night = what_happens(mdp, best_policy(WithBonus(mdp, float(bonus))))
-    told = (
-        f"asleep {night.sleep:.0f} min, {night.rings:.1f} rings, {night.wakings:.1f} wakings, oversleeps {night.late:.0%}"
-    )
+    happens = f"{night.rings:.1f} rings, {night.wakings:.1f} wakings, oversleeps {night.late:.0%}"
+    told = f"asleep {night.sleep:.0f} min, {happens}"
     return Sheet("weights", [[morning_map(WithBonus(mdp, float(bonus)), told)]])

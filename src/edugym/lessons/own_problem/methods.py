@@ -10,7 +10,6 @@ from edugym.agents.count_based import CountBased
 from edugym.agents.dyna_q import DynaQ
 from edugym.agents.n_step_sarsa import NStepSARSA
 from edugym.agents.q_learning import QLearning
-from edugym.agents.r_max import RMax
 from edugym.agents.sarsa import SARSA
 from edugym.agents.strategies import EpsilonGreedy
 from edugym.exact.model import finite_model
@@ -33,7 +32,11 @@ def methods_with(
     epsilon: float = EPSILON, learning_rate: float = LEARNING_RATE, discount: float = DISCOUNT
 ) -> dict[str, Maker]:
     """Return the methods: by label, functions that make the agent for an environment."""
-    settings = {"learning_rate": learning_rate, "discount": discount, "exploration": EpsilonGreedy(epsilon)}
+    settings: dict[str, Any] = {
+        "learning_rate": learning_rate,
+        "discount": discount,
+        "exploration": EpsilonGreedy(epsilon),
+    }
     return {
         "Q-learning": partial(QLearning.create, **settings),
         "SARSA": partial(SARSA.create, **settings),
@@ -82,8 +85,6 @@ def as_meant(
     method = {"Q-learning": methods_with()["Q-learning"]}
     how = {"evaluate_every": budgets[-1], "repetitions": repetitions, **how}
     return {
-        label: np.array(
-            [true_returns(repeat(task, method, budget, **how), "Q-learning", judge) for budget in budgets]
-        )
+        label: np.array([true_returns(repeat(task, method, budget, **how), "Q-learning", judge) for budget in budgets])
         for label, task in tasks.items()
     }

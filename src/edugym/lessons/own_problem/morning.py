@@ -1,4 +1,4 @@
-"""The worked example of lesson 10, an alarm clock that learns when to wake a sleeper, and the rewards one may give it."""
+"""The worked example of lesson 10: an alarm clock that learns when to wake a sleeper, and rewards for it."""
 
 from typing import Any, NamedTuple
 

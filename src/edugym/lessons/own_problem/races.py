@@ -7,9 +7,10 @@ import numpy as np
 from gymnasium import spaces
 
 from edugym.exact.model import finite_model
+from edugym.exact.policy_evaluation import policy_evaluation
 from edugym.exact.value_iteration import value_iteration
 from edugym.lessons.own_problem.bedroom import SLEEP, clock
-from edugym.lessons.own_problem.exact import DISCOUNT, random_return, solve
+from edugym.lessons.own_problem.exact import DISCOUNT, best_policy, random_return, solve
 from edugym.lessons.own_problem.figures import PolicyMap, names_of, race
 from edugym.lessons.own_problem.methods import learn, methods_with, true_returns
 from edugym.lessons.own_problem.morning import Morning
@@ -70,7 +71,10 @@ class HidesLast(NamedTuple):
 
 
 def count_matters(kind: Callable[[], Any], repetitions: int = 20, n_steps: int = 20_000) -> Sheet:
-    """Let Q-learning learn a problem whose state is (time, depth, chimes), with and without a look at the chimes."""
+    """Let Q-learning learn a problem whose state is (time, depth, chimes), with and without a look at the chimes.
+
+    The figure also has the clock that was best for a sleeper who hears all chimes.
+    """
     mdp = kind()
     method = methods_with()["Q-learning"]
     seen = learn(mdp, {"sees the chimes": method}, n_steps, repetitions=repetitions)
@@ -78,8 +82,16 @@ def count_matters(kind: Callable[[], Any], repetitions: int = 20, n_steps: int =
     learned = {
         "sees the chimes": true_returns(seen, "sees the chimes", mdp),
         "does not see them": true_returns(hidden, "does not see them", HidesLast(mdp)),
+        "the old clock": np.full(repetitions, old_clock(mdp)),
     }
     return race(joined(seen, hidden), learned, solve(mdp).start, random_return(mdp))
+
+
+def old_clock(mdp: Any) -> float:
+    """Return what the best policy of `Morning` is worth for a sleeper who hears only some chimes."""
+    policy, rows = best_policy(Morning()), finite_model(Morning()).rows
+    model = finite_model(mdp)
+    return policy_evaluation(model, np.array([policy[rows[state[:2]]] for state in model.states]), DISCOUNT).start
 
 
 def joined(*parts: Results) -> Results:
