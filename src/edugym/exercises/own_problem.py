@@ -1,4 +1,4 @@
-"""The exercises of lesson 10: a cost at which the best policy changes, shaping, a state that knows enough, one's own."""
+"""The exercises of lesson 10: where a policy flips, shaping, a state that knows enough, and a problem of one's own."""
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
@@ -134,8 +134,7 @@ class UsedToChimes(Morning):
     def transition(self, state: Any, action: int, rng: Random, mistake: str = "") -> Any:
         """A chime after the second is like silence; other values of `mistake` are what students may write."""
         time, depth, chimes = state
-        limit = 1 if mistake == "one" else 2
-        before = chimes
+            before = chimes
         counted = {"rings": action > 0, "all": True, "none": False}.get(mistake, action == 1)
         chimes = chimes + 1 if counted else chimes
         if mistake != "uncapped":
@@ -144,7 +143,7 @@ class UsedToChimes(Morning):
             chimes = 0
         if mistake == "heard only":
             chimes = min(before + 1, 2) if action == 1 and before < 2 and depth > 0 else before
-        heard = action == 1 and (chimes if mistake == "first" else before) < limit
+        heard = action == 1 and (chimes if mistake == "first" else before) < 2
         if mistake == "deaf":
             heard = action == 1
         luck = rng.random()
@@ -159,7 +158,6 @@ class UsedToChimes(Morning):
 
 USED_MISTAKES = {
     "the second chime does nothing any more: look at how many chimes came *before* this one": "first",
-    "she does not hear the second chime; two of them work": "one",
     "she hears every chime; after two of them a chime should be like silence (is it `chimes < 2`?)": "deaf",
     "rings are counted as well; count chimes only": "rings",
     "every action is counted; count a chime only": "all",

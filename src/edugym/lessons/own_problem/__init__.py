@@ -27,7 +27,7 @@ from edugym.lessons.own_problem.exact import (
     what_happens,
 )
 from edugym.lessons.own_problem.figures import Bands, morning_map, policies, race, weights_sheet
-from edugym.lessons.own_problem.methods import N_STEPS, REPETITIONS, as_meant, learn, methods_with, true_returns
+from edugym.lessons.own_problem.methods import REPETITIONS, as_meant, learn, methods_with, true_returns
 from edugym.lessons.own_problem.morning import (
     HearsSleep,
     Morning,
