@@ -134,7 +134,7 @@ class UsedToChimes(Morning):
     def transition(self, state: Any, action: int, rng: Random, mistake: str = "") -> Any:
         """A chime after the second is like silence; other values of `mistake` are what students may write."""
         time, depth, chimes = state
-            before = chimes
+        before = chimes
         counted = {"rings": action > 0, "all": True, "none": False}.get(mistake, action == 1)
         chimes = chimes + 1 if counted else chimes
         if mistake != "uncapped":
