@@ -8,7 +8,7 @@
 # before an agent does; read off the exact best policy what a reward teaches; shape a reward without changing its
 # optimum; and take a problem of your own through everything, up to a file that a friend can play.
 #
-# **Time.** 50 minutes, and 60 more for the exercises. **Before you start.** You should know the
+# **Time.** 50 minutes, and 60 to 90 more for the exercises, since the last one is yours. **Before you start.** You should know the
 # definition of a Markov decision process and value iteration (Sutton and Barto, 2nd edition, chapter 3 and section
 # 4.4), and Q-learning (6.5). The lessons before this one help, but none is needed. All symbols are in the
 # [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
@@ -18,8 +18,9 @@ from typing import NamedTuple
 
 import numpy as np
 from gymnasium.spaces import Discrete, MultiDiscrete
+from gymnasium.utils.env_checker import check_env
 
-from edugym import FiniteModel, MDPEnv, check_mdp, make_mdp, read_mdp, share
+from edugym import FiniteModel, MDPEnv, check_mdp, read_mdp, share
 from edugym.lessons import own_problem
 from edugym.notebook import frames, play, predict, sliders, source
 from edugym.plotting import Sheet
@@ -97,8 +98,8 @@ class Morning(NamedTuple):
 
 
 morning = Morning()
-states = check_mdp(morning)
-print(f"checked, with {len(states)} states on the way, such as {states[:4]}")
+visited = check_mdp(morning)
+print("checked; the first states on the way:", visited[:9])
 
 # %% [markdown]
 # `check_mdp` has played 200 random steps and looked at everything that the methods return. The picture is not part of
@@ -113,6 +114,16 @@ MDPEnv(morning).scene()
 
 # %%
 play(morning)
+
+# %% [markdown]
+# Your class is a Gymnasium environment as well, so that other people's tools can use it:
+
+# %%
+env = MDPEnv(morning)
+check_env(env, skip_render_check=True)  # Gymnasium's own check
+observation, info = env.reset(seed=1)
+print("first observation:", observation)
+print("after a chime:", env.step(1))
 
 # %% [markdown]
 # ### Six mistakes
@@ -203,7 +214,9 @@ not_found.measured(*accepted)
 # v_*(s) = \max_a \sum_{s'} p(s' \mid s, a) \left[ r(s, a, s') + \gamma\, v_*(s') \right]
 # $$
 #
-# Your wish is not in this equation. Only $p$ and $r$ are. A problem with 25 states can be solved exactly, by computing
+# It is tempting to think that *the reward says what I meant*. But your wish is not in this equation. Only $p$ and $r$
+# are, and the best policy is best for them. (The book's example, in section 3.2: a chess player who is paid for taking
+# pieces may take them and lose the game.) A problem with 25 states can be solved exactly, by computing
 # the right side again and again for all states at once (value iteration, section 4.4). The model
 # with all $p$ and $r$ is worked out from the methods that you have just read. This is the right side before the maximum:
 
@@ -272,15 +285,18 @@ learned = own_problem.learn(morning)
 worth = {method: own_problem.true_returns(learned, method, morning) for method in learned.methods}
 display(own_problem.race(learned, worth, best.start, own_problem.random_return(morning)))
 for method, returns in worth.items():
+    early = learned.curves(method).loc[1_000].mean()
+    found = np.mean(returns > best.start - 1e-6)
     print(
-        f"{method:14} mean {returns.mean():5.2f}; runs with the best policy: {np.mean(returns > best.start - 1e-6):.0%}"
+        f"{method:14} mean after 1 000 steps {early:5.2f}, at the end {returns.mean():5.2f}; best policy: {found:.0%}"
     )
 
 # %% [markdown]
-# All five learn a good clock within some hundred mornings. (On the left the points are means of played episodes, which
-# luck may lift above the optimum; on the right nothing is left to luck but the training.) Dyna comes closest: it replays
-# what it has seen. Most runs of the others end with a policy that is nearly as good as the best one: the values of two
-# actions differ by a few tenths there, and the noise of the targets is larger.
+# All five learn a good clock. Dyna, which replays what it has seen, is close to the optimum after 1 000 steps (125
+# mornings), and finds the best policy in most runs. The others need most of the 10 000 steps, and in most runs they end with
+# a policy that is almost as good as the best one. (On the left the points are means of played episodes, which
+# luck may lift above the optimum; on the right the policies are evaluated exactly. The novelty reward hardly matters
+# here: random steps get everywhere.)
 
 # %% [markdown]
 # ## Your turn
@@ -294,17 +310,17 @@ for method, returns in worth.items():
 sliders(own_problem.weights_sheet, ring=(0.0, 12.0, 0.5), late=(0.0, 30.0, 0.5), bonus=(0.0, 15.0, 1.0))
 
 # %% [markdown]
-# The map does not change smoothly. For long stretches of a slider nothing happens, and then a cell flips, and the
-# behaviour with it. So small changes of a reward can matter a lot or not at all, and you see which only when you solve
-# the problem or train on it.
+# The map does not change smoothly. There are finitely many policies, and the return of each is a straight line in
+# each weight. So for long stretches of a slider the same policy is best, and then a cell flips, and the behaviour with
+# it. A small change of a reward may matter a lot or not at all. You see which when you solve the problem.
 
 # %% [markdown]
 # ## See inside: what a careless reward teaches
 #
 # ### A runner who gives up
-# Roadrunner (lesson 2) must stop exactly at the edge of a cliff. Each step costs 1, the target earns 1, and a fall or a
-# stall gets the reward $R$; a *stall* is to brake when standing still, and it ends the episode. The shortest run has
-# four steps and returns $-1 - 1 - 1 + 1 = -2$.
+# The runner of lesson 2 must arrive exactly at the last cell before a cliff. Each step has the reward $-1$, the last one
+# $+1$ when it arrives, and $R$ when the runner falls or stalls. To *stall* is to brake when standing still, and it ends
+# the episode. The shortest run has four steps and returns $-1 - 1 - 1 + 1 = -2$.
 #
 # **Predict.** A careful designer finds $R = -100$ cruel, and sets $R = -1$. What does the best policy do?
 
@@ -322,7 +338,7 @@ mild.measured("stalls at once" if change < 0 else "runs as before")
 # <details><summary>What was measured</summary>
 #
 # **Measured.** It stalls in its first step, with return $-1$, since running returns $-2$. An agent that learns this has
-# not failed. It has found the optimum of a reward which says that giving up costs as much as a single step.
+# not failed. It has found the optimum of a reward which says that giving up costs no more than one step.
 # </details>
 
 # %% [markdown]
@@ -359,10 +375,11 @@ progress.measured(progress.options[2 if wakings > 1.5 else 1 if earlier else 0])
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Paid for being awake, the clock chimes from 7:10 on: she sleeps 19 minutes of 80. Paid for waking, it
-# chimes until she wakes, is quiet until she dozes off, and wakes her again, 2.4 times a morning: she is awake for
-# half of it. Both clocks are never late. By the reward that was meant they return 2.3 and 2.4, less than a quarter
-# of the optimum, 10.3. (The fourth map belongs to the next section.)
+# **Measured.** Paid for being awake, the clock chimes from 7:10 on, and she sleeps 19 minutes instead of 66. Paid for
+# waking, it chimes until she wakes, is quiet until she dozes off, and wakes her again: 2.4 times on average, and she
+# sleeps 37 minutes. With both rewards she hardly ever oversleeps. By the reward that was meant they return 2.3 and 2.4, less
+# than a quarter of the optimum, 10.3. (A cell with two letters has two best actions. The fourth map belongs to the part
+# after the next film.)
 # </details>
 
 # %% [markdown]
@@ -406,8 +423,9 @@ print(f"largest difference from v(s) − φ(s): {np.abs(difference).max():.0e}")
 # The bonus and the potential pay the same 10 when she wakes. The fourth map above belongs to the potential, and it is
 # the first one, cell by cell. The difference is the bill.
 #
-# **Predict.** Q-learning now learns from each of the four rewards, with the settings of the experiment, and we judge its greedy policy by
-# the reward that was meant. Does the potential help: which is ahead after 800 steps (100 mornings)?
+# **Predict.** Q-learning now learns from each of the four rewards, with the settings of the experiment (20 runs), and
+# we judge its greedy policy by the reward that was meant, exactly. Does the potential help: which is ahead after 800
+# steps (100 mornings)?
 
 # %%
 helps = predict("After 800 steps Q-learning is ahead ...", ["with the potential", "without any shaping", "neither"])
@@ -425,10 +443,11 @@ helps.measured("with the potential" if lead > 0.5 else "without any shaping" if 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** The potential is far *behind* at 800 steps. It has told the agent that being awake is good at any hour,
-# and the agent must first learn from the bills that this is not so. In the end it gets where it gets without shaping.
-# With the two careless rewards more training does not help: the agent learns well, but the wrong thing. A potential cannot spoil
-# the optimum. Whether it speeds up learning depends on whether it is a good guess of $v_*(s)$.
+# **Measured.** With the potential it is far *behind* at 800 steps. One reason may be what the potential tells the
+# agent first: it is paid at once for waking her, at any hour, and the bill comes later. In the end both are near the
+# optimum. With the two careless rewards more training does not bring the agent to what was meant. So a
+# potential cannot spoil the optimum, but it can slow learning down. Ng et al. recommend a guess of $v_*(s)$ as the
+# potential, and "awake is worth 10 at any hour" is a bad guess.
 # </details>
 
 # %% [markdown]
@@ -450,7 +469,7 @@ plans = {
     "the clock that sees the time": own_problem.best_blind(morning, lambda state: state[0]),
     "the clock that hears her sleep": own_problem.best_blind(morning, lambda state: state[1]),
 }
-print(f"sees the whole state: {best.start:.2f}; always quiet: 6.00")
+print(f"the clock that sees both: {best.start:.2f}")
 for clock, (value, actions) in plans.items():
     print(f"{clock}: {value:.2f}, by", ", ".join(morning.action_names[action] for action in actions))
 cheaper.measured(max(plans, key=lambda clock: plans[clock][0]))
@@ -460,9 +479,9 @@ cheaper.measured(max(plans, key=lambda clock: plans[clock][0]))
 #
 # **Measured.** The clock that sees the time loses only 0.34: quiet until 8:00 and then three chimes is nearly as good as
 # to listen. The one that hears her sleep does best if it never makes a sound (its three actions are those for awake,
-# dozing and fast asleep): whatever it does at 8:20, it would also do at 7:10. (These are the best *deterministic* rules,
+# dozing and fast asleep), and then she always oversleeps: whatever it does at 8:20, it would also do at 7:10. (These are the best *deterministic* rules,
 # found by trying them all. A rule that draws its action at random can be better where the state is hidden.)
-# So how much a variable is worth cannot be told by looking at it. Leave it out, and measure. Lesson 5 is about what an
+# It is hard to tell what a variable is worth by looking at it. Leave it out, and measure. Lesson 5 is about what an
 # agent can do when it cannot see its state.
 # </details>
 
@@ -604,6 +623,16 @@ check(exercise_3, UsedToIt, seed=1, quiet=True)
 display(own_problem.count_matters(UsedToIt))
 
 # %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** "The old clock" is the policy that was best for a sleeper who hears every chime. With the new one it is worth
+# only 5.7, where the optimum is 9.9, since it was planned with wrong dynamics. But Q-learning does about as well without a look at
+# `chimes` as with it: the intervals overlap. Its table is smaller then, and what it learns from is what really happens. So two
+# questions must be kept apart. What must the *state* have, so that the dynamics are right? All that makes a difference for
+# the future. What must the *agent see*? That is a matter of measuring.
+# </details>
+
+# %% [markdown]
 # ### Exercise 4: your own problem
 # Now yours. It should come from something that you know: a kitchen, a bus line, a game, a shop, a plant, a queue, your phone's battery. The
 # cell below has a problem that runs, so that you can see the form: keep or sell an old bicycle, for which a random offer of 1, 2
@@ -732,7 +761,7 @@ play("my_problem.py")
 # %% [markdown]
 # **Hand in** the file and a page with it. (1) The wish in one sentence, and the four answers. (2) The best policy in
 # words: is it what you meant? (3) Change your reward in a careless way that sounds reasonable. Solve the problem again, and say in
-# numbers what the new reward teaches. (4) Leave one variable out of `observation`, and measure what it was worth. (5) Which agent did
+# numbers what the new reward teaches. (4) Leave one variable out of `observation` (and `observation_space`), in a subclass like those of the six mistakes, and measure what it was worth. (5) Which agent did
 # best, and what is one reason for it? Grade a friend's problem too: find a policy that earns a lot and that your friend did not mean.
 
 # %% [markdown]
