@@ -295,8 +295,8 @@ for method, returns in worth.items():
 # All five learn a good clock. Dyna, which replays what it has seen, is close to the optimum after 1 000 steps (125
 # mornings), and finds the best policy in most runs. The others need most of the 10 000 steps, and in most runs they end with
 # a policy that is almost as good as the best one. (On the left the points are means of played episodes, which
-# luck may lift above the optimum; on the right the policies are evaluated exactly. The novelty reward hardly matters
-# here: random steps get everywhere.)
+# luck may lift above the optimum; on the right the policies are evaluated exactly. The novelty reward is no help
+# here, since random actions get everywhere.)
 
 # %% [markdown]
 # ## Your turn

@@ -13,7 +13,7 @@ from edugym.mdp.protocol import Reals, named_actions
 from edugym.plotting.curves import Curves
 from edugym.plotting.panel import ALONE, Place
 from edugym.plotting.sheet import Sheet
-from edugym.plotting.style import REFERENCE, SOFT_REFERENCE, add_legend, dress, own_axes, plot_line, stroke
+from edugym.plotting.style import REFERENCE, SOFT_REFERENCE, Stroke, add_legend, dress, own_axes, stroke
 from edugym.rendering.palette import INK, SHADE
 from edugym.results.statistics import by_point, mean_interval
 from edugym.results.tables import Results
@@ -25,6 +25,10 @@ ACTION_COLOURS = ("#dfe6ee", "#f2c078", "#e8505b", "#8fb8de", "#9fd3b6", "#cdb4d
 """Of the first, second, ... action on a map of a policy; after the last the first comes again."""
 MOST_CELLS = 40
 """How many places a map has on each side at most."""
+
+
+REWARD_STROKES = (stroke(0), stroke(5), Stroke("#8c564b", (0, (2, 1))), stroke(6))
+"""The looks of rewards from which Q-learning learns: its own for the one that was meant, and those of no method."""
 
 
 class PolicyMap(NamedTuple):
@@ -128,7 +132,7 @@ def policies(tasks: Mapping[str, Any]) -> Sheet:
 
 
 class Bands(NamedTuple):
-    """A line for each method with its 95 % interval, over an axis of budgets.
+    """A line for each reward with its 95 % interval, over an axis of budgets.
 
     Attributes:
         x: shape (n,): the budgets.
@@ -150,10 +154,10 @@ class Bands(NamedTuple):
         """Draw the lines on `ax`, by default in a new figure, and return the axes."""
         ax = own_axes(ax)
         x = np.asarray(self.x, float)
-        for i, (label, values) in enumerate(self.measured.items()):
+        for look, (label, values) in zip(REWARD_STROKES, self.measured.items(), strict=False):
             mean, low, high = by_point(values).T
-            plot_line(ax, i, x, mean, label)
-            ax.fill_between(x, low, high, color=stroke(i).color, alpha=0.16, linewidth=0)
+            ax.plot(x, mean, color=look.color, linestyle=look.linestyle, linewidth=1.6, label=label)
+            ax.fill_between(x, low, high, color=look.color, alpha=0.16, linewidth=0)
         if self.optimum is not None:
             ax.axhline(self.optimum, label="optimum", **REFERENCE)
         ax.set_xscale("log", base=2)
