@@ -26,7 +26,7 @@ from edugym.notebook import frames, play, predict, sliders, source
 from edugym.plotting import Sheet
 
 # %% [markdown]
-# ## Meet the environment: from a wish to twenty lines
+# ## Meet the environment: from a wish to thirty lines
 #
 # Here is a wish: *"Wake me as late as you can, but I must be up at half past eight. And please do not ring, the walls
 # are thin."* An alarm clock with a microphone should learn this. To state the problem, answer four questions.
@@ -35,14 +35,14 @@ from edugym.plotting import Sheet
 # |---|---|---|
 # | What can the agent **do**? | stay quiet, chime softly, ring loudly | the actions $\mathcal{A} = \{0, 1, 2\}$ |
 # | What must it **know** to decide, and to say what comes next? | the time, and how deep she sleeps | the states $s = (t, d)$ |
-# | What **happens**? | chimes and rings wake her, with some luck; in silence her sleep gets deeper | the dynamics $p(s' \mid s, a)$ |
+# | What **happens**? | a ring wakes her (probability 0.9), a chime makes her sleep one step lighter (0.7), and in silence it gets one step deeper (0.5) | the dynamics $p(s' \mid s, a)$ |
 # | What is it **worth**? | sleep is good, a ring is bad, oversleeping is worse | the reward $r(s, a, s')$ |
 #
 # The episode begins at 7:10. Each step takes ten minutes, and $t$ counts the steps: at $t = T = 8$ it is 8:30, and the
 # episode ends. The depth $d$ is 0 when she is awake, 1 when she is dozing, and 2 when she is fast asleep. Nobody tells
-# us what sleep is worth in rings. We must choose numbers: a step is worth the depth of sleep at its end,
-# $c_{\text{ring}} = 4$ for each ring and $c_{\text{late}} = 10$ for oversleeping are taken off. With
-# $1\{\cdot\}$, which is 1 if the condition is true and 0 otherwise,
+# us what sleep is worth in rings, so we must choose numbers. A step is worth the depth of sleep at its end. A ring costs
+# $c_{\text{ring}} = 4$, and oversleeping costs $c_{\text{late}} = 10$. With $1\{\cdot\}$, which is 1 if the condition
+# is true and 0 otherwise, the reward is
 #
 # $$
 # r(s, a, s') = d' - c_{\text{ring}}\, 1\{a = \text{ring}\} - c_{\text{late}}\, 1\{t' = T,\ d' > 0\}
@@ -201,7 +201,7 @@ not_found.measured(*accepted)
 #
 # **Measured.** `WrongSign` passes: there a ring is *rewarded* with 4. It is a perfectly good decision problem, only
 # not the one that was meant. A check can know what a Markov decision process is. It cannot know what you want. (The
-# other five get a sentence that names the method and what it returned. For `NeverEnds` it is the observation that
+# other five get a sentence that names the method and what is wrong. For `NeverEnds` it is the observation that
 # leaves its space: a tuple never equals a number, so the time runs on beyond 8:30.)
 # </details>
 
@@ -234,8 +234,8 @@ print(f"optimum: {best.start:.3f}; random actions: {own_problem.random_return(mo
 Sheet("policy", [[own_problem.morning_map(morning, "the best policy")]])
 
 # %% [markdown]
-# Fast asleep, she is at least two chimes away from being awake, so the clock begins at 8:00. It rings only when
-# nothing else can wake her in time. (Grey cells are states that cannot occur.)
+# Fast asleep, she is two good chimes away from being awake, and from 8:00 on there is time for three. Dozing, she is one
+# away, and at 8:00 the clock can wait another ten minutes. It rings only when a chime cannot wake her in time. (Grey cells are states that cannot occur.)
 #
 # **Predict.** Under this policy, the best one for our reward, how often is she *not* awake at 8:30?
 

@@ -155,8 +155,16 @@ class Coin(NamedTuple):
     """A class in a file of one's own, which is imported."""
 
     max_steps: int = 3
-    observation_space = property(lambda self: Discrete(2))
-    action_space = property(lambda self: Discrete(2))
+
+    @property
+    def observation_space(self) -> Discrete:
+        """Heads or tails."""
+        return Discrete(2)
+
+    @property
+    def action_space(self) -> Discrete:
+        """Leave it or throw."""
+        return Discrete(2)
 
     def initial(self, rng: Any) -> int:
         """Heads."""

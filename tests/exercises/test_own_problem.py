@@ -32,8 +32,7 @@ def test_every_mistaken_sleeper_differs() -> None:
     def ways(mistake: str) -> tuple[tuple[tuple[float, object], ...], ...]:
         steps = [((3, depth, chimes), action) for depth in range(3) for chimes in range(3) for action in range(3)]
         return tuple(
-            tuple(branches(partial(task.transition, state, action, mistake=mistake)))  # type: ignore[arg-type]
-            for state, action in steps
+            tuple(branches(partial(task.transition, state, action, mistake=mistake))) for state, action in steps
         )
 
     mistakes = ["", *exercises.USED_MISTAKES.values()]

@@ -39,7 +39,8 @@ def test_the_lesson_writes_the_same_class() -> None:
         if cell.startswith("class Morning(NamedTuple)"):
             exec(cell, names)
             break
-    for fields in ({}, {"length": 5, "ring": 1.5, "late": 7.0}):
+    variants: tuple[dict[str, Any], ...] = ({}, {"length": 5, "ring": 1.5, "late": 7.0})
+    for fields in variants:
         mine, theirs = (finite_model(kind(**fields)) for kind in (Morning, names["Morning"]))
         assert mine.states == theirs.states
         np.testing.assert_array_equal(mine.p, theirs.p)
@@ -76,9 +77,9 @@ def test_blind_clocks_are_the_best_of_all() -> None:
         for actions in product(range(3), repeat=3):
             rule = np.array([actions[min(state[part], 2)] for state in model.states])
             returns[actions] = policy_evaluation(model, rule).start
-        value, actions = best_blind(mdp, lambda state, part=part: state[part])  # type: ignore[misc]
+        value, actions = best_blind(mdp, lambda state, part=part: state[part])
         assert value == pytest.approx(max(returns.values()))
-        assert returns[actions] == pytest.approx(value)  # type: ignore[index]
+        assert returns[actions] == pytest.approx(value)
 
 
 def test_roadrunner_gives_up() -> None:
