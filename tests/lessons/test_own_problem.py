@@ -1,6 +1,7 @@
 """A problem of one's own: what rewards teach, exactly, and the call that takes a problem through everything."""
 
 from itertools import product
+from operator import itemgetter
 from typing import Any, NamedTuple
 
 import build
@@ -77,7 +78,7 @@ def test_blind_clocks_are_the_best_of_all() -> None:
         for actions in product(range(3), repeat=3):
             rule = np.array([actions[min(state[part], 2)] for state in model.states])
             returns[actions] = policy_evaluation(model, rule).start
-        value, actions = best_blind(mdp, lambda state, part=part: state[part])
+        value, actions = best_blind(mdp, itemgetter(part))
         assert value == pytest.approx(max(returns.values()))
         assert returns[actions] == pytest.approx(value)
 

@@ -18,6 +18,7 @@ from edugym.results.statistics import in_short
 DISCOUNT = 1.0
 MEANT, WAKEFULNESS, WAKINGS = "what I meant", "2 for being awake", "10 for each waking"
 POTENTIAL = "the same 10 as a potential"
+BEST_GUESS = "v* as a potential"
 
 
 class Night(NamedTuple):
@@ -134,3 +135,19 @@ def player(mdp: Any) -> Callable[[Any], int]:
     values = solve(mdp)
     policy = values.greedy_policy()
     return lambda seen: int(policy[values.model.row(tuple(np.ravel(seen).tolist()))].argmax())
+
+
+def awake_potential(length: int, bonus: float = 10.0) -> Reals:
+    """Return the potential that is `bonus` while she is awake, by time and depth; at the end it is 0."""
+    phi = np.zeros((length + 1, 3))
+    phi[:length, 0] = bonus
+    return phi
+
+
+def value_potential(mdp: Any) -> Reals:
+    """Return the potential v*(s) of a morning, by time and depth."""
+    values = solve(mdp)
+    phi = np.zeros((mdp.length + 1, 3))
+    for state, value in zip(values.model.states, values.V, strict=True):
+        phi[state] = value
+    return phi

@@ -27,7 +27,7 @@ MOST_CELLS = 40
 """How many places a map has on each side at most."""
 
 
-REWARD_STROKES = (stroke(0), stroke(5), Stroke("#8c564b", (0, (2, 1))), stroke(6))
+REWARD_STROKES = (stroke(0), stroke(5), Stroke("#8c564b", (0, (2, 1))), stroke(6), Stroke("#117733", "dashdot"))
 """The looks of rewards from which Q-learning learns: its own for the one that was meant, and those of no method."""
 
 

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 from gymnasium import spaces
 
 from edugym.lessons.own_problem.bedroom import bedroom
-from edugym.mdp.protocol import Random
+from edugym.mdp.protocol import Random, Reals
 from edugym.mdp.wrapper import wrapper
 from edugym.rendering.scene import Scene
 
@@ -117,21 +117,21 @@ class WithBonus(NamedTuple):
 
 @wrapper
 class WithPotential(NamedTuple):
-    """A shaping reward that changes no optimal policy: γ φ(s') - φ(s), where φ is `bonus` while she is awake.
+    """A shaping reward that changes no optimal policy: γ φ(s') - φ(s).
 
     Attributes:
         mdp: the morning.
-        bonus: the potential of being awake; that of the end is 0.
+        phi: shape (T + 1, 3): the potential φ of every state, by time and depth; 0 at the end.
         discount: γ.
     """
 
     mdp: Any
-    bonus: float = 10.0
+    phi: Reals
     discount: float = 1.0
 
     def potential(self, state: State) -> float:
         """Return φ(s)."""
-        return self.bonus if state[1] == 0 and state[0] < self.mdp.length else 0.0
+        return float(self.phi[state[0], state[1]])
 
     def reward(self, state: State, action: int, next_state: State, rng: Random) -> float:
         """Add what the potential gains."""
