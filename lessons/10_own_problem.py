@@ -737,7 +737,14 @@ for sheet in tour.sheets:
     display(sheet)
 
 # %% [markdown]
-# Play it until you can beat the agents, or know why you cannot:
+# Play it until you can beat the agents, or know why you cannot. A picture helps. It is a method of the class, which
+# may be as simple as this one for the bicycle (`Scene`, `Circle` and `Text` are in `edugym.rendering.scene`):
+#
+# ```python
+#     def scene(self, state):
+#         day, offer = state
+#         return Scene(10, 5, (Circle(5, 2.8, 0.5 * offer), Text(5, 0.6, f"day {day}, offer {offer}", 0.7)))
+# ```
 
 # %%
 play(my_problem)

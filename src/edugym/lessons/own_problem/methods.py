@@ -40,9 +40,9 @@ def methods_with(
     return {
         "Q-learning": partial(QLearning.create, **settings),
         "SARSA": partial(SARSA.create, **settings),
+        "Dyna-10": partial(DynaQ.create, planning_steps=10, **settings),
         "3-step SARSA": partial(NStepSARSA.create, n=3, **settings),
         "novelty reward": partial(CountBased.create, **settings),
-        "Dyna-10": partial(DynaQ.create, planning_steps=10, **settings),
     }
 
 
