@@ -141,6 +141,38 @@ def test_a_problem_goes_through_everything() -> None:
         own_problem.take_through_everything(3)
 
 
+class Circle(Queue):
+    """Without a step limit: action 0 never ends an episode, and every step costs."""
+
+    __slots__ = ()
+    max_steps = None  # type: ignore[assignment]
+
+    def transition(self, state: int, action: int, rng: Any) -> int:
+        """Stay, or go on with luck."""
+        return state + 1 if action == 1 and rng.random() < 0.5 else state
+
+    def reward(self, state: int, action: int, next_state: int, rng: Any) -> float:
+        """Each step costs."""
+        return -1.0
+
+    def terminal(self, state: int) -> bool:
+        """At the end."""
+        return state == 4
+
+
+def test_problems_whose_episodes_may_never_end() -> None:
+    """A policy that walks in a circle is cut off; one that is paid for it is no problem."""
+    tour = own_problem.take_through_everything(Circle(), n_steps=300, repetitions=2)
+    assert tour.values.start == pytest.approx(-8.0)
+    assert all((returns <= -8.0 + 1e-6).all() for returns in tour.learned.values())
+    paid = type("Paid", (Circle,), {"__slots__": (), "reward": lambda self, s, a, n, rng: 1.0})
+    with pytest.raises(ValueError, match="episodes of Paid may never end, and gather reward without limit"):
+        own_problem.take_through_everything(paid())
+    endless = type("Endless", (Circle,), {"__slots__": (), "transition": lambda self, s, a, rng: 0})
+    with pytest.raises(ValueError, match="no state of Endless is terminal"):
+        own_problem.take_through_everything(endless())
+
+
 def test_problems_without_a_decision_are_told() -> None:
     """Where one action is always best, or nothing can be won."""
     free = type("Free", (Queue,), {"__slots__": (), "reward": lambda self, s, a, n, rng: -1.0 * n})

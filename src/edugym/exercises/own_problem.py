@@ -7,9 +7,6 @@ from typing import Any
 import numpy as np
 
 from edugym.exact.branching import branches
-from edugym.exact.model import finite_model
-from edugym.exact.tables import FiniteModel
-from edugym.exact.values import Values
 from edugym.grading.student_code import running
 from edugym.grading.values import compare, digits, given, number, same
 from edugym.grading.wrong import WrongAnswer
@@ -257,10 +254,10 @@ def exercise_4(answer: Any, seed: int) -> str:
         with running("my_problem"):
             require_mdp(answer, "my_problem")
             check_mdp(answer)
-            model = finite_model(answer)
+            values = solve(answer)
     except ValueError as error:
         raise WrongAnswer(str(error)) from None
-    values = _solved(answer, model)
+    model = values.model
     policy, live = values.greedy_policy(), ~model.terminal
     if len(model.states) < 4 or policy.shape[1] < 2:
         raise WrongAnswer(
@@ -281,16 +278,3 @@ def exercise_4(answer: Any, seed: int) -> str:
             f"in my_problem the action {name!r} is best in every state, so there is nothing to decide: give it a price"
         )
     return f"A problem: {len(model.states)} states, {policy.shape[1]} actions, optimum {values.start:.4g}."
-
-
-def _solved(mdp: Any, model: FiniteModel) -> Values:
-    """Return the optimum, or refuse a problem that has no end."""
-    if not model.terminal.any() and step_limit(mdp) is None:
-        raise WrongAnswer("no state of my_problem is terminal and it has no `max_steps`, so an episode never ends")
-    try:
-        return solve(mdp)
-    except ValueError:
-        raise WrongAnswer(
-            "some episodes of my_problem may never end, and gather reward without limit: give it a `max_steps`, or a"
-            " terminal state that is always reached"
-        ) from None

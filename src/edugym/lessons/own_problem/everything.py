@@ -75,7 +75,10 @@ def warnings_about(tour: Tour) -> list[str]:
     """Return sentences on what makes a problem too easy, or no problem."""
     values, found = tour.values, []
     if values.start - tour.random < 0.05 * max(1.0, abs(values.start)):
-        found.append("Look again: the best policy earns hardly more than random actions, so there is nothing to learn.")
+        found.append(
+            "Look again: the best policy earns hardly more than random actions, so there is nothing to learn. (Is"
+            " there no price of time? The discount is 1.)"
+        )
     policy = values.greedy_policy()[~values.model.terminal]
     if (policy > 0).all(axis=0).any():
         found.append("Look again: one action is best in every state, so there is nothing to decide.")

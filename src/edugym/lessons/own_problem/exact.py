@@ -16,6 +16,8 @@ from edugym.mdp.protocol import Reals, step_limit
 from edugym.results.statistics import in_short
 
 DISCOUNT = 1.0
+MOST_STEPS = 1_000
+"""The step limit of a problem that has none."""
 MEANT, WAKEFULNESS, WAKINGS = "what I meant", "2 for being awake", "10 for each waking"
 POTENTIAL = "the same 10 as a potential"
 BEST_GUESS = "v* as a potential"
@@ -81,7 +83,15 @@ def random_return(mdp: Any, horizon: int | None = None) -> float:
     """Return what random actions earn on average in an episode."""
     model = finite_model(mdp)
     uniform = np.full(model.successors.shape[:2], 1 / model.successors.shape[1])
-    return policy_evaluation(model, uniform, DISCOUNT, horizon=horizon).start
+    return worth(model, uniform, horizon)
+
+
+def worth(model: FiniteModel, policy: Reals, limit: int | None) -> float:
+    """Return the expected return of a policy up to a step limit, or to one of `MOST_STEPS` if it may never end."""
+    try:
+        return policy_evaluation(model, policy, DISCOUNT, horizon=limit, max_sweeps=MOST_STEPS).start
+    except ValueError:  # it does not settle
+        return policy_evaluation(model, policy, DISCOUNT, horizon=MOST_STEPS).start
 
 
 def best_blind(mdp: Any, row: Callable[[Any], int]) -> tuple[float, tuple[int, ...]]:
@@ -126,8 +136,24 @@ def in_words(values: Values, names: Mapping[int, str], most: int = 40) -> str:
 
 
 def solve(mdp: Any) -> Values:
-    """Return the undiscounted optimum of any finite MDP, up to its step limit if it has one."""
-    return value_iteration(finite_model(mdp), DISCOUNT, horizon=step_limit(mdp))
+    """Return the undiscounted optimum of any finite MDP, up to its step limit if it has one.
+
+    Raises:
+        ValueError: it is not finite, or episodes may go on for ever and gather reward without limit.
+    """
+    model = finite_model(mdp)
+    limit = step_limit(mdp)
+    if not model.terminal.any() and limit is None:
+        raise ValueError(
+            f"no state of {type(mdp).__name__} is terminal and it has no `max_steps`, so an episode never ends"
+        )
+    try:
+        return value_iteration(model, DISCOUNT, horizon=limit, max_sweeps=20_000)
+    except ValueError:
+        raise ValueError(
+            f"some episodes of {type(mdp).__name__} may never end, and gather reward without limit: give it a"
+            " `max_steps`, or a terminal state that is always reached"
+        ) from None
 
 
 def player(mdp: Any) -> Callable[[Any], int]:

@@ -14,8 +14,7 @@ from edugym.agents.sarsa import SARSA
 from edugym.agents.strategies import EpsilonGreedy
 from edugym.exact.model import finite_model
 from edugym.exact.policies import policy_of
-from edugym.exact.policy_evaluation import policy_evaluation
-from edugym.lessons.own_problem.exact import DISCOUNT
+from edugym.lessons.own_problem.exact import DISCOUNT, MOST_STEPS, worth
 from edugym.mdp.protocol import Reals, step_limit
 from edugym.results.tables import Results
 from edugym.training.repeat import repeat
@@ -47,7 +46,11 @@ def methods_with(
 
 
 def learn(mdp: Any, methods: Mapping[str, Maker] | None = None, n_steps: int = N_STEPS, **how: Any) -> Results:
-    """Train methods on an MDP; further arguments as in `repeat`. A point of a curve is a mean of 20 episodes."""
+    """Train methods on an MDP; further arguments as in `repeat`. A point of a curve is a mean of 20 episodes.
+
+    An MDP without a step limit gets one of `MOST_STEPS`, since a greedy policy may walk in a circle.
+    """
+    how = {"max_steps": step_limit(mdp) or MOST_STEPS, **how}
     how = {"repetitions": REPETITIONS, "evaluate_every": max(n_steps // 20, 1), "evaluation_episodes": 20, **how}
     return repeat(mdp, methods or methods_with(), n_steps, **how)
 
@@ -62,9 +65,7 @@ def true_returns(results: Results, method: str, judge: Any) -> Reals:
     """
     model, limit = finite_model(judge), step_limit(judge)
     agents = results.complete_agents(method).values()
-    return np.array(
-        [policy_evaluation(model, policy_of(a, model, greedy=True), DISCOUNT, horizon=limit).start for a in agents]
-    )
+    return np.array([worth(model, policy_of(agent, model, greedy=True), limit) for agent in agents])
 
 
 def as_meant(
