@@ -32,10 +32,8 @@ from edugym.lessons.own_problem.exact import (
 from edugym.lessons.own_problem.figures import Bands, morning_map, policies, race, weights_sheet
 from edugym.lessons.own_problem.methods import REPETITIONS, as_meant, learn, methods_with, true_returns
 from edugym.lessons.own_problem.morning import (
-    HearsSleep,
     Morning,
     PaidForWakefulness,
-    SeesTime,
     WithBonus,
     WithPotential,
 )
@@ -57,10 +55,8 @@ __all__ = [
     "WAKEFULNESS",
     "WAKINGS",
     "Bands",
-    "HearsSleep",
     "Morning",
     "PaidForWakefulness",
-    "SeesTime",
     "WithBonus",
     "WithPotential",
     "as_meant",

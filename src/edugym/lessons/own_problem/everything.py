@@ -76,8 +76,8 @@ def warnings_about(tour: Tour) -> list[str]:
     values, found = tour.values, []
     if values.start - tour.random < 0.05 * max(1.0, abs(values.start)):
         found.append(
-            "Look again: the best policy earns hardly more than random actions, so there is nothing to learn. (Is"
-            " there no price of time? The discount is 1.)"
+            "Look again: the best policy earns hardly more than random actions, so there is nothing to learn. (Does it"
+            " matter how long it takes? The discount is 1.)"
         )
     policy = values.greedy_policy()[~values.model.terminal]
     if (policy > 0).all(axis=0).any():
