@@ -136,6 +136,21 @@ def test_what_cannot_be_shared(tmp_path: Path, cell: dict[str, Any]) -> None:
     assert [*tmp_path.iterdir()] == []
 
 
+def test_a_class_inside_a_function_is_tried_first(tmp_path: Path) -> None:
+    """What it takes from the function is not in the file; no file is left."""
+    prize = 2.0
+
+    class Prize(Coin):
+        __slots__ = ()
+
+        def reward(self, state: int, action: int, next_state: int, rng: Any) -> float:
+            return prize
+
+    with pytest.raises(ValueError, match="Prize cannot be shared, since the file alone does not run"):
+        share(Prize(), tmp_path / "prize.py")
+    assert [*tmp_path.iterdir()] == []
+
+
 def test_what_cannot_be_read(tmp_path: Path) -> None:
     """A file without an MDP, and one whose MDP is wrong."""
     (tmp_path / "empty.py").write_text("x = 1\n")

@@ -14,6 +14,7 @@ import linecache
 import re
 import symtable
 import sys
+import tempfile
 import textwrap
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -64,9 +65,24 @@ def share(mdp: Any, path: str | Path) -> Path:
     value = parts.text_of(mdp, "the MDP")
     code = "\n".join(sorted(parts.imports | {"import gymnasium", "import edugym"}, key=_import_order))
     code += "".join(f"\n\n\n{text}" for text in parts.definitions.values())
-    return write_whole(
-        path, TEXT.format(name=type(mdp).__name__, file=path.name, code=code.strip(), value=value).encode()
-    )
+    text = TEXT.format(name=type(mdp).__name__, file=path.name, code=code.strip(), value=value)
+    _try(text, type(mdp).__name__)
+    return write_whole(path, text.encode())
+
+
+def _try(text: str, name: str) -> None:
+    """Refuse a file that could not be read again: its class may use what only the notebook has.
+
+    Raises:
+        ValueError: it cannot be read.
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder, "tried.py")
+        file.write_text(text, encoding="utf-8")
+        try:
+            read_mdp(file)
+        except Exception as error:
+            raise ValueError(f"{name} cannot be shared, since the file alone does not run: {error}") from None
 
 
 def read_mdp(path: str | Path, **parameters: Any) -> Any:

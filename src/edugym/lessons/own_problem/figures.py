@@ -224,14 +224,16 @@ class WithRandom(NamedTuple):
         return ax
 
 
-def race(results: Results, learned: Mapping[str, Reals], optimum: float, random: float) -> Sheet:
-    """Return learning curves, and beside them what the policies at the end are worth."""
+def race(
+    results: Results, learned: Mapping[str, Reals], optimum: float, random: float, title: str = "at the end"
+) -> Sheet:
+    """Return learning curves, and beside them, under a title, what the policies at the end are worth."""
     return Sheet(
         "learned",
         [
             [
                 WithRandom(Curves(results, "learning", optimum=optimum), random),
-                Compared(learned, "at the end", optimum),
+                Compared(learned, title, optimum),
             ]
         ],
     )

@@ -84,7 +84,9 @@ def count_matters(kind: Callable[[], Any], repetitions: int = 20, n_steps: int =
         "does not see them": true_returns(hidden, "does not see them", HidesLast(mdp)),
         "the old clock": np.full(repetitions, old_clock(mdp)),
     }
-    return race(joined(seen, hidden), learned, solve(mdp).start, random_return(mdp))
+    optimum = solve(mdp).start
+    title = f"optimum {optimum:.1f}, the old clock {old_clock(mdp):.1f}"
+    return race(joined(seen, hidden), learned, optimum, random_return(mdp), title)
 
 
 def old_clock(mdp: Any) -> float:
