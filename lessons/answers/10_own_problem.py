@@ -137,9 +137,11 @@ late = lambda: 59 / 9
 # says: should be one number
 late = [6.5, 7.0]
 
+
 # %% exercise 2, right: in one line
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     return reward + discount * (0 if terminated else potential(next_state)) - potential(state)
+
 
 # %% exercise 2, right: with if
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
@@ -147,9 +149,11 @@ def shaped_reward(reward, potential, state, next_state, terminated, discount):
         return reward - potential(state)
     return reward + discount * potential(next_state) - potential(state)
 
+
 # %% exercise 2, right: by multiplying
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     return reward + discount * potential(next_state) * (1 - terminated) - potential(state)
+
 
 # %% exercise 2, right: other names
 def shaped_reward(r, phi, s, s2, end, gamma):
@@ -158,10 +162,12 @@ def shaped_reward(r, phi, s, s2, end, gamma):
         F += gamma * phi(s2)
     return r + F
 
+
 # %% exercise 2, right: with NumPy
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     after = np.where(terminated, 0.0, potential(next_state))
     return reward + discount * after - potential(state)
+
 
 # %% exercise 2, right: a helper inside
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
@@ -170,23 +176,28 @@ def shaped_reward(reward, potential, state, next_state, terminated, discount):
 
     return reward + discount * phi(next_state, terminated) - phi(state)
 
+
 # %% exercise 2, right: a lambda
 shaped_reward = lambda r, p, s, n, end, g: r - p(s) + g * p(n) * (not end)
+
 
 # %% exercise 2, wrong: no discount
 # says: the potential of the next state counts γ φ(s')
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     return reward + (0 if terminated else potential(next_state)) - potential(state)
 
+
 # %% exercise 2, wrong: the end has a potential
 # says: its potential is 0 when `terminated`
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     return reward + discount * potential(next_state) - potential(state)
 
+
 # %% exercise 2, wrong: neither discount nor end
 # says: γ
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     return reward + potential(next_state) - potential(state)
+
 
 # %% exercise 2, wrong: the sign
 # says: the sign is wrong
@@ -194,26 +205,31 @@ def shaped_reward(reward, potential, state, next_state, terminated, discount):
     after = 0 if terminated else discount * potential(next_state)
     return reward + potential(state) - after
 
+
 # %% exercise 2, wrong: no bill
 # says: φ(s) is not subtracted
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     return reward + (0 if terminated else discount * potential(next_state))
+
 
 # %% exercise 2, wrong: a plain bonus
 # says: without the bill φ(s)
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     return reward + potential(next_state)
 
+
 # %% exercise 2, wrong: the reward alone
 # says: that is the reward alone
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     return reward
+
 
 # %% exercise 2, wrong: the shaping alone
 # says: add the reward
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     after = 0 if terminated else discount * potential(next_state)
     return after - potential(state)
+
 
 # %% exercise 2, wrong: no bill at the end
 # says: the bill still has to be paid
@@ -222,11 +238,13 @@ def shaped_reward(reward, potential, state, next_state, terminated, discount):
         return reward
     return reward + discount * potential(next_state) - potential(state)
 
+
 # %% exercise 2, wrong: all of it discounted
 # says: only φ(s') is discounted
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     after = 0 if terminated else potential(next_state)
     return reward + discount * (after - potential(state))
+
 
 # %% exercise 2, wrong: the discount at the other one
 # says: γ belongs before φ(s')
@@ -234,11 +252,13 @@ def shaped_reward(reward, potential, state, next_state, terminated, discount):
     after = 0 if terminated else potential(next_state)
     return reward + after - discount * potential(state)
 
+
 # %% exercise 2, wrong: the reward discounted
 # says: the reward itself is not discounted
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     after = 0 if terminated else potential(next_state)
     return discount * (reward + after) - potential(state)
+
 
 # %% exercise 2, wrong: states exchanged
 # says: the two states have changed places
@@ -246,31 +266,37 @@ def shaped_reward(reward, potential, state, next_state, terminated, discount):
     before = 0 if terminated else potential(state)
     return reward + discount * before - potential(next_state)
 
+
 # %% exercise 2, wrong: both added
 # says: + φ(s) stands where − φ(s) should
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     after = 0 if terminated else potential(next_state)
     return reward + discount * after + potential(state)
 
+
 # %% exercise 2, wrong: no return
 # says: is a `return` missing
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     reward += discount * potential(next_state) * (not terminated) - potential(state)
+
 
 # %% exercise 2, wrong: the potential as a table
 # says: raises TypeError
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     return reward + discount * potential[next_state] - potential[state]
 
+
 # %% exercise 2, wrong: printed
 # says: is a `return` missing
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     print(reward - potential(state))
 
+
 # %% exercise 2, wrong: an argument left out
 # says: its parameters are not those of the exercise
 def shaped_reward(reward, potential, state, next_state, discount):
     return reward + discount * potential(next_state) - potential(state)
+
 
 # %% exercise 3, right: counts last
 def transition(self, state, action, rng):
@@ -284,6 +310,7 @@ def transition(self, state, action, rng):
     elif u < 0.5:
         d = min(d + 1, 2)
     return t + 1, d, min(c + (action == 1), 2)
+
 
 # %% exercise 3, right: with a flag
 def transition(self, state, action, rng):
@@ -299,6 +326,7 @@ def transition(self, state, action, rng):
     if action == 1 and chimes < 2:
         chimes += 1
     return (time + 1, depth, chimes)
+
 
 # %% exercise 3, right: an unheard chime becomes silence
 def transition(self, state, action, rng):
@@ -317,6 +345,7 @@ def transition(self, state, action, rng):
         depth = 0 if luck < 0.9 else depth - 1
     return time + 1, max(0, min(2, depth)), count
 
+
 # %% exercise 3, right: by the method of Morning
 def transition(self, state, action, rng):
     time, depth, chimes = state
@@ -324,14 +353,17 @@ def transition(self, state, action, rng):
     time, depth = own_problem.Morning().transition((time, depth), what, rng)
     return time, depth, chimes + 1 if action == 1 and chimes < 2 else chimes
 
+
 # %% exercise 3, right: the space in numbers
 @property
 def observation_space(self):
     return MultiDiscrete([9, 3, 3])
 
+
 # %% exercise 3, right: the start as a tuple
 def initial(self, rng):
     return (0, 2, 0)
+
 
 # %% exercise 3, right: the space as an array
 @property
@@ -341,6 +373,7 @@ def observation_space(self):
 
 def initial(self, rng):
     return tuple([0, 2, 0])
+
 
 # %% exercise 3, wrong: three chimes work
 # says: is it `chimes < 2`
@@ -357,6 +390,7 @@ def transition(self, state, action, rng):
         chimes = min(chimes + 1, 2)
     return time + 1, depth, chimes
 
+
 # %% exercise 3, wrong: counted first
 # says: how many chimes came *before*
 def transition(self, state, action, rng):
@@ -372,6 +406,7 @@ def transition(self, state, action, rng):
         depth = min(depth + 1, 2) if luck < 0.5 else depth
     return time + 1, depth, chimes
 
+
 # %% exercise 3, wrong: she always hears it
 # says: after two of them a chime should be like silence
 def transition(self, state, action, rng):
@@ -385,6 +420,7 @@ def transition(self, state, action, rng):
     else:
         depth = min(depth + 1, 2) if luck < 0.5 else depth
     return time + 1, depth, chimes
+
 
 # %% exercise 3, wrong: rings are counted
 # says: rings are counted as well
@@ -401,6 +437,7 @@ def transition(self, state, action, rng):
         chimes = min(chimes + 1, 2)
     return time + 1, depth, chimes
 
+
 # %% exercise 3, wrong: every step is counted
 # says: count a chime only
 def transition(self, state, action, rng):
@@ -413,6 +450,7 @@ def transition(self, state, action, rng):
     else:
         depth = min(depth + 1, 2) if luck < 0.5 else depth
     return time + 1, depth, min(chimes + 1, 2)
+
 
 # %% exercise 3, wrong: never counted
 # says: chimes are not counted
@@ -427,6 +465,7 @@ def transition(self, state, action, rng):
         depth = min(depth + 1, 2) if luck < 0.5 else depth
     return time + 1, depth, chimes
 
+
 # %% exercise 3, wrong: the count goes on
 # says: keep it at 2
 def transition(self, state, action, rng):
@@ -440,6 +479,7 @@ def transition(self, state, action, rng):
         depth = min(depth + 1, 2) if luck < 0.5 else depth
     return time + 1, depth, chimes + (action == 1)
 
+
 # %% exercise 3, wrong: silence sets it back
 # says: she does not unlearn
 def transition(self, state, action, rng):
@@ -452,6 +492,7 @@ def transition(self, state, action, rng):
     else:
         depth = min(depth + 1, 2) if luck < 0.5 else depth
     return time + 1, depth, min(chimes + 1, 2) if action == 1 else 0
+
 
 # %% exercise 3, wrong: an unheard chime changes nothing
 # says: it should be like silence, in which it gets deeper
@@ -469,6 +510,7 @@ def transition(self, state, action, rng):
         chimes = min(chimes + 1, 2)
     return time + 1, depth, chimes
 
+
 # %% exercise 3, wrong: not counted while she is awake
 # says: a chime counts also when she is awake
 def transition(self, state, action, rng):
@@ -485,6 +527,7 @@ def transition(self, state, action, rng):
         chimes = min(chimes + 1, 2)
     return time + 1, depth, chimes
 
+
 # %% exercise 3, wrong: time stands still
 # says: the time stands still
 def transition(self, state, action, rng):
@@ -500,6 +543,7 @@ def transition(self, state, action, rng):
         chimes = min(chimes + 1, 2)
     return time, depth, chimes
 
+
 # %% exercise 3, wrong: the old method
 # says: too many values to unpack
 def transition(self, state, action, rng):
@@ -512,6 +556,7 @@ def transition(self, state, action, rng):
     else:
         depth = min(depth + 1, 2) if luck < 0.5 else depth
     return time + 1, depth
+
 
 # %% exercise 3, wrong: the count is left out of what is returned
 # says: should return three numbers
@@ -526,21 +571,25 @@ def transition(self, state, action, rng):
         depth = min(depth + 1, 2) if luck < 0.5 else depth
     return time + 1, depth
 
+
 # %% exercise 3, wrong: no return
 # says: is a `return` missing
 def transition(self, state, action, rng):
     time, depth, chimes = state
     chimes = min(chimes + (action == 1), 2)
 
+
 # %% exercise 3, wrong: the old start
 # says: initial should return three numbers
 def initial(self, rng):
     return 0, 2
 
+
 # %% exercise 3, wrong: a start with chimes
 # says: no chime yet
 def initial(self, rng):
     return 0, 2, 2
+
 
 # %% exercise 3, wrong: two values for the count
 # says: observation_space should be
@@ -548,11 +597,13 @@ def initial(self, rng):
 def observation_space(self):
     return MultiDiscrete([self.length + 1, 3, 2])
 
+
 # %% exercise 3, wrong: the old space
 # says: observation_space should be
 @property
 def observation_space(self):
     return MultiDiscrete([self.length + 1, 3])
+
 
 # %% exercise 3, wrong: a value of the class
 # says: should be the class
@@ -567,6 +618,7 @@ my_problem = Plant()
 
 # %% exercise 4, right: a plant for a month
 my_problem = Plant(days=30)
+
 
 # %% exercise 4, right: a gambler with whole numbers
 class Gambler(NamedTuple):
@@ -600,6 +652,7 @@ class Gambler(NamedTuple):
 
 my_problem = Gambler(goal=8)
 
+
 # %% exercise 4, right: a queue with a step limit
 class Queue(NamedTuple):
     """Open a second till when the queue gets long."""
@@ -626,6 +679,7 @@ class Queue(NamedTuple):
 
 
 my_problem = Queue()
+
 
 # %% exercise 4, right: a phone
 class Phone(NamedTuple):
@@ -657,6 +711,7 @@ class Phone(NamedTuple):
 
 
 my_problem = Phone()
+
 
 # %% exercise 4, right: a bus stop
 class BusStop(NamedTuple):
@@ -699,6 +754,7 @@ my_problem = Template(days=8)
 # says: the problem of the lesson
 my_problem = own_problem.Morning(late=20.0)
 
+
 # %% exercise 4, wrong: the class
 # says: is the class Thirsty
 class Thirsty(Plant):
@@ -710,6 +766,7 @@ my_problem = Thirsty
 # %% exercise 4, wrong: a name
 # says: is the name
 my_problem = "Boulder"
+
 
 # %% exercise 4, wrong: a method is missing
 # says: must have a method terminal
@@ -735,6 +792,7 @@ class Clock(NamedTuple):
 
 my_problem = Clock()
 
+
 # %% exercise 4, wrong: no chance
 # says: should have chance
 class Sure(Plant):
@@ -746,6 +804,7 @@ class Sure(Plant):
 
 
 my_problem = Sure()
+
 
 # %% exercise 4, wrong: the actions do nothing
 # says: no more than random actions
@@ -761,6 +820,7 @@ class Weather(Plant):
 
 my_problem = Weather()
 
+
 # %% exercise 4, wrong: watering is free
 # says: is best in every state
 class Free(Plant):
@@ -772,6 +832,7 @@ class Free(Plant):
 
 my_problem = Free()
 
+
 # %% exercise 4, wrong: one reward for everything
 # says: the same reward
 class Flat(Plant):
@@ -782,6 +843,7 @@ class Flat(Plant):
 
 
 my_problem = Flat()
+
 
 # %% exercise 4, wrong: no end
 # says: an episode never ends
@@ -798,6 +860,7 @@ class Forever(Plant):
 
 my_problem = Forever()
 
+
 # %% exercise 4, wrong: may never end
 # says: may never end
 class Maybe(Plant):
@@ -813,6 +876,7 @@ class Maybe(Plant):
 
 my_problem = Maybe()
 
+
 # %% exercise 4, wrong: dice of its own
 # says: draw from rng
 class Dice(Plant):
@@ -823,6 +887,7 @@ class Dice(Plant):
 
 
 my_problem = Dice()
+
 
 # %% exercise 4, wrong: a reward on some paths only
 # says: is a return missing
@@ -836,6 +901,7 @@ class Sometimes(Plant):
 
 my_problem = Sometimes()
 
+
 # %% exercise 4, wrong: out of its space
 # says: must return an element of
 class Space(Plant):
@@ -844,6 +910,7 @@ class Space(Plant):
 
 
 my_problem = Space()
+
 
 # %% exercise 4, wrong: states with fractions
 # says: no finite model
@@ -860,6 +927,7 @@ class Fine(Plant):
 
 my_problem = Fine()
 
+
 # %% exercise 4, wrong: a mistake in a method
 # says: raises NameError
 class Typo(Plant):
@@ -870,6 +938,7 @@ class Typo(Plant):
 
 
 my_problem = Typo()
+
 
 # %% exercise 4, wrong: too small
 # says: four states or more
