@@ -74,6 +74,8 @@ from edugym.results.statistics import mean_interval as mean_interval
 from edugym.results.statistics import paired_difference as paired_difference
 from edugym.results.statistics import proportion_interval as proportion_interval
 from edugym.results.tables import Results as Results
+from edugym.sharing import read_mdp as read_mdp
+from edugym.sharing import share as share
 from edugym.training.repeat import repeat as repeat
 from edugym.training.train import Run as Run
 from edugym.training.train import train as train

@@ -65,7 +65,13 @@ def list_environments() -> None:
 
 @app.command()
 def play(
-    environment: Annotated[str, typer.Argument(help="Its name (Boulder), or the id of any Gymnasium environment.")],
+    environment: Annotated[
+        str,
+        typer.Argument(
+            help="Its name (Boulder), the id of any Gymnasium environment, or a file that edugym.share wrote"
+            " (kiosk.py; it is run, so open only files of people whom you trust)."
+        ),
+    ],
     parameters: Annotated[
         list[str] | None, typer.Option("--set", metavar="NAME=VALUE", help="A parameter, such as --set height=5.")
     ] = None,
@@ -84,7 +90,7 @@ def play(
     try:
         env = made(environment, "ansi", _parameters(parameters or []))
         game = playing.Game(env, seed=seed)
-    except (TypeError, ValueError) as error:
+    except (OSError, TypeError, ValueError) as error:
         raise typer.BadParameter(str(error)) from error
     try:
         playing.play(game, render=render, gif=gif)

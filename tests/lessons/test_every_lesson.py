@@ -15,6 +15,7 @@ CLAIMS = {
     "signal": 24,
     "stochasticity": 15,
     "model_based": 20,
+    "own_problem": 25,
 }
 """How many claims a lesson makes at least; those of exploration have a test of their own."""
 

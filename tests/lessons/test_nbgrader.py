@@ -1,10 +1,12 @@
 """The teachers' edition in nbgrader itself: it is handed out, comes back, and is graded."""
 
+import ast
 import csv
 import importlib.util
 import os
 import subprocess
 import sys
+from collections.abc import Iterable
 from copy import deepcopy
 from pathlib import Path
 
@@ -38,13 +40,29 @@ def submit(course: Path, student: str, notebook: NotebookNode, name: str) -> Non
     nbformat.write(notebook, folder / name)
 
 
-def without_demonstrations(notebook: NotebookNode) -> NotebookNode:
-    """Return a notebook with nothing but imports, exercises and their checks; other cells of code are empty."""
+def without_demonstrations(notebook: NotebookNode, solutions: Iterable[str]) -> NotebookNode:
+    """Return a notebook with nothing but imports, exercises, their checks, and what these or their solutions use.
+
+    Other cells of code are empty.
+    """
     short = deepcopy(notebook)
-    for cell in filter(is_code, short.cells):
-        if not (is_imports(cell) or "nbgrader" in cell.metadata):
+    cells = list(filter(is_code, short.cells))
+    wanted = {name for code in solutions for name in names(code)[0]}
+    for cell in reversed(cells):
+        used, given = names(cell.source)
+        if "nbgrader" in cell.metadata or is_imports(cell) or given & wanted:
+            wanted |= used
+        else:
             cell.source = ""
     return short
+
+
+def names(code: str) -> tuple[set[str], set[str]]:
+    """Return the names that code uses, and those that it gives a value."""
+    nodes = [node for node in ast.walk(ast.parse(code)) if isinstance(node, ast.Name)]
+    used = {node.id for node in nodes if isinstance(node.ctx, ast.Load)}
+    defined = {node.name for node in ast.walk(ast.parse(code)) if isinstance(node, ast.ClassDef | ast.FunctionDef)}
+    return used, {node.id for node in nodes if isinstance(node.ctx, ast.Store)} | defined
 
 
 @pytest.mark.slow
@@ -61,7 +79,7 @@ def test_solutions_get_full_marks_and_blanks_none(path: Path, tmp_path: Path) ->
     released = nbformat.read(tmp_path / "release" / ASSIGNMENT / source.name, as_version=4)
     assert not any("### BEGIN" in cell.source for cell in released.cells)
     solutions = {cell.id: without_marks(cell.source) for cell in filter(is_exercise, lesson.cells)}
-    released = without_demonstrations(released) if BROWSER else released
+    released = without_demonstrations(released, solutions.values()) if BROWSER else released
     submit(tmp_path, "blank", released, source.name)
     for cell in filter(is_code, released.cells):
         assert (cell.id in solutions) is bool(cell.metadata.get("nbgrader", {}).get("solution"))

@@ -14,6 +14,7 @@ from edugym.checks import one_of
 from edugym.registration import specification
 from edugym.rendering.captions import captioned
 from edugym.rendering.scene import Scene
+from edugym.sharing import read_mdp
 
 Picture: TypeAlias = Scene | np.ndarray[Any, np.dtype[np.uint8]] | str
 """A picture of an environment: a scene, pixels of shape (height, width, 3), or characters."""
@@ -52,7 +53,8 @@ class Game:
     """An environment, the episode under way, and the score.
 
     Args:
-        environment: its name ("Boulder"), the id of any Gymnasium environment, an environment, or an MDP.
+        environment: its name ("Boulder"), the id of any Gymnasium environment, a file that `edugym.share` wrote
+            ("kiosk.py", which is run), an environment, or an MDP.
         seed: the seed of the first episode; the later ones go on from there. None for different games each time.
         picture: how to draw a Gymnasium environment without a scene, "rgb_array" or "ansi", if it offers that.
         parameters: parameters of an environment that is given by its name or id.
@@ -167,6 +169,8 @@ def made(environment: Any, picture: str, parameters: dict[str, Any]) -> gymnasiu
         if parameters:
             raise ValueError(f"parameters must go with the name of an environment, but are {sorted(parameters)}")
         return environment if isinstance(environment, gymnasium.Env) else MDPEnv(environment)
+    if environment.endswith(".py"):
+        return MDPEnv(read_mdp(environment, **parameters))
     spec, _ = specification(environment, parameters)
     env: gymnasium.Env[Any, Any] = gymnasium.make(spec.id, **parameters)
     if not hasattr(env.unwrapped, "scene") and picture in env.metadata["render_modes"]:

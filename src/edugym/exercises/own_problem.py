@@ -1,0 +1,280 @@
+"""The exercises of lesson 10: where a policy flips, shaping, a state that knows enough, and a problem of one's own."""
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from edugym.exact.branching import branches
+from edugym.grading.student_code import running
+from edugym.grading.values import compare, digits, given, number, same
+from edugym.grading.wrong import WrongAnswer
+from edugym.lessons.own_problem.exact import random_return, solve
+from edugym.lessons.own_problem.figures import names_of
+from edugym.lessons.own_problem.morning import RING, Morning
+from edugym.mdp.checking import check_mdp, require_mdp
+from edugym.mdp.protocol import Random, step_limit
+
+LATE = 59 / 9
+"""The cost of oversleeping from which on a ring is best: -4 + 0.1 (1 - c) = 2 - c."""
+CLOSE = 0.006
+
+
+def exercise_1(answer: Any, seed: int) -> str:
+    """Check the lowest cost of oversleeping for which the clock rings at 8:20 for one who is fast asleep."""
+    mistakes = {
+        "that is the value with which the cell began": 10.0,
+        "a ring fails with probability 0.1; then she is dozing, which is worth 1 and costs `late`": 6.0,
+        "compare the ring with staying quiet: of the two without noise, that is the better one": 5.2 / 0.9,
+        "when the ring fails she is dozing, and that is worth 1": 6.0 / 0.9,
+        "who stays asleep has slept: staying quiet is worth 2 − late": 3.9 / 0.9,
+        "staying quiet is worth 2 − late, and a failed ring 1 − late, as sleep is worth its depth": 4.0 / 0.9,
+        "that is the cost of a ring alone": 4.0,
+        "0.9 and 0.1 have changed places: a ring *wakes* her with probability 0.9": 51.0,
+        "late is a cost, and the reward function subtracts it: it is above 0": -LATE,
+        "that is ten times as much, or the decimal point is in the wrong place": 10 * LATE,
+    }
+
+    def says(late: float) -> str:
+        told = f"late = {digits(late, LATE)}"
+        if late < 0:
+            return told
+        values = solve(Morning(late=late))
+        best = int(values.Q[values.model.row((7, 2))].argmax())
+        return f"with {told} it is best to {names_of(values.model.mdp)[best]} at 8:20 when she is fast asleep"
+
+    found = number("late", answer)
+    near = abs(found - LATE) < 0.15
+    side = "higher than it need be" if found > LATE else "too low for a ring"
+    compare(
+        "late",
+        answer,
+        LATE,
+        mistakes,
+        tolerance=CLOSE,
+        says=says,
+        otherwise=f"it is {side}" + ("; you are close, give two digits after the decimal point" if near else ""),
+    )
+    return "Right: 59/9. Below it the best clock lets her oversleep in peace. Nothing in its code says so but a number."
+
+
+SHAPING_MISTAKES: Mapping[str, Callable[..., float]] = {
+    "the potential of the next state counts γ φ(s'), with the discount": lambda r, a, b, end, g: r + b * (not end) - a,
+    "after a terminal state there is nothing: its potential is 0 when `terminated`": lambda r, a, b, end, g: (
+        r + g * b - a
+    ),
+    "both mistakes: γ is missing before φ(s'), and the potential of a terminal state is 0": lambda r, a, b, end, g: (
+        r + b - a
+    ),
+    "the sign is wrong: it is what the potential *gains*, γ φ(s') − φ(s)": lambda r, a, b, end, g: (
+        r - g * b * (not end) + a
+    ),
+    "φ(s) is not subtracted: that is a bonus which can be farmed": lambda r, a, b, end, g: r + g * b * (not end),
+    "that is a bonus for the next state, without discount and without the bill φ(s)": lambda r, a, b, end, g: r + b,
+    "that is the shaping reward alone; add the reward": lambda r, a, b, end, g: g * b * (not end) - a,
+    "at the end the bill still has to be paid: − φ(s) counts also when `terminated`": lambda r, a, b, end, g: (
+        r if end else r + g * b - a
+    ),
+    "that is the reward alone, without shaping": lambda r, a, b, end, g: r,
+    "only φ(s') is discounted, not φ(s)": lambda r, a, b, end, g: r + g * (b * (not end) - a),
+    "γ belongs before φ(s'), not before φ(s)": lambda r, a, b, end, g: r + b * (not end) - g * a,
+    "the reward itself is not discounted": lambda r, a, b, end, g: g * (r + b * (not end)) - a,
+    "the two states have changed places": lambda r, a, b, end, g: r + g * a * (not end) - b,
+    "+ φ(s) stands where − φ(s) should": lambda r, a, b, end, g: r + g * b * (not end) + a,
+}
+"""By the sentence that tells of it, what each mistake gives for the reward, φ(s), φ(s'), the end, and γ."""
+
+
+def exercise_2(answer: Any, seed: int) -> str:
+    """Check the function that adds potential-based shaping to a reward."""
+    given("shaped_reward", answer)
+    if not callable(answer) or isinstance(answer, type):
+        raise WrongAnswer(f"shaped_reward should be a function, but is of the type {type(answer).__name__}")
+    rng = np.random.default_rng(seed)
+    cases = [_shaping_case(answer, terminated, rng) for terminated in (False, True, False)]
+    all_of_it = [
+        why for why, rule in SHAPING_MISTAKES.items() if all(same(rule(*told), value) for _, told, value in cases)
+    ]
+    for call, told, value in cases:
+        reward, before, after, terminated, discount = told
+        right = reward + (0.0 if terminated else discount * after) - before
+        wrong = {why: SHAPING_MISTAKES[why](*told) for why in (all_of_it or SHAPING_MISTAKES)}
+        compare(call, value, right, {why: result for why, result in wrong.items() if result != right})
+    return "Right: what is given on the way to a state is taken back when it is left. Here are both policies:"
+
+
+def _shaping_case(
+    answer: Callable[..., Any], terminated: bool, rng: Random
+) -> tuple[str, tuple[float, float, float, bool, float], float]:
+    """Call a student's function on made-up numbers; return the call, its numbers, and what came."""
+    before, after = float(rng.integers(2, 9)), 10.0 + float(rng.integers(2, 9))
+    reward, discount = 40.0 + float(rng.integers(1, 6)), float(rng.choice([0.5, 0.75]))
+    call = (
+        f"shaped_reward({reward:g}, potential, 'bed', 'door', {terminated}, {discount:g}) with potential('bed') ="
+        f" {before:g} and potential('door') = {after:g}"
+    )
+    with running(call):
+        found = answer(reward, {"bed": before, "door": after}.__getitem__, "bed", "door", terminated, discount)
+    return call, (reward, before, after, terminated, discount), number(call, found)
+
+
+class UsedToChimes(Morning):
+    """A sleeper who hears only the first two chimes; the state is (time, depth, chimes)."""
+
+    __slots__ = ()
+
+    def initial(self, rng: Random) -> Any:
+        """Fast asleep, and no chime yet."""
+        return 0, 2, 0
+
+    def transition(self, state: Any, action: int, rng: Random, mistake: str = "") -> Any:
+        """A chime after the second is like silence; other values of `mistake` are what students may write."""
+        time, depth, chimes = state
+        before = chimes
+        counted = {"rings": action > 0, "all": True, "none": False}.get(mistake, action == 1)
+        chimes = chimes + 1 if counted else chimes
+        if mistake != "uncapped":
+            chimes = min(chimes, 2)
+        if mistake == "resets" and action != 1:
+            chimes = 0
+        if mistake == "heard only":
+            chimes = min(before + 1, 2) if action == 1 and before < 2 and depth > 0 else before
+        heard = action == 1 and (chimes if mistake == "first" else before) < 2
+        if mistake == "deaf":
+            heard = action == 1
+        luck = rng.random()
+        if action == RING:
+            depth = 0 if luck < 0.9 else max(depth - 1, 0)
+        elif heard:
+            depth = max(depth - 1, 0) if luck < 0.7 else depth
+        elif action == 0 or mistake != "as it was":
+            depth = min(depth + 1, 2) if luck < 0.5 else depth
+        return (time if mistake == "no time" else time + 1), depth, chimes
+
+
+USED_MISTAKES = {
+    "the second chime does nothing any more: look at how many chimes came *before* this one": "first",
+    "she hears every chime; after two of them a chime should be like silence (is it `chimes < 2`?)": "deaf",
+    "rings are counted as well; count chimes only": "rings",
+    "every action is counted; count a chime only": "all",
+    "chimes are not counted: the third number has to grow with every chime": "none",
+    "the count goes on above 2, and leaves the observation space: keep it at 2": "uncapped",
+    "the count is set back by another action; she does not unlearn what she is used to": "resets",
+    "a chime that she does not hear leaves her sleep as it is; it should be like silence, in which it gets deeper": (
+        "as it was"
+    ),
+    "a chime counts also when she is awake": "heard only",
+    "the time stands still: the first number has to grow by 1": "no time",
+}
+
+
+def exercise_3(answer: Any, seed: int) -> str:
+    """Check the class of a morning whose sleeper gets used to the chime."""
+    given("UsedToIt", answer)
+    if not isinstance(answer, type):
+        raise WrongAnswer(f"UsedToIt should be the class, but is of the type {type(answer).__name__}")
+    with running("UsedToIt()"):
+        mine, first = answer(), answer().initial(np.random.default_rng(seed))
+    right = UsedToChimes()
+    given("initial(...)", first)
+    if not isinstance(first, tuple) or len(first) != 3:
+        raise WrongAnswer(f"initial should return three numbers, (time, depth, chimes), but returns {first!r}")
+    if tuple(first) != (0, 2, 0):
+        raise WrongAnswer(f"initial should return (0, 2, 0), fast asleep and no chime yet, but returns {first!r}")
+    rng = np.random.default_rng(seed)
+    states = [(int(rng.integers(1, 7)), depth, chimes) for depth in (2, 1, 0) for chimes in (0, 1, 2)]
+    _compare_ways(mine, right, [(state, action) for state in states for action in (0, 1, 2)])
+    with running("observation_space"):
+        n = [*getattr(mine.observation_space, "nvec", ())]
+    if n != [9, 3, 3]:
+        raise WrongAnswer(
+            f"observation_space should be MultiDiscrete([self.length + 1, 3, 3]), one number for each part of the"
+            f" state, but is {mine.observation_space}"
+        )
+    try:
+        check_mdp(mine)
+    except ValueError as error:
+        raise WrongAnswer(str(error)) from None
+    return "Right: one number more, and the next state depends on the state and the action alone again. See it learn:"
+
+
+def _compare_ways(mine: Any, right: UsedToChimes, steps: Sequence[tuple[Any, int]]) -> None:
+    """Compare where steps can lead, and with which probabilities; a mistake is best named if it explains all steps."""
+    found, expected = [], []
+    for state, action in steps:
+        call = f"transition({state}, {action}, rng)"
+        with running(call):
+            found.append(_ways(partial(mine.transition, state, action), call))
+        expected.append(_ways(partial(right.transition, state, action), call))
+    wrong = [k for k, ways in enumerate(found) if not _same(ways, expected[k])]
+    if not wrong:
+        return
+
+    def explained(mistake: str, places: Sequence[int]) -> bool:
+        return all(_same(found[k], _ways(partial(right.transition, *steps[k], mistake=mistake), "")) for k in places)
+
+    whys = [
+        why for places in (range(len(steps)), wrong[:1]) for why, m in USED_MISTAKES.items() if explained(m, places)
+    ]
+    why = [*whys, "that is none of the usual mistakes: write down by hand what can happen"][0]
+    (state, action), first = steps[wrong[0]], wrong[0]
+    raise WrongAnswer(
+        f"transition({state}, {action}, rng) should lead to {_told(expected[first])}, but leads to"
+        f" {_told(found[first])}: {why}"
+    )
+
+
+def _ways(draw: Callable[[Any], Any], call: str) -> dict[Any, float]:
+    total: dict[Any, float] = {}
+    for p, state in branches(draw):
+        given(call, state)
+        if not isinstance(state, tuple) or len(state) != 3:
+            raise WrongAnswer(f"{call} should return three numbers, (time, depth, chimes), but returns {state!r}")
+        total[tuple(state)] = total.get(tuple(state), 0.0) + p
+    return total
+
+
+def _same(found: Mapping[Any, float], expected: Mapping[Any, float]) -> bool:
+    return {*found} == {*expected} and all(abs(found[s] - expected[s]) < 1e-9 for s in found)
+
+
+def _told(ways: Mapping[Any, float]) -> str:
+    return " or ".join(f"{state} (p = {p:.2g})" for state, p in sorted(ways.items()))
+
+
+def exercise_4(answer: Any, seed: int) -> str:
+    """Check that a student's own problem is one: it runs, chance and decisions matter, and no one action is best."""
+    given("my_problem", answer)
+    if type(answer).__name__ == "Template":
+        raise WrongAnswer("that is the problem with which the cell began: write one of your own, under its own name")
+    if isinstance(answer, Morning) or type(answer).__name__ == "Morning":
+        raise WrongAnswer("that is the problem of the lesson: write one of your own, under its own name")
+    try:
+        with running("my_problem"):
+            require_mdp(answer, "my_problem")
+            check_mdp(answer)
+            values = solve(answer)
+    except ValueError as error:
+        raise WrongAnswer(str(error)) from None
+    model = values.model
+    policy, live = values.greedy_policy(), ~model.terminal
+    if len(model.states) < 4 or policy.shape[1] < 2:
+        raise WrongAnswer(
+            f"my_problem should have two actions and four states or more, but has {policy.shape[1]} and"
+            f" {len(model.states)}"
+        )
+    if not (((model.probabilities > 0).sum(axis=2) > 1)[live]).any():
+        raise WrongAnswer("my_problem should have chance in its dynamics: use `rng` in `transition`")
+    if np.ptp(model.rewards[model.probabilities > 0]) == 0:
+        raise WrongAnswer("every transition of my_problem has the same reward, so all policies are equal")
+    gap = values.start - random_return(answer, step_limit(answer))
+    if gap < 1e-6 * max(1.0, abs(values.start)):
+        raise WrongAnswer("the best policy of my_problem earns no more than random actions: do the actions matter?")
+    best_always = (policy[live] > 0).all(axis=0)
+    if best_always.any():
+        name = names_of(answer)[int(best_always.argmax())]
+        raise WrongAnswer(
+            f"in my_problem the action {name!r} is best in every state, so there is nothing to decide: give it a price"
+        )
+    return f"A problem: {len(model.states)} states, {policy.shape[1]} actions, optimum {values.start:.4g}."

@@ -1,0 +1,39 @@
+"""The exercises of lesson 10: the numbers in the checks are those of the exact model, and mistakes differ."""
+
+from functools import partial
+
+import numpy as np
+import pytest
+
+from edugym.exact.branching import branches
+from edugym.exercises import own_problem as exercises
+from edugym.lessons.own_problem import Morning, solve
+
+
+@pytest.mark.parametrize(("late", "action"), [(exercises.LATE - 0.001, 0), (exercises.LATE + 0.001, 2)])
+def test_where_the_policy_flips(late: float, action: int) -> None:
+    """The cost that is worked out by hand is where the exact policy changes."""
+    values = solve(Morning(late=late))
+    assert values.Q[values.model.row((7, 2))].argmax() == action
+
+
+def test_every_shaping_mistake_is_one() -> None:
+    """No two give the same numbers for a step in the middle and one at the end, and none gives the right ones."""
+    steps = [(41.0, 3.0, 14.0, False, 0.5), (43.0, 5.0, 16.0, True, 0.75)]
+    found = [tuple(rule(*step) for step in steps) for rule in exercises.SHAPING_MISTAKES.values()]
+    assert len({*found, (41 + 0.5 * 14 - 3, 43 - 5.0)}) == len(found) + 1
+
+
+def test_every_mistaken_sleeper_differs() -> None:
+    """Each from the right one, and from every other."""
+    task, rng = exercises.UsedToChimes(), np.random.default_rng(0)
+    assert task.initial(rng) == (0, 2, 0)
+
+    def ways(mistake: str) -> tuple[tuple[tuple[float, object], ...], ...]:
+        steps = [((3, depth, chimes), action) for depth in range(3) for chimes in range(3) for action in range(3)]
+        return tuple(
+            tuple(branches(partial(task.transition, state, action, mistake=mistake))) for state, action in steps
+        )
+
+    mistakes = ["", *exercises.USED_MISTAKES.values()]
+    assert len({ways(mistake) for mistake in mistakes}) == len(mistakes)

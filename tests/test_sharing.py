@@ -1,0 +1,209 @@
+"""An MDP in one file: it is the same one for whoever opens it."""
+
+import linecache
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import gymnasium
+import numpy as np
+import pytest
+from gymnasium.spaces import Discrete
+from typer.testing import CliRunner
+
+from edugym import check_mdp, finite_model, read_mdp, share, value_iteration
+from edugym.commands import app
+from edugym.lessons.own_problem import Morning, WithBonus
+from edugym.playing import Game
+
+CELLS = """
+import math
+from typing import NamedTuple
+import numpy as np
+from gymnasium.spaces import Discrete as Whole
+from edugym.rendering.scene import Circle, Scene
+
+SIDE, ends = 3, {"left": 0, "right": (4,)}
+time = object()  # has the name of a local variable below, and could not be written
+unused = open
+
+class Place(NamedTuple):
+    x: int
+
+def moved(x, by):
+    return max(x + by, ends["left"])
+
+class Walk(NamedTuple):
+    \"\"\"Walk to the right.\"\"\"
+    size: int
+    slip: float = 0.25
+    steps: np.ndarray = np.zeros(2, np.int64)
+    observation_space = property(lambda self: Whole(self.size + 1))
+    action_space = property(lambda self: Whole(2))
+    def initial(self, rng): return Place(SIDE - 2)
+    def transition(self, state, action, rng):
+        time = state.x
+        by = int(self.steps[action])
+        return Place(min(moved(time, -by if rng.random() < self.slip else by), self.size))
+    def reward(self, state, action, next_state, rng): return math.sqrt(next_state.x)
+    def terminal(self, state): return state.x == self.size or state.x == 0
+    def observation(self, state, rng): return state.x
+    def scene(self, state): return Scene(9.0, 5.0, (Circle(state.x, 2, 1),))
+
+class Slow(Walk):
+    __slots__ = ()
+    def reward(self, state, action, next_state, rng): return -1.0
+"""
+
+
+@pytest.fixture
+def cell() -> dict[str, Any]:
+    """The names after a notebook's cell was run, as IPython does it: the lines are known, and there is no file."""
+    file = "/tmp/ipykernel_1/1.py"
+    linecache.cache[file] = (len(CELLS), None, CELLS.splitlines(keepends=True), file)
+    names: dict[str, Any] = {"__name__": "__main__"}
+    exec(compile(CELLS, file, "exec"), names)
+    return names
+
+
+@pytest.mark.parametrize(
+    "make",
+    [
+        lambda cell: cell["Walk"](4, steps=np.array([1, -1])),
+        lambda cell: cell["Slow"](np.int64(5), slip=0.125, steps=np.array([1, 2])),
+    ],
+)
+def test_the_file_is_whole(make: Callable[[dict[str, Any]], Any], cell: dict[str, Any], tmp_path: Path) -> None:
+    """Everything that the class uses is in it, and nothing else; fields have the values that they had."""
+    mdp = make(cell)
+    path = share(mdp, tmp_path / "walk_of_mine.py")
+    text = path.read_text(encoding="utf-8")
+    assert "unused" not in text
+    assert "time = object" not in text
+    read = read_mdp(path)
+    assert type(read).__name__ == type(mdp).__name__
+    models = [finite_model(one) for one in (mdp, read)]
+    assert [*map(tuple, models[0].states)] == [*map(tuple, models[1].states)]
+    np.testing.assert_array_equal(models[0].p, models[1].p)
+    assert value_iteration(models[0], 0.9).start == value_iteration(models[1], 0.9).start
+    again = share(read, tmp_path / "again.py")  # what a friend has changed can be passed on
+    assert again.read_text(encoding="utf-8").replace("again.py", "walk_of_mine.py") == text
+
+
+def test_a_friend_opens_it_in_another_process(cell: dict[str, Any], tmp_path: Path) -> None:
+    """By Gymnasium's `make`, with the name of the module."""
+    share(cell["Walk"](4, steps=np.array([1, -1])), tmp_path / "walk_of_mine.py")
+    code = "import gymnasium; print(gymnasium.make('walk_of_mine:Walk-v0', render_mode='ansi').reset(seed=1)[0])"
+    done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True)
+    assert done.stdout == "1\n", done.stderr
+
+
+def test_playing_a_file(tmp_path: Path) -> None:
+    """In a notebook and by the command, with other values of its fields."""
+    path = str(share(Morning(), tmp_path / "morning.py"))
+    game = Game(path, late=3.0)
+    assert game.environment.unwrapped.mdp.late == 3.0  # type: ignore[attr-defined]
+    assert [*game.actions] == ["stay quiet", "chime", "ring"]
+    with pytest.raises(ValueError, match="has no parameter 'lat'; it has length, ring, late"):
+        Game(path, lat=3.0)
+    said = CliRunner(env={"COLUMNS": "200"}).invoke(app, ["play", str(tmp_path / "missing.py")]).output
+    assert "No such file" in said
+    said = CliRunner(env={"COLUMNS": "200"}).invoke(app, ["play", path, "--set", "lat=3"]).output
+    assert "has no parameter" in said
+
+
+def test_classes_of_installed_packages_are_imported(tmp_path: Path) -> None:
+    """And wrappers keep what is inside them."""
+    mdp = WithBonus(Morning(late=7.5), 3.0)
+    path = share(mdp, tmp_path / "bonus.py")
+    assert "from edugym.lessons.own_problem import Morning" in path.read_text(encoding="utf-8")
+    assert read_mdp(path) == mdp
+    assert gymnasium.spec("WithBonus-v0").id == "WithBonus-v0"
+
+
+def test_what_cannot_be_shared(tmp_path: Path, cell: dict[str, Any]) -> None:
+    """Is refused in a sentence, and no file is left."""
+    for name in ("walk.txt", "my-walk.py", "class.py", "1.py"):
+        with pytest.raises(ValueError, match="path must be the name of a Python module"):
+            share(Morning(), tmp_path / name)
+    with pytest.raises(ValueError, match="mdp must be"):
+        share(3, tmp_path / "three.py")
+    cell["ends"] = {"left": 0, "right": iter([])}
+    with pytest.raises(ValueError, match="ends must be made of numbers, texts and arrays to be shared"):
+        share(cell["Slow"](5, steps=np.array([1, 2])), tmp_path / "slow.py")
+    assert [*tmp_path.iterdir()] == []
+
+
+def test_a_class_inside_a_function_is_tried_first(tmp_path: Path) -> None:
+    """What it takes from the function is not in the file; no file is left."""
+    prize = 2.0
+
+    class Prize(Coin):
+        __slots__ = ()
+
+        def reward(self, state: int, action: int, next_state: int, rng: Any) -> float:
+            return prize
+
+    with pytest.raises(ValueError, match="Prize cannot be shared, since the file alone does not run"):
+        share(Prize(), tmp_path / "prize.py")
+    assert [*tmp_path.iterdir()] == []
+
+
+def test_what_cannot_be_read(tmp_path: Path) -> None:
+    """A file without an MDP, and one whose MDP is wrong."""
+    (tmp_path / "empty.py").write_text("x = 1\n")
+    with pytest.raises(ValueError, match="must give its MDP the name MDP"):
+        read_mdp(tmp_path / "empty.py")
+    (tmp_path / "wrong.py").write_text("MDP = 3\n")
+    with pytest.raises(ValueError, match="mdp must be an MDP"):
+        read_mdp(tmp_path / "wrong.py")
+    (tmp_path / "text.txt").write_text("MDP = 3\n")
+    with pytest.raises(ValueError, match="path must be a Python file"):
+        read_mdp(tmp_path / "text.txt")
+    with pytest.raises(FileNotFoundError):
+        read_mdp(tmp_path / "missing.py")
+
+
+class Coin(NamedTuple):
+    """A class in a file of one's own, which is imported."""
+
+    max_steps: int = 3
+
+    @property
+    def observation_space(self) -> Discrete:
+        """Heads or tails."""
+        return Discrete(2)
+
+    @property
+    def action_space(self) -> Discrete:
+        """Leave it or throw."""
+        return Discrete(2)
+
+    def initial(self, rng: Any) -> int:
+        """Heads."""
+        return 0
+
+    def transition(self, state: int, action: int, rng: Any) -> int:
+        """Throw, or leave it."""
+        return int(rng.random() < 0.5) if action else state
+
+    def reward(self, state: int, action: int, next_state: int, rng: Any) -> float:
+        """Tails are worth 1."""
+        return float(next_state)
+
+    def terminal(self, state: int) -> bool:
+        """Never."""
+        return False
+
+    def observation(self, state: int, rng: Any) -> int:
+        """The side."""
+        return state
+
+
+def test_values_of_every_kind(tmp_path: Path) -> None:
+    """Numbers, texts and containers are written so that they come back."""
+    path = share(Coin(4), tmp_path / "coin.py")
+    assert "Coin(max_steps=4)" in path.read_text(encoding="utf-8")
+    assert check_mdp(read_mdp(path))
