@@ -56,7 +56,8 @@ def curves(results: Results, title: str = "", width: float = WIDTH, **look: Any)
     """Return learning curves, with the best return that each number of bins allows."""
     labels = [label for label in ACTIONS if label in results.methods]
     best = {label: best_return(ACTIONS[label], width) for label in labels}
-    return WithBest(Curves(results, title, y_range=(-2.1, 5.2), **look), best)
+    strokes = [list(ACTIONS).index(label) for label in labels]
+    return WithBest(Curves(results, title, methods=labels, y_range=(-2.1, 5.2), **look), best, strokes)
 
 
 def ppo_figure(stored: Results) -> Sheet:
@@ -102,7 +103,7 @@ def one_setting(
     real = learn_continuous(spread=sigma, actor_rate=actor_rate, **how)
     title = f"{bins} bins, {cells} cells, α = {alpha:g}; σ = {sigma:g}; width {width:g}"
     both = joined([renamed(table, "REINFORCE, table"), renamed(real, "Gaussian actor-critic")])
-    return Sheet("one_setting", [[WithBest(Curves(both, title, y_range=(-2.1, 5.2)), strokes=(6, 3))]])
+    return Sheet("one_setting", [[WithBest(Curves(both, title, y_range=(-2.1, 5.2)), strokes=(6, 3), runs=True)]])
 
 
 def gradient_figure(mu: float = 0.6, sigma: float = 0.5, n: int = 1_000, baseline: float = 0.0, seed: int = 0) -> Sheet:

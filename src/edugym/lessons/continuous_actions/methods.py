@@ -50,6 +50,7 @@ def in_a_table(n_bins: int, cells: int = CELLS, width: float = WIDTH) -> Any:
         width: of the container.
     """
     task = DiscreteActions.create(Trashbot.create(container_width=width), n_bins)
+    task = task._replace(actions=task.actions.astype(np.float64))
     return Discretised.create(task, [1, 1, cells, cells, 1, 1, 3])
 
 

@@ -37,11 +37,13 @@ class WithBest(NamedTuple):
         curves: the learning curves.
         best: by label, the best return.
         strokes: the number of the stroke of each method, in order; None gives 0, 1, 2, ...
+        runs: whether to draw each run as a thin line in the place of the band.
     """
 
     curves: Curves
     best: Mapping[str, float] = MappingProxyType({})
     strokes: Sequence[int] | None = None
+    runs: bool = False
 
     @property
     def title(self) -> str:
@@ -56,6 +58,10 @@ class WithBest(NamedTuple):
         for method, line, band, number in zip(methods, ax.lines[:], ax.collections[:], strokes, strict=False):
             line.set(color=stroke(number).color, linestyle=stroke(number).linestyle)
             band.set_color(stroke(number).color)
+            if self.runs:
+                band.set_visible(False)
+                each = self.curves.points(method)
+                ax.plot(each.index, each.to_numpy(), color=stroke(number).color, linewidth=0.6, alpha=0.5)
             if method in self.best:
                 ax.axhline(self.best[method], **{**SOFT_REFERENCE, "color": stroke(number).color, "linewidth": 1.0})
         if self.best:
