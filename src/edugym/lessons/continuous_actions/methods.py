@@ -173,6 +173,30 @@ def steps_to(results: Results, label: str, goal: float, column: str = "return") 
     return np.where(reached.any(axis=0), steps[reached.argmax(axis=0)], steps[-1])
 
 
+class Drawing:
+    """A policy of PPO that draws its actions, as in training.
+
+    Args:
+        agent: the networks that `PPO.train` returns.
+        seed: of the actions.
+    """
+
+    def __init__(self, agent: Any, seed: int = 0) -> None:
+        """See the class."""
+        import torch
+
+        self.agent, self.generator = agent, torch.Generator().manual_seed(seed)
+
+    def __call__(self, seen: Any) -> Any:
+        """Return an action, shape (2,), for an observation."""
+        import torch
+
+        with torch.no_grad():
+            policy = self.agent.policy(self.agent.numbers(np.asarray(seen)[None]))
+            mean, spread = policy.base_dist.loc, policy.base_dist.scale
+            return self.agent.given(torch.normal(mean, spread, generator=self.generator))[0]
+
+
 def frozen_lake(n_steps: int = 20_000, *, learning_rate: float = 0.2, **how: Any) -> Results:
     """Train REINFORCE, with and without a baseline, on a frozen lake that is not slippery.
 
