@@ -64,7 +64,9 @@ def exercise_2(answer: Any, seed: int) -> str:
     _is_function("my_scores", answer)
     rng = np.random.default_rng(seed)
     cases = [(2.0, 0.5, 0.5), (-1.0, 0.2, 2.0), (0.3, 0.4, 0.25)]
-    cases += [tuple(float(x) for x in (*rng.integers(-12, 13, 2) / 4.0 + (0.0, 0.125), rng.integers(3, 9) / 4.0))]
+    cases.append(
+        (float(rng.integers(-12, 13)) / 4, float(rng.integers(-12, 13)) / 4 + 0.125, float(rng.integers(5, 9)) / 4)
+    )
     found = []
     for a, mu, sigma in cases:
         call = f"my_scores({a:g}, {mu:g}, {sigma:g})"

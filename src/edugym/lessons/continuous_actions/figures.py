@@ -184,7 +184,7 @@ def race(own: Mapping[str, Any], *, n_bins: int = 5, n_steps: int = 50_000, repe
 
 def lake_figure(lake: Results) -> Sheet:
     """Return the learning curves of REINFORCE on the frozen lake, with a baseline and without."""
-    return Sheet("lake", [[WithBest(Curves(lake, "FrozenLake", smooth=3), {}, (4, 5))]])
+    return Sheet("lake", [[WithBest(Curves(lake, "FrozenLake", smooth=3, y_range=(-0.05, 1.1)), {}, (4, 5))]])
 
 
 def maps(table: Any, real: Any, n_bins: int = 5, n: int = 120) -> Sheet:

@@ -192,10 +192,11 @@ class Slope(NamedTuple):
         means = np.linspace(-2.5, 2.5, 101)
         ax.plot(means, [value(m, self.spread) for m in means], color="#56b4e9", linewidth=1.8, label="J(μ)")
         here, exact = value(self.mean, self.spread), slope(self.mean, self.spread)
-        for tangent, label, look in (
+        looks: tuple[tuple[float, str, dict[str, Any]], ...] = (
             (self.estimate, "slope from actions and scores", {"color": BOX_RED, "linewidth": 3.0, "alpha": 0.6}),
             (exact, "slope by finite differences", {"color": INK, "linestyle": "dashed", "linewidth": 1.2}),
-        ):
+        )
+        for tangent, label, look in looks:
             ax.plot(self.mean + np.array([-0.5, 0.5]), here + tangent * np.array([-0.5, 0.5]), label=label, **look)
         ax.plot(self.mean, here, "o", color=INK, markersize=5)
         ax.set_ylim(-2.3, 4.3)

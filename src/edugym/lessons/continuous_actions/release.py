@@ -59,7 +59,8 @@ def estimates(
 ) -> Reals:
     """Return estimates of the slope of J, each from one action: (R - b) times the score of the mean, shape (n,)."""
     actions = np.random.default_rng(seed).normal(mean, spread, n)
-    return (pays(actions) - baseline) * scores(actions, mean, spread)[0]
+    of_mean: Reals = scores(actions, mean, spread)[0]
+    return (pays(actions) - baseline) * of_mean
 
 
 class Climbed(NamedTuple):
