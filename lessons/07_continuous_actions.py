@@ -56,9 +56,11 @@ env.scene()
 # | discount | $\gamma = 0.99$ | used by the agents of this lesson, but PPO has 0.999; returns in the figures are not discounted |
 #
 # The best possible return is 5. An agent that picks up the box, holds it and does nothing more gets $1 - 1 = 0$, and
-# one that does not even pick it up gets −1. Remember these three numbers: they will come back in every figure.
+# one that never picks it up gets −1. (So does one that picks it up and then hits something.) Remember these numbers:
+# they will come back in every figure.
 #
-# These methods are the environment. The last one belongs to the arm with bins: bin $k$ of $n$ means $2k/(n-1) - 1$.
+# These methods are the environment. The last one belongs to the arm with $n$ bins: the first bin means −1, the last
+# one 1, and the others lie between them in equal steps.
 
 # %%
 source(type(make_mdp("Trashbot")), "reward", "centring", "turns")
@@ -89,7 +91,8 @@ finer
 # %%
 display(arms.exact_figure())
 best = {n: arms.best_return(n) for n in arms.SHOWN_BINS}
-print("bins and the best return:", ", ".join(f"{n}: {value:.2f}" for n, value in best.items()), "- real numbers: 5.00")
+for n, value in best.items():
+    print(f"{n} bins: {len(arms.deliveries(n).places):3} places, best return {value:.2f}")
 gap = best[5] - best[4]
 finer.measured("the same, up to 0.005" if abs(gap) <= 0.005 else "5 bins" if gap > 0 else "4 bins")
 
@@ -97,8 +100,10 @@ finer.measured("the same, up to 0.005" if abs(gap) <= 0.005 else "5 bins" if gap
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Four bins, by a little. On the left every dot is a place where the box can be let go, and the ring is
-# the one nearest to the middle. (The green lines are where the box only just fits.) More bins mean more places, and so
-# mostly a better one. But each number of bins has its own places, and those of 5 are not those of 4 and one more.
+# the one nearest to the middle. (The green lines are where the box only just fits.) By and large more bins mean more
+# places, and a better one among them. But 4 bins have more places than 5, and 6 have more than 7. Why? Five bins turn
+# a joint by 0, 6 or 12 degrees to either side, so its angles are 6 degrees apart. Four bins turn it by 4 or 12
+# degrees, so its angles are 4 degrees apart.
 #
 # With two bins the box can be let go at four places, all of them more than half of the way from the middle to the
 # edge. No learning can mend that: an agent with bins is at best as good as its bins.
@@ -144,7 +149,7 @@ sliders(container, width=(0.28, 0.6, 0.02))
 #
 # **A baseline.** The mean score is zero, since $\sum_a \pi \nabla \ln \pi = \sum_a \nabla \pi = \nabla 1 = 0$. So any
 # number $b$ that does not depend on the action can be subtracted from $R$, and the mean of the estimate stays the
-# same: $(R - b)\, \nabla \ln \pi(A \mid \theta)$. Its *noise* does change, as you will see.
+# same: $(R - b)\, \nabla \ln \pi(A \mid \theta)$. What changes is its *noise*: how far the single estimates lie apart.
 #
 # **Many decisions.** In an episode the return $G_t$ from step $t$ takes the place of $R$, and a learned value $V(s)$
 # that of $b$. That is the policy gradient theorem (Sutton and Barto, section 13.2), and the algorithm is **REINFORCE**
@@ -211,8 +216,8 @@ source(arms.in_a_table)
 # $$
 #
 # The second one is taken with respect to $\ln \sigma$, so that $\sigma$ stays above 0 whatever is added. In words: if
-# an action was better than the baseline, $\mu$ moves towards it. And $\sigma$ grows if the action was far out
-# (farther than $\sigma$), and shrinks if it was near.
+# an action was better than the baseline, $\mu$ moves towards it, and $\sigma$ grows if the action was farther from
+# $\mu$ than $\sigma$, and shrinks if it was nearer. If the action was worse, all of this is the other way round.
 #
 # **Is that true?** Let us check it on one decision of our robot: where to let go. An action $a$ is now the distance
 # from the middle of the container, in units of the room that the box has there. It pays $4 - 2|a|$ in the container
@@ -226,18 +231,17 @@ source(arms.scores)
 source(arms.estimates)
 
 # %% [markdown]
-# Each of 100 000 actions gives one estimate. Their mean should be the slope of $J$. For that slope we compute $J$
-# itself as a sum over a fine grid of actions, and take a *finite difference*, $(J(\mu + h) - J(\mu - h)) / 2h$ with a
-# small $h$.
+# Let $J(\mu)$ be the expected reward of this policy, for a given $\sigma$. Each of 100 000 actions gives one estimate
+# of its slope (here with the baseline $b = 1$; any number will do). The mean of the estimates should be the slope. To
+# see whether it is, we compute $J$ itself as a sum over a fine grid of actions, and take a *finite difference*,
+# $(J(\mu + h) - J(\mu - h)) / 2h$ with a small $h$.
 
 # %%
 for mu, sigma in ((0.6, 0.5), (-0.8, 1.0), (0.1, 0.1)):
     found = arms.estimates(mu, sigma, 100_000, baseline=1.0)
     error = 1.96 * found.std() / len(found) ** 0.5
     exact = arms.slope(mu, sigma)
-    print(
-        f"μ = {mu:4}, σ = {sigma}: finite differences {exact:.2f}, actions and scores {found.mean():.2f} ± {error:.2f}"
-    )
+    print(f"μ = {mu:4}, σ = {sigma}: finite differences {exact:.2f}, from actions {found.mean():.2f} ± {error:.2f}")
 display(arms.gradient_figure())
 
 # %% [markdown]
@@ -293,8 +297,8 @@ noise.measured("less than a tenth" if ratios[1] < 0.1 else "half as large" if ra
 arms.baseline_figure()
 
 # %% [markdown]
-# Without a baseline they learn at first, and then they are thrown out of the container. The narrower the policy, the
-# larger are the scores $(a - \mu) / \sigma^2$, and with them the noise.
+# Without a baseline they learn at first, and then they are thrown out of the container. The figure before shows why
+# that comes late: the narrower the policy, the larger are the scores $(a - \mu) / \sigma^2$, and with them the noise.
 #
 # **The picture to remember.** On the left you see one policy that learns. It starts wide and beside the middle. It
 # moves, and as it gets sure it becomes narrow. That is how a Gaussian policy turns from exploring into placing
@@ -321,9 +325,9 @@ sliders(learn_to_release, mu=(-2.0, 2.0, 0.1), sigma=(0.1, 2.0, 0.1), alpha=(0.0
 # $$
 #
 # The features come from **tile coding** (section 9.5.4): eight grids of 20 by 20 tiles lie over the places of the
-# wrist, each a little displaced. A feature is a tile, and it is 1 if the wrist is in it, else 0. So eight features
-# are 1 at a time. Near places share most of their tiles, so what is learned at one place carries over to its
-# neighbours. A table is tile coding with one grid.
+# wrist, once for an arm with the box and once for one without it. Each grid is a little displaced. A feature is a
+# tile, and it is 1 if the wrist is in it, else 0. So eight features are 1 at a time. Near places share most of their
+# tiles, so what is learned at one place carries over to its neighbours. A table is tile coding with one grid.
 
 # %%
 source(TileCoding.see)
@@ -339,8 +343,9 @@ source(TileCoding.see)
 # \theta_k \leftarrow \theta_k + \alpha^\theta\, \delta\, \frac{A_k - \mu_k(S)}{\sigma^2}\, x(S)
 # $$
 #
-# (The package divides both rates by the eight tilings, `at_once`. It leaves the factor $\gamma^t$ out, as is usual. And
-# its $\sigma$ is fixed; an agent with a learned $\sigma$ comes later.)
+# ($\gamma V(S')$ is 0 if $S'$ is terminal. The package divides both rates by the number of grids, `at_once`. It
+# leaves the factor $\gamma^t$ out, as is usual. And its $\sigma$ is fixed; an agent with a learned $\sigma$ comes
+# later.)
 
 # %%
 source(GaussianActorCritic.learn)
@@ -377,11 +382,12 @@ first.measured(min(soon, key=soon.get))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Three bins are first by far, and the more bins, the later. Three bins for two joints make 9 actions,
-# nine bins make 81, and each has to be tried in each cell. But three bins stop near 4.2, just below their best of
+# nine bins make 81, and a table has to try them one by one. But three bins stop near 4.2, just below their best of
 # 4.31. Five and nine end above them.
 #
-# And the continuous agent? It has infinitely many actions, and yet it needs about as many steps as 5 bins. It does not
-# try them one by one: what it learns of one action holds for its neighbours, since it moves a mean.
+# And the continuous agent? It has infinitely many actions, and yet it needs about as many steps as 5 bins. It does
+# not try them one by one: it moves a mean, and so each action that it tries also changes the probability of its
+# neighbours.
 #
 # But be careful. The continuous agent differs in *three* things: its actions, its features and its algorithm. Only the
 # three agents with bins can be compared directly. For a fair comparison with real numbers see PPO below.
@@ -476,13 +482,13 @@ steps = {label: arms.steps_to(stored, label, 3.0, "training_return") for label i
 for label in stored.methods:
     drawn, likeliest = arms.late(stored, label, "training_return"), stored.final(label)
     print(
-        f"{label:10}: {steps[label].mean():6.0f} steps to 3, return {drawn.mean():.2f} with drawn actions at the end (means)"
+        f"{label:10}: {steps[label].mean():6.0f} steps to 3, return at the end {drawn.mean():.2f} (means, drawn actions)"
     )
-    stuck = likeliest < 1
-    print(
-        f"{'':10}  likeliest actions: {stuck.sum()} of 10 runs do not deliver; {(stuck & (drawn > 3)).sum()} of these do when they draw"
-    )
-for one, other in (("3 bins", "5 bins"), ("5 bins", "9 bins"), ("3 bins", "continuous"), ("continuous", "5 bins")):
+    lost = likeliest < 1
+    print(f"{'':10}  {lost.sum()} of 10 runs end below 1 with the likeliest actions;", end=" ")
+    print(f"{(lost & (drawn > 3)).sum()} of these are above 3 with drawn ones")
+pairs = [("3 bins", other) for other in ("5 bins", "9 bins", "continuous")]
+for one, other in [*pairs, ("5 bins", "9 bins"), ("continuous", "5 bins")]:
     print(f"steps to 3, {one} less {other}: {paired_difference(steps[one], steps[other])} (95 % interval)")
 difference = paired_difference(steps["continuous"], steps["5 bins"])
 more, fewer, unclear = slower.options
@@ -491,18 +497,17 @@ slower.measured(more if difference.low > 0 else fewer if difference.high < 0 els
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** The interval contains 0: ten runs do not show a difference between real numbers and 5 bins. (A run
-# that never reaches 3 counts with all its steps.) Three bins are sooner than each of the others, and these intervals
-# exclude 0. So "fewer actions are learned sooner" holds for 3 bins. It does not hold in general, since real numbers
-# are no slower than 5 bins here.
+# **Measured.** The interval contains 0: ten runs do not show whether real numbers are slower than 5 bins or sooner.
+# (A run that never reaches 3 counts with all its steps.) Three bins are sooner than each of the others, and these
+# intervals exclude 0. So "fewer actions are learned sooner" is shown for 3 bins here, and for nothing else.
 #
-# With drawn actions 3 bins return at least as much at the end as the others, although the others could do better. A
-# policy that still explores does not place the box exactly.
+# With drawn actions the mean return of 3 bins is not below that of the others at the end, although the others could
+# do better. One reason is that a policy that still explores does not place the box exactly.
 #
 # In the right panel the runs spread widely. Four of the ten continuous policies end at 0 there: the arm holds the box
-# until time is up. Nothing in this world is random, so it stands still at some place, or it goes in a circle. Three
-# of the four deliver the box when they draw their actions, since drawing gets them out of there. PPO improves the
-# policy that draws. Nobody promised anything for its likeliest actions.
+# until time is up. Nothing in this world is random, so with the likeliest actions every episode is the same. Three of
+# the four deliver the box when they draw their actions. PPO improves the policy that draws. Nobody promised anything
+# for its likeliest actions.
 # </details>
 #
 # One seed live, with real numbers and 262 144 steps, in some ten seconds. Then a film in which it draws its actions.
@@ -532,8 +537,9 @@ for label in tight.methods:
     wide, small = arms.late(learned, label).mean(), arms.late(tight, label).mean()
     loss[label] = wide - small
     print(
-        f"{label:10}: {wide:.2f} in the wide container, {small:.2f} in the narrow one (means of the last five points)"
+        f"{label:10}: return {wide:.2f} in the wide container, {small:.2f} in the narrow one (means, last five points)"
     )
+    print(f"{'':10}  {(tight.final(label) == 0).sum()} of 20 runs in the narrow one end at 0")
 apart = abs(loss["3 bins"] - loss["continuous"]) > 0.2
 narrow.measured(max(loss, key=loss.get) if apart else "neither, up to 0.2")
 
@@ -621,8 +627,8 @@ holes.measured("nothing at all" if not beginner.preferences.any() else "to avoid
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Nothing at all. Its return was 0 and its baseline was 0, so $\delta = 0$ at every step. A policy
-# gradient learns from differences between returns. Only after its first success can it learn, and then it does so
-# quickly, with a baseline and without. (Each point averages three evaluations.)
+# gradient learns from differences between the return and the baseline. Only after its first success can it learn, and
+# then it does so quickly, with a baseline and without. (Each point averages three evaluations.)
 # </details>
 
 # %% [markdown]
@@ -638,7 +644,7 @@ from edugym.grading import check
 
 # %% [markdown]
 # ### Exercise 1: what bins cost
-# Our arm has two joints. Let an arm have $J$ joints. Its table has a row for every state and a column for every
+# Our arm has two joints. Let an arm have $m$ joints. Its table has a row for every state and a column for every
 # action. A state is: the angle of each joint, cut into $c$ cells, and whether the box is held (yes or no). An action
 # chooses one of $n$ bins for each joint. How many preferences $\theta(s, a)$ does the table have? Write the function.
 #
@@ -826,14 +832,14 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # ### In one paragraph
 # *Learn it by heart, or better, say it in your own words.* With continuous actions no agent can try them all. Either
 # we choose a few, and then the best of these few is the most that we can get; each further bin costs learning time,
-# and with $J$ joints there are $n^J$ actions. Or we learn the policy itself: draw an action from $\pi(a \mid s,
+# and with $m$ joints there are $n^m$ actions. Or we learn the policy itself: draw an action from $\pi(a \mid s,
 # \theta)$, and move $\theta$ along $(G - b)\, \nabla \ln \pi$, towards actions that did better than expected. For a
 # Gaussian this moves the mean towards good actions, and makes it narrow when the good ones are near. It places
 # exactly, but it has one peak and sees only what is near it.
 #
 # ### Limits
-# Trashbot has two joints; the growth of $n^J$ was computed and not felt. Bins need not be crossed: PPO has one
-# softmax for each joint, which takes $nJ$ outputs instead of $n^J$. Our Gaussian actor-critic kept its $\sigma$
+# Trashbot has two joints; the growth of $n^m$ was computed and not felt. Bins need not be crossed: PPO has one
+# softmax for each joint, which takes $nm$ outputs instead of $n^m$. Our Gaussian actor-critic kept its $\sigma$
 # fixed. It was tuned by trials of a few settings, as the table was, so the fast experiment ranks these agents and not
 # all agents. And the clock is not in the observation, so the task is not quite Markov.
 #

@@ -138,7 +138,7 @@ def preferences(joints, bins, cells):
 
 
 # %% exercise 1, wrong: a box for each joint
-# says: not 2^J
+# says: not 2^m
 def preferences(joints, bins, cells):
     return (2 * cells * bins) ** joints
 

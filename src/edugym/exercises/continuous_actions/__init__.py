@@ -35,27 +35,27 @@ def exercise_1(answer: Any, seed: int) -> str:
     return f"Right: with 6 joints, 30 cells and 5 bins that are {many:.1e}. A Gaussian has one mean for each joint."
 
 
-def _size_mistakes(J: int, n: int, c: int) -> dict[str, float]:
+def _size_mistakes(m: int, n: int, c: int) -> dict[str, float]:
     """Return what the usual mistakes give."""
     return {
-        "whether the box is held doubles the number of rows": c**J * n**J,
-        "that is the number of rows; each row has a column for every action": 2 * c**J,
-        "that is the number of actions alone; how many rows are there?": n**J,
-        "the bins of the joints are chosen together: n for each of J joints make n^J actions, not n J": 2
-        * c**J
+        "whether the box is held doubles the number of rows": c**m * n**m,
+        "that is the number of rows; each row has a column for every action": 2 * c**m,
+        "that is the number of actions alone; how many rows are there?": n**m,
+        "the bins of the joints are chosen together: n for each of m joints make n^m actions, not n m": 2
+        * c**m
         * n
-        * J,
-        "every joint has bins of its own: n^J actions, not n": 2 * c**J * n,
-        "every joint has an angle of its own: c^J cells, not c": 2 * c * n**J,
-        "the angles are cut together: c^J cells, not c J": 2 * c * J * n**J,
-        "both are powers: J joints have c^J cells and n^J actions": 2 * c * n * J,
-        "both are powers: J joints have c^J cells and n^J actions; the joints are missing": 2 * c * n,
-        "cells and bins multiply, they do not add: every row has all columns": 2 * c**J + n**J,
-        "the box is held by the arm, not by each joint: the factor is 2, not 2^J": 2**J * c**J * n**J,
-        "base and exponent have changed places: n^J, not J^n": 2 * J**c * J**n,
-        "the 2 multiplies the rows, it is not added to them": (2 + c**J) * n**J,
-        "the box is a part of the state: multiply by 2, do not square": (c**J) ** 2 * n**J,
-        "holding has 2 values, yes and no; in the lesson's wrapper one of the 3 cells is never used": 3 * c**J * n**J,
+        * m,
+        "every joint has bins of its own: n^m actions, not n": 2 * c**m * n,
+        "every joint has an angle of its own: c^m cells, not c": 2 * c * n**m,
+        "the angles are cut together: c^m cells, not c m": 2 * c * m * n**m,
+        "both are powers: m joints have c^m cells and n^m actions": 2 * c * n * m,
+        "both are powers: m joints have c^m cells and n^m actions; the joints are missing": 2 * c * n,
+        "cells and bins multiply, they do not add: every row has all columns": 2 * c**m + n**m,
+        "the box is held by the arm, not by each joint: the factor is 2, not 2^m": 2**m * c**m * n**m,
+        "base and exponent have changed places: n^m, not m^n": 2 * m**c * m**n,
+        "the 2 multiplies the rows, it is not added to them": (2 + c**m) * n**m,
+        "the box is a part of the state: multiply by 2, do not square": (c**m) ** 2 * n**m,
+        "holding has 2 values, yes and no; in the lesson's wrapper one of the 3 cells is never used": 3 * c**m * n**m,
     }
 
 
