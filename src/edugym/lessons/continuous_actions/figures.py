@@ -50,7 +50,8 @@ FOLLOWED = (0, 60, 250, 1_000)
 
 def exact_figure(width: float = WIDTH, bins: Sequence[int] = SHOWN_BINS) -> Sheet:
     """Return where the box can be let go with so many bins, and the best return."""
-    return Sheet("exact", [[Places(bins, width), BestReturns(bins, width)]])
+    places = Places(bins, width, f"where the box can be let go, width {width:g}")
+    return Sheet("exact", [[places, BestReturns(bins, width)]])
 
 
 def curves(results: Results, title: str = "", width: float = WIDTH, **look: Any) -> WithBest:
@@ -102,7 +103,10 @@ def one_setting(
     how: dict[str, Any] = {"n_steps": n_steps, "repetitions": repetitions, "discount": gamma, "width": width}
     table = learn_bins(bins, cells=cells, learning_rate=alpha, **how)
     real = learn_continuous(spread=sigma, actor_rate=actor_rate, **how)
-    title = f"{bins} bins, {cells} cells, α = {alpha:g}; σ = {sigma:g}; width {width:g}"
+    title = (
+        f"{bins} bins, {cells} cells, α = {alpha:g}; σ = {sigma:g}, actor's rate {actor_rate:g};"
+        f"\nγ = {gamma:g}, width {width:g}"
+    )
     both = joined([renamed(table, "REINFORCE, table"), renamed(real, "Gaussian actor-critic")])
     return Sheet("one_setting", [[WithBest(Curves(both, title, y_range=(-2.1, 5.2)), strokes=(6, 3), runs=True)]])
 
@@ -111,7 +115,8 @@ def gradient_figure(mu: float = 0.6, sigma: float = 0.5, n: int = 1_000, baselin
     """Return a Gaussian policy over the reward, and the slope of J beside its estimate from n actions."""
     estimate = float(estimates(mu, sigma, n, baseline=baseline, seed=seed).mean())
     policy = Landscape({"policy": (mu, sigma)}, title=f"μ = {mu:g}, σ = {sigma:g}")
-    return Sheet("gradient", [[policy, Slope(mu, sigma, estimate, f"slope from {n} actions: {estimate:.2f}")]])
+    title = f"slope from {n} actions, b = {baseline:g}: {estimate:.2f}"
+    return Sheet("gradient", [[policy, Slope(mu, sigma, estimate, title)]])
 
 
 def noise_figure(policies: Mapping[str, tuple[float, float]]) -> Sheet:
@@ -127,8 +132,9 @@ def narrowing(
     shown = [t for t in FOLLOWED if t <= n_updates]
     policies = {f"update {t}": (float(runs.means[t, 0]), float(runs.spreads[t, 0])) for t in shown}
     climbed = {"with a baseline" if baseline else "without a baseline": runs}
-    right = Climbs(climbed, "100 policies", (4 if baseline else 5,))
-    return Sheet("narrowing", [[Landscape(policies, title="one policy"), right]])
+    right = Climbs(climbed, f"100 policies, α = {alpha:g}", (4 if baseline else 5,))
+    left = Landscape(policies, title=f"one of them, from μ = {mu:g}, σ = {sigma:g}")
+    return Sheet("narrowing", [[left, right]])
 
 
 def baseline_figure(alpha: float = 0.01, n_updates: int = 2_000) -> Sheet:
@@ -148,7 +154,8 @@ def peaks(
         "Gaussian": climb(mean=mu, spread=sigma, n_updates=n_updates, pays=two_containers),
         f"{bins} bins": climb_in_bins(bins, rate=0.1, n_updates=n_updates),
     }
-    start = Landscape({"Gaussian, at first": (mu, sigma)}, two_containers, "two containers", (-3.5, 3.5))
+    title = f"two containers; μ = {mu:g}, σ = {sigma:g} at first"
+    start = Landscape({"Gaussian, at first": (mu, sigma)}, two_containers, title, (-3.5, 3.5))
     found = {label: float((runs[label].means[-1] > 0.5).mean()) for label in runs}
     return Sheet("peaks", [[start, Climbs(runs, "100 policies of each kind", (3, 6))]]), found
 
