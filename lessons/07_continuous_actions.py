@@ -56,8 +56,8 @@ env.scene()
 # | discount | $\gamma = 0.99$ | used by the agents of this lesson, but PPO has 0.999; returns in the figures are not discounted |
 #
 # The best possible return is 5. An agent that picks up the box, holds it and does nothing more gets $1 - 1 = 0$, and
-# one that never picks it up gets −1. (So does one that picks it up and then hits something.) Remember these numbers:
-# they will come back in every figure.
+# one that never picks it up and hits nothing gets −1. (So does one that picks it up and then hits something.)
+# Remember these numbers: they will come back in every figure.
 #
 # These methods are the environment. The last one belongs to the arm with $n$ bins: the first bin means −1, the last
 # one 1, and the others lie between them in equal steps.
@@ -301,8 +301,8 @@ arms.baseline_figure()
 # that comes late: the narrower the policy, the larger are the scores $(a - \mu) / \sigma^2$, and with them the noise.
 #
 # **The picture to remember.** On the left you see one policy that learns. It starts wide and beside the middle. It
-# moves, and as it gets sure it becomes narrow. That is how a Gaussian policy turns from exploring into placing
-# exactly.
+# moves to the middle, and it becomes narrow. (The narrowest one is cut off at the top.) That is how a Gaussian policy
+# turns from exploring into placing exactly.
 
 
 # %%
@@ -709,8 +709,10 @@ display(arms.climb_race(my_scores))
 # - move every preference of the state by $\alpha^\theta \gamma^t \delta\, (1\{a = A_t\} - \pi(a \mid S_t))$.
 #
 # `self.look(state)` writes $\pi(\cdot \mid s)$ into `self.probabilities`. The fields `learning_rate` and
-# `value_learning_rate` are $\alpha^\theta$ and $\alpha^w$. You write plain Python, and it runs as machine code. The
-# race is on Trashbot with 5 bins, beside REINFORCE of the package with a baseline and without.
+# `value_learning_rate` are $\alpha^\theta$ and $\alpha^w$. You write plain Python, with loops over numbers, and it
+# runs as machine code. (If a warning says that it cannot be compiled, the race takes a minute instead of seconds.)
+# The race is on Trashbot with 5 bins, 40 000 steps and 8 repetitions, beside REINFORCE of the package with a baseline
+# and without.
 #
 # <details><summary>Hint</summary><code>for t in range(n - 1, -1, -1):</code> counts backwards. You may write the return
 # into <code>self.rewards[t]</code>. <code>self.discount**t</code> is γ to the power of t. Call
@@ -792,9 +794,8 @@ display(arms.race({"mine": MyREINFORCE.create}))
 #
 # Your line lies on that of REINFORCE with a baseline, or nearly so, if you went through the steps in order. (If you
 # updated from the last step backwards, you have another line: the arm comes to some cells several times in an
-# episode, and then the order matters.) Without a baseline the mean line is not later here, and it ends a little
-# lower. A baseline makes each estimate less noisy where all returns are far from 0. It does not promise faster
-# learning in every task.
+# episode, and then the order matters.) Without a baseline the mean line is not later here. A baseline makes each
+# estimate less noisy where all returns are far from 0. It does not promise faster learning in every task.
 # </details>
 
 # %% [markdown]

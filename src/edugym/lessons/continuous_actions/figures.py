@@ -166,7 +166,7 @@ def climb_race(score: Scores) -> Sheet:
     return Sheet("scores", [[Climbs(runs, "100 policies of each", (4, 6))]])
 
 
-def race(own: Mapping[str, Any], *, n_bins: int = 5, n_steps: int = 50_000, repetitions: int = 10, **how: Any) -> Sheet:
+def race(own: Mapping[str, Any], *, n_bins: int = 5, n_steps: int = 40_000, repetitions: int = 8, **how: Any) -> Sheet:
     """Return REINFORCE of the package with and without a baseline, beside agents of the reader's own, with 5 bins.
 
     Args:

@@ -190,7 +190,7 @@ class Slope(NamedTuple):
         """Draw the curve and two lines with the slopes on `ax`, and return the axes."""
         ax = own_axes(ax)
         means = np.linspace(-2.5, 2.5, 101)
-        ax.plot(means, [value(m, self.spread) for m in means], color="#56b4e9", linewidth=1.8, label="J(μ)")
+        ax.plot(means, [value(m, self.spread) for m in means], color="#8a6d3b", linewidth=1.8, label="J(μ)")
         here, exact = value(self.mean, self.spread), slope(self.mean, self.spread)
         looks: tuple[tuple[float, str, dict[str, Any]], ...] = (
             (self.estimate, "slope from actions and scores", {"color": BOX_RED, "linewidth": 3.0, "alpha": 0.6}),
