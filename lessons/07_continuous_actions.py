@@ -481,9 +481,7 @@ display(arms.ppo_figure(stored))
 steps = {label: arms.steps_to(stored, label, 3.0, "training_return") for label in stored.methods}
 for label in stored.methods:
     drawn, likeliest = arms.late(stored, label, "training_return"), stored.final(label)
-    print(
-        f"{label:10}: {steps[label].mean():6.0f} steps to 3, return at the end {drawn.mean():.2f} (means, drawn actions)"
-    )
+    print(f"{label:10}: {steps[label].mean():6.0f} steps to 3, return at the end {drawn.mean():.2f} (means, drawn)")
     lost = likeliest < 1
     print(f"{'':10}  {lost.sum()} of 10 runs end below 1 with the likeliest actions;", end=" ")
     print(f"{(lost & (drawn > 3)).sum()} of these are above 3 with drawn ones")
