@@ -468,9 +468,7 @@ def update(self, n):
         delta = self.rewards[t] - self.V[s]
         for a in range(len(self.probabilities)):
             chosen = int(a == self.actions[t])
-            self.preferences[s, a] += (
-                self.learning_rate * self.discount**t * delta * (chosen - self.probabilities[a])
-            )
+            self.preferences[s, a] += self.learning_rate * self.discount**t * delta * (chosen - self.probabilities[a])
         self.V[s] = (1 - self.value_learning_rate) * self.V[s] + self.value_learning_rate * self.rewards[t]
 
 
@@ -805,7 +803,7 @@ def update(self, n):
         self.V[state] += self.value_learning_rate * delta
         self.look(state)
         for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0)
+            score = 1.0 if a == self.actions[t] else 0.0
             self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
 
 
@@ -930,7 +928,7 @@ def update(self, n):
 
 
 # %% exercise 3, wrong: two mistakes
-# says: ; and 
+# says: ; and
 def update(self, n):
     G = 0.0
     for t in range(n - 1, -1, -1):
