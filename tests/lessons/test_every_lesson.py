@@ -13,6 +13,7 @@ CLAIMS = {
     "dimensionality": 13,
     "memory": 19,
     "signal": 24,
+    "continuous_actions": 20,
     "stochasticity": 15,
     "model_based": 20,
     "own_problem": 25,

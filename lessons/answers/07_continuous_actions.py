@@ -1,0 +1,978 @@
+# ruff: noqa
+# Right and wrong answers to the exercises of lesson 7; tests/lessons/test_answers.py tries them all.
+# An answer stands in the place of the exercise's cell. Methods without their class replace those of the solution.
+
+
+# %% setup
+import itertools
+import math
+
+
+# %% exercise 1, right: in one line
+def preferences(joints, bins, cells):
+    return 2 * cells**joints * bins**joints
+
+
+# %% exercise 1, right: one power
+def preferences(joints, bins, cells):
+    return 2 * (cells * bins) ** joints
+
+
+# %% exercise 1, right: a loop
+def preferences(joints, bins, cells):
+    n = 2
+    for joint in range(joints):
+        n *= cells * bins
+    return n
+
+
+# %% exercise 1, right: with pow
+def preferences(joints, bins, cells):
+    return pow(cells, joints) * pow(bins, joints) * 2
+
+
+# %% exercise 1, right: as a float
+def preferences(joints, bins, cells):
+    return 2.0 * float(cells) ** joints * bins**joints
+
+
+# %% exercise 1, right: rows and columns
+def preferences(joints, bins, cells):
+    holding = 2
+    angles = math.prod([cells] * joints)
+    actions = len(list(itertools.product(range(bins), repeat=joints)))
+    return holding * angles * actions
+
+
+# %% exercise 1, right: with numpy
+def preferences(joints, bins, cells):
+    return np.prod(np.full(joints, cells)) * np.prod(np.full(joints, bins)) * 2
+
+
+# %% exercise 1, wrong: dots
+# says: Not solved yet
+preferences = ...
+
+
+# %% exercise 1, wrong: the placeholder
+# says: Not solved yet
+def preferences(joints, bins, cells):
+    raise NotImplementedError("not solved yet: replace this line")
+
+
+# %% exercise 1, wrong: a number
+# says: should be a function
+preferences = 2 * 30**2 * 5**2
+
+
+# %% exercise 1, wrong: no return
+# says: is a `return` missing?
+def preferences(joints, bins, cells):
+    n = 2 * cells**joints * bins**joints
+
+
+# %% exercise 1, wrong: printed
+# says: is a `return` missing?
+def preferences(joints, bins, cells):
+    print(2 * cells**joints * bins**joints)
+
+
+# %% exercise 1, wrong: without the box
+# says: whether the box is held doubles
+def preferences(joints, bins, cells):
+    return cells**joints * bins**joints
+
+
+# %% exercise 1, wrong: rows
+# says: that is the number of rows
+def preferences(joints, bins, cells):
+    return 2 * cells**joints
+
+
+# %% exercise 1, wrong: actions
+# says: that is the number of actions alone
+def preferences(joints, bins, cells):
+    return bins**joints
+
+
+# %% exercise 1, wrong: bins added
+# says: are chosen together
+def preferences(joints, bins, cells):
+    return 2 * cells**joints * bins * joints
+
+
+# %% exercise 1, wrong: one joint's bins
+# says: every joint has bins of its own
+def preferences(joints, bins, cells):
+    return 2 * cells**joints * bins
+
+
+# %% exercise 1, wrong: one angle
+# says: every joint has an angle of its own
+def preferences(joints, bins, cells):
+    return 2 * cells * bins**joints
+
+
+# %% exercise 1, wrong: angles added
+# says: the angles are cut together
+def preferences(joints, bins, cells):
+    return 2 * cells * joints * bins**joints
+
+
+# %% exercise 1, wrong: all added
+# says: both are powers
+def preferences(joints, bins, cells):
+    return 2 * cells * bins * joints
+
+
+# %% exercise 1, wrong: no joints
+# says: the joints are missing
+def preferences(joints, bins, cells):
+    return 2 * cells * bins
+
+
+# %% exercise 1, wrong: rows plus columns
+# says: they do not add
+def preferences(joints, bins, cells):
+    return 2 * cells**joints + bins**joints
+
+
+# %% exercise 1, wrong: a box for each joint
+# says: not 2^m
+def preferences(joints, bins, cells):
+    return (2 * cells * bins) ** joints
+
+
+# %% exercise 1, wrong: exchanged
+# says: have changed places
+def preferences(joints, bins, cells):
+    return 2 * joints**cells * joints**bins
+
+
+# %% exercise 1, wrong: two more
+# says: not added to them
+def preferences(joints, bins, cells):
+    return (2 + cells**joints) * bins**joints
+
+
+# %% exercise 1, wrong: three cells for holding
+# says: one of the 3 cells is never used
+def preferences(joints, bins, cells):
+    return 3 * cells**joints * bins**joints
+
+
+# %% exercise 1, wrong: two joints for ever
+# says: none of the usual mistakes
+def preferences(joints, bins, cells):
+    return 2 * cells**2 * bins**2
+
+
+# %% exercise 1, wrong: a text
+# says: is the text
+def preferences(joints, bins, cells):
+    return f"{2 * cells**joints * bins**joints}"
+
+
+# %% exercise 1, wrong: another parameter
+# says: its parameters are not those of the exercise
+def preferences(joints, bins):
+    return 2 * 30**joints * bins**joints
+
+
+# %% exercise 2, right: in one line
+def my_scores(a, mu, sigma):
+    return (a - mu) / sigma**2, (a - mu) ** 2 / sigma**2 - 1
+
+
+# %% exercise 2, right: standardised
+def my_scores(a, mu, sigma):
+    z = (a - mu) / sigma
+    return z / sigma, z**2 - 1
+
+
+# %% exercise 2, right: the derivative with respect to σ, times σ
+def my_scores(a, mu, sigma):
+    of_sigma = ((a - mu) ** 2 - sigma**2) / sigma**3
+    return (a - mu) / sigma**2, sigma * of_sigma
+
+
+# %% exercise 2, right: a list
+def my_scores(a, mu, sigma):
+    return [(a - mu) / sigma**2, (a - mu) ** 2 / sigma**2 - 1]
+
+
+# %% exercise 2, right: the variance first
+def my_scores(a, mu, sigma):
+    variance = sigma * sigma
+    distance = a - mu
+    return distance / variance, (distance * distance - variance) / variance
+
+
+# %% exercise 2, right: minus signs
+def my_scores(a, mu, sigma):
+    return -(mu - a) / sigma**2, -1 + (mu - a) ** 2 / sigma**2
+
+
+# %% exercise 2, right: the lesson's function
+def my_scores(a, mu, sigma):
+    return arms.scores(a, mu, sigma)
+
+
+# %% exercise 2, wrong: the placeholder
+# says: Not solved yet
+def my_scores(a, mu, sigma):
+    raise NotImplementedError("not solved yet: replace this line")
+
+
+# %% exercise 2, wrong: dots
+# says: Not solved yet
+my_scores = ...
+
+
+# %% exercise 2, wrong: no return
+# says: is a `return` missing?
+def my_scores(a, mu, sigma):
+    of_mu, of_log_sigma = (a - mu) / sigma**2, (a - mu) ** 2 / sigma**2 - 1
+
+
+# %% exercise 2, wrong: only one
+# says: two numbers
+def my_scores(a, mu, sigma):
+    return (a - mu) / sigma**2
+
+
+# %% exercise 2, wrong: σ, not squared
+# says: divide by σ², not by σ
+def my_scores(a, mu, sigma):
+    return (a - mu) / sigma, (a - mu) ** 2 / sigma**2 - 1
+
+
+# %% exercise 2, wrong: no division
+# says: the division is missing
+def my_scores(a, mu, sigma):
+    return a - mu, (a - mu) ** 2 / sigma**2 - 1
+
+
+# %% exercise 2, wrong: the wrong sign
+# says: the sign is wrong: an action above the mean
+def my_scores(a, mu, sigma):
+    return (mu - a) / sigma**2, (a - mu) ** 2 / sigma**2 - 1
+
+
+# %% exercise 2, wrong: half
+# says: cancel
+def my_scores(a, mu, sigma):
+    return (a - mu) / (2 * sigma**2), (a - mu) ** 2 / sigma**2 - 1
+
+
+# %% exercise 2, wrong: twice
+# says: the 2 is too many
+def my_scores(a, mu, sigma):
+    return 2 * (a - mu) / sigma**2, (a - mu) ** 2 / sigma**2 - 1
+
+
+# %% exercise 2, wrong: no brackets
+# says: set brackets
+def my_scores(a, mu, sigma):
+    return a - mu / sigma**2, (a - mu) ** 2 / sigma**2 - 1
+
+
+# %% exercise 2, wrong: the logarithm itself
+# says: not its derivative
+def my_scores(a, mu, sigma):
+    return -((a - mu) ** 2) / (2 * sigma**2) - math.log(sigma), (a - mu) ** 2 / sigma**2 - 1
+
+
+# %% exercise 2, wrong: times the variance
+# says: divide by it
+def my_scores(a, mu, sigma):
+    return (a - mu) * sigma**2, (a - mu) ** 2 / sigma**2 - 1
+
+
+# %% exercise 2, wrong: exchanged
+# says: the score of μ comes first
+def my_scores(a, mu, sigma):
+    return (a - mu) ** 2 / sigma**2 - 1, (a - mu) / sigma**2
+
+
+# %% exercise 2, wrong: of σ
+# says: with respect to σ; for ln σ multiply it by σ
+def my_scores(a, mu, sigma):
+    return (a - mu) / sigma**2, (a - mu) ** 2 / sigma**3 - 1 / sigma
+
+
+# %% exercise 2, wrong: of the variance
+# says: with respect to σ²
+def my_scores(a, mu, sigma):
+    return (a - mu) / sigma**2, (a - mu) ** 2 / (2 * sigma**4) - 1 / (2 * sigma**2)
+
+
+# %% exercise 2, wrong: no −1
+# says: the term − ln σ is forgotten
+def my_scores(a, mu, sigma):
+    return (a - mu) / sigma**2, (a - mu) ** 2 / sigma**2
+
+
+# %% exercise 2, wrong: the sign of the second
+# says: σ should grow for actions that are far out
+def my_scores(a, mu, sigma):
+    return (a - mu) / sigma**2, 1 - (a - mu) ** 2 / sigma**2
+
+
+# %% exercise 2, wrong: plus 1
+# says: is −1, not +1
+def my_scores(a, mu, sigma):
+    return (a - mu) / sigma**2, (a - mu) ** 2 / sigma**2 + 1
+
+
+# %% exercise 2, wrong: half of the second
+# says: which cancels the 2 in 2σ²
+def my_scores(a, mu, sigma):
+    return (a - mu) / sigma**2, (a - mu) ** 2 / (2 * sigma**2) - 1
+
+
+# %% exercise 2, wrong: not squared
+# says: should be squared
+def my_scores(a, mu, sigma):
+    return (a - mu) / sigma**2, (a - mu) / sigma**2 - 1
+
+
+# %% exercise 2, wrong: σ once
+# says: σ is divided by once too little
+def my_scores(a, mu, sigma):
+    return (a - mu) / sigma**2, (a - mu) ** 2 / sigma - 1
+
+
+# %% exercise 2, wrong: for single numbers only
+# says: three actions at once
+def my_scores(a, mu, sigma):
+    if np.size(a) > 1:
+        a = a[0]
+    return (a - mu) / sigma**2, (a - mu) ** 2 / sigma**2 - 1
+
+
+# %% exercise 2, wrong: with math
+# says: raises TypeError
+def my_scores(a, mu, sigma):
+    return (a - mu) / sigma**2, math.exp(2 * math.log(abs(a - mu) / sigma)) - 1
+
+
+# %% exercise 2, wrong: σ undefined
+# says: is not defined
+def my_scores(a, mu, sigma):
+    return (a - mu) / s**2, (a - mu) ** 2 / s**2 - 1
+
+
+# %% exercise 3, right: returns first, then the steps in order
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, right: backwards
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        state = self.states[t]
+        delta = G - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, right: the power of γ under way
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    power = 1.0
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * power * delta * score
+        power *= self.discount
+
+
+# %% exercise 3, right: with the function of the package
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        size = self.learning_rate * self.discount**t * delta
+        follow_log_gradient(self.preferences, state, self.actions[t], self.probabilities, size)
+
+
+# %% exercise 3, right: a sum for each return
+def update(self, n):
+    for t in range(n):
+        G = 0.0
+        for k in range(t, n):
+            G += self.discount ** (k - t) * self.rewards[k]
+        state, action = self.states[t], self.actions[t]
+        delta = G - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        step = self.learning_rate * self.discount**t * delta
+        for a in range(len(self.probabilities)):
+            self.preferences[state, a] -= step * self.probabilities[a]
+        self.preferences[state, action] += step
+
+
+# %% exercise 3, right: with arrays
+def update(self, n):
+    G = np.zeros(n + 1)
+    for t in range(n - 1, -1, -1):
+        G[t] = self.rewards[t] + self.discount * G[t + 1]
+    for t in range(n):
+        s = self.states[t]
+        delta = G[t] - self.V[s]
+        self.look(s)
+        score = -self.probabilities
+        score[self.actions[t]] += 1
+        self.preferences[s] += self.learning_rate * self.discount**t * delta * score
+        self.V[s] += self.value_learning_rate * delta
+
+
+# %% exercise 3, right: the policy before the baseline
+def update(self, n):
+    for t in range(n - 1, -1, -1):
+        if t < n - 1:
+            self.rewards[t] += self.discount * self.rewards[t + 1]
+    for t in range(n):
+        s = self.states[t]
+        self.look(s)
+        delta = self.rewards[t] - self.V[s]
+        for a in range(len(self.probabilities)):
+            chosen = int(a == self.actions[t])
+            self.preferences[s, a] += self.learning_rate * self.discount**t * delta * (chosen - self.probabilities[a])
+        self.V[s] = (1 - self.value_learning_rate) * self.V[s] + self.value_learning_rate * self.rewards[t]
+
+
+# %% exercise 3, wrong: the placeholder
+# says: Not solved yet
+def update(self, n):
+    raise NotImplementedError("not solved yet: replace this line")
+
+
+# %% exercise 3, wrong: nothing
+# says: changes neither
+def update(self, n):
+    pass
+
+
+# %% exercise 3, wrong: no γ^t
+# says: the factor γ^t is missing
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * delta * score
+
+
+# %% exercise 3, wrong: γ from the end
+# says: counts the steps from the *end*
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount ** (n - 1 - t) * delta * score
+
+
+# %% exercise 3, wrong: one power too many
+# says: one too high
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount ** (t + 1) * delta * score
+
+
+# %% exercise 3, wrong: no baseline
+# says: V(S_t) is not subtracted
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: G for δ in the policy
+# says: the preferences move by G instead of δ
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * self.rewards[t] * score
+
+
+# %% exercise 3, wrong: V stays
+# says: the baseline V does not change
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: V set
+# says: write `+=`
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] = self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: V by the whole δ
+# says: multiply it by α^w
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: V by G
+# says: V moves by α^w G
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * self.rewards[t]
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: δ after V
+# says: after V has changed
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        delta = self.rewards[t] - self.V[state]
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: the rates exchanged
+# says: have changed places
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.value_learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: one rate
+# says: a learning rate of its own
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: rewards for returns
+# says: not the return G_t
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: not discounted
+# says: the return is not discounted
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: the return of the whole episode
+# says: return of the whole episode
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = G - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: without its own reward
+# says: which is missing
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        reward = self.rewards[t]
+        self.rewards[t] = self.discount * G
+        G = reward + self.discount * G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: from the start
+# says: from the start up to step t
+def update(self, n):
+    G = 0.0
+    for t in range(n):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: the reward discounted too
+# says: only what follows it should be
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.discount * (self.rewards[t] + G)
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: no π
+# says: π is missing in the score
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = 1.0 if a == self.actions[t] else 0.0
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: only the action taken
+# says: only the preference of the action that was taken
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            if a != self.actions[t]:
+                continue
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: the sign
+# says: the sign of the score is wrong
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] -= self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: π added
+# says: subtracted in the score
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) + self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: no 1{a = A}
+# says: 1{a = A} is missing
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = -self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: not looked
+# says: call self.look(state) first
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: the last step missing
+# says: the last step of the episode is left out
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n - 1):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: the first step missing
+# says: the first step of the episode is left out
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(1, n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: two mistakes
+# says: ; and
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * delta * score
+
+
+# %% exercise 3, wrong: self forgotten
+# says: is not defined
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: one index
+# says: after the episode with states
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state] += self.learning_rate * self.discount**t * delta * score

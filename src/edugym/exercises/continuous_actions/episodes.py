@@ -1,0 +1,239 @@
+"""Made-up episodes, and what REINFORCE with a baseline makes of them: rightly, and with the usual mistakes."""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+import gymnasium
+import numpy as np
+
+from edugym.grading.student_code import running
+from edugym.grading.values import given
+from edugym.grading.wrong import WrongAnswer
+
+SHAPE = (7, 3)
+"""The size of the tables."""
+STALE = (0.5, 0.25, 0.25)
+"""What stands in `probabilities` before `update`: that of another state."""
+SETTINGS: Mapping[str, float] = MappingProxyType({"learning_rate": 0.5, "value_learning_rate": 0.25, "discount": 0.8})
+
+
+class Sizes(NamedTuple):
+    """Stands for the task for which an agent is made."""
+
+    observation_space: Any = gymnasium.spaces.MultiDiscrete([7])
+    action_space: Any = gymnasium.spaces.Discrete(SHAPE[1])
+
+
+class Case(NamedTuple):
+    """Tables, and an episode that visits no state twice."""
+
+    preferences: Any
+    V: Any
+    states: list[int]
+    actions: list[int]
+    rewards: list[float]
+
+
+def cases(seed: int) -> list[Case]:
+    """Make episodes up, of 1 to 4 steps, in simple numbers."""
+    rng = np.random.default_rng(seed)
+    made = []
+    for length in (1, 2, 3, 4, 4):
+        preferences = rng.choice([-1.0, -0.5, 0.0, 0.5, 1.0], SHAPE)
+        V = rng.choice([-1.0, 0.5, 1.5, 2.0], SHAPE[0])
+        states = [int(s) for s in rng.permutation(SHAPE[0])[:length]]
+        actions = [int(a) for a in rng.integers(SHAPE[1], size=length)]
+        rewards = [float(r) for r in rng.choice([-2.0, 1.0, 3.0, 4.0], size=length)]
+        made.append(Case(preferences, V, states, actions, rewards))
+    return made
+
+
+def after(case: Case, change: Mapping[str, Any] = MappingProxyType({})) -> tuple[Any, Any]:
+    """Return preferences and values after learning; `change` says which mistake is made."""
+    theta, V, n = case.preferences.copy(), case.V.copy(), len(case.states)
+    rate, value_rate, discount = SETTINGS.values()
+    if change.get("rates") == "swapped":
+        rate, value_rate = value_rate, rate
+    if change.get("rates") == "policy":
+        value_rate = rate
+    returns = _returns(case.rewards, discount, change.get("return", "G"))
+    for t in change.get("steps", lambda n: range(n))(n):
+        state, action = case.states[t], case.actions[t]
+        wrong_state = case.states[-1] if change.get("state") == "last" else state
+        delta = returns[t] - V[state] if change.get("baseline", True) else returns[t]
+        if change.get("value", "moved") == "moved":
+            V[state] += value_rate * delta
+        elif change.get("value") == "set":
+            V[state] = value_rate * delta
+        elif change.get("value") == "whole":
+            V[state] += delta
+        elif change.get("value") == "away":
+            V[state] -= value_rate * delta
+        elif change.get("value") == "return":
+            V[state] += value_rate * returns[t]
+        if change.get("late"):
+            delta = returns[t] - V[state]
+        if change.get("delta") == "return":
+            delta = returns[t]
+        weights = np.exp(theta[state] - theta[state].max())
+        pi = np.array(STALE) if change.get("stale") else weights / weights.sum()
+        score = _score(pi, action, change.get("score", "full"))
+        power = {"t": discount**t, "none": 1.0, "end": discount ** (n - 1 - t), "next": discount ** (t + 1)}
+        theta[wrong_state] = theta[wrong_state] + rate * power[change.get("power", "t")] * delta * score
+    return theta, V
+
+
+def _returns(rewards: list[float], discount: float, kind: str) -> list[float]:
+    """Return the return from each step, or what stands for it."""
+    n = len(rewards)
+    G = [sum(discount ** (k - t) * rewards[k] for k in range(t, n)) for t in range(n)]
+    return {
+        "G": G,
+        "reward": rewards,
+        "undiscounted": [sum(rewards[t:]) for t in range(n)],
+        "first": [G[0]] * n,
+        "next": [*(discount * g for g in G[1:]), 0.0],
+        "past": [sum(discount ** (t - k) * rewards[k] for k in range(t + 1)) for t in range(n)],
+        "discounted reward": [discount * g for g in G],
+        "absolute": [sum(discount**k * rewards[k] for k in range(t, n)) for t in range(n)],
+        "last": [rewards[-1]] * n,
+    }[kind]
+
+
+def _score(pi: Any, action: int, kind: str) -> Any:
+    """Return the score of an action, or what stands for it."""
+    one = np.eye(len(pi))[action]
+    return {
+        "full": one - pi,
+        "one": one,
+        "own": one * (1.0 - pi),
+        "minus": pi - one,
+        "pi": one * pi,
+        "inverse": one / pi[action],
+        "others": -pi,
+        "plus": one + pi,
+    }[kind]
+
+
+MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
+    {
+        "the factor γ^t is missing in the step of the preferences": {"power": "none"},
+        "the power of γ counts the steps from the *end*; t counts from the start": {"power": "end"},
+        "the power of γ is one too high: the first step has γ^0 = 1": {"power": "next"},
+        "V(S_t) is not subtracted: δ is the return less the baseline": {"baseline": False},
+        "V moves, but the preferences move by G instead of δ": {"delta": "return"},
+        "the baseline V does not change": {"value": "none"},
+        "V is set to α^w δ; write `+=`": {"value": "set"},
+        "V moves by the whole δ; multiply it by α^w": {"value": "whole"},
+        "V moves away from the return: the sign is wrong": {"value": "away"},
+        "V moves by α^w G instead of α^w δ": {"value": "return"},
+        "δ is computed again after V has changed; use the one from before": {"late": True},
+        "the two learning rates have changed places": {"rates": "swapped"},
+        "V has a learning rate of its own, value_learning_rate": {"rates": "policy"},
+        "that is the reward R_{t+1}, not the return G_t": {"return": "reward"},
+        "the return is not discounted: G_t = R_{t+1} + γ G_{t+1}": {"return": "undiscounted"},
+        "every step gets the return of the whole episode; it should be the one from step t on": {"return": "first"},
+        "the return G_t begins with the reward R_{t+1} = rewards[t], which is missing": {"return": "next"},
+        "it adds the rewards from the start up to step t; the return adds those from step t on": {"return": "past"},
+        "the reward R_{t+1} itself is discounted; only what follows it should be": {"return": "discounted reward"},
+        "G_t is discounted from step t on, and not from the start of the episode": {"return": "absolute"},
+        "every step gets the last reward alone": {"return": "last"},
+        "π is missing in the score: it is 1{a = A} − π(a|S)": {"score": "one"},
+        "only the preference of the action that was taken changes; all others change by −π": {"score": "own"},
+        "the sign of the score is wrong: it is 1{a = A} − π(a|S)": {"score": "minus"},
+        "the score is that of ln π; here the derivative of the preference is multiplied by π": {"score": "pi"},
+        "that is 1/π for the action taken; the score of a softmax is 1{a = A} − π(a|S)": {"score": "inverse"},
+        "1{a = A} is missing: the action that was taken gets 1 − π, the others −π": {"score": "others"},
+        "π should be subtracted in the score, not added": {"score": "plus"},
+        "the probabilities are those of another state: call self.look(state) first": {"stale": True},
+        "the preferences of the last state change in every step, not those of S_t": {"state": "last"},
+        "the first step of the episode is left out: range(n - 1, -1, -1) goes down to 0": {
+            "steps": lambda n: range(1, n)
+        },
+        "the last step of the episode is left out: its number is n − 1": {"steps": lambda n: range(n - 1)},
+    }
+)
+"""By the sentence that tells of it, what each mistake changes in `after`."""
+
+
+def check_update(kind: Any, seed: int) -> None:
+    """Check how a student's agent learns from episodes.
+
+    Raises:
+        WrongAnswer: it learns something else.
+    """
+    made = cases(seed)
+    found = [_learned(kind, case) for case in made]
+    if all(
+        np.array_equal(theta, case.preferences) and np.array_equal(V, case.V)
+        for case, (theta, V) in _pairs(made, found)
+    ):
+        raise WrongAnswer("update changes neither `preferences` nor `V`: change the entries of these arrays in place")
+    for case, outcome in _pairs(made, found):
+        right = after(case)
+        if _same(right, outcome):
+            continue
+        singles = [
+            why for why, change in MISTAKES.items() if all(_same(after(c, change), o) for c, o in _pairs(made, found))
+        ]
+        pairs = [] if singles else _two_mistakes(made, found)
+        why = [*singles, *pairs, "that is none of the usual mistakes, so follow this episode by hand"][0]
+        raise WrongAnswer(f"{_told(case, right, outcome)}: {why}")
+
+
+def _pairs(made: list[Case], found: list[Any]) -> Any:
+    return list(zip(made, found, strict=True))
+
+
+def _two_mistakes(made: list[Case], found: list[Any]) -> list[str]:
+    """Return the sentence about two mistakes that fit together, if there are such."""
+    items = list(MISTAKES.items())
+    for i, (one, first) in enumerate(items):
+        for other, second in items[i + 1 :]:
+            if not first.keys() & second.keys():
+                both = {**first, **second}
+                if all(_same(after(c, both), o) for c, o in _pairs(made, found)):
+                    return [f"{one}; and {other}"]
+    return []
+
+
+def _same(one: Any, other: Any) -> bool:
+    return all(np.allclose(a, b, rtol=1e-9, atol=1e-9, equal_nan=True) for a, b in zip(one, other, strict=True))
+
+
+def _told(case: Case, right: Any, found: Any) -> str:
+    """Return what was expected, and what came."""
+    for name, before, expected, mine in zip(
+        ("preferences", "V"), (case.preferences, case.V), right, found, strict=True
+    ):
+        wrong = np.argwhere(~np.isclose(expected, mine, rtol=1e-9, atol=1e-9))
+        if len(wrong):
+            entry = tuple(int(i) for i in wrong[0])
+            index = ", ".join(map(str, entry))
+            state = entry[0]
+            return (
+                f"after the episode with states {case.states}, actions {case.actions} and rewards {case.rewards}, where"
+                f" γ = {SETTINGS['discount']:g}, α^θ = {SETTINGS['learning_rate']:g},"
+                f" α^w = {SETTINGS['value_learning_rate']:g}, V[{state}] = {case.V[state]:g} and"
+                f" preferences[{state}] = {case.preferences[state].tolist()}, {name}[{index}] should go from"
+                f" {before[entry]:.4g} to {expected[entry]:.4g}, but is {mine[entry]:.4g}"
+            )
+    return "an entry is not a number"
+
+
+def _learned(kind: Any, case: Case) -> tuple[Any, Any]:
+    """Return the tables of a student's agent after an episode."""
+    with running("MyREINFORCE.create(task)"):
+        agent = kind.create(Sizes())
+    given("MyREINFORCE.create(task)", agent)
+    for name in (*SETTINGS, "preferences", "V", "probabilities", "states", "actions", "rewards", "length"):
+        if not hasattr(agent, name):
+            raise WrongAnswer(f"MyREINFORCE should keep its field `{name}`")
+    agent = agent._replace(**SETTINGS) if hasattr(agent, "_replace") else agent
+    agent.preferences[:], agent.V[:], agent.probabilities[:] = case.preferences, case.V, STALE
+    n = len(case.states)
+    with running(f"learn, at the end of an episode of {n} steps,"):
+        for t in range(n):
+            agent.learn(case.states[t], case.actions[t], case.rewards[t], t == n - 1, False)
+    return np.array(agent.preferences), np.array(agent.V)

@@ -1,0 +1,43 @@
+"""The exercises of lesson 7: what counts as a mistake is one, and the challenge is worth its points."""
+
+import numpy as np
+import pytest
+
+from edugym.exercises import continuous_actions as exercises
+from edugym.exercises.continuous_actions.episodes import MISTAKES, after, cases
+from edugym.lessons.continuous_actions import gaussian
+
+
+def test_every_mistake_in_sizes_is_one() -> None:
+    """For a case of the check each differs from the right number, and from the others."""
+    wrong = exercises._size_mistakes(3, 5, 11)
+    assert 2 * 11**3 * 5**3 not in wrong.values()
+    assert len(set(wrong.values())) == len(wrong)
+
+
+@pytest.mark.parametrize("formulas", [exercises.OF_MEAN, exercises.OF_LOG_SPREAD])
+def test_every_mistake_in_scores_is_one(formulas: dict[str, object]) -> None:
+    """For the cases of the check each differs from the right formula, and from the others."""
+    made = {why: tuple(rule(*case) for case in ((2.0, 0.5, 0.5), (-1.0, 0.2, 2.0))) for why, rule in formulas.items()}  # type: ignore[operator]
+    assert len({tuple(np.round(values, 9)) for values in made.values()}) == len(made)
+
+
+@pytest.mark.parametrize("seed", [0, 1, 2])
+def test_every_mistake_in_updates_is_one(seed: int) -> None:
+    """On the episodes of the check each differs from the right update, and from the others."""
+    made = {why: [after(case, change) for case in cases(seed)] for why, change in {"": {}, **MISTAKES}.items()}
+    numbers = {
+        why: tuple(np.round(np.concatenate([np.ravel(part) for pair in pairs for part in pair]), 9))
+        for why, pairs in made.items()
+    }
+    assert len(set(numbers.values())) == len(numbers)
+
+
+def test_the_challenge() -> None:
+    """The lesson's agent gets half of the points or so, and every name has its container."""
+    score = exercises.CHALLENGE.score(gaussian, "Ada")
+    assert 20 < score.points < 80
+    widths = {exercises.own_container(seed).container_width for seed in range(20)}
+    assert len(widths) == 20
+    assert min(widths) >= 0.4
+    assert max(widths) <= 0.6

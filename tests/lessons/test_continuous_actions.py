@@ -1,0 +1,120 @@
+"""Bins and continuous actions on Trashbot: the parts of the lesson are right, and its claims hold."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from edugym.envs.trashbot.planning import best_plan
+from edugym.envs.trashbot.task import Trashbot
+from edugym.lessons import continuous_actions as arms
+from edugym.lessons.continuous_actions import Drawing, exact_claims, gradient_claims, peak_claims, ppo_claims
+
+
+@pytest.mark.parametrize("n_bins", [2, 3, 4])
+def test_deliveries_are_those_of_the_exact_search(n_bins: int) -> None:
+    """The best return, the number of places, and the place nearest to the middle."""
+    plan, found = best_plan(Trashbot.create(n_bins)), arms.deliveries(n_bins)
+    assert found.best_return == pytest.approx(3.0 + plan.centring)
+    assert len(found.places) == plan.places
+    assert found.fewest_steps == plan.fewest_steps
+    assert 2.0 * (1.0 - np.abs(found.places).min() / 0.1) == pytest.approx(plan.centring)
+
+
+def test_no_delivery_is_worth_nothing() -> None:
+    """Three bins cannot bring the box into a container 0.3 wide."""
+    assert arms.deliveries(3, 0.3)[1:] == (0.0, 0)
+    assert len(arms.deliveries(3, 0.3).places) == 0
+
+
+def test_scores_are_derivatives_of_the_logarithm() -> None:
+    """By finite differences, with respect to μ and to ln σ."""
+    a, mean, spread, h = 0.7, 0.2, 0.6, 1e-6
+
+    def log_density(mean: float, log_spread: float) -> float:
+        return float(np.log(arms.density(np.array(a), mean, np.exp(log_spread))))
+
+    of_mean, of_log_spread = arms.scores(a, mean, spread)
+    log_spread = np.log(spread)
+    by_mean = (log_density(mean + h, log_spread) - log_density(mean - h, log_spread)) / (2 * h)
+    by_spread = (log_density(mean, log_spread + h) - log_density(mean, log_spread - h)) / (2 * h)
+    assert of_mean == pytest.approx(by_mean, rel=1e-6)
+    assert of_log_spread == pytest.approx(by_spread, rel=1e-6)
+
+
+@pytest.mark.parametrize("baseline", [0.0, 3.0])
+def test_the_estimate_is_right_on_average(baseline: float) -> None:
+    """Whatever the baseline."""
+    found = arms.estimates(0.6, 0.5, 200_000, baseline=baseline, seed=5)
+    assert found.mean() == pytest.approx(arms.slope(0.6, 0.5), abs=0.05)
+
+
+def test_claims_that_need_no_training() -> None:
+    """They hold."""
+    claims = [*exact_claims(), *gradient_claims(), *peak_claims(), *ppo_claims(arms.STORED.load())]
+    assert [claim.statement for claim in claims if not claim.holds] == []
+    assert len(claims) >= 12
+
+
+def test_holding_the_box_is_seen() -> None:
+    """In the table, as in the tiles."""
+    task, rng = arms.in_a_table(5), np.random.default_rng(0)
+    state = task.initial(rng)
+    before, after = (tuple(task.observation(state._replace(holding=held), rng)) for held in (False, True))
+    assert before[:-1] == after[:-1]
+    assert before[-1] != after[-1]
+
+
+def test_three_bins_are_learned() -> None:
+    """With other seeds than the lesson's."""
+    results = arms.learn_bins(3, n_steps=50_000, repetitions=5, seed=7)
+    assert arms.late(results, "3 bins").mean() > 3.5
+    agent = results.agents["3 bins"][0]
+    assert arms.way(arms.in_a_table(3), agent)[0] == pytest.approx([-1.46, 0.395], abs=0.01)
+
+
+def test_figures() -> None:
+    """They draw."""
+    how: dict[str, Any] = {"n_steps": 500, "repetitions": 2}
+    results = arms.learn_all((3, 5), **how)
+    sheets = [
+        arms.exact_figure(0.3, bins=(2, 3)),
+        arms.gradient_figure(),
+        arms.noise_figure({"a": (0.1, 0.2), "b": (0.5, 0.5)}),
+        arms.baseline_figure(n_updates=80),
+        arms.narrowing(n_updates=80, baseline=False),
+        arms.peaks(n_updates=80)[0],
+        arms.climb_race(arms.scores),
+        arms.one_setting(4, n_steps=500, repetitions=2),
+        arms.maps(results.agents["5 bins"][0], results.agents["continuous"][0], n=12),
+        arms.ppo_figure(arms.STORED.load()),
+        arms.lake_figure(arms.frozen_lake(60, repetitions=2)),
+    ]
+    for sheet in sheets:
+        assert all(ax.get_xlabel() for ax in sheet.draw().axes)
+
+
+def test_steps_to_a_goal() -> None:
+    """A run that never gets there counts with all its steps."""
+    results = arms.learn_bins(3, n_steps=500, repetitions=2)
+    assert arms.steps_to(results, "3 bins", -10.0).tolist() == [0.0, 0.0]
+    assert arms.steps_to(results, "3 bins", 10.0).tolist() == [500.0, 500.0]
+
+
+def test_stored_runs() -> None:
+    """Ten seeds of each, by the code that is there."""
+    assert arms.STORED.is_current()
+    assert {label: len(arms.STORED.load().final(label)) for label in arms.ACTIONS} == dict.fromkeys(arms.ACTIONS, 10)
+
+
+def test_a_short_run_of_ppo() -> None:
+    """Its policy can be drawn from, and the same seed draws the same."""
+    run = arms.trainer("continuous", 16_384)(16_384, seed=0)
+    seen = np.zeros(7, np.float32)
+    actions = [Drawing(run.agent, seed)(seen).tolist() for seed in (0, 0, 1)]
+    assert actions[0] == actions[1] != actions[2]
+
+
+def test_warming_up() -> None:
+    """It runs."""
+    arms.warm_up()
