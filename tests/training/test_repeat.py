@@ -14,7 +14,9 @@ from gymnasium.error import DependencyNotInstalled
 
 from edugym import CountBased, EpsilonGreedy, GoExplore, QLearning, Results, make_mdp, repeat, train
 from edugym.envs.boulder import Boulder
+from edugym.envs.trashbot import Trashbot
 from edugym.extras import require
+from edugym.mdp.discretised import DiscreteActions, Discretised
 from edugym.mdp.protocol import Random, Reals
 from edugym.results.tables import MEASURED, joined
 from edugym.training.configuration import described
@@ -95,6 +97,14 @@ def same(one: Results, other: Results) -> bool:
 def test_jobs_change_nothing(n_steps: int) -> None:
     """One at a time or three at a time, interpreted and compiled."""
     assert same(small(n_steps, jobs=1), small(n_steps, jobs=3))
+
+
+def test_runs_share_no_array_of_a_wrapper() -> None:
+    """`Discretised` writes what it observes into one array; several runs at a time each have their own."""
+    task = Discretised.create(DiscreteActions.create(Trashbot.create(), 3), [1, 1, 8, 8, 1, 1, 3])
+    agents = {"Q-learning": QLearning.create}
+    one, other = (small(100_000, environment=task, agents=agents, repetitions=6, jobs=jobs) for jobs in (1, 4))
+    assert same(one, other)
 
 
 @pytest.mark.slow

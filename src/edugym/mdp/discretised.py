@@ -154,7 +154,7 @@ class DiscreteActions(NamedTuple):
                 f"bins must give at most {MOST_ACTIONS} actions, but {bins!r} gives {in_digits(n_actions)}"
             )
         values = [np.linspace(*ends) for ends in zip(space.low, space.high, numbers, strict=True)]
-        return cls(mdp, np.array(list(itertools.product(*values)), space.dtype))
+        return cls(mdp, np.array(list(itertools.product(*values)), np.float64))
 
 
 def bins_of(bins: int | Sequence[int], n: int, least: int = 1) -> Integers:

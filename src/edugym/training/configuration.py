@@ -88,12 +88,8 @@ def task(environment: Any, parameters: Mapping[str, Any] | None = None) -> Task:
         # The settings that layouts have in common: what differs, such as the grips of a wall, comes from the seed.
         first, second = (_settings(environment(layout_seed)).items() for layout_seed in (0, 1))
         return Task(environment, True, dict(setting for setting in first if setting in second), (environment,))
-    make = copy.deepcopy if isinstance(environment, gymnasium.Env) else _same
-    return Task(lambda _: make(environment), False, _settings(environment), (environment,))
-
-
-def _same(environment: Any) -> Any:
-    return environment
+    # A copy for each run: wrappers of MDPs have arrays to write into, which runs at the same time may not share.
+    return Task(lambda _: copy.deepcopy(environment), False, _settings(environment), (environment,))
 
 
 def _settings(environment: Any) -> dict[str, Setting]:

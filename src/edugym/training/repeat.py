@@ -80,7 +80,7 @@ def repeat(
     that is raised: `sys.last_value.partial` in a notebook or at the prompt.
 
     Args:
-        environment: the name of an environment of this package ("Boulder"), an id that Gymnasium knows, an MDP, a
+        environment: the name of an environment of this package ("Boulder"), an id that Gymnasium knows, an MDP or a
             Gymnasium environment (each run gets a copy), or a function that makes one of these for a `layout_seed`,
             such as `lambda layout_seed: Boulder.create(height=10, layout_seed=layout_seed)`.
         agents: by label, the methods: agents, or functions that make one for an environment, such as

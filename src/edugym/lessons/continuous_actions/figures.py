@@ -22,7 +22,6 @@ from edugym.lessons.continuous_actions.methods import (
     learn_continuous,
     name,
     renamed,
-    tables,
 )
 from edugym.lessons.continuous_actions.panels import (
     BestReturns,
@@ -183,7 +182,7 @@ def race(own: Mapping[str, Any], *, n_bins: int = 5, n_steps: int = 40_000, repe
     ]
     every = max(n_steps // 25, 1)
     mine = {"repetitions": repetitions, "evaluate_every": every, **how}
-    parts.append(repeat(tables(n_bins), dict(own), n_steps, **mine))
+    parts.append(repeat(in_a_table(n_bins), dict(own), n_steps, **mine))
     results = joined(parts)
     best = dict.fromkeys(results.methods[:1], best_return(n_bins))
     look = Curves(results, f"{n_bins} bins, {CELLS} cells", y_range=(-2.1, 5.2))

@@ -1,6 +1,6 @@
 """The players of lesson 7: REINFORCE on a table with actions in bins, and an actor-critic with a Gaussian policy."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import Any
 
@@ -50,16 +50,7 @@ def in_a_table(n_bins: int, cells: int = CELLS, width: float = WIDTH) -> Any:
         width: of the container.
     """
     task = DiscreteActions.create(Trashbot.create(container_width=width), n_bins)
-    task = task._replace(actions=task.actions.astype(np.float64))
     return Discretised.create(task, [1, 1, cells, cells, 1, 1, 3])
-
-
-def tables(n_bins: int, cells: int = CELLS, width: float = WIDTH) -> Callable[[int], Any]:
-    """Return a function that makes the task of `in_a_table` anew for each run.
-
-    Runs at the same time must not share one, since it writes its observations into one array.
-    """
-    return lambda layout_seed: in_a_table(n_bins, cells, width)
 
 
 def tiles_on_the_wrist(task: Any, tiles: int = TILES) -> TileCoding:
@@ -121,7 +112,7 @@ def learn_bins(
     """
     rates = {"learning_rate": learning_rate, "value_learning_rate": learning_rate if baseline else 0.0}
     make = partial(REINFORCE.create, longest=200, discount=discount, **rates)
-    return _learn(tables(n_bins, cells, width), {name(n_bins): make}, n_steps, how)
+    return _learn(in_a_table(n_bins, cells, width), {name(n_bins): make}, n_steps, how)
 
 
 def learn_continuous(*, n_steps: int = N_STEPS, width: float = WIDTH, **how: Any) -> Results:
