@@ -21,7 +21,8 @@ from edugym.agents.strategies import EpsilonGreedy
 from edugym.envs.catch import Catch
 from edugym.exact.model import finite_model
 from edugym.experiments import How, reporting
-from edugym.lessons.dimensionality.boards import Offset, ThrownFrom
+from edugym.lessons.dimensionality.boards import Offset
+from edugym.lessons.dimensionality.tasks import COLUMNS, ROWS, TRAINED, WITHHELD, catch
 from edugym.mdp.hashed import Hashed
 from edugym.mdp.in_place import in_place
 from edugym.mdp.noisy_observation import NoisyObservation
@@ -45,20 +46,12 @@ LEARNING_RATE, LINEAR_RATE = 0.5, 0.1
 DISCOUNT = 0.9
 EPSILON = 0.1
 LEVELS, SIGMA = 16, 0.1
-COLUMNS, ROWS = 5, 10
-TRAINED, WITHHELD = (0, 2, 4), (1, 3)
-"""The columns of the balls in training, and of those in the test."""
 TEST_EPISODES = 20
 RANDOM_PLAY = -0.6
 
 POSITIONS, PIXELS = "positions, dense table", "pixels, hashed table"
 ONE_PIXEL, ALL_PIXELS = f"one noisy pixel of {LEVELS} levels", f"noise in all pixels, σ = {SIGMA:g}"
 TABLE, LINEAR, OFFSET = "table", "linear in the pixels", "linear in ball minus paddle"
-
-
-def catch(observation_type: str, columns: Sequence[int] = range(COLUMNS)) -> ThrownFrom:
-    """Return the task with balls from some columns."""
-    return ThrownFrom(in_place(Catch.create(ROWS, COLUMNS, observation_type)), np.array(columns))
 
 
 def hashed(levels: int, sigma: float, capacity: int, layout_seed: int) -> Hashed:
