@@ -9,115 +9,140 @@ every method. Each point of a curve is the mean of 30 greedy evaluation episodes
 """
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
 import numpy as np
 
-from edugym.agents.linear_q_learning import LinearQLearning
-from edugym.agents.q_learning import QLearning
-from edugym.agents.strategies import EpsilonGreedy
-from edugym.envs.catch import Catch
-from edugym.exact.model import finite_model
 from edugym.experiments import How, reporting
-from edugym.lessons.dimensionality.boards import Offset
+from edugym.lessons.dimensionality.figures import (
+    boards_figure,
+    car_figure,
+    costs_figure,
+    ever_learned,
+    growth,
+    join,
+    network_figure,
+    policy_maps,
+    shared_by_column,
+    size_sheet,
+    stored_networks,
+    table_and_network,
+    withheld,
+)
+from edugym.lessons.dimensionality.gym_car import drive, mountain_car
+from edugym.lessons.dimensionality.methods import (
+    DARKEST,
+    GENERAL,
+    LEVELS,
+    LINEAR,
+    N_STEPS,
+    NETWORK,
+    NUMBERS,
+    OFFSET,
+    PIXELS,
+    POSITIONS,
+    SIGMA,
+    TABLE,
+    TILES,
+    Coordinates,
+    generalise,
+    hashed_dark,
+    learn,
+    linear,
+    network,
+    on_board,
+    pixels,
+    returns_by_column,
+    seen,
+    steps_to_solve,
+    table,
+)
+from edugym.lessons.dimensionality.networks import METHODS, PPO_IMAGE, STORED, network_claims, train_network
+from edugym.lessons.dimensionality.sharing import COLUMN, SMALL
+from edugym.lessons.dimensionality.sizes import different_boards, n_weights, new_share, rows_of_table
 from edugym.lessons.dimensionality.tasks import COLUMNS, ROWS, TRAINED, WITHHELD, catch
-from edugym.mdp.hashed import Hashed
-from edugym.mdp.in_place import in_place
-from edugym.mdp.noisy_observation import NoisyObservation
+from edugym.lessons.dimensionality.triad import w_to_2w
 from edugym.mdp.protocol import Reals
-from edugym.mdp.tabular import table_sizes
 from edugym.plotting.curves import Curves
-from edugym.plotting.lines import Lines
 from edugym.plotting.report import Report
 from edugym.plotting.sheet import Sheet
 from edugym.results.claims import Above, Below, Claim, Within
 from edugym.results.statistics import exactly, mean_interval, paired_difference
 from edugym.results.tables import Results
-from edugym.training.repeat import repeat
-from edugym.training.train import train
 
-N_STEPS = 20_000
+__all__ = [
+    "COLUMN",
+    "COLUMNS",
+    "DARKEST",
+    "GENERAL",
+    "LEVELS",
+    "LINEAR",
+    "METHODS",
+    "NETWORK",
+    "NUMBERS",
+    "N_STEPS",
+    "OFFSET",
+    "PIXELS",
+    "POSITIONS",
+    "PPO_IMAGE",
+    "ROWS",
+    "SIGMA",
+    "SMALL",
+    "STORED",
+    "TABLE",
+    "TILES",
+    "TRAINED",
+    "WITHHELD",
+    "Coordinates",
+    "boards_figure",
+    "car_figure",
+    "catch",
+    "compare_sights",
+    "costs_figure",
+    "different_boards",
+    "drive",
+    "ever_learned",
+    "generalise",
+    "growth",
+    "hashed_dark",
+    "join",
+    "learn",
+    "linear",
+    "mountain_car",
+    "n_weights",
+    "network",
+    "network_claims",
+    "network_figure",
+    "new_share",
+    "on_board",
+    "pixels",
+    "policy_maps",
+    "race",
+    "race_networks",
+    "report",
+    "returns_by_column",
+    "rows_of_table",
+    "seen",
+    "shared_by_column",
+    "size_sheet",
+    "steps_to_solve",
+    "stored_networks",
+    "table",
+    "table_and_network",
+    "train_network",
+    "w_to_2w",
+    "warm_up",
+    "withheld",
+]
+
 SLOW, HOPELESS = 150_000, 40_000
 """The training steps with one noisy pixel, and with noise in all."""
 REPETITIONS = 10
-LEARNING_RATE, LINEAR_RATE = 0.5, 0.1
-DISCOUNT = 0.9
-EPSILON = 0.1
-LEVELS, SIGMA = 16, 0.1
-TEST_EPISODES = 20
 RANDOM_PLAY = -0.6
 
-POSITIONS, PIXELS = "positions, dense table", "pixels, hashed table"
 ONE_PIXEL, ALL_PIXELS = f"one noisy pixel of {LEVELS} levels", f"noise in all pixels, σ = {SIGMA:g}"
-TABLE, LINEAR, OFFSET = "table", "linear in the pixels", "linear in ball minus paddle"
-
-
-def hashed(levels: int, sigma: float, capacity: int, layout_seed: int) -> Hashed:
-    """Return the task with pixels as the rows of a hashed table; Catch has no layout."""
-    return Hashed.create(NoisyObservation.create(catch("grid"), levels, sigma), capacity)
-
-
-def pixels(*, levels: int = 0, sigma: float = 0.0, capacity: int = 10_000) -> Callable[[int], Hashed]:
-    """Return a function that makes the task with pixels as the rows of a hashed table, a new table for each run.
-
-    Args:
-        levels: of the noise in the first pixel; 0 for none.
-        sigma: of the noise in all pixels; 0 for none.
-        capacity: of the table.
-    """
-    return partial(hashed, levels, sigma, capacity)
-
-
-def learn(task: Any, label: str, make: Any = None, *, n_steps: int = N_STEPS, points: int = 20, **how: Any) -> Results:
-    """Train an agent, by default Q-learning with a table.
-
-    Args:
-        task: the task, or a function of a layout seed that makes it.
-        label: the name of the method.
-        make: a function that makes the agent for an environment.
-        n_steps: the training steps of each run.
-        points: the number of points of the learning curve.
-        **how: more arguments of `edugym.training.repeat`, such as `repetitions`, `seed` and `jobs`.
-    """
-    exploration = EpsilonGreedy(EPSILON)
-    make = make or partial(QLearning.create, learning_rate=LEARNING_RATE, discount=DISCOUNT, exploration=exploration)
-    return repeat(task, {label: make}, n_steps, evaluate_every=n_steps // points, evaluation_episodes=30, **how)
-
-
-def linear(features: Any = None) -> Callable[[Any], Any]:
-    """Return a function that makes an agent with linear features, by default the pixels themselves."""
-    settings = {"learning_rate": LINEAR_RATE, "discount": DISCOUNT, "exploration": EpsilonGreedy(EPSILON)}
-    return partial(LinearQLearning.create, **settings, **({} if features is None else {"features": features}))
-
-
-def generalise(**how: Any) -> dict[str, Results]:
-    """Train the table and the linear agents with balls from some columns; arguments as in `learn`."""
-    agents = {
-        TABLE: ("vectorised", None),
-        LINEAR: ("grid", linear()),
-        OFFSET: ("grid", linear(Offset.create(ROWS, COLUMNS))),
-    }
-    return {
-        label: learn(catch(seen, TRAINED), label, make, n_steps=2 * N_STEPS, points=4, **how)
-        for label, (seen, make) in agents.items()
-    }
-
-
-def returns_by_column(results: Results) -> Reals:
-    """Return the mean greedy return of every run with balls from each column, shape (COLUMNS, n_repetitions)."""
-    (label,) = results.methods
-    tasks = [catch("vectorised" if label == TABLE else "grid", [column]) for column in range(COLUMNS)]
-    return np.array(
-        [
-            [
-                train(task, agent, 1, evaluation_episodes=TEST_EPISODES, seed=repetition).returns[0]
-                for repetition, agent in results.complete_agents(label).items()
-            ]
-            for task in tasks
-        ]
-    )
 
 
 def late(results: Results) -> Reals:
@@ -125,34 +150,6 @@ def late(results: Results) -> Reals:
     (label,) = results.methods
     mean: Reals = results.curves(label).iloc[-5:].to_numpy(float).mean(axis=0)
     return mean
-
-
-def new_share(task: Any, n_steps: int = 2_000) -> float:
-    """Return the share of the observations of random play that were never seen before."""
-    rng = np.random.default_rng(0)
-    state = task.initial(rng)
-    for _ in range(n_steps):
-        task.observation(state, rng)
-        state = task.transition(state, int(rng.integers(3)), rng)
-        if task.terminal(state):
-            state = task.initial(rng)
-    return int(task.used) / n_steps
-
-
-def different_boards() -> tuple[int, int]:
-    """Return the numbers of states in which the ball still falls, and of different boards among them."""
-    task, rng = Catch.create(ROWS, COLUMNS), np.random.default_rng(0)
-    falling = [state for state in finite_model(task).states if not task.terminal(state)]
-    return len(falling), len({np.asarray(task.observation(state, rng)).tobytes() for state in falling})
-
-
-def rows_of_table(observation_type: str, rows: int = ROWS, columns: int = COLUMNS) -> int:
-    """Return the number of rows of a dense table over all observations of a type."""
-    space = Catch.create(rows, columns, observation_type).observation_space
-    if observation_type == "vectorised":
-        return math.prod(table_sizes(space))
-    levels = 2 if observation_type == "grid" else 256
-    return int(levels ** math.prod(space.shape or ()))
 
 
 def measure(how: How) -> tuple[Any, ...]:
@@ -300,28 +297,73 @@ def general_claims(tests: Mapping[str, Reals]) -> list[Claim]:
 def figures(plain: Mapping[str, Results], noisy: Mapping[str, Results], tests: Mapping[str, Reals]) -> list[Sheet]:
     """Return the figures: learning curves, sizes of tables, and tests on withheld columns."""
     curves = [Curves(results, label, optimum=1.0) for label, results in {**plain, **noisy}.items()]
-    sizes = range(4, 11)
-    bits = {
-        seen: np.array([math.log10(rows_of_table(seen, 2 * n, n)) for n in sizes])
-        for seen in ("vectorised", "grid", "rgb")
+    return [Sheet("dimensionality", [curves[:2], curves[2:]]), size_sheet(), withheld(tests), stored_networks()]
+
+
+def compare_sights(n_steps: int = HOPELESS, repetitions: tuple[int, int] = (30, 5), **how: Any) -> dict[str, Results]:
+    """Train a table and a network under every kind of noise.
+
+    Args:
+        n_steps: the training steps of each run.
+        repetitions: the number of runs of the table, and of the network.
+        **how: more arguments of `learn`.
+
+    Returns:
+        By a title for each kind of noise, the results of both.
+    """
+    sights: dict[str, tuple[Any, Any]] = {
+        "no noise": (pixels(), seen()),
+        ONE_PIXEL: (pixels(levels=LEVELS), seen(levels=LEVELS)),
+        ALL_PIXELS: (pixels(sigma=SIGMA, capacity=2 * n_steps), seen(sigma=SIGMA)),
+        f"brightness from {DARKEST:g} to 1": (partial(hashed_dark, 2 * n_steps), seen(darkest=DARKEST)),
     }
-    lines = Lines(
-        np.array(sizes, float),
-        bits,
-        "dense tables",
-        "columns (of twice as many rows)",
-        "log10 of the rows of the table",
-        log=True,
-    )
-    return [
-        Sheet("dimensionality", [curves[:2], curves[2:]]),
-        Sheet("table_sizes", [[lines]]),
-        Sheet("generalisation", [[withheld_lines(tests)]]),
+    of_table, of_network = repetitions
+    return {
+        title: join(
+            [
+                learn(hashed, PIXELS, n_steps=n_steps, repetitions=of_table, **how),
+                learn(boards, NETWORK, network(), n_steps=n_steps, repetitions=of_network, **how),
+            ]
+        )
+        for title, (hashed, boards) in sights.items()
+    }
+
+
+def race(own: Mapping[str, Any], seen_as: str = "grid", repetitions: int = 5, n_steps: int = N_STEPS) -> Sheet:
+    """Train the reader's own agents with balls from three columns, and test them beside the table.
+
+    Args:
+        own: by label, functions that make an agent for the board.
+        seen_as: what they see: "grid" or "numbers".
+        repetitions: the number of runs.
+        n_steps: the training steps of each run.
+    """
+    table_runs = generalise([TABLE], repetitions=repetitions, jobs=1)
+    tests = {TABLE: returns_by_column(table_runs[TABLE])}
+    for label, make in own.items():
+        results = learn(
+            catch(seen_as, TRAINED), label, make, n_steps=n_steps, points=2, repetitions=repetitions, jobs=1
+        )
+        tests[label] = returns_by_column(results, seen_as)
+    return withheld(tests)
+
+
+def race_networks(own: Mapping[str, Any], repetitions: int = 3, n_steps: int = 12_000) -> Sheet:
+    """Train the reader's own networks beside that of the lesson, without noise."""
+    both = {NETWORK: network(), **own}
+    runs = [
+        learn(seen(), label, make, n_steps=n_steps, repetitions=repetitions, jobs=1) for label, make in both.items()
     ]
+    return table_and_network({"no noise": join(runs)})
 
 
-def withheld_lines(tests: Mapping[str, Reals]) -> Lines:
-    """Return the mean return on balls from each column, of which some were withheld in training."""
-    means = {label: by_column.mean(axis=1) for label, by_column in tests.items()}
-    title = f"trained with balls from columns {', '.join(map(str, TRAINED))}"
-    return Lines(np.arange(float(COLUMNS)), means, title, "column of the ball", "return (greedy)")
+def warm_up() -> None:
+    """Compile what the lesson needs: a few steps of everything."""
+    few: dict[str, Any] = {"n_steps": 400, "repetitions": 1, "jobs": 1}
+    compare_sights(400, (1, 1), points=2, jobs=1)
+    learn(catch("vectorised"), POSITIONS, **few)
+    general = generalise([*GENERAL], **few)
+    for results in general.values():
+        returns_by_column(results)
+    steps_to_solve(3, **few)
+    size_sheet().draw()
