@@ -23,7 +23,6 @@ from edugym.agents import dqn, features
 from edugym.agents.tables import one_step_target
 from edugym.lessons import dimensionality as lesson
 from edugym.notebook import frames, play, predict, sliders, source
-from edugym.plotting import Sheet
 
 # %% [markdown]
 # ## Meet the environment: one task, seen in three ways
@@ -62,12 +61,12 @@ observation, _ = env.reset(seed=3)
 print(observation.astype(int))
 
 # %% [markdown]
-# "vectorised" is the state itself, three whole numbers; we call it the *positions*. "grid" is the *board* above, with a 1
-# at the ball and at the paddle. "rgb" is an *image*: red, green and blue for each of the 50 cells. We call each number
-# of a board or an image a *pixel*.
+# "vectorised" is the state itself, three whole numbers; we call it the *positions*. "grid" is the *board* above, with a
+# 1 at the ball and at the paddle. "rgb" is an *image*: red, green and blue for each of the 50 cells. We call each
+# number of a board or an image a *pixel*.
 #
-# **Play it yourself, blind.** You see the observation "grid" as rows of numbers. How long did it take you to find out what
-# the ones mean? An agent starts with less: it does not even know that two pixels are neighbours.
+# **Play it yourself, blind.** You see the observation "grid" as rows of numbers. How long did it take you to find out
+# what the ones mean? An agent starts with less: it does not even know that two pixels are neighbours.
 
 # %%
 play("Catch", blind=True)
@@ -88,8 +87,8 @@ source(QLearning.learn)
 
 # %% [markdown]
 # A *dense* table has a row for every observation that could be written down. With 50 pixels that are 0 or 1 there are
-# $2^{50}$ of them; with 150 numbers from 0 to 255 there are $256^{150}$. A *network*, which we will come to, has a fixed
-# number of weights instead.
+# $2^{50}$ of them; with 150 numbers from 0 to 255 there are $256^{150}$. A *network*, which we will come to, has a
+# fixed number of weights instead.
 
 # %%
 positions, grid, image = (lesson.rows_of_table(kind) for kind in ("vectorised", "grid", "rgb"))
@@ -101,8 +100,8 @@ lesson.size_sheet()
 # %% [markdown]
 # The y axis shows powers of ten, and it is logarithmic itself. (There are about $10^{80}$ atoms in the universe.) The
 # lowest lines lie close together: "boards that occur" are the different boards that can be seen while the ball falls.
-# There are not more of them than states, because each state looks different, and no board without a ball, or with three,
-# ever comes up.
+# There are not more of them than states, because each state looks different, and no board without a ball, or with
+# three, ever comes up.
 #
 # So a table could hold rows for those boards alone. It does not need to know them beforehand: a *hashed* table gives a
 # row to each board when it is seen for the first time. This line does it. `key` is the board, and `table.row` looks it
@@ -114,16 +113,17 @@ source(lesson.Hashed, "observation")
 # %% [markdown]
 # ### Features: rows that share
 # In a table each row is learned alone. To learn about many states at once, describe a state by some numbers, its
-# *features* $x_1(s), x_2(s), \dots$, and let the value be a weighted sum of them, with weights $w_{ia}$ for each feature
-# $i$ and action $a$ (section 9.4):
+# *features* $x_1(s), x_2(s), \dots$, and let the value be a weighted sum of them, with weights $w_{ia}$ for each
+# feature $i$ and action $a$ (section 9.4):
 #
 # $$
 # \hat q(s, a, w) = \sum_i x_i(s)\, w_{ia}
 # $$
 #
 # The weights are learned like this. Call the target $y = R + \gamma \max_a \hat q(S', a, w)$. We want the squared error
-# $\frac{1}{2} \left[ y - \hat q(S, A, w) \right]^2$ to become smaller. Its derivative by a weight is $-\left[ y - \hat
-# q(S, A, w) \right] x_i(S)$ if we take $y$ for a constant, and so a step of size $\alpha$ down the slope is
+# $\frac{1}{2} \left[ y - \hat q(S, A, w) \right]^2$ to become smaller. Its derivative by a weight is
+# $-\left[ y - \hat q(S, A, w) \right] x_i(S)$ if we take $y$ for a constant, and so a step of size $\alpha$ down the
+# slope is
 #
 # $$
 # w_{iA} \leftarrow w_{iA} + \alpha \left[ y - \hat q(S, A, w) \right] x_i(S) \qquad \text{for all } i
@@ -164,8 +164,9 @@ source(dqn.forward)
 #   memory at random. So each is learned from many times, and the ones in a batch have little to do with each other.
 # - **A target that is held still.** The targets are computed with an older copy $\theta^-$ of the weights, which is
 #   brought up to date every 100 updates. (Why, you will see below.)
-# - **A loss that does not explode.** The loss $L(\delta)$ is $\frac{1}{2} \delta^2$ for errors $\delta = Q(S, A; \theta) -
-#   y$ up to 1 in size, and grows only linearly beyond. And Adam chooses the size of the step for each weight.
+# - **A loss that does not explode.** The loss $L(\delta)$ is $\frac{1}{2} \delta^2$ for errors
+#   $\delta = Q(S, A; \theta) - y$ up to 1 in size, and grows only linearly beyond. And Adam chooses the size of the
+#   step for each weight.
 #
 # $$
 # y = R + \gamma \max_a Q(S', a; \theta^-), \qquad
@@ -183,7 +184,15 @@ source(DQN, "learn", "add_gradient")
 
 # %%
 first_network = lesson.learn(lesson.seen(), lesson.NETWORK, lesson.network(), n_steps=12_000, repetitions=1, seed=1)
-frames(lesson.seen(), first_network.agents[lesson.NETWORK][0], seed=2)
+player, rng = first_network.agents[lesson.NETWORK][0], np.random.default_rng(0)
+
+
+def choose(board):
+    """Choose the greedy action of the network for a board."""
+    return player.greedy(np.ravel(board), rng)
+
+
+frames("Catch", choose, seed=2)
 
 # %% [markdown]
 # ## The experiment: what does a table see in pixels?
@@ -221,8 +230,8 @@ slower.measured(same if same_curves else slow if curves[1][-1].mean() > 0.5 else
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Exactly as fast. The lines lie on each other, the thick one under the dark one. For a table the names of
-# its rows mean nothing. "Position (2, 3, 1)" and "the board with these two ones" are two names of the same row. So it is
-# wrong that "a table cannot read pixels".
+# its rows mean nothing. "Position (2, 3, 1)" and "the board with these two ones" are two names of the same row. So it
+# is wrong that "a table cannot read pixels".
 # </details>
 #
 # Now the pixels get noisy, in three ways. One pixel takes one of 16 levels at random, at every step. Or all pixels get
@@ -251,10 +260,10 @@ sees.measured(sees.options[answers[tuple(above)]])
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** One noisy pixel only. It makes 16 rows of every board, and each is learned alone, so the table needs many
-# more steps. With noise of real numbers, or a new brightness at every step, no board comes a second time. Every
-# row is new, and the table acts at random for ever. The network learns in all four panels. Its values are a
-# continuous function of the pixels: boards that differ a little have values that differ a little.
+# **Measured.** One noisy pixel only. It makes 16 rows of every board, and each is learned alone, so the table needs
+# many more steps. With noise of real numbers, or a new brightness at every step, no board comes a second time. Every
+# row is new, and the table acts at random for ever. The network learns in all four panels. Its values are a continuous
+# function of the pixels: boards that differ a little have values that differ a little.
 # </details>
 #
 # How new are the boards? This is the share of observations, in 2 000 steps of random play, that were never seen before:
@@ -291,8 +300,8 @@ sliders(
 )
 
 # %% [markdown]
-# **The network.** How few hidden units are enough? What does a learning rate that is ten times larger do? How much noise
-# does the network bear? (2 repetitions of 5 000 steps, so look twice before you believe a difference.)
+# **The network.** How few hidden units are enough? What does a learning rate that is ten times larger do? How much
+# noise does the network bear? (2 repetitions of 5 000 steps, so look twice before you believe a difference.)
 
 
 # %%
@@ -330,14 +339,14 @@ tiny.remember([1.0, 0.0], 0, 1.0, [0.0, 0.0], True)  # in state (1, 0), action 0
 # Q = (0.5 \cdot 0.8 + 0.1,\;\; 0.5 \cdot 0.2) = (0.5,\, 0.1)
 # $$
 #
-# The episode ended, so the target is $y = R = 1$. Action 0 was taken, so the error is $\delta = 0.5 - 1 = -0.5$, and its
-# size is below 1: the derivative of the loss by $Q(s, 0)$ is $-0.5$. By $Q(s, 1)$ it is 0, since the loss does not contain
-# it.
+# The episode ended, so the target is $y = R = 1$. Action 0 was taken, so the error is $\delta = 0.5 - 1 = -0.5$, and
+# its size is below 1: the derivative of the loss by $Q(s, 0)$ is $-0.5$. By $Q(s, 1)$ it is 0, since the loss does not
+# contain it.
 #
 # **Backward** goes the chain rule, from the values to the weights:
 #
-# - The weight from $h_1$ to $Q(s, 0)$ is multiplied by $h_1 = 0.5$: its derivative is $0.5 \cdot (-0.5) = -0.25$. The bias
-#   has $-0.5$. The weight from $h_2$ has 0, since $h_2 = 0$.
+# - The weight from $h_1$ to $Q(s, 0)$ is multiplied by $h_1 = 0.5$: its derivative is $0.5 \cdot (-0.5) = -0.25$. The
+#   bias has $-0.5$. The weight from $h_2$ has 0, since $h_2 = 0$.
 # - $h_1$ itself has the derivative $0.8 \cdot (-0.5) = -0.4$. $h_2$ was cut off at 0, where a small change of its sum
 #   changes nothing, so it has 0.
 # - The weight from $x_1$ to $h_1$ has $1 \cdot (-0.4) = -0.4$, and so has the bias of $h_1$. The weights from $x_2 = 0$
@@ -352,7 +361,12 @@ moved
 # %%
 by_hand = [[-0.4, 0.0], [0.0, 0.0], [-0.4, 0.0]], [[-0.25, 0.0], [0.0, 0.0], [-0.5, 0.0]]
 tiny.add_gradient(0)
-print("the agent's gradient, first layer: ", tiny.gradient.first.tolist(), "\nsecond layer:", tiny.gradient.second.tolist())
+print(
+    "the agent's gradient, first layer: ",
+    tiny.gradient.first.tolist(),
+    "\nsecond layer:",
+    tiny.gradient.second.tolist(),
+)
 print("the same as by hand:", all(map(np.allclose, by_hand, (tiny.gradient.first, tiny.gradient.second))))
 before = tiny.weights.first.copy()
 tiny.updates[0] += 1
@@ -369,8 +383,8 @@ moved.measured("stays" if tiny.weights.first[1, 0] == before[1, 0] else "moves l
 #
 # **Measured.** It stays. *A weight learns only from states in which its input is not 0.* Keep this sentence in mind for
 # the next section. The other thing to see is what Adam does: in its first step each weight with a gradient moves by the
-# learning rate, 0.01, however large the gradient is. Only the direction counts. Later steps follow an average of
-# the gradients, divided by an average of their size.
+# learning rate, 0.01, however large the gradient is. Only the direction counts. Later steps follow an average of the
+# gradients, divided by an average of their size.
 # </details>
 #
 # These are the lines that went backward, and those of Adam. With `forward` and `add_gradient` above you have now seen
@@ -391,12 +405,12 @@ source(dqn.adam)
 # Now balls fall from columns 0, 2 and 4 only, in all of training (40 000 steps). Then we test the agents, greedy, with
 # balls from columns 1 and 3. A sensible player would not even notice. Six agents take part:
 #
-# | agent | what it learns from | where it was above |
+# | agent | what it learns from | how |
 # |---|---|---|
-# | table | the positions | Q-learning |
+# | table | the positions | Q-learning, $\alpha = 0.5$ |
 # | linear in the pixels | one feature for each pixel, and a constant | semi-gradient Q-learning, $\alpha = 0.1$ |
-# | tile coding of the positions | which of the tiles of 8 overlapping grids the state is in (section 9.5.4) | semi-gradient SARSA, $\alpha = 0.5/8$ |
-# | linear in ball minus paddle | one feature for each distance from paddle to ball, from $-4$ to 4 | semi-gradient Q-learning, $\alpha = 0.1$ |
+# | tile coding of the positions | the tiles of 8 overlapping grids (section 9.5.4) | semi-gradient SARSA, $\alpha = 0.5/8$ |
+# | linear in ball minus paddle | a feature for each distance, from $-4$ to 4 | semi-gradient Q-learning, $\alpha = 0.1$ |
 # | DQN on pixels | 50 pixels | the network |
 # | DQN on the positions | three numbers, each divided by its largest value | the same network, learning rate 0.003 |
 #
@@ -422,7 +436,7 @@ generalises = []
 for label, by_column in tests.items():
     known, new = (by_column[[*columns]].mean() for columns in (lesson.TRAINED, lesson.WITHHELD))
     print(f"{label:29} training columns {known:5.2f}, withheld columns {new:5.2f}")
-    generalises += [label] * (new >= 0.8)  # a return of 0.8 is 9 balls of 10
+    generalises += [label] * int(new >= 0.8)  # a return of 0.8 is 9 balls of 10
 offset_alone = generalises == [lesson.OFFSET]
 networks_too = {lesson.NETWORK, lesson.NUMBERS, lesson.OFFSET} == {*generalises}
 pixels_alone = generalises == [lesson.NETWORK]
@@ -452,9 +466,9 @@ def maps(ball_row=5, run=0):
 sliders(maps, ball_row=(0, 8), run=(0, 9))
 
 # %% [markdown]
-# The table has never met the states in the frames; its rows there are still 0, and it moves at random. Ball minus paddle
-# has the same features in a frame as beside it. But why does DQN on pixels know so little? The next cell shows, for one of
-# its ten runs, from which pixels any weight has ever had a gradient other than 0.
+# The table has never met the states in the frames; its rows there are still 0, and it moves at random. Ball minus
+# paddle has the same features in a frame as beside it. But why does DQN on pixels know so little? The next cell shows,
+# for one of its ten runs, from which pixels any weight has ever had a gradient other than 0.
 
 # %%
 touched = lesson.ever_learned(general[lesson.NETWORK].agents[lesson.NETWORK][0])
@@ -463,18 +477,20 @@ for row in touched:
 
 # %% [markdown]
 # In columns 1 and 3 there was never a ball, so these pixels were always 0, except in the last row, where the paddle is.
-# You know the rest from the step by hand: a weight from an input that is always 0 never moves. When a ball is there
-# in the test, it is multiplied by random weights from the first day.
+# You know the rest from the step by hand: a weight from an input that is always 0 never moves. When a ball is there in
+# the test, it is multiplied by random weights from the first day.
 #
-# **What an agent carries over to new states is what its weights share between states.** A table shares nothing. A network
-# on pixels shares much between boards that have most pixels in common (as with noise), and nothing between a ball in
-# column 1 and a ball in column 2, which have no pixel in common. On positions, column 1 lies between 0 and 2, and the
-# network interpolates, not very well. Ball minus paddle shares all that matters. But there a person has done the work.
+# **What an agent carries over to new states is what its weights share between states.** A table shares nothing. A
+# network on pixels shares much between boards that have most pixels in common (as with noise), and nothing between a
+# ball in column 1 and a ball in column 2, which have no pixel in common. On positions, column 1 lies between 0 and 2,
+# and the network interpolates, not very well. Ball minus paddle shares all that matters. But there a person has done
+# the work.
 #
 # ### Can a network share more?
-# A *convolutional* network (CNN) uses the same weights at every place: a *filter*, a small array of weights, slides over
-# the image. Two of them were trained on images of balls from columns 0, 2 and 4, by PPO of Stable-Baselines3 (a policy
-# gradient method, chapter 13; which method trains it is not the point here). We stored the results of ten seeds each.
+# A *convolutional* network (CNN) uses the same weights at every place: a *filter*, a small array of weights, slides
+# over the image. Two of them were trained on images of balls from columns 0, 2 and 4, by PPO of Stable-Baselines3 (a
+# policy gradient method, chapter 13; which method trains it is not the point here). We stored the results of ten seeds
+# each.
 #
 # - The **small CNN** has two layers of filters of 3 by 3 pixels. After them comes a layer with a weight for every place
 #   of the board, as in most networks for games.
@@ -485,7 +501,9 @@ for row in touched:
 # **Predict.** Which of the two catches balls from the withheld columns?
 
 # %%
-cnns = predict("The withheld balls are caught ...", ["by both", "by the small CNN", "by the CNN over columns", "by none"])
+cnns = predict(
+    "The withheld balls are caught ...", ["by both", "by the small CNN", "by the CNN over columns", "by none"]
+)
 cnns
 
 # %%
@@ -533,9 +551,9 @@ bound.measured(grows[0] - 0.01)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Above one half. The factor $1 + \alpha (2 \gamma - 1)$ is larger than 1 for every $\gamma > \frac{1}{2}$,
-# and no $\alpha$ helps. Each update lifts the value of the first state towards the second, and with it the second one,
-# which is the target, twice as far.
+# **Measured.** Above one half. The factor $1 + \alpha (2 \gamma - 1)$ is larger than 1 for every
+# $\gamma > \frac{1}{2}$, and no $\alpha$ helps. Each update lifts the value of the first state towards the second, and
+# with it the second one, which is the target, twice as far.
 # </details>
 #
 # Three things come together here. Sutton and Barto call them the *deadly triad* (section 11.3): **function
@@ -544,9 +562,10 @@ bound.measured(grows[0] - 0.01)
 # must follow, and that step is left out). Without any one of the three this example is stable. The dotted line has the
 # step to the end as well, as on-policy learning has.
 #
-# DQN has all three. Its old target does not remove the danger: with $\theta^-$ held still, $w$ moves towards $2 \gamma w^-$,
-# so it still grows if $\gamma > \frac{1}{2}$, but by one factor $2 \gamma$ at most for each copy, not for each update. The
-# orange line shows that. In practice that is mostly slow enough for the other steps, those towards real rewards, to win.
+# DQN has all three. Its old target does not remove the danger: with $\theta^-$ held still, $w$ moves towards
+# $2 \gamma w^-$, so it still grows if $\gamma > \frac{1}{2}$, but by one factor $2 \gamma$ at most for each copy, not
+# for each update. The orange line shows that. In practice that is mostly slow enough for the other steps, those towards
+# real rewards, to win.
 
 
 # %%
@@ -560,13 +579,13 @@ sliders(triad, gamma=(0.0, 1.0, 0.05), alpha=(0.05, 0.3, 0.05), copy_every=[1, 5
 # %% [markdown]
 # ### Networks from a library, on the grid and on the image
 # Few people write DQN themselves. Stable-Baselines3 has it, and PPO; the package has a PPO of its own. These are ten
-# stored runs of each, on the grid with a fully connected network, and on the image with the small CNN. The last one sees
-# an image of another brightness, from 0.4 to 1, at every step. **One run is trained now**: the thin black line, PPO with
-# the CNN, for 12 000 steps. (DQN: 8 copies of the task, learning rate 0.001, batches of 64. PPO: 64 copies, learning rate
-# 0.002, on images 0.001.)
+# stored runs of each, on the grid with a fully connected network, and on the image with the small CNN. The last one
+# sees an image of another brightness, from 0.4 to 1, at every step. **One run is trained now**: the thin black line,
+# PPO with the CNN, for 12 000 steps. (DQN: 8 copies of the task, learning rate 0.001, batches of 64. PPO: 64 copies,
+# learning rate 0.002, on images 0.001.)
 #
-# **Predict.** An image has 150 numbers of 256 levels, the grid 50 of two. How many more steps does PPO need on the image to
-# get to a mean return of 0.9?
+# **Predict.** An image has 150 numbers of 256 levels, the grid 50 of two. How many more steps does PPO need on the
+# image to get to a mean return of 0.9?
 
 # %%
 more = predict("PPO on the image needs ...", ["about as many steps, up to twice", "2 to 10 times as many", "more"])
@@ -590,14 +609,14 @@ more.measured(more.options[0 if ratio <= 2 else 1 if ratio <= 10 else 2])
 # <details><summary>What was measured</summary>
 #
 # **Measured.** About as many. More numbers do not make a task harder for a network, as long as they say the same in a
-# form that it can use. What an image costs is time: a CNN computes much more for each step. (The settings of the methods
-# differ, and so do the numbers of copies. So this is no race between DQN and PPO.)
+# form that it can use. What an image costs is time: a CNN computes much more for each step. (The settings of the
+# methods differ, and so do the numbers of copies. So this is no race between DQN and PPO.)
 # </details>
 
 # %% [markdown]
 # ### What a larger board costs
-# **Predict.** The board grows from 3 columns and 6 rows to 9 columns and 18 rows, so that there are about 27 times as many
-# states. A table needs so many times more steps to a return of 0.99:
+# **Predict.** The board grows from 3 columns and 6 rows to 9 columns and 18 rows, so that there are about 27 times as
+# many states. A table needs so many times more steps to a return of 0.99:
 
 # %%
 factor = predict("The table needs ... times as many steps:", unit="times")
@@ -605,12 +624,14 @@ factor
 
 # %%
 costs = {
-    n: lesson.steps_to_solve(n, n_steps=steps, repetitions=3) for n, steps in {3: 8_000, 5: 16_000, 7: 24_000, 9: 40_000}.items()
+    n: lesson.steps_to_solve(n, n_steps=steps, repetitions=3)
+    for n, steps in {3: 8_000, 5: 16_000, 7: 24_000, 9: 40_000}.items()
 }
 display(lesson.costs_figure(costs))
 for n, steps in costs.items():
     _, boards = lesson.different_boards(2 * n, n)
-    print(f"{n} columns: {boards:4} boards occur, table {steps[lesson.TABLE]:6.0f} steps, DQN {steps[lesson.NETWORK]:6.0f}")
+    table, network = steps.values()
+    print(f"{n} columns: {boards:4} boards occur, table {table:6.0f} steps, DQN {network:6.0f} steps")
 factor.measured(costs[9][lesson.TABLE] / costs[3][lesson.TABLE])
 
 # %% [markdown]
@@ -624,9 +645,9 @@ factor.measured(costs[9][lesson.TABLE] / costs[3][lesson.TABLE])
 
 # %% [markdown]
 # ### A car on a hill
-# MountainCar is an environment of Gymnasium. Its observation is two real numbers, position and speed, so that a table over
-# observations would meet a new row at every step. The car is too weak for the hill, and must swing up. Each step costs
-# 1, and episodes end after 1 000 steps at the latest. Both agents are semi-gradient SARSA with $\gamma = 1$ and
+# MountainCar is an environment of Gymnasium. Its observation is two real numbers, position and speed, so that a table
+# over observations would meet a new row at every step. The car is too weak for the hill, and must swing up. Each step
+# costs 1, and episodes end after 1 000 steps at the latest. Both agents are semi-gradient SARSA with $\gamma = 1$ and
 # $\varepsilon = 0$, for 10 000 steps. One has position and speed themselves as features, the other 8 tilings of 8 by 8
 # tiles.
 #
@@ -665,8 +686,8 @@ from edugym.grading import check
 
 # %% [markdown]
 # ### Exercise 1: how large is a dense table?
-# Write a function that returns how many *numbers* a dense table for Catch holds: one for every observation that could be
-# written down, and each of the three actions. `kind` is "vectorised", "grid" or "rgb".
+# Write a function that returns how many *numbers* a dense table for Catch holds: one for every observation that could
+# be written down, and each of the three actions. `kind` is "vectorised", "grid" or "rgb".
 #
 # <details><summary>Hint</summary>First how many numbers are in an observation, and how many values each can take. In
 # "vectorised" the ball has a column and a row, and the paddle a column. Python has whole numbers of any size, so
@@ -699,12 +720,12 @@ check(exercise_1, table_entries, seed=1, quiet=True)
 # distance from paddle to ball. Complete two methods:
 #
 # - `value(board, action)` returns $\hat q(s, a, w)$. `self.w` has a row for each feature and a column for each action.
-# - `learn(...)` makes the semi-gradient update of Q-learning. `state` and `next_state` are boards, and `terminated` says
-#   whether the episode is over. Change the entries of `self.w` in place.
+# - `learn(...)` makes the semi-gradient update of Q-learning. `state` and `next_state` are boards, and `terminated`
+#   says whether the episode is over. Change the entries of `self.w` in place.
 #
-# Your agent is then trained with balls from columns 0, 2 and 4, and tested as in the figure above. Afterwards change the
-# features, for instance to the column of the ball alone, and see what it still knows. (The check makes up features of its
-# own, in which several are not 0, so use `self.features`.)
+# Your agent is then trained with balls from columns 0, 2 and 4, and tested as in the figure above. Afterwards change
+# the features, for instance to the column of the ball alone, and see what it still knows. (The check makes up features
+# of its own, in which several are not 0, so use `self.features`.)
 #
 # <details><summary>Hint</summary>The value is <code>np.sum(x * self.w[:, action])</code>. In <code>learn</code>, first
 # compute the features of <code>state</code>, then the target, then change the column of the action that was taken. A
@@ -786,13 +807,13 @@ display(lesson.race({"my agent": lambda task: MyAgent(np.zeros((9, 3)))}, n_step
 # This class is DQN, with two parts left for you:
 #
 # - `target_of(row)` returns the target $y$ for one transition of the memory. `memory.rewards[row]` is its reward,
-#   `memory.next_states[row]` the next state as an array, and `memory.terminated[row]` is 1 if the episode ended there, else
-#   0. `forward(weights, x, self.h, self.Q)` writes the action values of an array `x` into `self.Q`, which has one row:
-#   `self.Q[0, a]`. The weights are `self.weights` ($\theta$) or `self.target` ($\theta^-$).
-# - `row_for(u)` returns the row of a transition to learn from, for a random number `u` from 0 to 1 (1 excluded): a whole
-#   number, and every transition that is in the memory is equally likely. `self.steps[0]` is the number of transitions so
-#   far. The memory has `len(self.memory.actions)` rows. They are filled from row 0 on; when all are full, new transitions
-#   take the places of the oldest.
+#   `memory.next_states[row]` the next state as an array, and `memory.terminated[row]` is 1 if the episode ended there,
+#   else 0. `forward(weights, x, self.h, self.Q)` writes the action values of an array `x` into `self.Q`, which has one
+#   row: `self.Q[0, a]`. The weights are `self.weights` ($\theta$) or `self.target` ($\theta^-$).
+# - `row_for(u)` returns the row of a transition to learn from, for a random number `u` from 0 to 1 (1 excluded): a
+#   whole number, and every transition that is in the memory is equally likely. `self.steps[0]` is the number of
+#   transitions so far. The memory has `len(self.memory.actions)` rows. They are filled from row 0 on; when all are
+#   full, new transitions take the places of the oldest.
 #
 # The race shows your network beside the lesson's.
 #
@@ -855,12 +876,12 @@ display(lesson.race_networks({"my DQN": lesson.network(MyDQN)}))
 
 # %% [markdown]
 # ### The open challenge: a shuffled, noisy board
-# The 50 pixels stand in another order, which depends on your name, and every one has noise with $\sigma = 0.1$. There are
-# 8 000 steps. Points are the average greedy return over training, in percent of 1, the optimum. So it counts how *fast* your
-# agent learns. It is told the two spaces only, and is trained ten times, each time with another order.
+# The 50 pixels stand in another order, which depends on your name, and every one has noise with $\sigma = 0.1$. There
+# are 8 000 steps. Points are the average greedy return over training, in percent of 1, the optimum. So it counts how
+# *fast* your agent learns. It is told the two spaces only, and is trained ten times, each time with another order.
 #
-# Half a page with it: what does your agent share between boards? Does the shuffling make it harder for a table, for DQN, for
-# a CNN, and why? What did you know about the task that the agent did not have to learn?
+# Half a page with it: what does your agent share between boards? Does the shuffling make it harder for a table, for
+# DQN, for a CNN, and why? What did you know about the task that the agent did not have to learn?
 
 
 # %%
@@ -879,28 +900,28 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #   did learn then.
 # - Linear features share weights between states. The update is the semi-gradient step: the error times the features.
 # - DQN is that step through two layers, with a memory and an old copy of the weights for the target.
-# - A network on pixels knew nothing about balls in columns that it had never seen: weights from pixels that were always 0
-#   do not move. A network whose filters slide over the columns did know.
+# - A network on pixels knew nothing about balls in columns that it had never seen: weights from pixels that were always
+#   0 do not move. A network whose filters slide over the columns did know.
 # - Function approximation, bootstrapping and off-policy learning together can make values grow for ever.
 #
 # ### In one paragraph
-# *Learn it by heart, or better, say it in your own words.* A table learns each observation alone, so it needs to meet each
-# of them, many times. Function approximation gives states weights in common, so that what is learned in one changes the
-# others. That is its use and its danger. It carries over to new states exactly what the weights share: a network with
-# pixels as inputs shares much between images with many pixels in common, and nothing between a ball here and a ball there,
-# unless its layers are made so.
+# *Learn it by heart, or better, say it in your own words.* A table learns each observation alone, so it needs to meet
+# each of them, many times. Function approximation gives states weights in common, so that what is learned in one
+# changes the others. That is its use and its danger. It carries over to new states exactly what the weights share: a
+# network with pixels as inputs shares much between images with many pixels in common, and nothing between a ball here
+# and a ball there, unless its layers are made so.
 #
 # ### Limits
-# Catch is a very small task, which nobody needs a network for. Few runs were made of the networks, and their settings were
-# chosen by a few trials. The statements on generalisation are about this board and these five columns; with more columns
-# in training the gaps are smaller for a network to fill. And a return of 1 on the withheld columns needs exact
+# Catch is a very small task, which nobody needs a network for. Few runs were made of the networks, and their settings
+# were chosen by a few trials. The statements on generalisation are about this board and these five columns; with more
+# columns in training the gaps are smaller for a network to fill. And a return of 1 on the withheld columns needs exact
 # play, which is a hard test for interpolation.
 #
 # ### Further reading
 # - Moerland et al. (2023), *EduGym: An environment and notebook suite for reinforcement learning education*: the paper,
 #   which compares a table and DQN on Catch.
-# - Sutton and Barto, *Reinforcement Learning*, 2nd edition: 9.3 and 9.4 (semi-gradient, linear methods), 9.5.4 (tile coding),
-#   9.7 (networks), 10.1 (MountainCar), 11.2 and 11.3 (divergence, the deadly triad), 16.5 (DQN).
+# - Sutton and Barto, *Reinforcement Learning*, 2nd edition: 9.3 and 9.4 (semi-gradient, linear methods), 9.5.4 (tile
+#   coding), 9.7 (networks), 10.1 (MountainCar), 11.2 and 11.3 (divergence, the deadly triad), 16.5 (DQN).
 # - Mnih et al. (2015), *Human-level control through deep reinforcement learning*: DQN.
 # - Van Hasselt et al. (2018), *Deep reinforcement learning and the deadly triad*: how often it really happens.
 # - LeCun et al. (1998), *Gradient-based learning applied to document recognition*: convolutional networks.

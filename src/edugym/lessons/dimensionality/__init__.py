@@ -64,6 +64,7 @@ from edugym.lessons.dimensionality.sharing import COLUMN, SMALL
 from edugym.lessons.dimensionality.sizes import different_boards, n_weights, new_share, rows_of_table
 from edugym.lessons.dimensionality.tasks import COLUMNS, ROWS, TRAINED, WITHHELD, catch
 from edugym.lessons.dimensionality.triad import w_to_2w
+from edugym.mdp.hashed import Hashed
 from edugym.mdp.protocol import Reals
 from edugym.plotting.curves import Curves
 from edugym.plotting.report import Report
@@ -96,6 +97,7 @@ __all__ = [
     "TRAINED",
     "WITHHELD",
     "Coordinates",
+    "Hashed",
     "boards_figure",
     "car_figure",
     "catch",

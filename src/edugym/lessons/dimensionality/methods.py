@@ -118,8 +118,8 @@ def tiles() -> Callable[[Any], Any]:
     return partial(SemiGradientSARSA.create, features=coding, **settings)
 
 
-def network(**settings: Any) -> Callable[[Any], Any]:
-    """Return a function that makes DQN with the lesson's settings, or others."""
+def network(kind: Any = DQN, **settings: Any) -> Callable[[Any], Any]:
+    """Return a function that makes DQN, or a class like it, with the lesson's settings, or others."""
     default = {
         "hidden": HIDDEN,
         "learning_rate": NETWORK_RATE,
@@ -128,7 +128,7 @@ def network(**settings: Any) -> Callable[[Any], Any]:
         "learn_from": 200,
         "copy_every": 100,
     }
-    return partial(DQN.create, **{**default, **settings})
+    return partial(kind.create, **{**default, **settings})
 
 
 def catch_numbers(columns: Sequence[int] = range(COLUMNS)) -> Coordinates:
