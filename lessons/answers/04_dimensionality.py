@@ -4,8 +4,7 @@
 
 # %% setup
 import math
-import random
-from fractions import Fraction
+from edugym.agents.tables import one_step_target
 
 
 # %% exercise 1, right: a dictionary

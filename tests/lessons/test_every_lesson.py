@@ -10,7 +10,7 @@ CLAIMS = {
     "loop": 14,
     "on_off_policy": 18,
     "depth": 20,
-    "dimensionality": 13,
+    "dimensionality": 25,
     "memory": 19,
     "signal": 24,
     "stochasticity": 15,

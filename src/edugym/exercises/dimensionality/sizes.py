@@ -19,7 +19,7 @@ def exercise_1(answer: Any, seed: int) -> str:
     if not callable(answer) or isinstance(answer, type):
         raise WrongAnswer(f"table_entries should be a function, but is of the type {type(answer).__name__}")
     rng = np.random.default_rng(seed)
-    rows, columns = 4 + int(rng.integers(3)), 3
+    rows, columns = 5 + int(rng.integers(3)), 4
     for kind in ("vectorised", "grid", "rgb"):
         for size in ((rows, columns), (2, 2), (5, 2)):
             call = f"table_entries({size[0]}, {size[1]}, {kind!r})"

@@ -4,13 +4,13 @@ Q-learning trains for 20 000 steps with learning rate 0.5, discount 0.9 and ε-g
 positions (a dense table) and on the board of 10 by 5 pixels (a hashed table, with rows for the boards that occur). The
 noise is in one pixel (one of 16 levels at random, 150 000 steps) or in all (normal with σ = 0.1, 40 000 steps).
 Generalisation: the table and two agents with linear features (learning rate 0.1) train for 40 000 steps with balls from
-columns 0, 2 and 4, and are then tested with those from columns 1 and 3. 10 repetitions; the seeds are the same for
-every method. Each point of a curve is the mean of 30 greedy evaluation episodes.
+columns 0, 2 and 4, and are then tested with those from columns 1 and 3; so is DQN (64 hidden units, learning rate
+0.001), which also learns under noise. The results of CNNs and of Stable-Baselines3 are stored. 10 repetitions; the
+seeds are the same for every method. Each point of a curve is the mean of 30 greedy evaluation episodes.
 """
 
 import math
 from collections.abc import Mapping
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -60,6 +60,8 @@ from edugym.lessons.dimensionality.methods import (
     table,
 )
 from edugym.lessons.dimensionality.networks import METHODS, PPO_IMAGE, STORED, network_claims, train_network
+from edugym.lessons.dimensionality.open_dqn import OpenDQN
+from edugym.lessons.dimensionality.races import ALL_PIXELS, HOPELESS, ONE_PIXEL, compare_sights, race, race_networks
 from edugym.lessons.dimensionality.sharing import COLUMN, SMALL
 from edugym.lessons.dimensionality.sizes import different_boards, n_weights, new_share, rows_of_table
 from edugym.lessons.dimensionality.tasks import COLUMNS, ROWS, TRAINED, WITHHELD, catch
@@ -98,6 +100,7 @@ __all__ = [
     "WITHHELD",
     "Coordinates",
     "Hashed",
+    "OpenDQN",
     "boards_figure",
     "car_figure",
     "catch",
@@ -139,12 +142,10 @@ __all__ = [
     "withheld",
 ]
 
-SLOW, HOPELESS = 150_000, 40_000
-"""The training steps with one noisy pixel, and with noise in all."""
+SLOW = 150_000
+"""The training steps with one noisy pixel."""
 REPETITIONS = 10
 RANDOM_PLAY = -0.6
-
-ONE_PIXEL, ALL_PIXELS = f"one noisy pixel of {LEVELS} levels", f"noise in all pixels, σ = {SIGMA:g}"
 
 
 def late(results: Results) -> Reals:
@@ -166,14 +167,17 @@ def measure(how: How) -> tuple[Any, ...]:
             pixels(sigma=SIGMA, capacity=2 * HOPELESS), ALL_PIXELS, n_steps=HOPELESS, **how("all_pixels")
         ),
     }
-    general = generalise(**how())
+    network_noisy = learn(seen(sigma=SIGMA), NETWORK, network(), n_steps=HOPELESS, **how("network"))
+    general = generalise([TABLE, LINEAR, OFFSET, NETWORK], **how())
     tests = {label: returns_by_column(results) for label, results in general.items()}
-    return plain, noisy, tests
+    return plain, {**noisy, NETWORK: network_noisy}, tests
 
 
 def judge(plain: Mapping[str, Results], noisy: Mapping[str, Results], tests: Mapping[str, Reals]) -> Report:
     """Return claims and figures."""
+    tests = {**tests, **{label: shared_by_column(label) for label in (SMALL, COLUMN)}}
     claims = [*size_claims(), *pixel_claims(plain), *noise_claims(plain, noisy), *general_claims(tests)]
+    claims += [*sharing_claims(tests), *triad_claims(), *network_claims(STORED.load())]
     return Report(claims, figures(plain, noisy, tests))
 
 
@@ -258,6 +262,13 @@ def noise_claims(plain: Mapping[str, Results], noisy: Mapping[str, Results]) -> 
             mean_interval(late(noisy[ALL_PIXELS])),
             Within(RANDOM_PLAY - 0.15, RANDOM_PLAY + 0.15),
         ),
+        Claim(
+            "where the network learns",
+            "greedy return of DQN, last five evaluations",
+            mean_interval(late(noisy[NETWORK])),
+            Above(0.85),
+            "boards that differ a little have values that differ a little",
+        ),
     ]
 
 
@@ -296,67 +307,57 @@ def general_claims(tests: Mapping[str, Reals]) -> list[Claim]:
     ]
 
 
+def sharing_claims(tests: Mapping[str, Reals]) -> list[Claim]:
+    """Return the claims on networks and balls from withheld columns."""
+    unseen = f"greedy return, balls from columns {', '.join(map(str, WITHHELD))}"
+    return [
+        Claim(
+            "A network on pixels does not generalise to new columns either",
+            unseen,
+            mean_interval(tests[NETWORK][[*WITHHELD]].mean(axis=0)),
+            Below(0.5),
+            "weights from pixels that were always 0 do not move",
+        ),
+        Claim(
+            "nor does a small CNN whose last layers have a weight for every place",
+            unseen,
+            mean_interval(tests[SMALL][[*WITHHELD]].mean(axis=0)),
+            Below(0.5),
+            "results of ten seeds, stored with the package",
+        ),
+        Claim(
+            "but a CNN whose filters slide over the columns, of which the largest output counts, does",
+            unseen,
+            mean_interval(tests[COLUMN][[*WITHHELD]].mean(axis=0)),
+            Above(0.5),
+            "results of ten seeds, stored with the package",
+        ),
+    ]
+
+
+def triad_claims() -> list[Claim]:
+    """Return the claims on the deadly triad, computed."""
+    old = w_to_2w(2_000, 0.9, 0.1, copy_every=20)[-1]
+    return [
+        Claim(
+            "The weight of w and 2w grows for every discount above 1/2",
+            "the smallest discount in steps of 0.01 with which it grows",
+            exactly(min(gamma for gamma in np.arange(101) / 100 if w_to_2w(2_000, gamma, 0.1)[-1] > 1.0)),
+            Within(0.51, 0.51),
+        ),
+        Claim(
+            "An old target slows it and does not stop it",
+            "growth rate with a copy every 20 updates, of that without",
+            exactly(math.log(old) / math.log(w_to_2w(2_000, 0.9, 0.1)[-1])),
+            Within(0.2, 0.6),
+        ),
+    ]
+
+
 def figures(plain: Mapping[str, Results], noisy: Mapping[str, Results], tests: Mapping[str, Reals]) -> list[Sheet]:
     """Return the figures: learning curves, sizes of tables, and tests on withheld columns."""
     curves = [Curves(results, label, optimum=1.0) for label, results in {**plain, **noisy}.items()]
     return [Sheet("dimensionality", [curves[:2], curves[2:]]), size_sheet(), withheld(tests), stored_networks()]
-
-
-def compare_sights(n_steps: int = HOPELESS, repetitions: tuple[int, int] = (30, 5), **how: Any) -> dict[str, Results]:
-    """Train a table and a network under every kind of noise.
-
-    Args:
-        n_steps: the training steps of each run.
-        repetitions: the number of runs of the table, and of the network.
-        **how: more arguments of `learn`.
-
-    Returns:
-        By a title for each kind of noise, the results of both.
-    """
-    sights: dict[str, tuple[Any, Any]] = {
-        "no noise": (pixels(), seen()),
-        ONE_PIXEL: (pixels(levels=LEVELS), seen(levels=LEVELS)),
-        ALL_PIXELS: (pixels(sigma=SIGMA, capacity=2 * n_steps), seen(sigma=SIGMA)),
-        f"brightness from {DARKEST:g} to 1": (partial(hashed_dark, 2 * n_steps), seen(darkest=DARKEST)),
-    }
-    of_table, of_network = repetitions
-    return {
-        title: join(
-            [
-                learn(hashed, PIXELS, n_steps=n_steps, repetitions=of_table, **how),
-                learn(boards, NETWORK, network(), n_steps=n_steps, repetitions=of_network, **how),
-            ]
-        )
-        for title, (hashed, boards) in sights.items()
-    }
-
-
-def race(own: Mapping[str, Any], seen_as: str = "grid", repetitions: int = 5, n_steps: int = N_STEPS) -> Sheet:
-    """Train the reader's own agents with balls from three columns, and test them beside the table.
-
-    Args:
-        own: by label, functions that make an agent for the board.
-        seen_as: what they see: "grid" or "numbers".
-        repetitions: the number of runs.
-        n_steps: the training steps of each run.
-    """
-    table_runs = generalise([TABLE], repetitions=repetitions, jobs=1)
-    tests = {TABLE: returns_by_column(table_runs[TABLE])}
-    for label, make in own.items():
-        results = learn(
-            catch(seen_as, TRAINED), label, make, n_steps=n_steps, points=2, repetitions=repetitions, jobs=1
-        )
-        tests[label] = returns_by_column(results, seen_as)
-    return withheld(tests)
-
-
-def race_networks(own: Mapping[str, Any], repetitions: int = 3, n_steps: int = 12_000) -> Sheet:
-    """Train the reader's own networks beside that of the lesson, without noise."""
-    both = {NETWORK: network(), **own}
-    runs = [
-        learn(seen(), label, make, n_steps=n_steps, repetitions=repetitions, jobs=1) for label, make in both.items()
-    ]
-    return table_and_network({"no noise": join(runs)})
 
 
 def warm_up() -> None:

@@ -13,7 +13,7 @@ from edugym.results.tables import Results
 from edugym.stored import Stored
 from edugym.training.train import Run
 
-N_STEPS, EVERY = 30_000, 2_000
+N_STEPS, EVERY = 25_000, 2_000
 OUR_PPO = "our PPO, grid"
 DQN_GRID, PPO_GRID, DQN_IMAGE, PPO_IMAGE = "DQN, grid", "PPO, grid", "DQN with a CNN, image", "PPO with a CNN, image"
 PPO_DARK = "PPO with a CNN, darkened image"
