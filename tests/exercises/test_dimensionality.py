@@ -63,7 +63,7 @@ class Cleaning(NamedTuple):
         row = 0
         for k in range(50):
             if state[k] > 0.5:
-                row = row * 50 + k
+                row = (row * 50 + k) % 2_500
         return row
 
     def act(self, state: Any, rng: np.random.Generator) -> int:

@@ -16,6 +16,7 @@ from edugym.agents.strategies import EpsilonGreedy
 from edugym.agents.tile_coding import TileCoding
 from edugym.envs.catch import Catch
 from edugym.lessons.dimensionality.boards import Offset
+from edugym.lessons.dimensionality.shuffled import in_a_row
 from edugym.lessons.dimensionality.tasks import COLUMNS, ROWS, TRAINED, catch, darkened, noisy
 from edugym.mdp.brightness import Brightness
 from edugym.mdp.hashed import Hashed
@@ -165,7 +166,9 @@ GENERAL: Mapping[str, tuple[str, Callable[[], Any]]] = MappingProxyType(
 
 
 def thrown(what: str, columns: Sequence[int]) -> Any:
-    """Return the task with balls from some columns, seen as in `GENERAL`."""
+    """Return the task with balls from some columns, seen as in `GENERAL`, or as "row"."""
+    if what == "row":
+        return in_a_row(catch("grid", columns))
     return catch_numbers(columns) if what == "numbers" else catch(what, columns)
 
 

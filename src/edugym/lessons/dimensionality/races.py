@@ -1,5 +1,6 @@
 """Methods of lesson 4 side by side: a table and a network under noise, and the reader's own agents beside them."""
 
+import warnings
 from collections.abc import Mapping
 from functools import partial
 from typing import Any
@@ -8,7 +9,6 @@ from edugym.lessons.dimensionality.figures import join, table_and_network, withh
 from edugym.lessons.dimensionality.methods import (
     DARKEST,
     LEVELS,
-    N_STEPS,
     NETWORK,
     PIXELS,
     SIGMA,
@@ -20,8 +20,9 @@ from edugym.lessons.dimensionality.methods import (
     pixels,
     returns_by_column,
     seen,
+    thrown,
 )
-from edugym.lessons.dimensionality.tasks import TRAINED, catch
+from edugym.lessons.dimensionality.tasks import TRAINED
 from edugym.plotting.sheet import Sheet
 from edugym.results.tables import Results
 
@@ -58,29 +59,28 @@ def compare_sights(n_steps: int = HOPELESS, repetitions: tuple[int, int] = (30, 
     }
 
 
-def race(own: Mapping[str, Any], seen_as: str = "grid", repetitions: int = 5, n_steps: int = N_STEPS) -> Sheet:
+def race(own: Mapping[str, Any], repetitions: int = 5, n_steps: int = 6_000) -> Sheet:
     """Train the reader's own agents with balls from three columns, and test them beside the table.
 
     Args:
-        own: by label, functions that make an agent for the board.
-        seen_as: what they see: "grid" or "numbers".
+        own: by label, functions that make an agent for boards of 50 numbers in a row.
         repetitions: the number of runs.
         n_steps: the training steps of each run.
     """
     table_runs = generalise([TABLE], repetitions=repetitions, jobs=1)
     tests = {TABLE: returns_by_column(table_runs[TABLE])}
-    for label, make in own.items():
-        results = learn(
-            catch(seen_as, TRAINED), label, make, n_steps=n_steps, points=2, repetitions=repetitions, jobs=1
-        )
-        tests[label] = returns_by_column(results, seen_as)
+    how: dict[str, Any] = {"n_steps": n_steps, "points": 2, "repetitions": repetitions, "jobs": 1}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)  # that an agent runs interpreted: these runs are short
+        for label, make in own.items():
+            tests[label] = returns_by_column(learn(thrown("row", TRAINED), label, make, **how), "row")
     return withheld(tests)
 
 
-def race_networks(own: Mapping[str, Any], repetitions: int = 3, n_steps: int = 12_000) -> Sheet:
+def race_networks(own: Mapping[str, Any], repetitions: int = 2, n_steps: int = 8_000) -> Sheet:
     """Train the reader's own networks beside that of the lesson, without noise."""
-    both = {NETWORK: network(), **own}
-    runs = [
-        learn(seen(), label, make, n_steps=n_steps, repetitions=repetitions, jobs=1) for label, make in both.items()
-    ]
+    how: dict[str, Any] = {"n_steps": n_steps, "repetitions": repetitions, "jobs": 1}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)
+        runs = [learn(seen(), label, make, **how) for label, make in {NETWORK: network(), **own}.items()]
     return table_and_network({"no noise": join(runs)})
