@@ -79,6 +79,7 @@ LOOKS: Mapping[str, Stroke] = {
 }
 OWN = (BLACK, Stroke("#666600", (0, (6, 1.5))), PURPLE)
 """The strokes of methods that are not in `LOOKS`, in their order."""
+FEW = 3
 ARROWS = ("←", "•", "→")
 CAUGHT, MISSED = "#cfe8d5", "#f4c7c3"
 
@@ -101,11 +102,16 @@ class Learning(Curves):
         """Draw the curves on `ax`, by default in a new figure, and return the axes."""
         ax = super().draw(ax, place)
         looks = looks_of(self.results.methods if self.methods is None else self.methods)
-        for look, line, band in zip(looks, ax.get_lines(), ax.collections, strict=False):
+        methods = self.results.methods if self.methods is None else [*self.methods]
+        for method, look, line, band in zip(methods, looks, ax.get_lines(), [*ax.collections], strict=False):
             line.set(color=look.color, linestyle=look.linestyle)
             band.set(color=look.color, linewidth=0)
-        if self.results.methods == [POSITIONS, PIXELS]:
-            ax.get_lines()[0].set(linewidth=4.0)  # the second line lies on it
+            points = self.points(method)
+            if points.shape[1] <= FEW:  # too few runs for an interval: each is drawn
+                band.remove()
+                ax.plot(points.index, points.to_numpy(float), color=look.color, linewidth=0.7, alpha=0.6)
+        if self.results.methods[0] in (POSITIONS, NETWORK) and len(self.results.methods) == 2:
+            ax.get_lines()[0].set(linewidth=4.0, alpha=0.6)  # the second line may lie on it
         if place.alone:
             add_legend(ax)
         return ax
@@ -143,7 +149,7 @@ class Dots(NamedTuple):
         for row, (by_column, look) in enumerate(zip(self.tests.values(), looks_of(self.tests), strict=True)):
             for at, columns, filled in ((row - 0.14, TRAINED, True), (row + 0.14, WITHHELD, False)):
                 found = mean_interval(by_column[[*columns]].mean(axis=0))
-                ax.plot([found.low, found.high], [at, at], color=look.color, linewidth=1.4)
+                ax.plot([max(found.low, -1.0), min(found.high, 1.0)], [at, at], color=look.color, linewidth=1.4)
                 ax.plot(found.estimate, at, "o", color=look.color, markerfacecolor=look.color if filled else "white")
         ax.plot([], [], "o", color=INK, label=f"balls from columns {_listed(TRAINED)} (training)")
         ax.plot([], [], "o", color=INK, markerfacecolor="white", label=f"from columns {_listed(WITHHELD)} (withheld)")
@@ -229,7 +235,7 @@ def boards_figure(
     make = table(exploration=EpsilonGreedy(epsilon), learning_rate=alpha, discount=gamma)
     how: dict[str, Any] = {"n_steps": n_steps, "repetitions": repetitions, "jobs": 1}
     size = learn(on_board(columns, "vectorised"), TABLE, make, **how)
-    noise = learn(pixels(levels=levels, capacity=20_000), TABLE, make, **how)
+    noise = learn(pixels(levels=levels, capacity=60_000), TABLE, make, **how)
     look: dict[str, Any] = {"optimum": 1.0, "y_range": (-1.05, 1.05)}
     titles = (
         f"{columns} columns, {2 * columns} rows, no noise",
@@ -239,7 +245,7 @@ def boards_figure(
 
 
 def network_figure(
-    hidden: int, sigma: float, *, alpha: float, gamma: float, epsilon: float, n_steps: int = 5_000, repetitions: int = 2
+    hidden: int, sigma: float, *, alpha: float, gamma: float, epsilon: float, n_steps: int = 5_000, repetitions: int = 3
 ) -> Sheet:
     """Return the learning curve of DQN with some settings, under noise."""
     from edugym.agents.strategies import EpsilonGreedy
@@ -295,8 +301,8 @@ def growth(gamma: float = 0.9, alpha: float = 0.1, copy_every: int = 20, n_updat
     """Return the weight of the deadly triad, with one of its three parts left out, or softened by an old target."""
     lines = {
         "the triad": w_to_2w(n_updates, gamma, alpha),
-        f"target copied every {copy_every} updates": w_to_2w(n_updates, gamma, alpha, copy_every),
-        "on-policy: the second step is learned from too": w_to_2w(n_updates, gamma, alpha, whole_way=True),
+        f"target copied every {copy_every}": w_to_2w(n_updates, gamma, alpha, copy_every),
+        "both steps, as on-policy": w_to_2w(n_updates, gamma, alpha, whole_way=True),
     }
     title = f"γ = {gamma:g}, α = {alpha:g}"
     panel = Lines(np.arange(n_updates + 1.0), lines, title, "updates", "weight w (should become 0)", log=True)

@@ -19,7 +19,7 @@ def mountain_car() -> Any:
     return gymnasium.make("MountainCar-v0", max_episode_steps=MAX_STEPS)
 
 
-def drive(n_steps: int = 10_000, repetitions: int = 1, **how: Any) -> Results:
+def drive(n_steps: int = 20_000, repetitions: int = 3, **how: Any) -> Results:
     """Train semi-gradient SARSA in the car: linear in position and speed themselves, and with tile coding.
 
     Args:

@@ -14,7 +14,7 @@ from edugym.agents.q_learning import QLearning
 from edugym.agents.semi_gradient_sarsa import SemiGradientSARSA
 from edugym.agents.strategies import EpsilonGreedy
 from edugym.agents.tile_coding import TileCoding
-from edugym.envs.catch import Catch
+from edugym.envs.catch import Catch, Fall
 from edugym.lessons.dimensionality.boards import Offset
 from edugym.lessons.dimensionality.shuffled import in_a_row
 from edugym.lessons.dimensionality.tasks import COLUMNS, ROWS, TRAINED, catch, darkened, noisy
@@ -218,6 +218,19 @@ def catches(agent: Any, what: str, state: Any, rng: Random) -> bool:
     while not task.terminal(state):
         state = task.transition(state, greedy_action(agent, what, state, rng), rng)
     return bool(state.ball_x == state.paddle_x)
+
+
+def paddle_ends(results: Results, column: int) -> list[int]:
+    """Return, for every run of a method of `GENERAL`, where the paddle is, greedy, when a ball from a column lands."""
+    (label,) = results.methods
+    task, rng = Catch.create(ROWS, COLUMNS, "vectorised"), np.random.default_rng(0)
+    ends = []
+    for agent in results.complete_agents(label).values():
+        state = Fall(column, 0, COLUMNS // 2)
+        while not task.terminal(state):
+            state = task.transition(state, greedy_action(agent, GENERAL[label][0], state, rng), rng)
+        ends.append(state.paddle_x)
+    return ends
 
 
 def on_board(columns: int, kind: str) -> Any:

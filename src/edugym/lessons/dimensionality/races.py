@@ -44,8 +44,8 @@ def compare_sights(n_steps: int = HOPELESS, repetitions: tuple[int, int] = (30, 
     sights: dict[str, tuple[Any, Any]] = {
         "no noise": (pixels(), seen()),
         ONE_PIXEL: (pixels(levels=LEVELS), seen(levels=LEVELS)),
-        ALL_PIXELS: (pixels(sigma=SIGMA, capacity=2 * n_steps), seen(sigma=SIGMA)),
-        f"brightness from {DARKEST:g} to 1": (partial(hashed_dark, 2 * n_steps), seen(darkest=DARKEST)),
+        ALL_PIXELS: (pixels(sigma=SIGMA, capacity=2 * n_steps + 20_000), seen(sigma=SIGMA)),
+        f"brightness from {DARKEST:g} to 1": (partial(hashed_dark, 2 * n_steps + 20_000), seen(darkest=DARKEST)),
     }
     of_table, of_network = repetitions
     return {
