@@ -198,7 +198,7 @@ frames("Catch", choose, seed=2)
 # |---|---|
 # | all | $\gamma = 0.9$, ε-greedy with $\varepsilon = 0.1$ |
 # | table | Q-learning, $\alpha = 0.5$, all values start at 0, ties broken at random; 30 repetitions |
-# | network | DQN, 64 hidden units, Adam with learning rate 0.001; 8 repetitions, so its bands are wide |
+# | network | DQN, 64 hidden units, Adam with learning rate 0.001; 5 repetitions, so its bands are wide |
 # | evaluation | 30 greedy episodes at each point |
 #
 # First without noise. One table has a row for each of the 250 positions. The other is a hashed table of boards.
@@ -233,14 +233,14 @@ slower.measured(slower.options[2 if (curves[0] == curves[1]).all() else 1])
 # some normal noise with standard deviation $\sigma = 0.1$. Or the whole board is darkened at every step by a random
 # factor between 0.4 and 1. You would still see the ball at a glance.
 #
-# **Predict.** In how many of the three, and in which, does the table come to a return above 0.5 within 40 000 steps?
+# **Predict.** In how many of the three, and in which, does the table come to a return above 0.5 within 30 000 steps?
 
 # %%
 sees = predict("The table gets above 0.5 in ...", ["none of the three", "one", "two", "all three"])
 sees
 
 # %%
-panels = lesson.compare_sights(40_000, repetitions=(30, 8))
+panels = lesson.compare_sights(30_000, repetitions=(30, 5))
 display(lesson.table_and_network(panels))
 late = {title: {m: r.curves(m).iloc[-5:].to_numpy().mean() for m in r.methods} for title, r in panels.items()}
 for title, means in late.items():
