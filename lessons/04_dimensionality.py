@@ -542,7 +542,7 @@ bound.measured(grows[0] - 0.01)
 #
 # DQN has all three. Its old target does not remove the danger: with $\theta^-$ held still, $w$ moves towards
 # $2 \gamma w^-$, so it still grows if $\gamma > \frac{1}{2}$, but by one factor $2 \gamma$ at most for each copy, not
-# for each update. The orange line shows that. Van Hasselt et al. (2018) looked for such growth in DQN on many games:
+# for each update. The second line shows that. Van Hasselt et al. (2018) looked for such growth in DQN on many games:
 # values became too large at times, but hardly ever without end.
 
 

@@ -76,10 +76,16 @@ LOOKS: Mapping[str, Stroke] = {
     OUR_PPO: PURPLE,
     PPO_IMAGE: GREY,
     PPO_DARK: Stroke("#8c8c8c", (0, (1, 1))),
+    "dense table, image": Stroke("#08306b", "solid"),
+    "dense table, grid": Stroke("#0072b2", (0, (6, 1.5))),
+    "dense table, positions": Stroke("#56b4e9", (0, (2, 1))),
+    "boards that occur": Stroke("#0072b2", (0, (1, 2))),
+    "weights of a network (64 hidden units)": Stroke("#d55e00", (0, (6, 1.5))),
 }
-OWN = (BLACK, Stroke("#666600", (0, (6, 1.5))), PURPLE)
+OWN = (BLACK, Stroke("#666600", (0, (6, 1.5))), Stroke("#762a83", (0, (2, 1))))
 """The strokes of methods that are not in `LOOKS`, in their order."""
 FEW = 3
+CAR_RANGE = (-1_030.0, -100.0)
 ARROWS = ("←", "•", "→")
 CAUGHT, MISSED = "#cfe8d5", "#f4c7c3"
 
@@ -286,7 +292,7 @@ def size_sheet(sizes: Sequence[int] = (3, 4, 5, 6, 7, 8, 9, 10)) -> Sheet:
     weights = np.array([math.log10(n_weights(2 * n, n)) for n in sizes])
     lines = {**dense, "boards that occur": occur, "weights of a network (64 hidden units)": weights}
     names = "columns (and twice as many rows)", "power of ten"
-    return Sheet("table_sizes", [[Lines(np.array(sizes, float), lines, "how large?", *names, log=True)]])
+    return Sheet("table_sizes", [[Coloured(np.array(sizes, float), lines, "how large?", *names, log=True)]])
 
 
 def costs_figure(costs: Mapping[int, Mapping[str, float]]) -> Sheet:
@@ -305,7 +311,7 @@ def growth(gamma: float = 0.9, alpha: float = 0.1, copy_every: int = 20, n_updat
         "both steps, as on-policy": w_to_2w(n_updates, gamma, alpha, whole_way=True),
     }
     title = f"γ = {gamma:g}, α = {alpha:g}"
-    panel = Lines(np.arange(n_updates + 1.0), lines, title, "updates", "weight w (should become 0)", log=True)
+    panel = Coloured(np.arange(n_updates + 1.0), lines, title, "updates", "weight w (should become 0)", log=True)
     return Sheet("triad", [[panel]])
 
 
@@ -355,5 +361,7 @@ def shared_by_column(label: str) -> Reals:
 
 def car_figure(results: Results) -> Sheet:
     """Return the training returns of the car."""
-    curves = Learning(results, "MountainCar", column="training_return", y_label="mean return of the episodes")
+    curves = Learning(
+        results, "MountainCar", column="training_return", y_label="mean return of the episodes", y_range=CAR_RANGE
+    )
     return Sheet("car", [[curves]])
