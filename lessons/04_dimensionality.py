@@ -388,8 +388,8 @@ source(dqn.adam)
 # |---|---|---|
 # | table | the positions | Q-learning, $\alpha = 0.5$ |
 # | linear in the pixels | one feature for each pixel, and a constant | semi-gradient Q-learning, $\alpha = 0.1$ |
-# | tile coding of the positions | the tiles of 8 overlapping grids (section 9.5.4) | semi-gradient SARSA, $\alpha = 0.5/8$ |
-# | linear in ball minus paddle | a feature for each distance, from $-4$ to 4 | semi-gradient Q-learning, $\alpha = 0.1$ |
+# | tile coding of the positions | tiles of 8 overlapping grids (9.5.4) | semi-gradient SARSA, $\alpha = 0.5/8$ |
+# | linear in ball minus paddle | a feature for each distance | semi-gradient Q-learning, $\alpha = 0.1$ |
 # | DQN on pixels | 50 pixels | the network |
 # | DQN on the positions | three numbers, each divided by its largest value | the same network, learning rate 0.003 |
 #
