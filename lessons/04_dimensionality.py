@@ -157,8 +157,9 @@ source(dqn.forward)
 # %% [markdown]
 # DQN (section 16.5) learns $\theta$ by the same idea, with three additions:
 #
-# - **A memory.** Every transition $(S, A, R, S')$ is kept. Every four steps a *batch* of 32 of them is drawn from the
-#   memory at random. So each is learned from many times, and the ones in a batch have little to do with each other.
+# - **A memory.** The latest 10 000 transitions $(S, A, R, S')$ are kept, each with a note whether $S'$ is terminal.
+#   Every four steps a *batch* of 32 of them is drawn from the memory at random. So each is learned from many times, and
+#   the ones in a batch have little to do with each other.
 # - **A target that is held still.** The targets are computed with an older copy $\theta^-$ of the weights, which is
 #   brought up to date every 100 updates. (Why, you will see below.)
 # - **A loss that does not explode.** The loss $L(\delta)$ is $\frac{1}{2} \delta^2$ for errors
@@ -259,19 +260,17 @@ sees.measured(sees.options[sum(int(means[lesson.PIXELS] > 0.5) for means in list
 # How new are the boards? This is the share of observations, in 2 000 steps of random play, that were never seen before:
 
 # %%
-for title, task in (
-    ("no noise", lesson.pixels()(0)),
-    ("one noisy pixel", lesson.pixels(levels=16)(0)),
-    ("noise in all pixels", lesson.pixels(sigma=0.1)(0)),
-):
-    print(f"{title:20} {lesson.new_share(task):.0%} new")
+noisy = {"no noise": lesson.pixels(), "one noisy pixel": lesson.pixels(levels=16), "all": lesson.pixels(sigma=0.1)}
+for title, make in noisy.items():
+    print(f"{title:20} {lesson.new_share(make(0)):.0%} new")
+print(f"{'brightness':20} {lesson.new_share(lesson.hashed_dark(10_000, 0)):.0%} new")
 
 # %% [markdown]
 # ## Your turn
 #
 # **The table.** Left: the size of the board. Right: the levels of one noisy pixel, on the usual board. Which of
-# $\varepsilon$, $\alpha$ and $\gamma$ matters for a table in this task, where nothing is left to chance without noise?
-# (10 repetitions of 20 000 steps.)
+# $\varepsilon$, $\alpha$ and $\gamma$ matters for a table in this task, where only the column of the ball is left to
+# chance if there is no noise? (10 repetitions of 20 000 steps.)
 
 
 # %%
@@ -340,12 +339,8 @@ moved
 # %%
 by_hand = [[-0.4, 0.0], [0.0, 0.0], [-0.4, 0.0]], [[-0.25, 0.0], [0.0, 0.0], [-0.5, 0.0]]
 tiny.add_gradient(0)
-print(
-    "the agent's gradient, first layer: ",
-    tiny.gradient.first.tolist(),
-    "\nsecond layer:",
-    tiny.gradient.second.tolist(),
-)
+print("the agent's gradient, first layer: ", tiny.gradient.first.tolist())
+print("second layer:", tiny.gradient.second.tolist())
 print("the same as by hand:", all(map(np.allclose, by_hand, (tiny.gradient.first, tiny.gradient.second))))
 before = tiny.weights.first.copy()
 tiny.updates[0] += 1
@@ -494,9 +489,9 @@ cnns.measured(cnns.options[{(True, True): 0, (True, False): 1, (False, True): 2}
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** The CNN over columns does, in nearly all runs. The small CNN does not: its filters are shared, but the
-# layer after them is not. So "deep learning generalises" is too simple, and so is "convolutions generalise". What is
-# shared decides.
+# **Measured.** The CNN over columns does, in nearly all runs. The small CNN does not. One reason may be that its
+# filters are shared, but the layer after them is not. (The two differ in the size of their filters as well.) So "deep
+# learning generalises" is too simple, and so is "convolutions generalise".
 # </details>
 
 # %% [markdown]
@@ -586,9 +581,9 @@ more.measured(more.options[0 if ratio <= 2 else 1 if ratio <= 10 else 2])
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** About as many. More numbers do not make a task harder for a network, as long as they say the same in a
-# form that it can use. What an image costs is time: a CNN computes much more for each step. (The settings of the
-# methods differ, and so do the numbers of copies. So this is no race between DQN and PPO.)
+# **Measured.** About as many. Three times as many numbers, and more levels, did not make this task harder for a
+# network. What an image costs is time: a CNN computes much more for each step. (The settings of the methods differ, and
+# so do the numbers of copies. So this is no race between DQN and PPO.)
 # </details>
 
 # %% [markdown]
@@ -615,10 +610,10 @@ factor.measured(costs[9][lesson.TABLE] / costs[3][lesson.TABLE])
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** About 80 times as many, more than there are more boards. A row must be visited often enough, and the
-# reward has a longer way back through the rows. (These are medians of three runs: the first time that all 30 test balls
-# are caught, with a point at every fortieth of training.) DQN needs more steps than the table on all four boards, but
-# the ratio becomes smaller: from 7 to little more than 1.
+# **Measured.** About 80 times as many, more than there are more boards. One reason may be that the reward has a longer
+# way back, through more rows. (These are medians of three runs: the first time that all 30 test balls are caught, with
+# a point at every fortieth of training.) DQN needs more steps than the table on all four boards, but the ratio becomes
+# smaller: from 7 to little more than 1.
 # </details>
 
 # %% [markdown]
@@ -866,9 +861,8 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #
 # ### Limits
 # Catch is a very small task, which nobody needs a network for. Few runs were made of the networks, and their settings
-# were chosen by a few trials. The statements on generalisation are about this board and these five columns; with more
-# columns in training the gaps are smaller for a network to fill. And a return of 1 on the withheld columns needs exact
-# play, which is a hard test for interpolation.
+# were chosen by a few trials. The statements on generalisation are about this board and these five columns. And a
+# return of 1 on the withheld columns needs exact play, which is a hard test for interpolation.
 #
 # ### Further reading
 # - Moerland et al. (2023), *EduGym: An environment and notebook suite for reinforcement learning education*: the paper,
