@@ -1,5 +1,6 @@
 """The agents of lesson 4 on Catch: tables, linear values, and a network, on what they see."""
 
+import copy
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from types import MappingProxyType
@@ -191,16 +192,10 @@ def returns_by_column(results: Results, what: str | None = None) -> Reals:
     """
     (label,) = results.methods
     agents = results.complete_agents(label).items()
+    tasks = [thrown(what or GENERAL[label][0], [column]) for column in range(COLUMNS)]
+    how: dict[str, Any] = {"n_steps": 1, "evaluation_episodes": TEST_EPISODES}  # a copy takes that step
     return np.array(
-        [
-            [
-                train(
-                    thrown(what or GENERAL[label][0], [column]), agent, 1, evaluation_episodes=TEST_EPISODES, seed=i
-                ).returns[0]
-                for i, agent in agents
-            ]
-            for column in range(COLUMNS)
-        ]
+        [[train(task, copy.deepcopy(agent), seed=i, **how).returns[0] for i, agent in agents] for task in tasks]
     )
 
 

@@ -53,7 +53,7 @@ def in_a_row(task: Any) -> Shuffled:
     return Shuffled(task, np.arange(ROWS * COLUMNS), np.zeros((ROWS, COLUMNS)))
 
 
-def shuffled_board(layout_seed: int) -> Shuffled:
+def shuffled_board(layout_seed: int) -> Any:
     """Return the noisy board with the pixels in an order that belongs to a seed."""
     order = np.random.default_rng(layout_seed).permutation(ROWS * COLUMNS)
     return Shuffled(catch("grid"), order, np.zeros((ROWS, COLUMNS)), NOISE)
