@@ -9,11 +9,14 @@ from edugym.agents.tables import one_step_target
 
 # %% exercise 1, right: a dictionary
 def table_entries(rows, columns, kind):
-    return 3 * {
-        "vectorised": columns * rows * columns,
-        "grid": 2 ** (rows * columns),
-        "rgb": 256 ** (rows * columns * 3),
-    }[kind]
+    return (
+        3
+        * {
+            "vectorised": columns * rows * columns,
+            "grid": 2 ** (rows * columns),
+            "rgb": 256 ** (rows * columns * 3),
+        }[kind]
+    )
 
 
 # %% exercise 1, right: through exponents of two
