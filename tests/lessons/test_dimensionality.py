@@ -1,30 +1,63 @@
 """Tables over the images of Catch: the claims hold with other seeds than those the lesson shows."""
 
-import numpy as np
+from typing import Any
 
+import numpy as np
+import pytest
+
+from edugym.agents.dqn import DQN
 from edugym.envs.catch import Catch, Fall
 from edugym.lessons.dimensionality import (
+    COLUMN,
     COLUMNS,
+    NETWORK,
     OFFSET,
+    PPO_IMAGE,
     ROWS,
+    SMALL,
     TABLE,
     TRAINED,
     WITHHELD,
+    OpenDQN,
+    boards_figure,
+    car_figure,
     catch,
+    compare_sights,
+    costs_figure,
     different_boards,
+    drive,
+    ever_learned,
     generalise,
+    growth,
     learn,
+    n_weights,
+    network,
+    network_figure,
     new_share,
     pixels,
+    policy_maps,
+    race,
+    race_networks,
     returns_by_column,
     rows_of_table,
+    seen,
+    shared_by_column,
+    size_sheet,
+    steps_to_solve,
+    stored_networks,
+    table_and_network,
+    train_network,
+    w_to_2w,
+    warm_up,
+    withheld,
 )
 from edugym.lessons.dimensionality.boards import Offset
+from edugym.lessons.dimensionality.methods import catch_numbers
 
 
 def test_rows_of_tables() -> None:
     """250 for positions, and 2 and 256 to the power of how many numbers there are."""
-    assert [rows_of_table(seen) for seen in ("vectorised", "grid", "rgb")] == [250, 2**50, 256**150]
+    assert [rows_of_table(kind) for kind in ("vectorised", "grid", "rgb")] == [250, 2**50, 256**150]
     assert rows_of_table("vectorised", 4, 3) == 36
 
 
@@ -79,3 +112,77 @@ def test_what_generalises() -> None:
     assert (table[[*TRAINED]] == 1.0).all()
     assert (table[[*WITHHELD]] < 0.5).all()
     assert (offset == 1.0).all()
+
+
+def test_the_triad() -> None:
+    """The weight grows by its factor, shrinks below a discount of one half, and on-policy it always does."""
+    assert w_to_2w(10, 0.9, 0.1)[-1] == pytest.approx((1 + 0.1 * 0.8) ** 10)
+    assert w_to_2w(100, 0.4, 0.1)[-1] < 0.2
+    assert abs(w_to_2w(100, 1.0, 0.1, whole_way=True)[-1]) < 1e-6
+    assert 1.0 < w_to_2w(100, 0.9, 0.1, copy_every=20)[-1] < w_to_2w(100, 0.9, 0.1)[-1]
+
+
+def test_open_dqn_is_dqn() -> None:
+    """The same run, number for number."""
+    one, two = (
+        learn(seen(), "one", network(kind), n_steps=1_000, repetitions=1, jobs=1).curves("one").to_numpy()
+        for kind in (DQN, OpenDQN)
+    )
+    assert (one == two).all()
+
+
+def test_coordinates() -> None:
+    """From 0 to 1, from the first to the last column and row."""
+    task, rng = catch_numbers(), np.random.default_rng(0)
+    assert task.observation(Fall(4, 9, 0), rng).tolist() == [1.0, 1.0, 0.0]
+    assert task.observation(Fall(2, 0, 1), rng).tolist() == [0.5, 0.0, 0.25]
+
+
+def test_weights_that_never_learned() -> None:
+    """Those from pixels where there was never a ball, nor the paddle."""
+    agent = generalise([NETWORK], n_steps=2_000, repetitions=1, jobs=1)[NETWORK].agents[NETWORK][0]
+    learned = ever_learned(agent)
+    assert not learned[:-1, [*WITHHELD]].any()
+    assert learned[:-1, [*TRAINED]].any()
+
+
+def test_number_of_weights() -> None:
+    """That of the network itself."""
+    agent = network()(catch("grid"))
+    assert n_weights() == agent.weights.first.size + agent.weights.second.size
+
+
+def test_stored_networks_share_over_columns() -> None:
+    """The network whose filters slide over the columns catches balls from new ones; the other one does not."""
+    small, column = (shared_by_column(label)[[*WITHHELD]].mean() for label in (SMALL, COLUMN))
+    assert column > 0.7
+    assert small < 0.2
+
+
+def test_figures() -> None:
+    """They draw."""
+    few: dict[str, Any] = {"n_steps": 400, "repetitions": 2, "jobs": 1}
+    general = generalise([TABLE, NETWORK, OFFSET], **few)
+    tests = {label: returns_by_column(results) for label, results in general.items()}
+    run = train_network(PPO_IMAGE, 1_024, seed=0)
+    sheets = [
+        size_sheet(),
+        withheld(tests),
+        policy_maps(general, [TABLE, NETWORK, OFFSET]),
+        growth(),
+        stored_networks({"now": run}),
+        boards_figure(3, 4, n_steps=200, repetitions=2),
+        network_figure(4, 0.1, alpha=0.001, gamma=0.9, epsilon=0.1, n_steps=400),
+        costs_figure({3: steps_to_solve(3, **few), 4: steps_to_solve(4, **few)}),
+        car_figure(drive(200)),
+        race({"mine": network()}, repetitions=2, n_steps=400),
+        race_networks({"mine": network(OpenDQN)}, repetitions=2, n_steps=400),
+        table_and_network(compare_sights(400, (2, 2), points=2, jobs=1)),
+    ]
+    for sheet in sheets:
+        assert all(ax.get_xlabel() for ax in sheet.draw().axes)
+
+
+def test_warming_up() -> None:
+    """It runs."""
+    warm_up()

@@ -10,7 +10,7 @@ CLAIMS = {
     "loop": 14,
     "on_off_policy": 18,
     "depth": 20,
-    "dimensionality": 13,
+    "dimensionality": 25,
     "memory": 19,
     "signal": 24,
     "continuous_actions": 20,

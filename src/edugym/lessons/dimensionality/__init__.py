@@ -4,127 +4,150 @@ Q-learning trains for 20 000 steps with learning rate 0.5, discount 0.9 and ε-g
 positions (a dense table) and on the board of 10 by 5 pixels (a hashed table, with rows for the boards that occur). The
 noise is in one pixel (one of 16 levels at random, 150 000 steps) or in all (normal with σ = 0.1, 40 000 steps).
 Generalisation: the table and two agents with linear features (learning rate 0.1) train for 40 000 steps with balls from
-columns 0, 2 and 4, and are then tested with those from columns 1 and 3. 10 repetitions; the seeds are the same for
-every method. Each point of a curve is the mean of 30 greedy evaluation episodes.
+columns 0, 2 and 4, and are then tested with those from columns 1 and 3; so is DQN (64 hidden units, learning rate
+0.001), which also learns under noise. The results of CNNs and of Stable-Baselines3 are stored. 10 repetitions; the
+seeds are the same for every method. Each point of a curve is the mean of 30 greedy evaluation episodes.
 """
 
 import math
-from collections.abc import Callable, Mapping, Sequence
-from functools import partial
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
-from edugym.agents.linear_q_learning import LinearQLearning
-from edugym.agents.q_learning import QLearning
-from edugym.agents.strategies import EpsilonGreedy
-from edugym.envs.catch import Catch
-from edugym.exact.model import finite_model
 from edugym.experiments import How, reporting
-from edugym.lessons.dimensionality.boards import Offset, ThrownFrom
+from edugym.lessons.dimensionality.figures import (
+    boards_figure,
+    car_figure,
+    costs_figure,
+    ever_learned,
+    growth,
+    join,
+    network_figure,
+    policy_maps,
+    shared_by_column,
+    size_sheet,
+    stored_networks,
+    table_and_network,
+    withheld,
+)
+from edugym.lessons.dimensionality.gym_car import drive, mountain_car
+from edugym.lessons.dimensionality.methods import (
+    DARKEST,
+    GENERAL,
+    LEVELS,
+    LINEAR,
+    N_STEPS,
+    NETWORK,
+    NUMBERS,
+    OFFSET,
+    PIXELS,
+    POSITIONS,
+    SIGMA,
+    TABLE,
+    TILES,
+    Coordinates,
+    generalise,
+    hashed_dark,
+    learn,
+    linear,
+    network,
+    on_board,
+    paddle_ends,
+    pixels,
+    returns_by_column,
+    seen,
+    steps_to_solve,
+    table,
+)
+from edugym.lessons.dimensionality.networks import METHODS, PPO_IMAGE, STORED, network_claims, train_network
+from edugym.lessons.dimensionality.open_dqn import OpenDQN
+from edugym.lessons.dimensionality.races import ALL_PIXELS, HOPELESS, ONE_PIXEL, compare_sights, race, race_networks
+from edugym.lessons.dimensionality.sharing import COLUMN, SMALL
+from edugym.lessons.dimensionality.sizes import different_boards, n_weights, new_share, rows_of_table
+from edugym.lessons.dimensionality.tasks import COLUMNS, ROWS, TRAINED, WITHHELD, catch
+from edugym.lessons.dimensionality.triad import w_to_2w
 from edugym.mdp.hashed import Hashed
-from edugym.mdp.in_place import in_place
-from edugym.mdp.noisy_observation import NoisyObservation
 from edugym.mdp.protocol import Reals
-from edugym.mdp.tabular import table_sizes
 from edugym.plotting.curves import Curves
-from edugym.plotting.lines import Lines
 from edugym.plotting.report import Report
 from edugym.plotting.sheet import Sheet
 from edugym.results.claims import Above, Below, Claim, Within
 from edugym.results.statistics import exactly, mean_interval, paired_difference
 from edugym.results.tables import Results
-from edugym.training.repeat import repeat
-from edugym.training.train import train
 
-N_STEPS = 20_000
-SLOW, HOPELESS = 150_000, 40_000
-"""The training steps with one noisy pixel, and with noise in all."""
+__all__ = [
+    "COLUMN",
+    "COLUMNS",
+    "DARKEST",
+    "GENERAL",
+    "LEVELS",
+    "LINEAR",
+    "METHODS",
+    "NETWORK",
+    "NUMBERS",
+    "N_STEPS",
+    "OFFSET",
+    "PIXELS",
+    "POSITIONS",
+    "PPO_IMAGE",
+    "ROWS",
+    "SIGMA",
+    "SMALL",
+    "STORED",
+    "TABLE",
+    "TILES",
+    "TRAINED",
+    "WITHHELD",
+    "Coordinates",
+    "Hashed",
+    "OpenDQN",
+    "boards_figure",
+    "car_figure",
+    "catch",
+    "compare_sights",
+    "costs_figure",
+    "different_boards",
+    "drive",
+    "ever_learned",
+    "generalise",
+    "growth",
+    "hashed_dark",
+    "join",
+    "learn",
+    "linear",
+    "mountain_car",
+    "n_weights",
+    "network",
+    "network_claims",
+    "network_figure",
+    "new_share",
+    "on_board",
+    "paddle_ends",
+    "pixels",
+    "policy_maps",
+    "race",
+    "race_networks",
+    "report",
+    "returns_by_column",
+    "rows_of_table",
+    "seen",
+    "shared_by_column",
+    "size_sheet",
+    "steps_to_solve",
+    "stored_networks",
+    "table",
+    "table_and_network",
+    "train_network",
+    "w_to_2w",
+    "warm_up",
+    "withheld",
+]
+
+SLOW = 150_000
+"""The training steps with one noisy pixel."""
 REPETITIONS = 10
-LEARNING_RATE, LINEAR_RATE = 0.5, 0.1
-DISCOUNT = 0.9
-EPSILON = 0.1
-LEVELS, SIGMA = 16, 0.1
-COLUMNS, ROWS = 5, 10
-TRAINED, WITHHELD = (0, 2, 4), (1, 3)
-"""The columns of the balls in training, and of those in the test."""
-TEST_EPISODES = 20
 RANDOM_PLAY = -0.6
-
-POSITIONS, PIXELS = "positions, dense table", "pixels, hashed table"
-ONE_PIXEL, ALL_PIXELS = f"one noisy pixel of {LEVELS} levels", f"noise in all pixels, σ = {SIGMA:g}"
-TABLE, LINEAR, OFFSET = "table", "linear in the pixels", "linear in ball minus paddle"
-
-
-def catch(observation_type: str, columns: Sequence[int] = range(COLUMNS)) -> ThrownFrom:
-    """Return the task with balls from some columns."""
-    return ThrownFrom(in_place(Catch.create(ROWS, COLUMNS, observation_type)), np.array(columns))
-
-
-def hashed(levels: int, sigma: float, capacity: int, layout_seed: int) -> Hashed:
-    """Return the task with pixels as the rows of a hashed table; Catch has no layout."""
-    return Hashed.create(NoisyObservation.create(catch("grid"), levels, sigma), capacity)
-
-
-def pixels(*, levels: int = 0, sigma: float = 0.0, capacity: int = 10_000) -> Callable[[int], Hashed]:
-    """Return a function that makes the task with pixels as the rows of a hashed table, a new table for each run.
-
-    Args:
-        levels: of the noise in the first pixel; 0 for none.
-        sigma: of the noise in all pixels; 0 for none.
-        capacity: of the table.
-    """
-    return partial(hashed, levels, sigma, capacity)
-
-
-def learn(task: Any, label: str, make: Any = None, *, n_steps: int = N_STEPS, points: int = 20, **how: Any) -> Results:
-    """Train an agent, by default Q-learning with a table.
-
-    Args:
-        task: the task, or a function of a layout seed that makes it.
-        label: the name of the method.
-        make: a function that makes the agent for an environment.
-        n_steps: the training steps of each run.
-        points: the number of points of the learning curve.
-        **how: more arguments of `edugym.training.repeat`, such as `repetitions`, `seed` and `jobs`.
-    """
-    exploration = EpsilonGreedy(EPSILON)
-    make = make or partial(QLearning.create, learning_rate=LEARNING_RATE, discount=DISCOUNT, exploration=exploration)
-    return repeat(task, {label: make}, n_steps, evaluate_every=n_steps // points, evaluation_episodes=30, **how)
-
-
-def linear(features: Any = None) -> Callable[[Any], Any]:
-    """Return a function that makes an agent with linear features, by default the pixels themselves."""
-    settings = {"learning_rate": LINEAR_RATE, "discount": DISCOUNT, "exploration": EpsilonGreedy(EPSILON)}
-    return partial(LinearQLearning.create, **settings, **({} if features is None else {"features": features}))
-
-
-def generalise(**how: Any) -> dict[str, Results]:
-    """Train the table and the linear agents with balls from some columns; arguments as in `learn`."""
-    agents = {
-        TABLE: ("vectorised", None),
-        LINEAR: ("grid", linear()),
-        OFFSET: ("grid", linear(Offset.create(ROWS, COLUMNS))),
-    }
-    return {
-        label: learn(catch(seen, TRAINED), label, make, n_steps=2 * N_STEPS, points=4, **how)
-        for label, (seen, make) in agents.items()
-    }
-
-
-def returns_by_column(results: Results) -> Reals:
-    """Return the mean greedy return of every run with balls from each column, shape (COLUMNS, n_repetitions)."""
-    (label,) = results.methods
-    tasks = [catch("vectorised" if label == TABLE else "grid", [column]) for column in range(COLUMNS)]
-    return np.array(
-        [
-            [
-                train(task, agent, 1, evaluation_episodes=TEST_EPISODES, seed=repetition).returns[0]
-                for repetition, agent in results.complete_agents(label).items()
-            ]
-            for task in tasks
-        ]
-    )
 
 
 def late(results: Results) -> Reals:
@@ -132,34 +155,6 @@ def late(results: Results) -> Reals:
     (label,) = results.methods
     mean: Reals = results.curves(label).iloc[-5:].to_numpy(float).mean(axis=0)
     return mean
-
-
-def new_share(task: Any, n_steps: int = 2_000) -> float:
-    """Return the share of the observations of random play that were never seen before."""
-    rng = np.random.default_rng(0)
-    state = task.initial(rng)
-    for _ in range(n_steps):
-        task.observation(state, rng)
-        state = task.transition(state, int(rng.integers(3)), rng)
-        if task.terminal(state):
-            state = task.initial(rng)
-    return int(task.used) / n_steps
-
-
-def different_boards() -> tuple[int, int]:
-    """Return the numbers of states in which the ball still falls, and of different boards among them."""
-    task, rng = Catch.create(ROWS, COLUMNS), np.random.default_rng(0)
-    falling = [state for state in finite_model(task).states if not task.terminal(state)]
-    return len(falling), len({np.asarray(task.observation(state, rng)).tobytes() for state in falling})
-
-
-def rows_of_table(observation_type: str, rows: int = ROWS, columns: int = COLUMNS) -> int:
-    """Return the number of rows of a dense table over all observations of a type."""
-    space = Catch.create(rows, columns, observation_type).observation_space
-    if observation_type == "vectorised":
-        return math.prod(table_sizes(space))
-    levels = 2 if observation_type == "grid" else 256
-    return int(levels ** math.prod(space.shape or ()))
 
 
 def measure(how: How) -> tuple[Any, ...]:
@@ -174,14 +169,17 @@ def measure(how: How) -> tuple[Any, ...]:
             pixels(sigma=SIGMA, capacity=2 * HOPELESS), ALL_PIXELS, n_steps=HOPELESS, **how("all_pixels")
         ),
     }
-    general = generalise(**how())
+    network_noisy = learn(seen(sigma=SIGMA), NETWORK, network(), n_steps=HOPELESS, **how("network"))
+    general = generalise([TABLE, LINEAR, OFFSET, NETWORK], **how())
     tests = {label: returns_by_column(results) for label, results in general.items()}
-    return plain, noisy, tests
+    return plain, {**noisy, NETWORK: network_noisy}, tests
 
 
 def judge(plain: Mapping[str, Results], noisy: Mapping[str, Results], tests: Mapping[str, Reals]) -> Report:
     """Return claims and figures."""
+    tests = {**tests, **{label: shared_by_column(label) for label in (SMALL, COLUMN)}}
     claims = [*size_claims(), *pixel_claims(plain), *noise_claims(plain, noisy), *general_claims(tests)]
+    claims += [*sharing_claims(tests), *triad_claims(), *network_claims(STORED.load())]
     return Report(claims, figures(plain, noisy, tests))
 
 
@@ -266,6 +264,13 @@ def noise_claims(plain: Mapping[str, Results], noisy: Mapping[str, Results]) -> 
             mean_interval(late(noisy[ALL_PIXELS])),
             Within(RANDOM_PLAY - 0.15, RANDOM_PLAY + 0.15),
         ),
+        Claim(
+            "where the network learns",
+            "greedy return of DQN, last five evaluations",
+            mean_interval(late(noisy[NETWORK])),
+            Above(0.85),
+            "boards that differ a little have values that differ a little",
+        ),
     ]
 
 
@@ -304,31 +309,66 @@ def general_claims(tests: Mapping[str, Reals]) -> list[Claim]:
     ]
 
 
-def figures(plain: Mapping[str, Results], noisy: Mapping[str, Results], tests: Mapping[str, Reals]) -> list[Sheet]:
-    """Return the figures: learning curves, sizes of tables, and tests on withheld columns."""
-    curves = [Curves(results, label, optimum=1.0) for label, results in {**plain, **noisy}.items()]
-    sizes = range(4, 11)
-    bits = {
-        seen: np.array([math.log10(rows_of_table(seen, 2 * n, n)) for n in sizes])
-        for seen in ("vectorised", "grid", "rgb")
-    }
-    lines = Lines(
-        np.array(sizes, float),
-        bits,
-        "dense tables",
-        "columns (of twice as many rows)",
-        "log10 of the rows of the table",
-        log=True,
-    )
+def sharing_claims(tests: Mapping[str, Reals]) -> list[Claim]:
+    """Return the claims on networks and balls from withheld columns."""
+    unseen = f"greedy return, balls from columns {', '.join(map(str, WITHHELD))}"
     return [
-        Sheet("dimensionality", [curves[:2], curves[2:]]),
-        Sheet("table_sizes", [[lines]]),
-        Sheet("generalisation", [[withheld_lines(tests)]]),
+        Claim(
+            "A network on pixels does not generalise to new columns either",
+            unseen,
+            mean_interval(tests[NETWORK][[*WITHHELD]].mean(axis=0)),
+            Below(0.5),
+            "weights from pixels that were always 0 do not move",
+        ),
+        Claim(
+            "nor does a small CNN whose last layers have a weight for every place",
+            unseen,
+            mean_interval(tests[SMALL][[*WITHHELD]].mean(axis=0)),
+            Below(0.5),
+            "results of ten seeds, stored with the package",
+        ),
+        Claim(
+            "but a CNN whose filters slide over the columns, of which the largest output counts, does",
+            unseen,
+            mean_interval(tests[COLUMN][[*WITHHELD]].mean(axis=0)),
+            Above(0.5),
+            "results of ten seeds, stored with the package",
+        ),
     ]
 
 
-def withheld_lines(tests: Mapping[str, Reals]) -> Lines:
-    """Return the mean return on balls from each column, of which some were withheld in training."""
-    means = {label: by_column.mean(axis=1) for label, by_column in tests.items()}
-    title = f"trained with balls from columns {', '.join(map(str, TRAINED))}"
-    return Lines(np.arange(float(COLUMNS)), means, title, "column of the ball", "return (greedy)")
+def triad_claims() -> list[Claim]:
+    """Return the claims on the deadly triad, computed."""
+    old = w_to_2w(2_000, 0.9, 0.1, copy_every=20)[-1]
+    return [
+        Claim(
+            "The weight of w and 2w grows for every discount above 1/2",
+            "the smallest discount in steps of 0.01 with which it grows",
+            exactly(min(gamma for gamma in np.arange(101) / 100 if w_to_2w(2_000, gamma, 0.1)[-1] > 1.0)),
+            Within(0.51, 0.51),
+        ),
+        Claim(
+            "An old target slows it and does not stop it",
+            "growth rate with a copy every 20 updates, of that without",
+            exactly(math.log(old) / math.log(w_to_2w(2_000, 0.9, 0.1)[-1])),
+            Within(0.2, 0.6),
+        ),
+    ]
+
+
+def figures(plain: Mapping[str, Results], noisy: Mapping[str, Results], tests: Mapping[str, Reals]) -> list[Sheet]:
+    """Return the figures: learning curves, sizes of tables, and tests on withheld columns."""
+    curves = [Curves(results, label, optimum=1.0) for label, results in {**plain, **noisy}.items()]
+    return [Sheet("dimensionality", [curves[:2], curves[2:]]), size_sheet(), withheld(tests), stored_networks()]
+
+
+def warm_up() -> None:
+    """Compile what the lesson needs: a few steps of everything."""
+    few: dict[str, Any] = {"n_steps": 400, "repetitions": 1, "jobs": 1}
+    compare_sights(400, (1, 1), points=2, jobs=1)
+    learn(catch("vectorised"), POSITIONS, **few)
+    general = generalise([*GENERAL], **few)
+    for results in general.values():
+        returns_by_column(results)
+    steps_to_solve(3, **few)
+    size_sheet().draw()

@@ -1,0 +1,687 @@
+# ruff: noqa
+# Right and wrong answers to the exercises of lesson 4; tests/lessons/test_answers.py tries them all.
+# An answer stands in the place of the exercise's cell. Methods without their class replace those of the solution.
+
+# %% setup
+import math
+from edugym.agents.tables import one_step_target
+
+
+# %% exercise 1, right: a dictionary
+def table_entries(rows, columns, kind):
+    return (
+        3
+        * {
+            "vectorised": columns * rows * columns,
+            "grid": 2 ** (rows * columns),
+            "rgb": 256 ** (rows * columns * 3),
+        }[kind]
+    )
+
+
+# %% exercise 1, right: through exponents of two
+def table_entries(rows, columns, kind):
+    if kind == "grid":
+        return 3 * (1 << (rows * columns))
+    if kind == "rgb":
+        return 3 * (1 << (8 * 3 * rows * columns))
+    return 3 * rows * columns**2
+
+
+# %% exercise 1, right: math.prod
+def table_entries(rows, columns, kind):
+    values = {
+        "vectorised": [columns, rows, columns],
+        "grid": [2] * (rows * columns),
+        "rgb": [256] * (3 * rows * columns),
+    }
+    return math.prod(values[kind]) * 3
+
+
+# %% exercise 1, right: by the spaces
+def table_entries(rows, columns, kind):
+    from edugym.envs.catch import Catch
+
+    space = Catch.create(rows, columns, kind).observation_space
+    if kind == "vectorised":
+        return int(np.prod(space.nvec)) * 3
+    levels = int(space.high.max()) + 1
+    return levels ** math.prod(space.shape) * 3
+
+
+# %% exercise 1, right: floats
+def table_entries(rows, columns, kind):
+    cells = rows * columns
+    if kind == "vectorised":
+        return 3.0 * cells * columns
+    base, exponent = (2.0, cells) if kind == "grid" else (256.0, 3 * cells)
+    return 3 * base**exponent
+
+
+# %% exercise 1, right: a loop
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return rows * columns * columns * 3
+    entries = 3
+    for _ in range(rows * columns):
+        entries *= 2 if kind == "grid" else 256**3
+    return entries
+
+
+# %% exercise 1, right: a match
+def table_entries(rows, columns, kind):
+    match kind:
+        case "vectorised":
+            n = columns * columns * rows
+        case "grid":
+            n = pow(2, rows * columns)
+        case _:
+            n = pow(256, 3 * rows * columns)
+    return n + n + n
+
+
+# %% exercise 1, wrong: no return
+# says: is a `return` missing?
+def table_entries(rows, columns, kind):
+    entries = 3 * 2 ** (rows * columns)
+
+
+# %% exercise 1, wrong: rows alone
+# says: each of them holds a number for each of the three actions
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return columns * rows * columns
+    return 2 ** (rows * columns) if kind == "grid" else 256 ** (rows * columns * 3)
+
+
+# %% exercise 1, wrong: no paddle
+# says: the paddle's column is missing
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return rows * columns * 3
+    return 3 * (2 ** (rows * columns) if kind == "grid" else 256 ** (rows * columns * 3))
+
+
+# %% exercise 1, wrong: a row for the paddle
+# says: the paddle stays in its row
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return rows * columns * rows * columns * 3
+    return 3 * (2 ** (rows * columns) if kind == "grid" else 256 ** (rows * columns * 3))
+
+
+# %% exercise 1, wrong: the paper's slip
+# says: the ball has a column of its own
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return rows * rows * columns * 3
+    return 3 * (2 ** (rows * columns) if kind == "grid" else 256 ** (rows * columns * 3))
+
+
+# %% exercise 1, wrong: added
+# says: multiplied, not added
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return (rows + columns + columns) * 3
+    return 3 * (2 ** (rows * columns) if kind == "grid" else 256 ** (rows * columns * 3))
+
+
+# %% exercise 1, wrong: base and exponent
+# says: base and exponent have changed places
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return rows * columns**2 * 3
+    return 3 * ((rows * columns) ** 2 if kind == "grid" else 256 ** (rows * columns * 3))
+
+
+# %% exercise 1, wrong: a product
+# says: take 2 to the power
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return rows * columns**2 * 3
+    return 3 * (2 * rows * columns if kind == "grid" else 256 ** (rows * columns * 3))
+
+
+# %% exercise 1, wrong: what occurs
+# says: every board that could be written down
+def table_entries(rows, columns, kind):
+    return rows * columns**2 * 3
+
+
+# %% exercise 1, wrong: one number a cell
+# says: red, green and blue
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return rows * columns**2 * 3
+    return 3 * (2 if kind == "grid" else 256) ** (rows * columns)
+
+
+# %% exercise 1, wrong: 255 values
+# says: from 0 to 255 there are 256 values
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return rows * columns**2 * 3
+    return 3 * (2 ** (rows * columns) if kind == "grid" else 255 ** (rows * columns * 3))
+
+
+# %% exercise 1, wrong: a binary image
+# says: has 256 values, not 2
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return rows * columns**2 * 3
+    return 3 * 2 ** (rows * columns * (1 if kind == "grid" else 3))
+
+
+# %% exercise 1, wrong: the image is the grid
+# says: that is the grid
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return rows * columns**2 * 3
+    return 3 * 2 ** (rows * columns)
+
+
+# %% exercise 1, wrong: actions in the exponent
+# says: multiply by the number of actions
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return rows * columns**2 * 3
+    return 2 ** (rows * columns * 3) if kind == "grid" else 256 ** (rows * columns * 3) * 3
+
+
+# %% exercise 1, wrong: a floating overflow
+# says: raises OverflowError
+def table_entries(rows, columns, kind):
+    return float(10) ** 400
+
+
+# %% exercise 1, wrong: the default board
+# says: should be
+def table_entries(rows, columns, kind):
+    return {"vectorised": 750, "grid": 3 * 2**50, "rgb": 3 * 256**150}[kind]
+
+
+# %% exercise 1, wrong: a number
+# says: should be a function
+table_entries = 3 * 2**50
+
+
+# %% exercise 2, right: a dot product
+def value(self, board, action):
+    return self.features(board) @ self.w[:, action]
+
+
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward
+    if not terminated:
+        target = reward + self.discount * max(
+            [self.value(next_state, 0), self.value(next_state, 1), self.value(next_state, 2)]
+        )
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * self.features(state)
+
+
+# %% exercise 2, right: loops
+def value(self, board, action):
+    x = self.features(board)
+    total = 0.0
+    for i in range(len(x)):
+        total += x[i] * self.w[i, action]
+    return total
+
+
+def learn(self, state, action, reward, next_state, terminated):
+    best = -math.inf
+    for a in range(3):
+        best = max(best, self.value(next_state, a))
+    if terminated:
+        best = 0.0
+    error = reward + self.discount * best - self.value(state, action)
+    x = self.features(state)
+    for i in range(len(x)):
+        self.w[i, action] += self.learning_rate * error * x[i]
+
+
+# %% exercise 2, right: all values at once
+def learn(self, state, action, reward, next_state, terminated):
+    following = (self.features(next_state) @ self.w).max()
+    y = reward + self.discount * (1 - terminated) * following
+    x = self.features(state)
+    delta = y - x @ self.w[:, action]
+    self.w[:, action] = self.w[:, action] + self.learning_rate * delta * x
+
+
+# %% exercise 2, right: an early return
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    present = self.value(state, action)
+    if terminated:
+        self.w[:, action] += self.learning_rate * (reward - present) * x
+        return
+    best = np.max(np.array([self.value(next_state, a) for a in range(3)]))
+    self.w[:, action] += self.learning_rate * (reward + self.discount * best - present) * x
+
+
+# %% exercise 2, right: an outer product
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    chosen = np.zeros(3)
+    chosen[action] = 1.0
+    best = 0.0 if terminated else max(self.features(next_state) @ self.w)
+    error = reward + self.discount * best - x @ self.w @ chosen
+    self.w[:] += self.learning_rate * error * np.outer(x, chosen)
+
+
+# %% exercise 2, right: np.dot
+def value(self, board, action):
+    return float(np.dot(self.w[:, action], self.features(board)))
+
+
+# %% exercise 2, right: only active features
+def learn(self, state, action, reward, next_state, terminated):
+    q = np.zeros(3)
+    if not terminated:
+        for a in range(3):
+            q[a] = self.value(next_state, a)
+    error = reward + self.discount * np.max(q) * (not terminated) - self.value(state, action)
+    x = self.features(state)
+    for i in np.flatnonzero(x):
+        self.w[i, action] += self.learning_rate * error * x[i]
+
+
+# %% exercise 2, wrong: terminal states are worth something
+# says: after a terminal state nothing follows
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward + self.discount * (self.features(next_state) @ self.w).max()
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% exercise 2, wrong: no bootstrapping
+# says: misses the value of the next state
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    self.w[:, action] += self.learning_rate * (reward - self.value(state, action)) * x
+
+
+# %% exercise 2, wrong: no discount
+# says: the discount is missing
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + (self.features(next_state) @ self.w).max()
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% exercise 2, wrong: the mean
+# says: not the mean
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).mean()
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% exercise 2, wrong: the same action again
+# says: not the one that was taken before
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * self.value(next_state, action)
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% exercise 2, wrong: the best value of the same state
+# says: where those of `next_state` belong
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * (x @ self.w).max()
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% exercise 2, wrong: no features in the step
+# says: the features are missing
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action))
+
+
+# %% exercise 2, wrong: the features of the next state
+# says: of `state`, not of `next_state`
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(next_state)
+    target = reward if terminated else reward + self.discount * (x @ self.w).max()
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% exercise 2, wrong: active features alone
+# says: multiply by the feature itself
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+    error = target - self.value(state, action)
+    for i in range(len(x)):
+        if x[i] != 0:
+            self.w[i, action] += self.learning_rate * error
+
+
+# %% exercise 2, wrong: no learning rate
+# says: the learning rate is missing
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+    self.w[:, action] += (target - self.value(state, action)) * x
+
+
+# %% exercise 2, wrong: uphill
+# says: wrong sign
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+    self.w[:, action] -= self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% exercise 2, wrong: no present value
+# says: target less value
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+    self.w[:, action] += self.learning_rate * target * x
+
+
+# %% exercise 2, wrong: all columns
+# says: only the column of the action
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+    error = target - self.value(state, action)
+    for a in range(3):
+        self.w[:, a] += self.learning_rate * error * x
+
+
+# %% exercise 2, wrong: set
+# says: use += instead of =
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+    self.w[:, action] = self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% exercise 2, wrong: the whole gradient
+# says: the semi-gradient leaves it out
+def learn(self, state, action, reward, next_state, terminated):
+    x, following = self.features(state), self.features(next_state)
+    values = following @ self.w
+    target = reward if terminated else reward + self.discount * values.max()
+    error = target - self.value(state, action)
+    self.w[:, action] += self.learning_rate * error * x
+    if not terminated:
+        self.w[:, values.argmax()] -= self.learning_rate * self.discount * error * following
+
+
+# %% exercise 2, wrong: nothing at the end
+# says: the reward of the last step counts
+def learn(self, state, action, reward, next_state, terminated):
+    if terminated:
+        return
+    x = self.features(state)
+    target = reward + self.discount * (self.features(next_state) @ self.w).max()
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% exercise 2, wrong: a new array
+# says: nothing changes
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+    w = self.w.copy()
+    w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% exercise 2, wrong: a new field
+# says: change the entries of its arrays instead
+def learn(self, state, action, reward, next_state, terminated):
+    self.w = self.w + self.learning_rate
+
+
+# %% exercise 2, wrong: the sum of the weights
+# says: multiply each by its feature
+def value(self, board, action):
+    return self.w[:, action].sum()
+
+
+# %% exercise 2, wrong: the best value
+# says: take the column of `action`
+def value(self, board, action):
+    return (self.features(board) @ self.w).max()
+
+
+# %% exercise 2, wrong: all values
+# says: should be one number
+def value(self, board, action):
+    return self.features(board) @ self.w
+
+
+# %% exercise 2, wrong: a product without a sum
+# says: should be one number
+def value(self, board, action):
+    return self.features(board) * self.w[:, action]
+
+
+# %% exercise 2, wrong: a forgotten self
+# says: write `self.` before a field
+def learn(self, state, action, reward, next_state, terminated):
+    self.w[:, action] += learning_rate * reward
+
+
+# %% exercise 2, wrong: no class
+# says: should be the class
+MyAgent = QLearning.create((4, 2))
+
+
+# %% exercise 3, right: with one_step_target
+def target_of(self, row):
+    memory = self.memory
+    dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+    return one_step_target(memory.rewards[row], self.discount, np.max(self.Q), memory.terminated[row] == 1)
+
+
+# %% exercise 3, right: a factor
+def target_of(self, row):
+    memory = self.memory
+    dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+    return memory.rewards[row] + (1 - memory.terminated[row]) * self.discount * np.max(self.Q[0])
+
+
+# %% exercise 3, right: a loop for the maximum
+def target_of(self, row):
+    y = self.memory.rewards[row]
+    if not self.memory.terminated[row]:
+        dqn.forward(self.target, self.memory.next_states[row], self.h, self.Q)
+        best = self.Q[0, 0]
+        for a in range(1, self.Q.shape[1]):
+            best = max(best, self.Q[0, a])
+        y += self.discount * best
+    return y
+
+
+# %% exercise 3, right: a branch for a full memory
+def row_for(self, u):
+    n = len(self.memory.actions)
+    if self.steps[0] < n:
+        n = self.steps[0]
+    return int(np.floor(u * n))
+
+
+# %% exercise 3, right: backwards
+def row_for(self, u):
+    n = min(self.steps[0], len(self.memory.rewards))
+    return n - 1 - int(u * n)
+
+
+# %% exercise 3, right: math.floor
+def row_for(self, u):
+    return math.floor(u * min(int(self.steps[0]), self.memory.actions.shape[0]))
+
+
+# %% exercise 3, right: own arrays
+def target_of(self, row):
+    memory = self.memory
+    h, Q = np.zeros(len(self.h)), np.zeros(self.Q.shape)
+    dqn.forward(self.target, memory.next_states[row], h, Q)
+    return float(memory.rewards[row] + self.discount * Q.max() * (memory.terminated[row] == 0))
+
+
+# %% exercise 3, wrong: terminated is forgotten
+# says: after a terminal state nothing follows
+def target_of(self, row):
+    dqn.forward(self.target, self.memory.next_states[row], self.h, self.Q)
+    return self.memory.rewards[row] + self.discount * self.Q[0].max()
+
+
+# %% exercise 3, wrong: the present weights
+# says: come from the old weights
+def target_of(self, row):
+    if self.memory.terminated[row] == 1:
+        return self.memory.rewards[row]
+    dqn.forward(self.weights, self.memory.next_states[row], self.h, self.Q)
+    return self.memory.rewards[row] + self.discount * self.Q[0].max()
+
+
+# %% exercise 3, wrong: the present state
+# says: should be that of the next state
+def target_of(self, row):
+    if self.memory.terminated[row] == 1:
+        return self.memory.rewards[row]
+    dqn.forward(self.target, self.memory.states[row], self.h, self.Q)
+    return self.memory.rewards[row] + self.discount * self.Q[0].max()
+
+
+# %% exercise 3, wrong: no discount
+# says: the discount is missing
+def target_of(self, row):
+    if self.memory.terminated[row] == 1:
+        return self.memory.rewards[row]
+    dqn.forward(self.target, self.memory.next_states[row], self.h, self.Q)
+    return self.memory.rewards[row] + self.Q[0].max()
+
+
+# %% exercise 3, wrong: the mean
+# says: not the mean
+def target_of(self, row):
+    if self.memory.terminated[row] == 1:
+        return self.memory.rewards[row]
+    dqn.forward(self.target, self.memory.next_states[row], self.h, self.Q)
+    return self.memory.rewards[row] + self.discount * self.Q[0].mean()
+
+
+# %% exercise 3, wrong: the action of the memory
+# says: not the one that was taken before
+def target_of(self, row):
+    memory = self.memory
+    if memory.terminated[row] == 1:
+        return memory.rewards[row]
+    dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+    return memory.rewards[row] + self.discount * self.Q[0, memory.actions[row]]
+
+
+# %% exercise 3, wrong: argmax
+# says: the number of the best action
+def target_of(self, row):
+    if self.memory.terminated[row] == 1:
+        return self.memory.rewards[row]
+    dqn.forward(self.target, self.memory.next_states[row], self.h, self.Q)
+    return self.memory.rewards[row] + self.discount * self.Q[0].argmax()
+
+
+# %% exercise 3, wrong: the reward alone
+# says: the value of the next state is missing
+def target_of(self, row):
+    return self.memory.rewards[row]
+
+
+# %% exercise 3, wrong: nothing at the end
+# says: the reward, not 0
+def target_of(self, row):
+    if self.memory.terminated[row] == 1:
+        return 0.0
+    dqn.forward(self.target, self.memory.next_states[row], self.h, self.Q)
+    return self.memory.rewards[row] + self.discount * self.Q[0].max()
+
+
+# %% exercise 3, wrong: the other way round
+# says: the wrong way round
+def target_of(self, row):
+    if self.memory.terminated[row] == 0:
+        return self.memory.rewards[row]
+    dqn.forward(self.target, self.memory.next_states[row], self.h, self.Q)
+    return self.memory.rewards[row] + self.discount * self.Q[0].max()
+
+
+# %% exercise 3, wrong: the error
+# says: belongs to the error
+def target_of(self, row):
+    memory = self.memory
+    y = memory.rewards[row]
+    if memory.terminated[row] == 0:
+        dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+        y += self.discount * self.Q[0].max()
+    dqn.forward(self.weights, memory.states[row], self.h, self.Q)
+    return y - self.Q[0, memory.actions[row]]
+
+
+# %% exercise 3, wrong: a row of values
+# says: should be one number
+def target_of(self, row):
+    dqn.forward(self.target, self.memory.next_states[row], self.h, self.Q)
+    return self.memory.rewards[row] + self.discount * self.Q[0]
+
+
+# %% exercise 3, wrong: forward returns nothing
+# says: NoneType
+def target_of(self, row):
+    return self.memory.rewards[row] + self.discount * dqn.forward(
+        self.target, self.memory.next_states[row], self.h, self.Q
+    )
+
+
+# %% exercise 3, wrong: empty rows
+# says: count the rows that are filled
+def row_for(self, u):
+    return int(u * len(self.memory.actions))
+
+
+# %% exercise 3, wrong: beyond the memory
+# says: the memory has no more rows
+def row_for(self, u):
+    return int(u * self.steps[0])
+
+
+# %% exercise 3, wrong: counted from 1
+# says: count from 0
+def row_for(self, u):
+    return int(u * min(self.steps[0], len(self.memory.actions))) + 1
+
+
+# %% exercise 3, wrong: the last row never
+# says: never comes up
+def row_for(self, u):
+    return int(u * max(min(self.steps[0], len(self.memory.actions)) - 1, 1))
+
+
+# %% exercise 3, wrong: rounded
+# says: round(...) is not
+def row_for(self, u):
+    return round(u * (min(self.steps[0], len(self.memory.actions)) - 1))
+
+
+# %% exercise 3, wrong: not whole
+# says: make it one by int
+def row_for(self, u):
+    return u * min(self.steps[0], len(self.memory.actions))
+
+
+# %% exercise 3, wrong: always the newest
+# says: never comes up
+def row_for(self, u):
+    return (self.steps[0] - 1) % len(self.memory.actions)
+
+
+# %% exercise 3, wrong: a function
+# says: should be the class
+MyDQN = lambda task: DQN.create(task)

@@ -1,0 +1,231 @@
+"""Exercise 2 of lesson 4: semi-gradient Q-learning."""
+
+from collections.abc import Callable, Mapping
+from functools import partial
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from edugym.grading.student_code import running
+from edugym.grading.values import compare, digits, given
+from edugym.grading.wrong import WrongAnswer
+
+TERMS = "that is none of the usual mistakes, so compare your code with the equation, term by term"
+
+
+def is_class(name: str, answer: Any) -> None:
+    """Refuse what is no class."""
+    given(name, answer)
+    if not isinstance(answer, type):
+        raise WrongAnswer(f"{name} should be the class, but is of the type {type(answer).__name__}")
+
+
+class Step(NamedTuple):
+    """A case for the update: two states whose features are made up, and what happened."""
+
+    w: Any
+    x: Any
+    action: int
+    reward: float
+    x_next: Any
+    terminated: bool
+    alpha: float
+    gamma: float
+
+
+Rule = Callable[[Step], Any]
+
+
+def _moved(
+    step: Step,
+    target: float,
+    *,
+    of: float | None = None,
+    by: Any = None,
+    rate: float | None = None,
+    columns: Any = None,
+) -> Any:
+    """Return the weights after a step towards a target."""
+    w = step.w.copy()
+    present = float(step.x @ w[:, step.action]) if of is None else of
+    size = (step.alpha if rate is None else rate) * (target - present)
+    for column in [step.action] if columns is None else columns:
+        w[:, column] += size * (step.x if by is None else by)
+    return w
+
+
+def _target(step: Step, value: Callable[[Any], float] = np.max, gamma: float | None = None, ends: bool = True) -> float:
+    """Return the target of Q-learning, or one like it."""
+    if step.terminated and ends:
+        return step.reward
+    return step.reward + (step.gamma if gamma is None else gamma) * float(value(step.x_next @ step.w))
+
+
+def right_update(step: Step) -> Any:
+    """Return the weights after the semi-gradient update of Q-learning."""
+    return _moved(step, _target(step))
+
+
+UPDATES: Mapping[str, Rule] = MappingProxyType(
+    {
+        "after a terminal state nothing follows: there the target is the reward alone": lambda s: _moved(
+            s, _target(s, ends=False)
+        ),
+        "the target misses the value of the next state": lambda s: _moved(s, s.reward),
+        "the discount is missing: multiply the value of the next state by it": lambda s: _moved(
+            s, _target(s, gamma=1.0)
+        ),
+        "take the maximum over the actions in the next state, not the mean": lambda s: _moved(s, _target(s, np.mean)),
+        "take the maximum over the actions in the next state, not the minimum": lambda s: _moved(s, _target(s, np.min)),
+        "take the maximum over the actions in the next state, not their sum": lambda s: _moved(s, _target(s, np.sum)),
+        "in the next state take the best action, not the one that was taken before": lambda s: _moved(
+            s, _target(s, lambda q: float(q[s.action]))
+        ),
+        "the target has the features of `state` where those of `next_state` belong": lambda s: _moved(
+            s, s.reward + (0.0 if s.terminated else s.gamma * float(np.max(s.x @ s.w)))
+        ),
+        "the features are missing: each weight moves by the error times *its* feature": lambda s: _moved(
+            s, _target(s), by=np.ones_like(s.x)
+        ),
+        "each weight moves by the error times its feature of `state`, not of `next_state`": lambda s: _moved(
+            s, _target(s), by=s.x_next
+        ),
+        "only the sign of the feature, or whether it is 0, counts here; multiply by the feature itself": (
+            lambda s: _moved(s, _target(s), by=(s.x != 0.0).astype(float))
+        ),
+        "the learning rate is missing": lambda s: _moved(s, _target(s), rate=1.0),
+        "the error has the wrong sign: it is the target less the present value": lambda s: _moved(
+            s, _target(s), rate=-s.alpha
+        ),
+        "the present value is missing in the error: target less value": lambda s: _moved(s, _target(s), of=0.0),
+        "only the column of the action that was taken changes, not all of them": lambda s: _moved(
+            s, _target(s), columns=range(s.w.shape[1])
+        ),
+        "the weights are not moved but set: use += instead of =": lambda s: _set(s),
+        "that is the full gradient, with the features of the next state in it; the semi-gradient leaves it out": (
+            lambda s: _full_gradient(s)
+        ),
+        "the present value is that of the best action; it should be that of the action that was taken": lambda s: (
+            _moved(s, _target(s), of=float(np.max(s.x @ s.w)))
+        ),
+        "the reward is missing in the target": lambda s: _moved(s, _target(s) - s.reward),
+        "it learns nothing after a terminal state; the reward of the last step counts as well": lambda s: (
+            s.w.copy() if s.terminated else _moved(s, _target(s))
+        ),
+        "at the end the target is the reward, not 0": lambda s: _moved(s, 0.0 if s.terminated else _target(s)),
+        "the terminal case is the wrong way round": lambda s: _moved(
+            s, _target(s, ends=False) if s.terminated else s.reward
+        ),
+        "nothing changes: change the entries of `self.w` in place": lambda s: s.w.copy(),
+        "the features are multiplied in twice": lambda s: _moved(s, _target(s), by=s.x * s.x),
+    }
+)
+"""By sentence, what each mistake makes of the weights."""
+
+
+def _set(step: Step) -> Any:
+    w = step.w.copy()
+    error = _target(step) - float(step.x @ w[:, step.action])
+    w[:, step.action] = step.alpha * error * step.x
+    return w
+
+
+def _full_gradient(step: Step) -> Any:
+    w = _moved(step, _target(step))
+    if not step.terminated:
+        values = step.x_next @ step.w
+        error = _target(step) - float(step.x @ step.w[:, step.action])
+        w[:, int(np.argmax(values))] -= step.alpha * step.gamma * error * step.x_next
+    return w
+
+
+def exercise_2(answer: Any, seed: int) -> str:
+    """Check the class of an agent with linear features."""
+    is_class("MyAgent", answer)
+    rng = np.random.default_rng(seed)
+    probe = type("MyAgent", (answer,), {"features": lambda self, board: np.array(board, float), "__slots__": ()})
+    cases = [_some_step(rng, terminated=k % 3 == 2) for k in range(9)]
+    for step in cases:
+        agent = _made(probe, step)
+        for action in range(3):
+            _check_value(agent, step, action)
+    outcomes = [_learned(_made(probe, step), step) for step in cases]
+    for step, found in zip(cases, outcomes, strict=True):
+        if np.allclose(found, right_update(step), rtol=1e-9, atol=1e-9):
+            continue
+        fitting = [why for why, rule in UPDATES.items() if all(map(partial(_agrees, rule), cases, outcomes))]
+        here = [why for why, rule in UPDATES.items() if _agrees(rule, step, found)]
+        why = fitting[0] if fitting else f"in this case it looks like this: {here[0]}" if here else TERMS
+        raise WrongAnswer(f"{_told_update(step, found)}: {why}")
+    return "Right: the error times the features. See it catch:"
+
+
+def _some_step(rng: np.random.Generator, terminated: bool) -> Step:
+    """Make a case up: simple numbers, several features that are not 0, and another best action in the next state."""
+    while True:
+        w = rng.integers(-3, 4, size=(4, 3)).astype(float)
+        x, x_next = (rng.permutation([0.0, 1.0, 2.0, -1.0]) for _ in range(2))
+        action = int(rng.integers(3))
+        values, here = x_next @ w, x @ w
+        best = int(np.argmax(values))
+        if best != action and len({*values}) == 3 and int(np.argmax(here)) != action and not np.array_equal(x, x_next):
+            return Step(w, x, action, float(rng.integers(2, 5)), x_next, terminated, 0.5, 0.75)
+
+
+def _made(cls: Any, step: Step) -> Any:
+    """Make an agent of the student's."""
+    with running("MyAgent(...)"):
+        return cls(step.w.copy(), learning_rate=step.alpha, discount=step.gamma)
+
+
+def _check_value(agent: Any, step: Step, action: int) -> None:
+    call = f"value with the features {short(step.x)} and action {action}, where column {action} of w is "
+    call += short(step.w[:, action])
+    with running("value(...)"):
+        found = agent.value(step.x.copy(), action)
+    given("value(...)", found)
+    right = float(step.x @ step.w[:, action])
+    mistakes = {
+        "that is the sum of the weights; multiply each by its feature": float(step.w[:, action].sum()),
+        "that is one term of the sum; take the sum over all features": float((step.x * step.w[:, action])[0]),
+        "that is the largest value of all actions; take the column of `action`": float((step.x @ step.w).max()),
+        "that is the sum over all actions; take the column of `action`": float((step.x @ step.w).sum()),
+        "a feature is not only 0 or 1: multiply by it": float((step.w[:, action] * (step.x != 0)).sum()),
+        "that is the mean; take the sum": right / len(step.x),
+        "that is the row of w with this number; take the column": float((step.x[:3] * step.w[action]).sum()),
+    }
+    compare(call, found, right, {why: wrong for why, wrong in mistakes.items() if wrong != right}, otherwise=TERMS)
+
+
+def _learned(agent: Any, step: Step) -> Any:
+    """Return the weights after the student's `learn`."""
+    before = agent.w
+    with running("learn(...)"):
+        agent.learn(step.x.copy(), step.action, step.reward, step.x_next.copy(), step.terminated)
+    if agent.w is not before or np.shape(agent.w) != step.w.shape:
+        raise WrongAnswer("learn should change the entries of `self.w` in place, but puts another array there")
+    return np.array(agent.w)
+
+
+def _agrees(rule: Rule, step: Step, found: Any) -> bool:
+    return bool(np.allclose(rule(step), found, rtol=1e-9, atol=1e-9))
+
+
+def _told_update(step: Step, found: Any) -> str:
+    """Return the first part of the sentence: what was expected in which case, and what came."""
+    right = right_update(step)
+    i, a = np.argwhere(~np.isclose(right, found, rtol=1e-9, atol=1e-9))[0]
+    what = f"to {digits(right[i, a], found[i, a])}" if right[i, a] != step.w[i, a] else "nowhere"
+    ended = "the episode over" if step.terminated else f"next features {short(step.x_next)} with the values "
+    ended += "" if step.terminated else short(step.x_next @ step.w)
+    return (
+        f"with α = {step.alpha:g}, γ = {step.gamma:g}, features {short(step.x)}, action {step.action} of the value"
+        f" {step.x @ step.w[:, step.action]:g}, reward {step.reward:g} and {ended}, w[{i}, {a}] should go from"
+        f" {step.w[i, a]:g} {what}, but is {digits(found[i, a], right[i, a])}"
+    )
+
+
+def short(values: Any) -> str:
+    """Return numbers as a short text."""
+    return "[" + ", ".join(f"{value:g}" for value in values) + "]"
