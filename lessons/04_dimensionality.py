@@ -547,7 +547,7 @@ def triad(gamma=0.9, alpha=0.1, copy_every=20):
     return lesson.growth(gamma, alpha, copy_every)
 
 
-sliders(triad, gamma=(0.0, 1.0, 0.05), alpha=(0.05, 0.3, 0.05), copy_every=[1, 5, 20, 50])
+sliders(triad, gamma=(0.0, 1.0, 0.05), alpha=(0.05, 0.2, 0.05), copy_every=[1, 5, 20, 50])
 
 # %% [markdown]
 # ### Networks from a library, on the grid and on the image
