@@ -6,38 +6,18 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import gymnasium
-import joblib
 import numpy as np
 import pandas as pd
 import pytest
 from gymnasium.error import DependencyNotInstalled
 
-from edugym import CountBased, EpsilonGreedy, GoExplore, QLearning, Results, make_mdp, repeat, train
+from edugym import EpsilonGreedy, GoExplore, QLearning, Results, make_mdp, repeat, train
 from edugym.envs.boulder import Boulder
-from edugym.envs.trashbot import Trashbot
 from edugym.extras import require
-from edugym.mdp.discretised import DiscreteActions, Discretised
 from edugym.mdp.protocol import Random, Reals
 from edugym.results.tables import MEASURED, joined
 from edugym.training.configuration import described
-
-AGENTS: dict[str, Any] = {
-    "ε-greedy": partial(QLearning.create, learning_rate=0.5, discount=0.9),
-    "novelty": lambda wall: CountBased.create(wall, learning_rate=0.5, discount=0.9),
-}
-
-
-def small(n_steps: int = 2_000, **changes: Any) -> Results:
-    """Two methods, three times each, on a low wall."""
-    arguments: dict[str, Any] = {"environment": "Boulder", "agents": AGENTS, "repetitions": 3, "jobs": 1} | changes
-    if arguments["environment"] == "Boulder":
-        arguments.setdefault("parameters", {"height": 5})
-    return repeat(n_steps=n_steps, **arguments)
-
-
-def runs(results: Results) -> pd.DataFrame:
-    """One row a run."""
-    return results.table.drop_duplicates(["method", "repetition"])
+from tests.training.experiments import AGENTS, runs, small
 
 
 def test_one_row_a_point() -> None:
@@ -81,66 +61,6 @@ def test_seed_decides() -> None:
     """Another seed is another experiment; the same one is the same."""
     pd.testing.assert_frame_equal(small(seed=1).table, small(seed=1).table)
     assert set(runs(small(seed=1))["seed"]).isdisjoint(runs(small(seed=2))["seed"])
-
-
-def same(one: Results, other: Results) -> bool:
-    """Whether tables and agents are equal."""
-    pd.testing.assert_frame_equal(one.table, other.table)
-    return all(
-        (agent.Q == other.agents[method][repetition].Q).all()
-        for method, agents in one.agents.items()
-        for repetition, agent in agents.items()
-    )
-
-
-@pytest.mark.parametrize("n_steps", [2_000, 6_000])
-def test_jobs_change_nothing(n_steps: int) -> None:
-    """One at a time or three at a time, interpreted and compiled."""
-    assert same(small(n_steps, jobs=1), small(n_steps, jobs=3))
-
-
-def test_runs_share_no_array_of_a_wrapper() -> None:
-    """`Discretised` writes what it observes into one array; several runs at a time each have their own."""
-    task = Discretised.create(DiscreteActions.create(Trashbot.create(), 3), [1, 1, 8, 8, 1, 1, 3])
-    agents = {"Q-learning": QLearning.create}
-    one, other = (small(100_000, environment=task, agents=agents, repetitions=6, jobs=jobs) for jobs in (1, 4))
-    assert same(one, other)
-
-
-@pytest.mark.slow
-def test_other_processes_change_nothing() -> None:
-    """The back ends of joblib are chosen with joblib's own function."""
-    with joblib.parallel_config(backend="loky", n_jobs=2):
-        elsewhere = small(jobs=None)
-    assert same(small(), elsewhere)
-
-
-class Faulty(NamedTuple):
-    """A student's agent with a mistake."""
-
-    def act(self, state: int, rng: Random) -> int:
-        """There is no such entry."""
-        return [0][state + 1]
-
-    def learn(self, state: int, action: int, reward: float, next_state: int) -> None:
-        """Nothing."""
-
-
-def faulty(_: Any) -> Faulty:
-    """Make one."""
-    return Faulty()
-
-
-@pytest.mark.slow
-def test_an_error_in_another_process_names_the_students_line() -> None:
-    """Without the traceback of joblib and its processes."""
-    with joblib.parallel_config(backend="loky", n_jobs=2), pytest.raises(IndexError) as caught:
-        small(jobs=None, agents={"faulty": faulty})
-    assert caught.value.__cause__ is None
-    (note,) = caught.value.__notes__
-    assert note.startswith("In another process: ")
-    assert note.endswith("in act\n    return [0][state + 1]")
-    assert __file__ in note
 
 
 def test_a_fixed_layout_stays() -> None:

@@ -1,0 +1,62 @@
+"""Several runs at a time, in threads and in processes: the same results, and errors that name the line."""
+
+from typing import Any, NamedTuple
+
+import joblib
+import pytest
+
+from edugym import QLearning
+from edugym.envs.trashbot import Trashbot
+from edugym.mdp.discretised import DiscreteActions, Discretised
+from edugym.mdp.protocol import Random
+from tests.training.experiments import same, small
+
+
+@pytest.mark.parametrize("n_steps", [2_000, 6_000])
+def test_jobs_change_nothing(n_steps: int) -> None:
+    """One at a time or three at a time, interpreted and compiled."""
+    assert same(small(n_steps, jobs=1), small(n_steps, jobs=3))
+
+
+def test_runs_share_no_array_of_a_wrapper() -> None:
+    """`Discretised` writes what it observes into one array; several runs at a time each have their own."""
+    task = Discretised.create(DiscreteActions.create(Trashbot.create(), 3), [1, 1, 8, 8, 1, 1, 3])
+    agents = {"Q-learning": QLearning.create}
+    one, other = (small(100_000, environment=task, agents=agents, repetitions=6, jobs=jobs) for jobs in (1, 4))
+    assert same(one, other)
+
+
+@pytest.mark.slow
+def test_other_processes_change_nothing() -> None:
+    """The back ends of joblib are chosen with joblib's own function."""
+    with joblib.parallel_config(backend="loky", n_jobs=2):
+        elsewhere = small(jobs=None)
+    assert same(small(), elsewhere)
+
+
+class Faulty(NamedTuple):
+    """A student's agent with a mistake."""
+
+    def act(self, state: int, rng: Random) -> int:
+        """There is no such entry."""
+        return [0][state + 1]
+
+    def learn(self, state: int, action: int, reward: float, next_state: int) -> None:
+        """Nothing."""
+
+
+def faulty(_: Any) -> Faulty:
+    """Make one."""
+    return Faulty()
+
+
+@pytest.mark.slow
+def test_an_error_in_another_process_names_the_students_line() -> None:
+    """Without the traceback of joblib and its processes."""
+    with joblib.parallel_config(backend="loky", n_jobs=2), pytest.raises(IndexError) as caught:
+        small(jobs=None, agents={"faulty": faulty})
+    assert caught.value.__cause__ is None
+    (note,) = caught.value.__notes__
+    assert note.startswith("In another process: ")
+    assert note.endswith("in act\n    return [0][state + 1]")
+    assert __file__ in note
