@@ -38,8 +38,8 @@ state, info = env.reset(seed=0)
 env.unwrapped.scene()
 
 # %% [markdown]
-# Play it yourself, with the buttons. Each step costs 1 point, an item brings 25 and the exit 50. What is the highest
-# total that you can get? (The line below the picture also has the *observation*, which is the number of the state.)
+# Play it yourself, with the buttons. Each step costs 1 point, an item brings 25 and the exit 50, so that the step onto an
+# item has the reward 24. What is the highest total that you can get? (The line below the picture also has the *observation*, which is the number of the state.)
 
 # %%
 play("Supermarket", max_steps=100)
@@ -76,12 +76,14 @@ print(f"{steps} steps, {total:g} points in all, terminated {terminated}, truncat
 # From the first state to the end is an **episode**. It can end in two ways, and they are not the same:
 #
 # - **terminated**: the task is over, and nothing can come after it. The shopper is at the exit.
-# - **truncated**: somebody stopped the clock, here after 500 steps. The shopper could have gone on.
+# - **truncated**: somebody stopped the clock, here after 500 steps (in your own game: 100). The shopper could have
+#   gone on.
 #
 # A rule that chooses the actions is called a **policy**. This one is the random policy.
 #
-# **Predict.** How many points does the random policy get in an episode, on average? *Run the next cell, type your answer
-# into its field, and go on to the cell after it.* Nobody grades your answer. Then click on the triangle.
+# **Predict.** How many points does the random policy get in an episode, on average? *Run the next cell, type your
+# answer into its field, and go on to the cell after it.* Nobody grades your answer. Then click on the triangle before
+# "What was measured".
 
 # %%
 random_play = predict("The random policy gets, on average:", unit="points")
@@ -136,9 +138,9 @@ for reward in (24, -1, -1):  # the last reward first
 loop.rewards_and_returns(0.95)
 
 # %% [markdown]
-# Nearly all steps of the *best* way have the reward −1, like the steps of any bad way. The reward does not show that they
-# are good. The return does: the line rises towards each item. It falls after an item, since that reward is then in the past.
-# (34 is this way's return at the start with $\gamma = 0.95$; its plain sum is 95.)
+# Nearly all steps of the *best* way have the reward −1, like the steps of any bad way. The reward does not show that
+# they are good. The return does: the line rises towards each item. It falls after an item, since that reward is then in
+# the past. It starts at 34, the return of the whole way with $\gamma = 0.95$. The plain sum of this way is 95.
 #
 # **Predict.** A player always takes the action with the highest *next reward* (if several are equal, one of them at random).
 # The best possible total is 95. What does this player get on average?
@@ -157,10 +159,10 @@ next_reward.measured(next_reward.options[0 if earned > 47 else 1 if earned >= 0 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** −248 points. Where no item and no exit is beside it, all four rewards are −1, and this player walks at random
-# too. And beside the exit it leaves, whatever is still missing in its bag. It does a little better than random play,
-# because it takes what lies beside it: only a third of its episodes are cut off.
-# </details>
+# **Measured.** −248 points. Where no item and no exit is beside it, all four rewards are −1, and this player walks at
+# random too. Beside the exit it leaves, whatever is still missing in its bag. The best policy would not, but this is
+# why the player does better than random play: fewer of its episodes are cut off. Taking the items beside it adds
+# little. </details>
 
 # %% [markdown]
 # ### Values: the return to be expected
@@ -192,8 +194,9 @@ next_reward.measured(next_reward.options[0 if earned > 47 else 1 if earned >= 0 
 source(QLearning.learn)
 
 # %% [markdown]
-# To be sure to find something better, it should also try what does not look best. **ε-greedy** takes a random action with
-# probability $\varepsilon$, and the greedy action otherwise. Now put this agent into the loop, for 2 000 steps:
+# To have a chance of finding something better, it must also try what does not look best. **ε-greedy** takes a random
+# action with probability $\varepsilon$, and the greedy action otherwise. Now put this agent into the loop, for 2 000
+# steps:
 
 # %%
 agent = QLearning.create(env, learning_rate=0.5, discount=0.99, exploration=EpsilonGreedy(0.1))
@@ -213,9 +216,9 @@ print("values of the four actions in the first state:", agent.Q[8].round(2))
 frames(env, agent, max_steps=40)
 
 # %% [markdown]
-# The shopper takes two items, and then walks to and fro between two cells. With these two in the bag it knows little more
-# than that steps cost points: no value has come back from what lies further on. And after 20 000 steps more? `train` is the
-# loop that you have just seen, translated into machine code.
+# The shopper takes two items, and then walks to and fro between two cells. Around these two cells it knows only that
+# steps cost points. The values of the last item and of the exit have come back a few cells, but not yet as far as this.
+# And after 20 000 steps more? `train` is the loop that you have just seen, translated into machine code.
 
 # %%
 train(env, agent, 20_000, seed=1)
@@ -231,10 +234,11 @@ frames(env, agent, max_steps=40)
 # same Q-learning with $\gamma = 0$: its target is $R$ alone, so it learns rewards, not returns. Both learners have $\alpha =
 # 0.5$ and $\varepsilon = 0.1$.
 #
-# The left panel shows one episode without exploring, every 250 steps. Lines are means of 30 runs, and bands show how sure
-# these means are (95 % confidence intervals). The right panel shows the episodes in which they learn, with their random
-# actions. It has only the runs in which an episode has just ended. At the very beginning these are the lucky short ones, so
-# ignore its first points.
+# The left panel shows, every 250 steps, one episode in which the agent neither explores nor learns. Lines are means of
+# 30 runs, and bands show how sure these means are (95 % confidence intervals). The dashed line is the *optimum*, the
+# best possible total. The right panel shows the episodes in which they learn, with their random actions. It has only
+# the runs in which an episode has just ended. At the very beginning these are the lucky short ones, so ignore its first
+# points. Its dotted line is the best mean that a player can get if 10 % of its actions are random.
 #
 # **Predict.** Over the last 5 000 steps, who has the lowest mean in the left panel?
 
@@ -255,11 +259,12 @@ worst.measured(min(late, key=late.get))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Q-learning with $\gamma = 0$ is the worst, far below random play. Its table says about −1 for every action,
-# except beside an item or the exit. As long as the values are not exactly equal, the smallest difference decides, and the
-# same action is taken at every return: the shopper goes round and round until the clock stops. After many more steps the
-# values become exactly −1, chance decides again, and it is about as bad as random play. The orange line begins to rise for
-# that reason.
+# **Measured.** In the left panel Q-learning with $\gamma = 0$ is the worst, far below random play. Its table says about
+# −1 for every action, except beside an item or the exit. With exactly right values it would be the player of −248. But
+# its values are not quite right, and in this episode they do not change: where the smallest difference decides, the
+# same action is taken at every return, and the shopper goes round and round until the clock stops. While it learns
+# (right panel) it is no worse than random play. After many more steps its values become exactly −1, and chance decides
+# again: the orange line begins to rise for that reason.
 #
 # The same lines of code with $\gamma = 0.99$ find the optimum in most runs, and in five of 30 runs a worse way, with 76 to
 # 93 points. At first this learner is as bad as the other one. It has to meet the items and the exit first. Every step costs
@@ -284,17 +289,18 @@ items.measured(items.options[loop.items_on(loop.best_way(0.85))])
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** One. Even on this way the exit is the 16th step, and its reward counts $0.85^{15} = 0.09$ times. The shortest
-# way to the exit takes 16 steps, and the red item lies on it, so it costs nothing extra. A further item makes the way
-# longer, so that everything after it counts still less. The shop is the same as before: the discount belongs to the
-# *question*, not to the world. </details>
+# **Measured.** One. The exit is at least 16 steps away, so that its reward counts at most $0.85^{15} = 0.09$ times.
+# Some of the ways with 16 steps pass the red item, so it costs nothing extra. A further item makes the way longer, so
+# that everything after it counts still less. The shop is the same as before: the discount belongs to the *question*,
+# not to the world. </details>
 
 # %% [markdown]
-# The map shows $v_*$ of each cell for one bag, and the best action as an arrow. (It is slanted where two actions are equally
-# good. No arrow: three or four are. An item cell is white: with this bag nobody can stand there. Values below 0 have the
-# palest colour.) The orange line is the best way from the entrance, drawn for the empty bag only. After an item the bag is
-# another one, so from there on the line may run against the arrows. The right panel always shows this way: what each of its
-# rewards counts at the start.
+# The map shows $v_*$ of each cell for one bag, and the best action as an arrow. An arrow is slanted where two actions
+# are equally good. A cell has no arrow where three or four are, or two opposite ones; the entrance and the exit never
+# have one. An item cell is white: with this bag nobody can stand there. Values below 0 have the palest colour. The
+# orange line is the best way from the entrance, drawn for the empty bag only. After an item the bag is another one, so
+# from there on the line may run against the arrows. The right panel always shows this way: what each of its rewards
+# counts at the start.
 #
 # *Move a slider and let it go.* At which values of $\gamma$ does the best way change? What is best for $\gamma = 0$?
 
@@ -308,8 +314,8 @@ sliders(
 # %% [markdown]
 # <details><summary>Answer</summary>
 #
-# The best way changes between 0.89 and 0.9 (two items, 22 steps) and between 0.94 and 0.95 (three, 30 steps). At
-# $\gamma = 0$ all ways from the start are equal.
+# On this slider: at $\gamma = 0$ all ways from the start are equal. From 0.5 to 0.89 one item is best (16 steps), from
+# 0.9 to 0.94 two (22 steps), from 0.95 on all three (30 steps).
 # </details>
 
 # %% [markdown]
@@ -326,8 +332,9 @@ sliders(
 )
 
 # %% [markdown]
-# The colour starts beside the red item and comes back to the entrance, one cell at a time. In the end the value of the
-# entrance is exactly right. (The rest of the way has the bags "red", "red and green" and "all three".)
+# The colour starts beside the red item and comes back towards the entrance, a few cells from picture to picture. Later
+# the cells grow darker once more: now the value of the other items and of the exit has come back too. In the end the
+# value of the entrance is exactly right. (The rest of the way has the bags "red", "red and green" and "all three".)
 
 # %% [markdown]
 # ## Predict, then check
@@ -355,9 +362,9 @@ everywhere.measured(100 * share)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** In less than half of them. Before the first step, when all values are equal and chance decides, it was 36 %.
-# With 10 % random actions Q-learning learns *its way* and little else. About half of the states it never tried, and they
-# keep their first guess (35 % right, by luck). Most of the others it saw too seldom (56 % right). </details>
+# **Measured.** In less than half of them. Before the first step, when all values are equal and chance decides, it was
+# 36 %. With 10 % random actions Q-learning learns *its way* and little else. About half of the states it never tried,
+# and they keep their first guess (35 % right, by luck). Most of the others it visited fewer than 50 times. </details>
 
 # %% [markdown]
 # ## Exercises
@@ -478,12 +485,12 @@ run = train("Supermarket", MyAgent(np.zeros((800, 4))), 3_000_000, evaluate_ever
 # %% [markdown]
 # ## What you saw
 #
-# An agent wants a high return, the discounted sum of all rewards from now on: $G_t = R_{t+1} + \gamma G_{t+1}$. A reward
-# alone does not tell whether an action was good: acting for the next reward brought −248 points (random play −313, the best
-# policy 95), and for 20 000 steps learning the next reward alone was even worse than random play. So the agent learns
-# values, the returns that it can expect. Q-learning moves its guess for an action towards the reward plus the discounted
-# best guess for the next state, where there is one. Then the value of what is far away comes back, one state at a time. *Now
-# say this in your own words.*
+# An agent wants a high return, the discounted sum of all rewards from now on: $G_t = R_{t+1} + \gamma G_{t+1}$. A
+# reward alone does not tell whether an action was good: acting for the next reward brought −248 points (random play
+# −313, the best policy 95), and after 20 000 steps of learning the next reward alone, the agent without exploring was
+# still worse than random play. So the agent learns values, the returns that it can expect. Q-learning moves its guess
+# for an action towards the reward plus the discounted best guess for the next state, where there is one. Then the value
+# of what is far away comes back, one state at a time. *Now say this in your own words.*
 #
 # ### What comes next
 # The shop was easy in many ways. Each of the next lessons takes one of them away; below are their environments. In lesson 10
@@ -495,11 +502,12 @@ loop.nine_challenges()
 # %% [markdown]
 # ### Limits
 # In this shop nothing happens by chance; elsewhere $q_*$ needs a mean over all that can happen (equation 3.20 in full). There
-# are only 428 states, so a table has room for them all. And the best way is known (lesson 9 shows how to compute it).
+# are only 428 states: the 420 of before, and 8 at the exit, one for each bag. A table has room for them all. And the best
+# way is known (lesson 9 shows how to compute it).
 #
 # ### Further reading
 # - Sutton and Barto, *Reinforcement Learning*, 2nd edition: 3.1–3.6 (agent, return, values), 6.5 (Q-learning); 1.1–1.5 for
 #   the whole story.
-# - Watkins and Dayan (1992), *Q-learning*: where the update comes from, and why it converges.
+# - Watkins and Dayan (1992), *Q-learning*: the update, from the thesis of Watkins (1989), and a proof that it converges.
 # - Moerland et al. (2023), *EduGym: An environment and notebook suite for reinforcement learning education*: the paper
 #   behind the nine environments.

@@ -150,13 +150,13 @@ def learned_beside_exact(steps: int = 20_000, bag: str = "empty") -> Sheet:
     exact = best_table(DISCOUNT)
     start = int(model().states[int(model().initial.argmax())])
     learned = np.where((Q == 0.0).all(axis=1, keepdims=True), np.nan, Q)
-    mine = f"after {steps:,} steps: {Q[start].max():.1f} at the start".replace(",", " ")
+    mine = f"after {steps:,} steps: {Q[start].max():.1f} at the start, bag empty".replace(",", " ")
     return Sheet(
         "learned_beside_exact",
         [
             [
                 ValueMap(learned, mine, BAGS[bag], bar=False),
-                ValueMap(exact, f"v*: {exact[start].max():.1f} at the start", BAGS[bag]),
+                ValueMap(exact, f"v*: {exact[start].max():.1f} at the start, bag empty", BAGS[bag]),
             ]
         ],
     )
