@@ -4,13 +4,13 @@
 # **The challenge.** In the other lessons somebody had already decided what a state, an action and a reward are. Here
 # you decide, and the agent does exactly what your reward says, which is not always what you meant.
 #
-# **You will be able to** turn a wish into states, actions, dynamics and a reward; find the mistakes in a problem
-# before an agent does; read off the exact best policy what a reward teaches; shape a reward without changing its
+# **You will be able to** turn a wish into states, actions, dynamics and a reward; find the mistakes in a problem before
+# an agent does; see from the best policy, computed exactly, what a reward teaches; shape a reward without changing its
 # optimum; and take a problem of your own through everything, up to a file that a friend can play.
 #
-# **Time.** 50 minutes, and 60 to 90 more for the exercises, since the last one is yours. **Before you start.** You should know the
-# definition of a Markov decision process and value iteration (Sutton and Barto, 2nd edition, chapter 3 and section
-# 4.4), and Q-learning (6.5). The lessons before this one help, but none is needed. All symbols are in the
+# **Time.** 50 minutes, and 60 to 90 more for the exercises, since the last one is yours. **Before you start.** You
+# should know the definition of a Markov decision process and value iteration (Sutton and Barto, 2nd edition, chapter 3
+# and section 4.4), and Q-learning (6.5). The lessons before this one help, but none is needed. All symbols are in the
 # [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
 
 # %%
@@ -21,13 +21,13 @@ import numpy as np
 from gymnasium.spaces import Discrete, MultiDiscrete
 from gymnasium.utils.env_checker import check_env
 
-from edugym import FiniteModel, MDPEnv, check_mdp, read_mdp, share
+from edugym import FiniteModel, MDPEnv, check_mdp, finite_model, policy_evaluation, read_mdp, share
 from edugym.lessons import own_problem
 from edugym.notebook import frames, play, predict, sliders, source
 from edugym.plotting import Sheet
 
 # %% [markdown]
-# ## Meet the environment: from a wish to thirty lines
+# ## Meet the environment: from a wish to forty lines
 #
 # Here is a wish: *"Wake me as late as you can, but I must be up at half past eight. And please do not ring, the walls
 # are thin."* An alarm clock with a microphone should learn this. To state the problem, answer four questions.
@@ -35,22 +35,23 @@ from edugym.plotting import Sheet
 # | question | here | |
 # |---|---|---|
 # | What can the agent **do**? | stay quiet, chime softly, ring loudly | the actions $\mathcal{A} = \{0, 1, 2\}$ |
-# | What must it **know** to decide, and to say what comes next? | the time, and how deep she sleeps | the states $s = (t, d)$ |
-# | What **happens**? | a ring wakes her (probability 0.9), a chime makes her sleep one step lighter (0.7), and in silence it gets one step deeper (0.5) | the dynamics $p(s' \mid s, a)$ |
+# | What must it **know** to decide, and to say what comes next? | the time, and how deep she sleeps | the states $s = (t, d)$, where $s' = (t', d')$ comes next |
+# | What **happens**? | a ring wakes her (probability 0.9) or makes her sleep one step lighter (0.1); a chime makes it one step lighter (0.7); in silence it gets one step deeper (0.5); otherwise the depth stays | the dynamics $p(s' \mid s, a)$ |
 # | What is it **worth**? | sleep is good, a ring is bad, oversleeping is worse | the reward $r(s, a, s')$ |
 #
 # The episode begins at 7:10. Each step takes ten minutes, and $t$ counts the steps: at $t = T = 8$ it is 8:30, and the
 # episode ends. The depth $d$ is 0 when she is awake, 1 when she is dozing, and 2 when she is fast asleep. Nobody tells
-# us what sleep is worth in rings, so we must choose numbers. A step is worth the depth of sleep at its end. A ring costs
-# $c_{\text{ring}} = 4$, and oversleeping costs $c_{\text{late}} = 10$. With $1\{\cdot\}$, which is 1 if the condition
-# is true and 0 otherwise, the reward is
+# us how many rings an hour of sleep is worth, so we must choose numbers. A step is worth the depth of sleep at its end.
+# A ring costs $c_{\text{ring}} = 4$, and oversleeping costs $c_{\text{late}} = 10$. With $1\{\cdot\}$, which is 1 if
+# the condition is true and 0 otherwise, the reward is
 #
 # $$
 # r(s, a, s') = d' - c_{\text{ring}}\, 1\{a = \text{ring}\} - c_{\text{late}}\, 1\{t' = T,\ d' > 0\}
 # $$
 #
-# That is everything. In code it is an immutable value, a `NamedTuple`, with one short method for each of these parts.
-# `rng` draws the random numbers, and an agent sees what `observation` returns.
+# That is everything. In code it is an immutable value, a `NamedTuple`, with one short method for each of these parts,
+# and two more for the beginning and the end. `rng` draws the random numbers, and an agent sees what `observation`
+# returns.
 
 
 # %%
@@ -63,6 +64,7 @@ class Morning(NamedTuple):
 
     action_names = ("stay quiet", "chime", "ring")
     action_space = property(lambda self: Discrete(3))
+    # a property, since the size depends on `length`
     observation_space = property(lambda self: MultiDiscrete([self.length + 1, 3]))
 
     def initial(self, rng):
@@ -109,9 +111,9 @@ visited = check_mdp(morning)
 print("checked; the first states on the way:", visited[:9])
 
 # %% [markdown]
-# `check_mdp` has played 200 random steps and looked at everything that the methods return. The picture is not part of
-# the problem, but draw one for yours: it shows mistakes that no check finds. (`bedroom` is a function that returns a
-# `Scene` of circles, rectangles and texts.)
+# `check_mdp` has played 200 random steps and looked at everything that the methods return. States should be numbers or
+# tuples of numbers. The picture is not part of the problem, but draw one for yours: it shows mistakes that no check
+# finds. (`bedroom` is a function that returns a `Scene` of circles, rectangles and texts.)
 
 # %%
 MDPEnv(morning).scene()
@@ -134,8 +136,8 @@ print("after a chime:", env.step(1))
 
 # %% [markdown]
 # ### Six mistakes
-# Everybody makes mistakes when they write a problem down. Here are six variants of `Morning`, each with one method
-# that is wrong. (`__slots__ = ()` is needed in a class that inherits from a `NamedTuple`; it adds no fields.)
+# Everybody makes mistakes when they write a problem down. Here are six variants of `Morning`, each with one mistake.
+# (`__slots__ = ()` is needed in a class that inherits from a `NamedTuple`; it adds no fields.)
 
 
 # %%
@@ -225,10 +227,11 @@ not_found.measured(*accepted)
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** `WrongSign` passes: there a ring is *rewarded* with 4. It is a perfectly good decision problem, only
-# not the one that was meant. A check can know what a Markov decision process is. It cannot know what you want. (The
-# other five get a sentence that names the method and what is wrong. For `NeverEnds` it is the observation that
-# leaves its space: a tuple never equals a number, so the time runs on beyond 8:30.)
+# **Measured.** `WrongSign` passes: there a ring is *rewarded* with 4. It is a perfectly good decision problem, only not
+# the one that was meant. A check can know what a Markov decision process is. It cannot know what you want. The other
+# five are caught. The sentence names the method where the mistake shows, which is not always the one to mend: for
+# `OneTooFew` mend `observation_space`, for `NeverEnds` mend `terminal`. (There a tuple never equals a number, so the
+# time runs on beyond 8:30.)
 # </details>
 
 # %% [markdown]
@@ -242,17 +245,18 @@ not_found.measured(*accepted)
 #
 # It is tempting to think that *the reward says what I meant*. But your wish is not in this equation. Only $p$ and $r$
 # are, and the best policy is best for them. (The book's example, in section 3.2: a chess player who is paid for taking
-# pieces may take them and lose the game.) A problem with 25 states can be solved exactly, by computing
-# the right side again and again for all states at once (value iteration, section 4.4). The model
-# with all $p$ and $r$ is worked out from the methods that you have just read. This is the right side before the maximum:
+# pieces may take them and lose the game.) A problem with 25 states (at 7:10 there is only one) can be solved exactly,
+# by computing the right side again and again for all states at once (value iteration, section 4.4). The model with all
+# $p$ and $r$ is worked out from the methods that you have just read. This is the right side before the maximum; `k`
+# counts the possible next states:
 
 # %%
 source(FiniteModel.action_values)
 
 # %% [markdown]
 # The discount is $\gamma = 1$ in the whole lesson: an episode has 8 steps, and sleep at eight is worth as much as sleep
-# at seven. Here is the whole best policy. Can you say in words what it does, and why it is quiet at 8:00 when she is
-# dozing, but chimes when she is fast asleep?
+# at half past seven. Here is the whole best policy. Can you say in words what it does, and why it is quiet at 8:00 when
+# she is dozing, but chimes when she is fast asleep?
 
 # %%
 best = own_problem.solve(morning)
@@ -260,8 +264,11 @@ print(f"optimum: {best.start:.3f}; random actions: {own_problem.random_return(mo
 Sheet("policy", [[own_problem.morning_map(morning, "the best policy")]])
 
 # %% [markdown]
-# Fast asleep, she is two good chimes away from being awake, and from 8:00 on there is time for three. Dozing, she is one
-# away, and at 8:00 the clock can wait another ten minutes. It rings only when a chime cannot wake her in time. (Grey cells are states that cannot occur.)
+# Fast asleep, she is two good chimes away from being awake, and from 8:00 on there is time for three. Dozing, she is
+# one away, and at 8:00 the clock can wait another ten minutes. It rings only when a chime cannot wake her in time.
+# Awake, a chime keeps her awake, and in silence she dozes off with probability 0.5. So from 8:10 on it chimes even
+# then. The map answers for every state, also for those that the clock never comes to. (The beige cells have no state:
+# at 7:10 she is fast asleep.)
 #
 # **Predict.** Under this policy, the best one for our reward, how often is she *not* awake at 8:30?
 
@@ -278,9 +285,9 @@ oversleeps.measured(100 * night.late)
 # <details><summary>What was measured</summary>
 #
 # **Measured.** 14 %, one morning in seven. "I *must* be up" was the wish, but the reward says that being late costs 10
-# and a ring 4. A dozing sleeper at 8:20 gets a chime, which fails with probability 0.3: that costs $0.3 \cdot (10 - 1) =
-# 2.7$ on average, and a ring would cost 4. The policy is right and the reward is not what was meant. You can
-# change it with the sliders below.
+# and a ring 4. A dozing sleeper at 8:20 gets a chime, which fails with probability 0.3: that costs $0.3 \cdot (10 - 1)
+# = 2.7$ on average, and a ring would cost 4. The policy is right and the reward is not what was meant. You can change
+# it with the sliders below.
 # </details>
 
 # %% [markdown]
@@ -292,13 +299,15 @@ frames(morning, own_problem.player(morning), seed=3)
 # %% [markdown]
 # ## The experiment: every agent learns it
 #
-# An exact solution needs a small problem and a known model. The agents of the earlier lessons need neither: they only
-# play. Now that we know the optimum, we can see how well they do on a problem that none of them was made for.
+# An exact solution needs the model. The agents of the earlier lessons do not: they only play, and Dyna learns a model
+# from that. (Their tables still need a small problem.) Now that we know the optimum, we can see how well they do on a
+# problem that none of them was made for.
 #
 # | setting | value |
 # |---|---|
 # | all | table with one row for each $(t, d)$, $\gamma = 1$, $\alpha = 0.1$, ε-greedy with $\varepsilon = 0.1$ |
-# | methods | Q-learning and the novelty reward with $\beta = 1$ (lesson 1), SARSA (2), 3-step SARSA (3), Dyna with 10 updates a step (9) |
+# | methods | Q-learning (lesson 1) and SARSA (2); 3-step SARSA, whose targets have three rewards (3); Dyna-10, which also makes 10 updates a step from its model (9) |
+# | novelty reward | Q-learning with a bonus $\beta / \sqrt{N(s')}$ for states rarely entered, $\beta = 1$ (lesson 1) |
 # | training | 10 000 steps, which are 1 250 mornings |
 # | left figure | mean return of 20 greedy episodes, every 500 steps |
 # | right figure | the exact expected return of the greedy policy at the end |
@@ -314,39 +323,49 @@ for method, returns in worth.items():
     early = learned.curves(method).loc[1_000].mean()
     found = np.mean(returns > best.start - 1e-6)
     print(
-        f"{method:14} mean after 1 000 steps {early:5.2f}, at the end {returns.mean():5.2f}; best policy: {found:.0%}"
+        f"{method:14} played mean after 1 000 steps {early:5.2f}, "
+        f"exact value at the end {returns.mean():5.2f}; best policy: {found:.0%}"
     )
 
 # %% [markdown]
 # All five learn a good clock. Dyna, which replays what it has seen, is close to the optimum after 1 000 steps (125
-# mornings), and finds the best policy in most runs. The others need most of the 10 000 steps, and in most runs they end with
-# a policy that is almost as good as the best one. (On the left the points are means of played episodes, which
-# luck may lift above the optimum; on the right the policies are evaluated exactly. The novelty reward is no help
-# here, since random actions get everywhere.)
+# mornings), and finds the best policy in most runs. 3-step SARSA is second: it needs about 4 000 steps to come close.
+# The other three need most of the 10 000. In most runs these four end at 9.78 or better, of 10.32. The novelty reward
+# is no help here: its line is close to that of Q-learning. One reason may be that exploring is easy in this problem.
+# (On the left the points are means of played episodes, which luck may lift above the optimum; on the right the policies
+# are evaluated exactly.)
 
 # %% [markdown]
 # ## Your turn
 #
 # The reward has two weights that nobody told us, and here is a third one: a bonus each time she wakes. Move a slider
-# and release it: the problem is solved again, exactly. Find (1) a cost of oversleeping at which the clock is silent
-# for ever, (2) one at which she is late in less than 2 % of all mornings, (3) the bonus at which the clock begins to
-# play tricks.
+# and release it: the problem is solved again, exactly. Find (1) a cost of oversleeping at which she always oversleeps,
+# (2) one at which she is late in less than 2 % of all mornings, (3) the lowest bonus from which on she wakes more than
+# once on average.
 
 # %%
 sliders(own_problem.weights_sheet, ring=(0.0, 12.0, 0.5), late=(0.0, 30.0, 0.5), bonus=(0.0, 15.0, 1.0))
 
 # %% [markdown]
-# The map does not change smoothly. There are finitely many policies, and the return of each is a straight line in
-# each weight. So for long stretches of a slider the same policy is best, and then a cell flips, and the behaviour with
-# it. A small change of a reward may matter a lot or not at all. You see which when you solve the problem.
+# <details><summary>Answers</summary>
+#
+# With the other weights as they were: (1) 3.5 or less. (2) 14.5 or more, where it is 1 %. (3) 6.
+# </details>
+
+# %% [markdown]
+# The map does not change smoothly. There are finitely many policies, and the return of each is a straight line in each
+# weight. So for long stretches of a slider the same policy is best, and then a cell flips. If the clock ever comes to
+# that cell, its behaviour changes too. If not, only the map changes: raise `late` from 10 to 11 and look at the title.
+# A small change of a reward may matter a lot or not at all. You see which when you solve the problem.
 
 # %% [markdown]
 # ## See inside: what a careless reward teaches
 #
 # ### A runner who gives up
 # The runner of lesson 2 must arrive exactly at the last cell before a cliff. Each step has the reward $-1$, the last one
-# $+1$ when it arrives, and $R$ when the runner falls or stalls. To *stall* is to brake when standing still, and it ends
-# the episode. The shortest run has four steps and returns $-1 - 1 - 1 + 1 = -2$.
+# $+1$ when it arrives, and $R$ when the runner falls or stalls (here $R$ is a number, not a random reward). To *stall*
+# is to brake when standing still, and it ends the episode. The shortest run has four steps and returns $-1 - 1 - 1 + 1
+# = -2$.
 #
 # **Predict.** A careful designer finds $R = -100$ cruel, and sets $R = -1$. What does the best policy do?
 
@@ -403,17 +422,10 @@ progress.measured(progress.options[2 if wakings > 1.5 else 1 if earlier else 0])
 #
 # **Measured.** Paid for being awake, the clock chimes from 7:10 on, and she sleeps 19 minutes instead of 66. Paid for
 # waking, it chimes until she wakes, is quiet until she dozes off, and wakes her again: 2.4 times on average, and she
-# sleeps 37 minutes. With both rewards she hardly ever oversleeps. By the reward that was meant they return 2.3 and 2.4, less
-# than a quarter of the optimum, 10.3. (A cell with two letters has two best actions. The fourth map belongs to the part
-# after the next film.)
+# sleeps 37 minutes. With both rewards she hardly ever oversleeps. By the reward that was meant they return 2.3 and 2.4,
+# less than a quarter of the optimum, 10.3. This is called *reward hacking*, but nobody is hacked: the agent does what
+# it is paid for. (A cell with two letters has two best actions. The fourth map belongs to the next part.)
 # </details>
-
-# %% [markdown]
-# This is called *reward hacking*, but nobody is hacked: the agent does what it is paid for. Watch it earn its bonus.
-
-# %%
-tricky = own_problem.TASKS[own_problem.WAKINGS]
-frames(tricky, own_problem.player(tricky), seed=12)
 
 # %% [markdown]
 # ### A bonus that changes no optimum
@@ -431,9 +443,9 @@ frames(tricky, own_problem.player(tricky), seed=12)
 # -\varphi(S_0)
 # $$
 #
-# It is the same number *for every policy*. So the values of all policies fall by $\varphi(s)$, and which of them is best
-# does not change. For the clock: let $\varphi(s) = 10$ while she is awake. Then 10 is paid when she wakes, and taken back
-# when she falls asleep again, or at the end.
+# It is the same number *for every policy*. So the values of all policies fall by $\varphi(s)$, and which of them is
+# best does not change. For the clock: let $\varphi(s) = 10$ while she is awake. Then 10 is paid when she wakes before
+# 8:30, and taken back when she falls asleep again, or at the end. (`phi` holds 0 for every state at 8:30.)
 
 # %%
 source(own_problem.WithPotential, "potential", "reward")
@@ -443,19 +455,19 @@ shaped_task = own_problem.TASKS[own_problem.POTENTIAL]
 shaped = own_problem.solve(shaped_task)
 difference = [shaped.value(s) - (best.value(s) - shaped_task.potential(s)) for s in best.model.states]
 print("same best actions everywhere:", np.array_equal(best.greedy_policy(), shaped.greedy_policy()))
-print(f"largest difference from v(s) − φ(s): {np.abs(difference).max():.0e}")
+print(f"largest difference from v*(s) − φ(s): {np.abs(difference).max():.0e}")
 
 # %% [markdown]
-# The bonus and the potential pay the same 10 when she wakes. The fourth map above belongs to the potential, and it is
-# the first one, cell by cell. The difference is the bill.
+# The bonus and the potential pay the same 10 when she wakes before 8:30. Only the potential takes it back. The fourth
+# map above belongs to the potential, and it is the first one, cell by cell.
 #
-# **Predict.** Q-learning now learns from each of the four rewards, with the settings of the experiment (20 runs), and
-# we judge its greedy policy by the reward that was meant, exactly. A fifth reward has another potential,
-# $\varphi(s) = v_*(s)$, which nobody knows before learning. Does the potential of 10 for being awake help: which is
-# ahead after 800 steps (100 mornings)?
+# **Predict.** Q-learning now learns from five rewards: the four above, and one with $\varphi(s) = v_*(s)$, which nobody
+# knows before learning. The settings are those of the experiment (20 runs), and we judge its greedy policy by the
+# reward that was meant, exactly. Does the potential of 10 for being awake help: which is ahead after 800 steps (100
+# mornings)?
 
 # %%
-helps = predict("After 800 steps Q-learning is ahead ...", ["with the potential", "without any shaping", "neither"])
+helps = predict("Which is ahead after 800 steps?", ["with the potential", "without any shaping", "neither"])
 helps
 
 # %%
@@ -470,11 +482,11 @@ helps.measured("with the potential" if lead > 0.5 else "without any shaping" if 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** With the potential it is far *behind* at 800 steps. One reason may be what the potential tells the
-# agent first: it is paid at once for waking her, at any hour, and the bill comes later. In the end both are near the
-# optimum. With $\varphi = v_*$ Q-learning is close to the optimum after 200 steps already. So a potential cannot spoil the
-# optimum, but it can help learning or slow it down. It should be a guess of $v_*(s)$ (Ng et al.), and "awake is worth 10
-# at any hour" is a bad one. With the two careless rewards more training does not bring the agent to what was meant.
+# **Measured.** With the potential it is far *behind* at 800 steps. One reason may be what the potential tells the agent
+# first: it is paid at once for waking her, at any hour, and the bill comes later. In the end both are near the optimum.
+# With $\varphi = v_*$ Q-learning is close to the optimum after 200 steps already. So a potential cannot spoil the
+# optimum, but it can help learning or slow it down. It should be a guess of $v_*(s)$ (Ng et al.), and "awake is worth
+# 10 at any hour" is a bad one. With the two careless rewards more training does not bring the agent to what was meant.
 # </details>
 
 # %% [markdown]
@@ -488,7 +500,7 @@ helps.measured("with the potential" if lead > 0.5 else "without any shaping" if 
 # **Predict.** Which clock is worth more, when each follows the best rule for what it sees?
 
 # %%
-cheaper = predict("More is worth ...", ["the clock that sees the time", "the clock that hears her sleep"])
+cheaper = predict("Which clock is worth more?", ["the clock that sees the time", "the clock that hears her sleep"])
 cheaper
 
 # %%
@@ -504,12 +516,11 @@ cheaper.measured(max(plans, key=lambda clock: plans[clock][0]))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** The clock that sees the time loses only 0.34: quiet until 8:00 and then three chimes is nearly as good as
-# to listen. The one that hears her sleep does best if it never makes a sound (its three actions are those for awake,
-# dozing and fast asleep), and then she always oversleeps: whatever it does at 8:20, it would also do at 7:10. (These are the best *deterministic* rules,
-# found by trying them all. A rule that draws its action at random can be better where the state is hidden.)
-# It is hard to tell what a variable is worth by looking at it. Leave it out, and measure. Lesson 5 is about what an
-# agent can do when it cannot see its state.
+# **Measured.** The clock that sees the time loses only 0.34: quiet until 8:00 and then three chimes is nearly as good
+# as to listen. The one that hears her sleep does best if it never makes a sound (its three actions are those for awake,
+# dozing and fast asleep), and then she always oversleeps: whatever it does at 8:20, it would also do at 7:10. (These
+# are the best *deterministic* rules, found by trying them all.) It is hard to tell what a variable is worth by looking
+# at it. Leave it out, and measure. Lesson 5 is about what an agent can do when it cannot see its state.
 # </details>
 
 # %% [markdown]
@@ -536,6 +547,10 @@ possible = plans["the clock that sees the time"][0]
 print(f"Q-learning that sees the time: mean {returns.mean():.2f} of {possible:.2f} possible")
 
 # %% [markdown]
+# Q-learning falls short of 9.98, and ten times more steps do not change it: without the state it need not find the best
+# rule. What you measure is the variable's worth *for this agent*.
+
+# %% [markdown]
 # ## Exercises
 #
 # Each exercise has a cell for your answer, and below it a cell that checks it. The check says what was expected, what
@@ -549,7 +564,7 @@ from edugym.grading import check
 # ### Exercise 1: where the behaviour flips
 # With small `late`, the best clock does not ring even at 8:20 when she is fast asleep. It lets her oversleep. What is
 # the lowest cost of oversleeping at which ringing is best there? (The cost of a ring stays 4.) Set `late` by a formula,
-# or to two digits after the decimal point.
+# or to a number rounded to two digits after the decimal point.
 #
 # <details><summary>Hint</summary>There is one step left, so each action is worth its expected reward. A ring leaves her
 # awake with probability 0.9 and dozing otherwise; silence leaves her fast asleep. At which cost are the two
@@ -569,8 +584,8 @@ check(exercise_1, late)
 # Write the function that adds potential-based shaping to a reward. Its arguments are the reward $r$ of a step, the
 # function $\varphi$ (call it as `potential(state)`), the state $s$, the next state $s'$, whether $s'$ is terminal, and
 # the discount $\gamma$. The given function may return anything for a terminal state, but the potential of a terminal
-# state must count as 0. Before you run the check: below it the potentials are drawn at random. What will the best
-# policy be?
+# state must count as 0. The check then draws a random potential for each state and solves the problem with your
+# function. Will the best policy change?
 #
 # <details><summary>Hint</summary>It is the formula of F above, added to the reward, in one line or in three. What is
 # left of F when <code>terminated</code> is True?</details>
@@ -594,13 +609,14 @@ display(own_problem.shaped_policies(shaped_reward))
 
 # %% [markdown]
 # ### Exercise 3: give the state what it needs
-# A new sleeper gets used to the chime. She hears only the first two chimes of a morning. From the third one on, a
-# chime is like silence: her sleep may get deeper, with the same probability. Rings work as before. Now $(t, d)$ is no Markov state
-# any more: what a chime does depends on how many came before it.
+# A new sleeper gets used to the chime. She hears only the first two chimes of a morning. From the third one on, a chime
+# is like silence: her sleep may get deeper, with the same probability. Rings work as before. Now $(t, d)$ is no Markov
+# state any more: what a chime does depends on how many came before it.
 #
 # Put their number into the state: `(time, depth, chimes)`, where `chimes` is the number of chimes so far, and stays at
-# 2 from then on. A chime counts also when she is awake. Complete `observation_space`, `initial` and `transition`. Before you run the check: below it
-# Q-learning learns your problem twice, once with and once without a look at `chimes`. What will be the difference?
+# 2 from then on. A chime counts also when she is awake. Complete `observation_space`, `initial` and `transition`.
+# Before you run the check: below it Q-learning learns your problem twice, once with and once without a look at
+# `chimes`. What will be the difference?
 #
 # <details><summary>Hint</summary>Copy the method <code>transition</code> of <code>Morning</code>. Take three numbers
 # out of the state instead of two. She hears a chime if <code>action == 1 and chimes < 2</code>; look at
@@ -675,30 +691,31 @@ display(own_problem.count_matters(UsedToIt))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** "The old clock" is the policy that was best for a sleeper who hears every chime. With the new one it is worth
-# only 5.7, where the optimum is 9.9, since it was planned with wrong dynamics. But Q-learning does about as well without a look at
-# `chimes` as with it: the intervals overlap. Its table is smaller then, and what it learns from is what really happens. So two
-# questions must be kept apart. What must the *state* have, so that the dynamics are right? All that makes a difference for
-# the future. What must the *agent see*? That is a matter of measuring.
+# **Measured.** "The old clock" is the policy that was best for a sleeper who hears every chime. With the new one it is
+# worth only 5.7, where the optimum is 9.9, since it was planned with wrong dynamics. But after 20 000 steps Q-learning
+# does about as well without a look at `chimes` as with it: the intervals overlap. Here a rule that sees only time and
+# depth can be as good as the best one. So a look at `chimes` buys next to nothing. So two questions must be kept apart.
+# What must the *state* have, so that the dynamics are right? All that makes a difference for the future. What must the
+# *agent see*? That is a matter of measuring.
 # </details>
 
 # %% [markdown]
 # ### Exercise 4: your own problem
-# Now yours. It should come from something that you know: a kitchen, a bus line, a game, a shop, a plant, a queue, your phone's battery. The
-# cell below has a problem that runs, so that you can see the form: keep or sell an old bicycle, for which a random offer of 1, 2
-# or 3 comes each day. Replace it by a class of your own, under another name, and set `my_problem` to a value of it.
-# The check wants
+# Now yours. It should come from something that you know: a kitchen, a bus line, a game, a shop, a plant, a queue, your
+# phone's battery. The cell below has a problem that runs, so that you can see the form: keep or sell an old bicycle,
+# for which a random offer of 1, 2 or 3 comes each day. Replace it by a class of your own, under another name, and set
+# `my_problem` to a value of it. The check wants
 #
 # - two actions and four states or more, and chance in the dynamics;
-# - an end: terminal states that are always reached, or a field `max_steps`;
+# - an end: terminal states that are always reached, or a field `max_steps: int = 20`;
 # - a decision: no single action that is best in every state.
 #
 # Keep it small (some hundred states), with whole numbers in states and observations: then it can be solved exactly.
 #
 # <details><summary>Hint</summary>Answer the four questions at the top of this lesson in four sentences before you write code.
-# If something important is missing in the state, the method <code>transition</code> will need it and not have it. Draw all random
-# numbers from <code>rng</code>, for example <code>rng.random() &lt; 0.3</code> or <code>int(rng.random() * 3)</code>, and return new
-# states instead of changing old ones.</details>
+# If something important is missing in the state, the method <code>transition</code> will need it and not have it. Draw
+# all random numbers from <code>rng</code>, for example <code>rng.random() &lt; 0.3</code> or <code>int(rng.random() *
+# 3)</code>, and return new states instead of changing old ones.</details>
 
 
 # %%
@@ -791,10 +808,35 @@ for sheet in tour.sheets:
     display(sheet)
 
 # %% [markdown]
-# Play it until you can beat the agents, or know why you cannot. A picture helps. It is a method of the class, which
-# may be as simple as this one for the bicycle (`Scene`, `Circle` and `Text` are in `edugym.rendering.scene`):
+# **A careless reward.** Solve your problem with another reward, and judge the policy by the one that you meant. This
+# one pays 1 more for action 0; put a careless reward of yours in its place. (`what_happens` and `best_blind` are for
+# the morning only.)
+
+
+# %%
+class Careless(type(my_problem)):
+    """My problem with a careless reward."""
+
+    __slots__ = ()
+
+    def reward(self, state, action, next_state, rng):
+        """What I meant, and a bonus for action 0."""
+        return super().reward(state, action, next_state, rng) + (1.0 if action == 0 else 0.0)
+
+
+careless = Careless(*my_problem)
+policy, limit = own_problem.best_policy(careless), getattr(my_problem, "max_steps", None)
+meant = policy_evaluation(finite_model(my_problem), policy, 1.0, horizon=limit).start
+print(f"by the reward that I meant, its best policy is worth {meant:.2f} of {own_problem.solve(my_problem).start:.2f}")
+
+# %% [markdown]
+# Play it until you can beat the agents, or know why you cannot. A picture helps. It is a method of the class, which may
+# be as simple as this one for the bicycle. Put the import and the method into the cell of your class, and run from
+# there again.
 #
 # ```python
+# from edugym.rendering.scene import Circle, Scene, Text
+#
 #     def scene(self, state):
 #         day, offer = state
 #         return Scene(10, 5, (Circle(5, 2.8, 0.5 * offer), Text(5, 0.6, f"day {day}, offer {offer}", 0.7)))
@@ -823,9 +865,9 @@ play("my_problem.py")
 # %% [markdown]
 # **Hand in** the file and a page with it. (1) The wish in one sentence, and the four answers. (2) The best policy in
 # words: is it what you meant? (3) Change your reward in a careless way that sounds reasonable. Solve the problem again,
-# and say in numbers what the new reward teaches. (4) Leave one variable out of `observation`, as in `SeesTheTime`, and
-# measure what it was worth. (5) Which agent did best, and what may be a reason? Look at a friend's problem too: find a
-# policy that earns a lot and that your friend did not mean.
+# as in `Careless`, and say in numbers what the new reward teaches. (4) Leave one variable out of `observation`, as in
+# `SeesTheTime`, and measure what it was worth. (5) Which agent did best, and what may be a reason? Look at a friend's
+# problem too: find a policy that earns a lot and that your friend did not mean.
 
 # %% [markdown]
 # ## What you saw
@@ -833,25 +875,24 @@ play("my_problem.py")
 # - A problem is four answers: what the agent can do, what it must know, what happens, and what it is worth.
 # - The check finds mistakes in the form. A wrong sign in the reward is another problem, and a valid one.
 # - Even a sensible reward taught something that was not meant: to oversleep one morning in seven.
-# - Careless rewards taught the clock to wake her at dawn, and to wake her again and again. Roadrunner with $R = -1$ gives up at
-#   once. Each of these policies is the optimum of the reward that was given.
-# - Behaviour flips at thresholds of the weights; between them nothing changes.
-# - A potential pays and takes back, so it changes no best policy. It helps if it is a good guess of $v_*$, and a bad
-#   guess slows learning down.
+# - Careless rewards taught the clock to wake her at dawn, and to wake her again and again. The runner with $R = -1$
+#   gives up at once. Each of these policies is the optimum of the reward that was given.
+# - A potential pays and takes back, so it changes no best policy. Here a good guess of $v_*$ helped, and a
+#   bad guess slowed learning down.
 # - What a variable in the state is worth can be measured by leaving it out.
 #
 # ### In one paragraph
-# *Learn it by heart, or better, say it in your own words.* To state a problem is to choose states, actions, dynamics and a
-# reward. The state must include everything about the past that makes a difference for the future. The reward is not a
-# description of what I want but the only thing that is paid, and the best policy is best for what is paid. So I solve a
-# small version exactly, look at what the best policy *does*, and count what I care about, before I train anything. If I want
-# to help an agent with hints, I give them as a potential, which is paid back.
+# *Learn it by heart, or better, say it in your own words.* To state a problem is to choose states, actions, dynamics
+# and a reward. The state must include everything about the past that makes a difference for the future. The reward is
+# not a description of what I want but the only thing that is paid, and the best policy is best for what is paid. So I
+# solve a small version exactly, look at what the best policy *does*, and count what I care about, before I train
+# anything. If I want to help an agent with hints, I give them as a potential, which is paid back.
 #
 # ### Limits
-# All of this could be solved exactly, which real problems cannot. There a careless reward is found out late, by watching
-# what the agent does. We chose the numbers 4 and 10 by feeling; methods that learn a reward from examples
-# or from comparisons by people are not in this course. And a potential keeps the optimum, but not what a learner with little time, or
-# with a function approximator, ends up with.
+# All of this could be solved exactly, which real problems cannot. There a careless reward is found out late, by
+# watching what the agent does. We chose the numbers 4 and 10 by feeling; methods that learn a reward from examples or
+# from comparisons by people are not in this course. And a potential keeps the optimum, but not what a learner with
+# little time, or with a function approximator, ends up with.
 #
 # ### Further reading
 # - Sutton and Barto, *Reinforcement Learning*, 2nd edition: 3.2 (goals and rewards), 17.3 (observations and state), 17.4

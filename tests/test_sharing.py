@@ -151,6 +151,20 @@ def test_a_class_inside_a_function_is_tried_first(tmp_path: Path) -> None:
     assert [*tmp_path.iterdir()] == []
 
 
+@pytest.mark.parametrize(
+    ("drawing", "says"), [("Shape(1)", "name 'Shape' is not defined"), ("Circle(state.x, 2, 1)", "Circle")]
+)
+def test_a_picture_that_cannot_be_drawn(drawing: str, says: str, tmp_path: Path, cell: dict[str, Any]) -> None:
+    """Is refused in a sentence, and no file is left."""
+    text = f"class Drawn(Walk):\n    __slots__ = ()\n    def scene(self, state): return {drawing}\n"
+    file = "/tmp/ipykernel_1/2.py"
+    linecache.cache[file] = (len(text), None, text.splitlines(keepends=True), file)
+    exec(compile(text, file, "exec"), cell)
+    with pytest.raises(ValueError, match=f"Drawn cannot be shared, since its method scene draws no picture: .*{says}"):
+        share(cell["Drawn"](5, steps=np.array([1, 2])), tmp_path / "drawn.py")
+    assert [*tmp_path.iterdir()] == []
+
+
 def test_what_cannot_be_read(tmp_path: Path) -> None:
     """A file without an MDP, and one whose MDP is wrong."""
     (tmp_path / "empty.py").write_text("x = 1\n")

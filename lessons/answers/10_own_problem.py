@@ -122,8 +122,13 @@ late = 2.0
 late = 8
 
 # %% exercise 1, wrong: one digit
-# says: give two digits
+# says: round it to two digits
 late = 6.6
+
+# %% exercise 1, wrong: rounded the wrong way
+# says: best to stay quiet
+# says: round it to two digits
+late = 6.55
 
 # %% exercise 1, wrong: a text
 # says: leave the quotes out
@@ -274,6 +279,27 @@ def shaped_reward(reward, potential, state, next_state, terminated, discount):
     return reward + discount * after + potential(state)
 
 
+# %% exercise 2, wrong: the other potential is 0 at the end
+# says: φ(s') is 0, and not φ(s)
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    before = 0 if terminated else potential(state)
+    return reward + discount * potential(next_state) - before
+
+
+# %% exercise 2, wrong: the wrong way round
+# says: `terminated` is the wrong way round
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    after = potential(next_state) if terminated else 0
+    return reward + discount * after - potential(state)
+
+
+# %% exercise 2, wrong: the other potential, and the wrong way round
+# says: not φ(s) when it is False
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    before = potential(state) if terminated else 0
+    return reward + discount * potential(next_state) - before
+
+
 # %% exercise 2, wrong: no return
 # says: is a `return` missing
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
@@ -383,6 +409,22 @@ def transition(self, state, action, rng):
     if action == 2:
         depth = 0 if luck < 0.9 else max(depth - 1, 0)
     elif action == 1 and chimes <= 2:
+        depth = max(depth - 1, 0) if luck < 0.7 else depth
+    else:
+        depth = min(depth + 1, 2) if luck < 0.5 else depth
+    if action == 1:
+        chimes = min(chimes + 1, 2)
+    return time + 1, depth, chimes
+
+
+# %% exercise 3, wrong: deaf to rings too
+# says: she is deaf to chimes only
+def transition(self, state, action, rng):
+    time, depth, chimes = state
+    luck = rng.random()
+    if action == 2 and chimes < 2:
+        depth = 0 if luck < 0.9 else max(depth - 1, 0)
+    elif action == 1 and chimes < 2:
         depth = max(depth - 1, 0) if luck < 0.7 else depth
     else:
         depth = min(depth + 1, 2) if luck < 0.5 else depth
@@ -804,6 +846,16 @@ class Sure(Plant):
 
 
 my_problem = Sure()
+
+
+# %% exercise 4, wrong: one name too few
+# says: action_names of Named must have a name for each action
+class Named(Plant):
+    __slots__ = ()
+    action_names = ("wait",)
+
+
+my_problem = Named()
 
 
 # %% exercise 4, wrong: the actions do nothing

@@ -23,8 +23,10 @@ from typing import Any
 
 import numpy as np
 
+from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.files import write_whole
 from edugym.mdp.checking import check_mdp
+from edugym.rendering.ansi import to_text
 
 TEXT = '''\
 """{name}: a problem for reinforcement learning, written with EduGym. To play it: edugym play {file}"""
@@ -53,8 +55,8 @@ def share(mdp: Any, path: str | Path) -> Path:
         The path.
 
     Raises:
-        ValueError: it is no MDP, the path cannot be the name of a module, or the class uses something that cannot be
-            written into a file.
+        ValueError: it is no MDP, the path cannot be the name of a module, the class uses something that cannot be
+            written into a file, or its picture cannot be drawn.
         OSError: the file cannot be written.
     """
     path = Path(path)
@@ -73,16 +75,22 @@ def share(mdp: Any, path: str | Path) -> Path:
 def _try(text: str, name: str) -> None:
     """Refuse a file that could not be read again: its class may use what only the notebook has.
 
+    The picture of the first state is drawn too.
+
     Raises:
-        ValueError: it cannot be read.
+        ValueError: it cannot be read, or not drawn.
     """
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder, "tried.py")
         file.write_text(text, encoding="utf-8")
         try:
-            read_mdp(file)
+            mdp = read_mdp(file)
         except Exception as error:
             raise ValueError(f"{name} cannot be shared, since the file alone does not run: {error}") from None
+        try:
+            to_text(MDPEnv(mdp).scene())
+        except Exception as error:
+            raise ValueError(f"{name} cannot be shared, since its method scene draws no picture: {error}") from None
 
 
 def read_mdp(path: str | Path, **parameters: Any) -> Any:

@@ -7,6 +7,7 @@ import pytest
 
 from edugym.exact.branching import branches
 from edugym.exercises import own_problem as exercises
+from edugym.grading.wrong import WrongAnswer
 from edugym.lessons.own_problem import Morning, solve
 
 
@@ -37,3 +38,9 @@ def test_every_mistaken_sleeper_differs() -> None:
 
     mistakes = ["", *exercises.USED_MISTAKES.values()]
     assert len({ways(mistake) for mistake in mistakes}) == len(mistakes)
+
+
+def test_a_class_in_place_of_a_value() -> None:
+    """The sentence says so, and nothing stands before it."""
+    with pytest.raises(WrongAnswer, match=r"^my_problem must be a value, but is the class Mine: make one"):
+        exercises.exercise_4(type("Mine", (exercises.UsedToChimes,), {"__slots__": ()}), 0)

@@ -81,6 +81,14 @@ def test_what_is_missing(old: str, new: str, says: str) -> None:
             made(walk(old, new))
 
 
+@pytest.mark.parametrize("names", ["('down',)", "['down', 'up', 'on']"])
+def test_every_action_has_a_name(names: str) -> None:
+    """One too few or too many is found; a dictionary may name only some."""
+    with pytest.raises(ValueError, match=r"action_names of Walk must have a name for each action, 2, but has [13]"):
+        check_mdp(walk("    def initial", f"    action_names = {names}\n\n    def initial"))
+    check_mdp(walk("    def initial", "    action_names = {'up': 1}\n\n    def initial"))
+
+
 def test_what_is_no_mdp() -> None:
     """The answer says what to pass instead."""
     Walk = cell(WALK)["Walk"]

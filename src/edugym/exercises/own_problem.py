@@ -18,7 +18,7 @@ from edugym.mdp.protocol import Random, step_limit
 
 LATE = 59 / 9
 """The cost of oversleeping from which on a ring is best: -4 + 0.1 (1 - c) = 2 - c."""
-CLOSE = 0.006
+CLOSE = 0.005
 
 
 def exercise_1(answer: Any, seed: int) -> str:
@@ -54,7 +54,7 @@ def exercise_1(answer: Any, seed: int) -> str:
         mistakes,
         tolerance=CLOSE,
         says=says,
-        otherwise=f"it is {side}" + ("; you are close, give two digits after the decimal point" if near else ""),
+        otherwise=f"it is {side}" + ("; you are close, round it to two digits after the decimal point" if near else ""),
     )
     return "Right: 59/9. Below it the best clock lets her oversleep in peace. Nothing in its code says so but a number."
 
@@ -75,6 +75,11 @@ SHAPING_MISTAKES: Mapping[str, Callable[..., float]] = {
     "that is the shaping reward alone; add the reward": lambda r, a, b, end, g: g * b * (not end) - a,
     "at the end the bill still has to be paid: − φ(s) counts also when `terminated`": lambda r, a, b, end, g: (
         r if end else r + g * b - a
+    ),
+    "when `terminated`, φ(s') is 0, and not φ(s)": lambda r, a, b, end, g: r + g * b - a * (not end),
+    "`terminated` is the wrong way round: φ(s') counts when it is False": lambda r, a, b, end, g: r + g * b * end - a,
+    "both: when `terminated` is True it is φ(s') that is 0, and not φ(s) when it is False": lambda r, a, b, end, g: (
+        r + g * b - a * end
     ),
     "that is the reward alone, without shaping": lambda r, a, b, end, g: r,
     "only φ(s') is discounted, not φ(s)": lambda r, a, b, end, g: r + g * (b * (not end) - a),
@@ -144,7 +149,7 @@ class UsedToChimes(Morning):
         if mistake == "deaf":
             heard = action == 1
         luck = rng.random()
-        if action == RING:
+        if action == RING and not (mistake == "deaf to rings" and before == 2):
             depth = 0 if luck < 0.9 else max(depth - 1, 0)
         elif heard:
             depth = max(depth - 1, 0) if luck < 0.7 else depth
@@ -156,6 +161,7 @@ class UsedToChimes(Morning):
 USED_MISTAKES = {
     "the second chime does nothing any more: look at how many chimes came *before* this one": "first",
     "she hears every chime; after two of them a chime should be like silence (is it `chimes < 2`?)": "deaf",
+    "after two chimes a ring does nothing any more: she is deaf to chimes only": "deaf to rings",
     "rings are counted as well; count chimes only": "rings",
     "every action is counted; count a chime only": "all",
     "chimes are not counted: the third number has to grow with every chime": "none",
@@ -243,6 +249,14 @@ def _told(ways: Mapping[Any, float]) -> str:
     return " or ".join(f"{state} (p = {p:.2g})" for state, p in sorted(ways.items()))
 
 
+def _require_mine(answer: Any) -> None:
+    """Refuse what is no MDP, such as a class in place of a value."""
+    try:
+        require_mdp(answer, "my_problem")
+    except ValueError as error:
+        raise WrongAnswer(str(error)) from None
+
+
 def exercise_4(answer: Any, seed: int) -> str:
     """Check that a student's own problem is one: it runs, chance and decisions matter, and no one action is best."""
     given("my_problem", answer)
@@ -252,7 +266,7 @@ def exercise_4(answer: Any, seed: int) -> str:
         raise WrongAnswer("that is the problem of the lesson: write one of your own, under its own name")
     try:
         with running("my_problem"):
-            require_mdp(answer, "my_problem")
+            _require_mine(answer)
             check_mdp(answer)
             values = solve(answer)
     except ValueError as error:

@@ -90,6 +90,7 @@ def check_mdp(mdp: Any, n_steps: int = CHECKED_STEPS) -> list[Any]:
         ValueError: it is no MDP, or one of its methods returns what it may not.
     """
     require_mdp(mdp)
+    _require_names(mdp)
     mdp, rng, actions = copy.deepcopy(mdp), np.random.default_rng(0), copy.deepcopy(mdp.action_space)
     actions.seed(0)
     checked = not is_own(mdp)
@@ -111,6 +112,15 @@ def check_mdp(mdp: Any, n_steps: int = CHECKED_STEPS) -> list[Any]:
             state = mdp.initial(rng)
             states.append(state)
     return states
+
+
+def _require_names(mdp: Any) -> None:
+    """Refuse a list of names of actions that is too short or too long."""
+    names, actions = getattr(mdp, "action_names", None), mdp.action_space
+    if isinstance(names, tuple | list) and isinstance(actions, spaces.Discrete) and len(names) != actions.n:
+        raise ValueError(
+            f"action_names of {_name(mdp)} must have a name for each action, {actions.n}, but has {len(names)}"
+        )
 
 
 def checked_step(mdp: MDP[Any, Any], state: Any, action: Any, rng: Random) -> tuple[Any, float, bool, Any]:

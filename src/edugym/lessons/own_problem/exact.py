@@ -43,14 +43,17 @@ class Night(NamedTuple):
     def __str__(self) -> str:
         """Return all of it in one line."""
         return (
-            f"return as meant {self.meant:6.2f}, asleep {self.sleep:3.0f} minutes, rings {self.rings:.2f}, "
+            f"return as meant {self.meant:6.2f}, asleep or dozing {self.sleep:3.0f} minutes, rings {self.rings:.2f}, "
             f"wakings {self.wakings:.2f}, oversleeps with probability {self.late:.2f}"
         )
 
 
 def best_policy(mdp: Any) -> Reals:
-    """Return the policy that is best for the reward of an MDP, by value iteration; equal actions share."""
-    return value_iteration(finite_model(mdp), DISCOUNT).greedy_policy()
+    """Return the policy that is best for the reward of an MDP, by value iteration; equal actions share.
+
+    With a step limit it is the one that is best in the first step.
+    """
+    return solve(mdp).greedy_policy()
 
 
 def what_happens(mdp: Any, policy: Reals) -> Night:
