@@ -694,7 +694,7 @@ display(own_problem.count_matters(UsedToIt))
 # **Measured.** "The old clock" is the policy that was best for a sleeper who hears every chime. With the new one it is
 # worth only 5.7, where the optimum is 9.9, since it was planned with wrong dynamics. But after 20 000 steps Q-learning
 # does about as well without a look at `chimes` as with it: the intervals overlap. Here a rule that sees only time and
-# depth can be as good as the best one. So a look at `chimes` buys next to nothing. So two questions must be kept apart.
+# depth can be as good as the best one, so a look at `chimes` buys next to nothing. Two questions must be kept apart.
 # What must the *state* have, so that the dynamics are right? All that makes a difference for the future. What must the
 # *agent see*? That is a matter of measuring.
 # </details>
@@ -827,7 +827,8 @@ class Careless(type(my_problem)):
 careless = Careless(*my_problem)
 policy, limit = own_problem.best_policy(careless), getattr(my_problem, "max_steps", None)
 meant = policy_evaluation(finite_model(my_problem), policy, 1.0, horizon=limit).start
-print(f"by the reward that I meant, its best policy is worth {meant:.2f} of {own_problem.solve(my_problem).start:.2f}")
+optimum = own_problem.solve(my_problem).start
+print(f"the policy that the careless reward teaches is worth, as I meant it, {meant:.2f} of {optimum:.2f}")
 
 # %% [markdown]
 # Play it until you can beat the agents, or know why you cannot. A picture helps. It is a method of the class, which may

@@ -35,7 +35,7 @@ def test_the_lesson_writes_the_same_class() -> None:
     cells = build.read_lesson(build.ROOT / "lessons" / "10_own_problem.py").cells
     names: dict[str, Any] = {"__name__": "__main__"}
     for cell in [cell.source for cell in cells if is_code(cell)]:
-        if cell.startswith("from typing import NamedTuple"):
+        if "\nfrom typing import NamedTuple\n" in cell:
             exec(cell, names)
         if cell.startswith("class Morning(NamedTuple)"):
             exec(cell, names)
