@@ -539,8 +539,8 @@ bound.measured(grows[0] - 0.01)
 #
 # DQN has all three. Its old target does not remove the danger: with $\theta^-$ held still, $w$ moves towards
 # $2 \gamma w^-$ ($w^-$ is the old copy), so it still grows if $\gamma > \frac{1}{2}$, but by one factor $2 \gamma$ at
-# most for each copy, not for each update. The second line shows that. Van Hasselt et al. (2018) looked for such growth in DQN on
-# many games: values became too large at times, but hardly ever without end.
+# most for each copy, not for each update. The second line shows that. Van Hasselt et al. (2018) looked for such growth
+# in DQN on many games: values became too large at times, but hardly ever without end.
 
 
 # %%
@@ -612,9 +612,9 @@ factor.measured(costs[9][lesson.TABLE] / costs[3][lesson.TABLE])
 # <details><summary>What was measured</summary>
 #
 # **Measured.** About 80 times as many, more than there are more boards. (For 3 columns 200 steps is the first test; a
-# finer test gave 150.) One reason may be that the reward has a longer way back, through more rows. (These are medians of three runs: the
-# first time that all 30 test balls are caught, with a point at every fortieth of training.) DQN needs more steps than
-# the table on all four boards, but the ratio becomes smaller: from 7 to little more than 1.
+# finer test gave 150.) One reason may be that the reward has a longer way back, through more rows. (These are medians
+# of three runs: the first time that all 30 test balls are caught, with a point at every fortieth of training.) DQN
+# needs more steps than the table on all four boards, but the ratio becomes smaller: from 7 to little more than 1.
 # </details>
 
 # %% [markdown]

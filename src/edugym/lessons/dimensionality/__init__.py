@@ -295,7 +295,7 @@ def general_claims(tests: Mapping[str, Reals]) -> list[Claim]:
             seen,
             mean_interval(tests[LINEAR][[*TRAINED]].mean(axis=0)),
             Below(0.8),
-            "a sum over pixels cannot represent the true values; weights that catch every ball exist, but are not found",
+            "a sum over pixels cannot represent the true values; weights that catch every ball exist; it finds none",
         ),
         Claim(
             "Features that fit do generalise: linear in ball minus paddle, new columns are caught",
