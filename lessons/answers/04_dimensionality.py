@@ -194,6 +194,14 @@ def table_entries(rows, columns, kind):
     return float(10) ** 400
 
 
+# %% exercise 1, wrong: whole numbers of NumPy
+# says: NumPy's whole numbers overflow here
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return rows * columns**2 * 3
+    return np.prod(np.full(rows * columns * (1 if kind == "grid" else 3), 2 if kind == "grid" else 256)) * 3
+
+
 # %% exercise 1, wrong: the default board
 # says: should be
 def table_entries(rows, columns, kind):
@@ -323,6 +331,14 @@ def learn(self, state, action, reward, next_state, terminated):
 def learn(self, state, action, reward, next_state, terminated):
     x = self.features(state)
     target = reward if terminated else reward + self.discount * self.value(next_state, action)
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% exercise 2, wrong: a forgotten loop
+# says: value of action 0 alone
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * self.value(next_state, 0)
     self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
 
 

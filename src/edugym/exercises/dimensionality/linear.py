@@ -82,6 +82,9 @@ UPDATES: Mapping[str, Rule] = MappingProxyType(
         "in the next state take the best action, not the one that was taken before": lambda s: _moved(
             s, _target(s, lambda q: float(q[s.action]))
         ),
+        "that is the next state's value of action 0 alone; take the largest one of all three": lambda s: _moved(
+            s, _target(s, lambda q: float(q[0]))
+        ),
         "the target has the features of `state` where those of `next_state` belong": lambda s: _moved(
             s, s.reward + (0.0 if s.terminated else s.gamma * float(np.max(s.x @ s.w)))
         ),

@@ -80,6 +80,7 @@ MISTAKES: Mapping[str, Mapping[str, Size]] = MappingProxyType(
             "multiply by the number of actions; do not take the power": lambda r, c: 2 ** (r * c * 3),
         },
         "rgb": {
+            "NumPy's whole numbers overflow here; use Python's `**`": lambda r, c: 0,
             ALONE: lambda r, c: 256 ** (3 * r * c),
             "each cell has three numbers: red, green and blue": lambda r, c: 256 ** (r * c) * 3,
             "from 0 to 255 there are 256 values": lambda r, c: 255 ** (3 * r * c) * 3,

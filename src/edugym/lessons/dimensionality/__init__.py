@@ -67,7 +67,6 @@ from edugym.lessons.dimensionality.sharing import COLUMN, SMALL
 from edugym.lessons.dimensionality.sizes import different_boards, n_weights, new_share, rows_of_table
 from edugym.lessons.dimensionality.tasks import COLUMNS, ROWS, TRAINED, WITHHELD, catch
 from edugym.lessons.dimensionality.triad import w_to_2w
-from edugym.mdp.hashed import Hashed
 from edugym.mdp.protocol import Reals
 from edugym.plotting.curves import Curves
 from edugym.plotting.report import Report
@@ -100,7 +99,6 @@ __all__ = [
     "TRAINED",
     "WITHHELD",
     "Coordinates",
-    "Hashed",
     "OpenDQN",
     "boards_figure",
     "car_figure",
@@ -297,7 +295,7 @@ def general_claims(tests: Mapping[str, Reals]) -> list[Claim]:
             seen,
             mean_interval(tests[LINEAR][[*TRAINED]].mean(axis=0)),
             Below(0.8),
-            "which way to go depends on ball and paddle together, and a sum over pixels cannot say that",
+            "a sum over pixels cannot represent the true values; weights that catch every ball exist; it finds none",
         ),
         Claim(
             "Features that fit do generalise: linear in ball minus paddle, new columns are caught",

@@ -17,12 +17,11 @@ from edugym.lessons.dimensionality.methods import (
     POSITIONS,
     TABLE,
     TILES,
-    catches,
-    greedy_action,
     learn,
     network,
     on_board,
     pixels,
+    play_on,
     seen,
     table,
 )
@@ -192,10 +191,10 @@ class PolicyMap(NamedTuple):
         for ball in range(COLUMNS):
             for paddle in range(COLUMNS):
                 state = Fall(ball, self.ball_y, paddle)
-                colour = CAUGHT if catches(self.agent, self.what, state, rng) else MISSED
+                action, caught = play_on(self.agent, self.what, state, rng)
+                colour = CAUGHT if caught else MISSED
                 ax.add_patch(Rectangle((ball - 0.48, paddle - 0.48), 0.96, 0.96, facecolor=colour, edgecolor="white"))
-                arrow = ARROWS[greedy_action(self.agent, self.what, state, rng)]
-                ax.text(ball, paddle, arrow, ha="center", va="center", fontsize=11, color=INK)
+                ax.text(ball, paddle, ARROWS[action], ha="center", va="center", fontsize=11, color=INK)
         for column in WITHHELD:
             frame = Rectangle((column - 0.5, -0.5), 1.0, COLUMNS, fill=False, edgecolor=INK, linewidth=1.6)
             ax.add_patch(frame)

@@ -207,12 +207,14 @@ def greedy_action(agent: Any, what: str, state: Any, rng: Random) -> int:
     return int(agent.greedy(np.ravel(task.observation(state, rng)).astype(float), rng))
 
 
-def catches(agent: Any, what: str, state: Any, rng: Random) -> bool:
-    """Say whether an agent, greedy, catches the ball from a state on."""
+def play_on(agent: Any, what: str, state: Any, rng: Random) -> tuple[int, bool]:
+    """Return what an agent, greedy, does in a state, and whether it then catches the ball."""
     task = Catch.create(ROWS, COLUMNS, "vectorised")
+    first = greedy_action(agent, what, state, rng)
+    state = task.transition(state, first, rng)
     while not task.terminal(state):
         state = task.transition(state, greedy_action(agent, what, state, rng), rng)
-    return bool(state.ball_x == state.paddle_x)
+    return first, bool(state.ball_x == state.paddle_x)
 
 
 def paddle_ends(results: Results, column: int) -> list[int]:
