@@ -81,11 +81,12 @@ def try_sliders(page: Page, box: Any) -> int:
     handles = page("[...arguments[0].querySelectorAll('.widget-hslider .noUi-handle')]", box)
     for handle in handles:
         low, high, now = (float(handle.get_attribute(f"aria-value{name}")) for name in ("min", "max", "now"))
+        name = page("arguments[0].closest('.widget-hslider').querySelector('.widget-label').innerText", handle)
         ends = [("right", high), ("left", low)]
         for side, value in ends[::-1] if now == high else ends:
             before = page.picture(box)
             page.drag(handle, side)
-            until(partial(is_another_picture, page, box, before), "another picture", 30)
+            until(partial(is_another_picture, page, box, before), f"another picture: {name} moved to {value:g}", 30)
             assert float(handle.get_attribute("aria-valuenow")) == value
     assert page.errors(box) == []
     return len(handles)

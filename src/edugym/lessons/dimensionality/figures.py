@@ -242,9 +242,10 @@ def boards_figure(
     size = learn(on_board(columns, "vectorised"), TABLE, make, **how)
     noise = learn(pixels(levels=levels, capacity=60_000), TABLE, make, **how)
     look: dict[str, Any] = {"optimum": 1.0, "y_range": (-1.05, 1.05)}
+    settings = f"ε = {epsilon:g}, α = {alpha:g}, γ = {gamma:g}"
     titles = (
-        f"{columns} columns, {2 * columns} rows, no noise",
-        f"one pixel of {levels} levels" if levels else "no noise",
+        f"{columns} columns, {2 * columns} rows, no noise\n{settings}",
+        f"one pixel of {levels} levels\n{settings}" if levels else f"no noise\n{settings}",
     )
     return Sheet("boards", [[Learning(one, title, **look) for one, title in zip((size, noise), titles, strict=True)]])
 
@@ -257,7 +258,7 @@ def network_figure(
 
     make = network(hidden=hidden, learning_rate=alpha, discount=gamma, exploration=EpsilonGreedy(epsilon))
     results = learn(seen(sigma=sigma), NETWORK, make, n_steps=n_steps, points=10, repetitions=repetitions, jobs=1)
-    title = f"{hidden} hidden units, α = {alpha:g}, σ = {sigma:g}"
+    title = f"{hidden} hidden units, σ = {sigma:g}\nε = {epsilon:g}, α = {alpha:g}, γ = {gamma:g}"
     return Sheet("network", [[Learning(results, title, optimum=1.0, y_range=(-1.05, 1.05))]])
 
 
