@@ -910,6 +910,23 @@ def update(self, n):
             self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
 
 
+# %% exercise 3, wrong: the whole buffer
+# says: this episode has only its first n steps
+def update(self, n):
+    G = 0.0
+    for t in range(len(self.rewards) - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
 # %% exercise 3, wrong: the first step missing
 # says: the first step of the episode is left out
 def update(self, n):

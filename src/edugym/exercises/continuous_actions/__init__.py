@@ -194,7 +194,7 @@ CHALLENGE = Challenge(
     baselines=MappingProxyType(
         {
             "the lesson's agent": gaussian,
-            "with all values 0 at first": lambda task: GaussianActorCritic.create(
+            "the same, all values 0 at first": lambda task: GaussianActorCritic.create(
                 task, features=tiles_on_the_wrist(task), learning_rate=0.02, value_learning_rate=0.4
             ),
             "narrow, σ = 0.2": partial(gaussian, spread=0.2),

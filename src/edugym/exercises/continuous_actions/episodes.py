@@ -15,6 +15,8 @@ SHAPE = (7, 3)
 """The size of the tables."""
 STALE = (0.5, 0.25, 0.25)
 """What stands in `probabilities` before `update`: that of another state."""
+OLD = 7.0
+"""The reward that an earlier, longer episode has left in every place of `rewards`."""
 SETTINGS: Mapping[str, float] = MappingProxyType({"learning_rate": 0.5, "value_learning_rate": 0.25, "discount": 0.8})
 
 
@@ -98,6 +100,7 @@ def _returns(rewards: list[float], discount: float, kind: str) -> list[float]:
         "discounted reward": [discount * g for g in G],
         "absolute": [sum(discount**k * rewards[k] for k in range(t, n)) for t in range(n)],
         "last": [rewards[-1]] * n,
+        "buffer": [G[t] + discount ** (n - t) * OLD / (1.0 - discount) for t in range(n)],
     }[kind]
 
 
@@ -139,6 +142,7 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
         "the reward R_{t+1} itself is discounted; only what follows it should be": {"return": "discounted reward"},
         "G_t is discounted from step t on, and not from the start of the episode": {"return": "absolute"},
         "every step gets the last reward alone": {"return": "last"},
+        "it goes through the whole of `rewards`; this episode has only its first n steps": {"return": "buffer"},
         "π is missing in the score: it is 1{a = A} − π(a|S)": {"score": "one"},
         "only the preference of the action that was taken changes; all others change by −π": {"score": "own"},
         "the sign of the score is wrong: it is 1{a = A} − π(a|S)": {"score": "minus"},
@@ -232,6 +236,7 @@ def _learned(kind: Any, case: Case) -> tuple[Any, Any]:
             raise WrongAnswer(f"MyREINFORCE should keep its field `{name}`")
     agent = agent._replace(**SETTINGS) if hasattr(agent, "_replace") else agent
     agent.preferences[:], agent.V[:], agent.probabilities[:] = case.preferences, case.V, STALE
+    agent.rewards[:] = OLD
     n = len(case.states)
     with running(f"learn, at the end of an episode of {n} steps,"):
         for t in range(n):
