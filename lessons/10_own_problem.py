@@ -329,11 +329,11 @@ for method, returns in worth.items():
 
 # %% [markdown]
 # All five learn a good clock. Dyna, which replays what it has seen, is close to the optimum after 1 000 steps (125
-# mornings), and finds the best policy in most runs. 3-step SARSA is second: it needs about 4 000 steps to come close.
-# The other three need most of the 10 000. In most runs these four end at 9.78 or better, of 10.32. The novelty reward
-# is no help here: its line is close to that of Q-learning. One reason may be that exploring is easy in this problem.
-# (On the left the points are means of played episodes, which luck may lift above the optimum; on the right the policies
-# are evaluated exactly.)
+# mornings), and finds the best policy in most runs. 3-step SARSA is the second fastest: after about 4 000 steps it is
+# within 1 of the optimum. The other three need most of the 10 000. Most runs of these four end at 9.78 (rounded) or
+# better, of 10.32; their means are a little lower. The novelty reward is no help here: its line is close to that of
+# Q-learning. One reason may be that exploring is easy in this problem. (On the left the points are means of played
+# episodes, which luck may lift above the optimum; on the right the policies are evaluated exactly.)
 
 # %% [markdown]
 # ## Your turn
@@ -356,7 +356,8 @@ sliders(own_problem.weights_sheet, ring=(0.0, 12.0, 0.5), late=(0.0, 30.0, 0.5),
 # The map does not change smoothly. There are finitely many policies, and the return of each is a straight line in each
 # weight. So for long stretches of a slider the same policy is best, and then a cell flips. If the clock ever comes to
 # that cell, its behaviour changes too. If not, only the map changes: raise `late` from 10 to 11 and look at the title.
-# A small change of a reward may matter a lot or not at all. You see which when you solve the problem.
+# (The cell *dozing at 8:00* flips. The clock is quiet until 8:00, so she is still fast asleep then.) A small change of
+# a reward may matter a lot or not at all. You see which when you solve the problem.
 
 # %% [markdown]
 # ## See inside: what a careless reward teaches
@@ -422,9 +423,9 @@ progress.measured(progress.options[2 if wakings > 1.5 else 1 if earlier else 0])
 #
 # **Measured.** Paid for being awake, the clock chimes from 7:10 on, and she sleeps 19 minutes instead of 66. Paid for
 # waking, it chimes until she wakes, is quiet until she dozes off, and wakes her again: 2.4 times on average, and she
-# sleeps 37 minutes. With both rewards she hardly ever oversleeps. By the reward that was meant they return 2.3 and 2.4,
-# less than a quarter of the optimum, 10.3. This is called *reward hacking*, but nobody is hacked: the agent does what
-# it is paid for. (A cell with two letters has two best actions. The fourth map belongs to the next part.)
+# sleeps 37 minutes. With either reward she hardly ever oversleeps. By the reward that was meant they return 2.3 and
+# 2.4, less than a quarter of the optimum, 10.3. This is called *reward hacking*, but nobody is hacked: the agent does
+# what it is paid for. (A cell with two letters has two best actions. The fourth map belongs to the next part.)
 # </details>
 
 # %% [markdown]
@@ -547,8 +548,9 @@ possible = plans["the clock that sees the time"][0]
 print(f"Q-learning that sees the time: mean {returns.mean():.2f} of {possible:.2f} possible")
 
 # %% [markdown]
-# Q-learning falls short of 9.98, and ten times more steps do not change it: without the state it need not find the best
-# rule. What you measure is the variable's worth *for this agent*.
+# Q-learning falls short of 9.98. With the full state it also fell short after 10 000 steps (9.76 of 10.32). One reason
+# may be that Q-learning has no guarantee where it does not see the whole state. What you measure is the variable's
+# worth *for this agent*.
 
 # %% [markdown]
 # ## Exercises
@@ -694,10 +696,9 @@ display(own_problem.count_matters(UsedToIt))
 # **Measured.** "The old clock" is the policy that was best for a sleeper who hears every chime. With the new one it is
 # worth only 5.7, where the optimum is 9.9, since it was planned with wrong dynamics. But after 20 000 steps Q-learning
 # does about as well without a look at `chimes` as with it: the intervals overlap. Here a rule that sees only time and
-# depth can be as good as the best one, so a look at `chimes` buys next to nothing. Two questions must be kept apart.
-# What must the *state* have, so that the dynamics are right? All that makes a difference for the future. What must the
-# *agent see*? That is a matter of measuring.
-# </details>
+# depth can be as good as the best one, so a look at `chimes` can gain next to nothing. Both learners are still about 1
+# below the optimum. Two questions must be kept apart. What must the *state* have, so that the dynamics are right? All
+# that makes a difference for the future. What must the *agent see*? That is a matter of measuring. </details>
 
 # %% [markdown]
 # ### Exercise 4: your own problem

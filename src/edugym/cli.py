@@ -3,8 +3,7 @@
 import os
 import sys
 
-INTERRUPTED = 130
-"""The exit status of a command that Ctrl-C ended, as shells expect it."""
+from edugym.interrupts import INTERRUPTED
 
 
 def main() -> None:

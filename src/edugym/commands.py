@@ -11,10 +11,9 @@ from typing import Annotated, Any, Literal
 
 from gymnasium.error import DependencyNotInstalled
 
-from edugym.cli import INTERRUPTED
 from edugym.extras import require
 from edugym.files import check_writable, write_whole
-from edugym.interrupts import Work, interruptibly
+from edugym.interrupts import INTERRUPTED, Work, interruptibly
 from edugym.lessons import lesson_names, load_experiments
 from edugym.plotting.report import Report, Section, markdown
 from edugym.registration import in_course_order, parameters_of

@@ -29,6 +29,8 @@ from typing import Any, ParamSpec, TypeVar
 P = ParamSpec("P")
 T = TypeVar("T")
 
+INTERRUPTED = 130
+"""The exit status of a command that Ctrl-C ended, as shells expect it."""
 PATIENCE = 0.1
 """The seconds in which runs may stop by themselves and return what is done, after the order to stop."""
 
