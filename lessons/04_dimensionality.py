@@ -98,10 +98,11 @@ print(f"image:     a number of rows with {len(str(image))} digits")
 lesson.size_sheet()
 
 # %% [markdown]
-# Read $10^2$ on the y axis as $10^{100}$ rows. (There are about $10^{80}$ atoms in the universe.) The two lowest lines
-# lie close together: "boards that occur" are the different boards that can be seen while the ball falls. There are
-# exactly as many as states that can occur, 195: each state shows one board, and no two look alike. (Of the 250
-# positions, some cannot be reached, and in 25 the ball is already down.)
+# The y axis shows powers of ten, and it is logarithmic: $10^2$ on it means $10^{100}$. The line of the network counts
+# weights, all others rows. (There are about $10^{80}$ atoms in the universe.) The two lowest lines lie close together:
+# "boards that occur" are the different boards that can be seen while the ball falls. There are exactly as many as
+# states that can occur, 195: each state shows one board, and no two look alike. (Of the 250 positions, some cannot be
+# reached, and in 25 the ball is already down.)
 #
 # So a table could hold rows for those boards alone. It does not need to know them beforehand: a *hashed* table gives a
 # row to each board when it is seen for the first time.
@@ -253,9 +254,9 @@ sees.measured(sees.options[sum(int(means[lesson.PIXELS] > 0.5) for means in list
 #
 # **Measured.** In one, that with one noisy pixel. It makes 16 rows of every board, and each is learned alone, so the
 # table needs many more steps. With noise of real numbers, or a new brightness at every step, no board comes a second
-# time. Every row is new, and the table acts at random for ever. The network learns in all four panels. Its values are a
-# continuous function of the pixels: boards that differ a little have values that differ a little.
-# </details>
+# time. Every row is new, and the table acts at random for ever. The network learns in all four panels. One reason may
+# be that its values are a continuous function of the pixels: boards that differ a little have values that differ a
+# little. </details>
 
 # %% [markdown]
 # ## Your turn
@@ -411,8 +412,7 @@ unseen.measured(len(generalises))
 # **Measured.** One: the agent that sees ball minus paddle. A network does *not* generalise by itself. On pixels it does
 # no better on new columns than a table. (Linear in the pixels does not learn even the training columns. Its sum has no
 # term for ball and paddle together, so it cannot represent the true values. Weights exist that catch every ball: try to
-# find them. Q-learning looks for values, and did not find them.)
-# </details>
+# find them. Q-learning looks for correct values, not for a good policy, and it did not find these weights.) </details>
 #
 # ### The picture that explains it
 # Each cell is a state, with the ball in row 5. The arrow is what the agent does there; • is stay. A cell is green if
@@ -527,19 +527,19 @@ bound.measured(grows[0] - 0.01)
 # <details><summary>What was measured</summary>
 #
 # **Measured.** Above one half. The factor $1 + \alpha (2 \gamma - 1)$ is larger than 1 for every
-# $\gamma > \frac{1}{2}$, and no $\alpha$ helps. Each update lifts the value of the first state towards the second, and
-# with it the second one, which is the target, twice as far.
+# $\gamma > \frac{1}{2}$, and no $\alpha$ helps. Each update moves $w$ towards the target $2 \gamma w$. But the
+# target moves as well, $2 \gamma$ times as far: if $2 \gamma > 1$, $w$ never reaches it.
 # </details>
 #
 # Three things come together here. Sutton and Barto call them the *deadly triad* (section 11.3): **function
 # approximation** (states share a weight), **bootstrapping** (the target contains a learned value), and **off-policy
 # learning** (steps are learned from in other proportions than the policy makes them: after the second state something
-# must follow, and that step is left out). Without any one of the three nothing grows; the dotted line shows one case:
-# it has the step to the end as well, as on-policy learning has.
+# must follow, and that step is left out). In this example nothing grows if any one of the three is missing; the dotted
+# line shows one case: it has the step to the end as well, as on-policy learning has.
 #
 # DQN has all three. Its old target does not remove the danger: with $\theta^-$ held still, $w$ moves towards
 # $2 \gamma w^-$ ($w^-$ is the old copy), so it still grows if $\gamma > \frac{1}{2}$, but by one factor $2 \gamma$ at
-# most for each copy, not for each update. The second line shows that. Van Hasselt et al. (2018) looked for such growth
+# most for each copy, not for each update. The dashed line shows that. Van Hasselt et al. (2018) looked for such growth
 # in DQN on many games: values became too large at times, but hardly ever without end.
 
 
@@ -559,8 +559,8 @@ sliders(triad, gamma=(0.0, 1.0, 0.05), alpha=(0.05, 0.2, 0.05), copy_every=[1, 5
 # CNN, for 12 000 steps. (DQN: 8 copies of the task, learning rate 0.001, batches of 64. PPO: 64 copies, learning rate
 # 0.002, on images 0.001.)
 #
-# **Predict.** An image has 150 numbers of 256 levels, the grid 50 of two. How many more steps does PPO need on the
-# image to get to a mean return of 0.9?
+# **Predict.** An image has 150 numbers of 256 levels, the grid 50 of two. How many steps does PPO need on the
+# image to get to a mean return of 0.9, compared with the grid?
 
 # %%
 more = predict("PPO on the image needs ...", ["at most twice as many steps", "2 to 10 times as many", "more"])
