@@ -4,9 +4,12 @@ from typing import Any, NamedTuple
 
 import joblib
 import pytest
+from joblib.externals.loky.process_executor import _RemoteTraceback
 
+import edugym
 from edugym import QLearning
 from edugym.envs.trashbot import Trashbot
+from edugym.mdp.checking import end_at_students_line
 from edugym.mdp.discretised import DiscreteActions, Discretised
 from edugym.mdp.protocol import Random
 from tests.training.experiments import same, small
@@ -60,3 +63,15 @@ def test_an_error_in_another_process_names_the_students_line() -> None:
     assert note.startswith("In another process: ")
     assert note.endswith("in act\n    return [0][state + 1]")
     assert __file__ in note
+
+
+def test_an_error_of_the_package_in_another_process_names_the_students_line_or_none() -> None:
+    """Frames of the package, of joblib and of the standard library are no help."""
+    frame = '  File "{}", line 3, in act\n    raise ValueError\n'
+    for students, notes in (("", []), (frame.format("/home/me/edugym/mine.py"), ["/home/me/edugym/mine.py"])):
+        error = ValueError("action is 7")
+        told = "Traceback (most recent call last):\n" + students + frame.format(edugym.__file__) + "ValueError: 7"
+        error.__cause__ = _RemoteTraceback(told)
+        end_at_students_line(error)
+        assert error.__cause__ is None
+        assert [note.split('"')[1] for note in getattr(error, "__notes__", [])] == notes

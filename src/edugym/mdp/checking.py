@@ -10,6 +10,8 @@ import dis
 import inspect
 import re
 from collections.abc import Iterable
+from importlib.util import find_spec
+from pathlib import Path
 from types import TracebackType
 from typing import Any
 
@@ -272,10 +274,20 @@ def _say_where_in_another_process(error: Exception) -> None:
     """If the error comes from a process of joblib, note the student's line instead of the traceback of all frames."""
     cause = error.__cause__
     if type(cause).__name__ == "_RemoteTraceback":
-        *_, last = re.split(r'^  File (?=")', str(cause), flags=re.MULTILINE)
-        lines = last.splitlines()[:2]  # the place, and the line of code
         error.__cause__ = None
-        error.add_note("\n".join([f"In another process: {lines[0]}", *lines[1:]]))
+        frames = re.split(r'^  File (?=")', str(cause), flags=re.MULTILINE)[1:]
+        students = [frame for frame in frames if not _is_unshown(frame.split('"')[1])]
+        if students:
+            place, *code = students[-1].splitlines()[:2]
+            error.add_note("\n".join([f"In another process: {place}", *code]))
+
+
+def _is_unshown(file: str) -> bool:
+    """Whether a file belongs to one of the packages whose frames are not shown."""
+    found = [spec.origin for name in UNSHOWN if (spec := find_spec(name)) and spec.origin]
+    return any(
+        Path(file).is_relative_to(Path(one).parent) if one.endswith("__init__.py") else file == one for one in found
+    )
 
 
 def _explain_frozen_field(error: AttributeError, last: TracebackType) -> None:
