@@ -250,5 +250,5 @@ def weights_sheet(ring: float = 4.0, late: float = 10.0, bonus: float = 0.0) -> 
     mdp = Morning(ring=float(ring), late=float(late))
     night = what_happens(mdp, best_policy(WithBonus(mdp, float(bonus))))
     happens = f"{night.rings:.1f} rings, {night.wakings:.1f} wakings, oversleeps {night.late:.0%}"
-    told = f"asleep {night.sleep:.0f} min, {happens}"
+    told = f"asleep or dozing {night.sleep:.0f} min, {happens}"
     return Sheet("weights", [[morning_map(WithBonus(mdp, float(bonus)), told)]])
