@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
+from edugym.grading.patience import LIMIT, ending
 from edugym.grading.wrong import Unsolved, WrongAnswer
 
 PACKAGE = str(Path(__file__).resolve().parents[1])
@@ -47,18 +48,19 @@ HINTS = (
 
 
 @contextmanager
-def running(what: str) -> Iterator[None]:
+def running(what: str, limit: float = LIMIT) -> Iterator[None]:
     """Run a student's code: an error in it becomes one sentence, and a placeholder "not solved yet".
 
     Args:
         what: what is running, for the sentence: "optimist(wall)".
+        limit: the seconds of processor time that it may take.
 
     Raises:
-        WrongAnswer: the code raises an error.
+        WrongAnswer: the code raises an error, or does not end.
         Unsolved: the code is the placeholder of the exercise.
     """
     try:
-        with np.errstate(all="ignore"), warnings.catch_warnings():
+        with ending(what, limit), np.errstate(all="ignore"), warnings.catch_warnings():
             warnings.simplefilter("ignore")
             yield
     except WrongAnswer:
