@@ -20,7 +20,7 @@ def test_every_mistake_in_sizes_is_one(kind: str) -> None:
 def test_every_mistake_in_the_update_is_one() -> None:
     """Over the cases of a check each differs from the right weights, and from those of the other mistakes."""
     rng = np.random.default_rng(0)
-    cases = [linear._some_step(rng, terminated=k % 3 == 2) for k in range(9)]
+    cases = linear.made_up_steps(rng)
     made = {why: np.array([rule(case) for case in cases]) for why, rule in linear.UPDATES.items()}
     made["right"] = np.array([linear.right_update(case) for case in cases])
     for one in made:

@@ -7,18 +7,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from edugym.grading.agents import agent_with_table, learn_step, require_class
 from edugym.grading.student_code import running
+from edugym.grading.updates import table_of
 from edugym.grading.values import compare, digits, given
 from edugym.grading.wrong import WrongAnswer
 
 TERMS = "that is none of the usual mistakes, so compare your code with the equation, term by term"
-
-
-def is_class(name: str, answer: Any) -> None:
-    """Refuse what is no class."""
-    given(name, answer)
-    if not isinstance(answer, type):
-        raise WrongAnswer(f"{name} should be the class, but is of the type {type(answer).__name__}")
 
 
 class Step(NamedTuple):
@@ -29,7 +24,9 @@ class Step(NamedTuple):
     action: int
     reward: float
     x_next: Any
+    next_action: int
     terminated: bool
+    truncated: bool
     alpha: float
     gamma: float
 
@@ -82,6 +79,11 @@ UPDATES: Mapping[str, Rule] = MappingProxyType(
         "in the next state take the best action, not the one that was taken before": lambda s: _moved(
             s, _target(s, lambda q: float(q[s.action]))
         ),
+        "in the next state take the best action, not the one that comes next: that is SARSA": lambda s: _moved(
+            s, _target(s, lambda q: float(q[s.next_action]))
+        ),
+        "a truncated episode is treated as terminated, but only its clock ran out: the value of the next state still"
+        " counts": lambda s: _moved(s, s.reward if s.truncated else _target(s)),
         "that is the next state's value of action 0 alone; take the largest one of all three": lambda s: _moved(
             s, _target(s, lambda q: float(q[0]))
         ),
@@ -145,10 +147,10 @@ def _full_gradient(step: Step) -> Any:
 
 def exercise_2(answer: Any, seed: int) -> str:
     """Check the class of an agent with linear features."""
-    is_class("MyAgent", answer)
+    require_class("MyAgent", answer)
     rng = np.random.default_rng(seed)
     probe = type("MyAgent", (answer,), {"features": lambda self, board: np.array(board, float), "__slots__": ()})
-    cases = [_some_step(rng, terminated=k % 3 == 2) for k in range(9)]
+    cases = made_up_steps(rng)
     for step in cases:
         agent = _made(probe, step)
         for action in range(3):
@@ -164,8 +166,16 @@ def exercise_2(answer: Any, seed: int) -> str:
     return "Right: the error times the features. See it catch:"
 
 
-def _some_step(rng: np.random.Generator, terminated: bool) -> Step:
-    """Make a case up: simple numbers, several features that are not 0, and another best action in the next state."""
+def made_up_steps(rng: np.random.Generator) -> list[Step]:
+    """Make cases up: ordinary steps, steps after which the episode is cut off, and last ones."""
+    return [_some_step(rng, terminated=k % 3 == 2, truncated=k % 3 == 1) for k in range(9)]
+
+
+def _some_step(rng: np.random.Generator, terminated: bool, truncated: bool) -> Step:
+    """Make a case up: simple numbers, several features that are not 0, and three different actions.
+
+    These are the one that was taken, the one that comes next, and the best one in the next state.
+    """
     while True:
         w = rng.integers(-3, 4, size=(4, 3)).astype(float)
         x, x_next = (rng.permutation([0.0, 1.0, 2.0, -1.0]) for _ in range(2))
@@ -173,13 +183,16 @@ def _some_step(rng: np.random.Generator, terminated: bool) -> Step:
         values, here = x_next @ w, x @ w
         best = int(np.argmax(values))
         if best != action and len({*values}) == 3 and int(np.argmax(here)) != action and not np.array_equal(x, x_next):
-            return Step(w, x, action, float(rng.integers(2, 5)), x_next, terminated, 0.5, 0.75)
+            reward, other = float(rng.integers(2, 5)), 3 - action - best
+            return Step(w, x, action, reward, x_next, other, terminated, truncated, 0.5, 0.75)
 
 
 def _made(cls: Any, step: Step) -> Any:
     """Make an agent of the student's."""
-    with running("MyAgent(...)"):
-        return cls(step.w.copy(), learning_rate=step.alpha, discount=step.gamma)
+    settings = {"learning_rate": step.alpha, "discount": step.gamma}
+    agent = agent_with_table("MyAgent", cls, step.w.shape, settings, "w")
+    table_of(agent, "w", step.w.shape)[...] = step.w
+    return agent
 
 
 def _check_value(agent: Any, step: Step, action: int) -> None:
@@ -188,6 +201,8 @@ def _check_value(agent: Any, step: Step, action: int) -> None:
     with running("value(...)"):
         found = agent.value(step.x.copy(), action)
     given("value(...)", found)
+    if not np.array_equal(table_of(agent, "w", step.w.shape), step.w):
+        raise WrongAnswer("value changes the entries of `self.w`; it should only read them, for `learn` changes them")
     right = float(step.x @ step.w[:, action])
     mistakes = {
         "that is the sum of the weights; multiply each by its feature": float(step.w[:, action].sum()),
@@ -204,11 +219,19 @@ def _check_value(agent: Any, step: Step, action: int) -> None:
 def _learned(agent: Any, step: Step) -> Any:
     """Return the weights after the student's `learn`."""
     before = agent.w
-    with running("learn(...)"):
-        agent.learn(step.x.copy(), step.action, step.reward, step.x_next.copy(), step.terminated)
-    if agent.w is not before or np.shape(agent.w) != step.w.shape:
+    told = {
+        "state": step.x.copy(),
+        "action": step.action,
+        "reward": step.reward,
+        "next_state": step.x_next.copy(),
+        "next_action": step.next_action,
+        "terminated": step.terminated,
+        "truncated": step.truncated,
+    }
+    learn_step(agent, told)
+    if agent.w is not before:
         raise WrongAnswer("learn should change the entries of `self.w` in place, but puts another array there")
-    return np.array(agent.w)
+    return before.copy()
 
 
 def _agrees(rule: Rule, step: Step, found: Any) -> bool:
