@@ -10,6 +10,7 @@ import numpy as np
 
 from edugym.exact.branching import branches
 from edugym.grading.agents import require_class, require_function
+from edugym.grading.cases import telling_draw
 from edugym.grading.student_code import running
 from edugym.grading.values import compare, digits, given, number, same
 from edugym.grading.wrong import WrongAnswer
@@ -63,6 +64,15 @@ def exercise_1(answer: Any, seed: int) -> str:
     return "Right: 59/9. Below it the best clock lets her oversleep in peace. Nothing in its code says so but a number."
 
 
+Numbers = tuple[float, float, float, bool, float]
+"""A reward, φ(s), φ(s'), whether the episode has terminated, and γ."""
+
+
+def _shaped(r: float, a: float, b: float, end: bool, g: float) -> float:
+    """Return a reward with potential-based shaping."""
+    return r + (0.0 if end else g * b) - a
+
+
 SHAPING_MISTAKES: Mapping[str, Callable[..., float]] = {
     "the potential of the next state counts γ φ(s'), with the discount": lambda r, a, b, end, g: r + b * (not end) - a,
     "after a terminal state there is nothing: its potential is 0 when `terminated`": lambda r, a, b, end, g: (
@@ -93,32 +103,42 @@ SHAPING_MISTAKES: Mapping[str, Callable[..., float]] = {
     "γ φ(s') is missing; it counts unless `terminated`": lambda r, a, b, end, g: r - a,
     "+ φ(s) stands where − φ(s) should": lambda r, a, b, end, g: r + g * b * (not end) + a,
 }
-"""By the sentence that tells of it, what each mistake gives for the reward, φ(s), φ(s'), the end, and γ."""
+"""By the sentence that tells of it, what each mistake gives for the same numbers."""
 
 
 def exercise_2(answer: Any, seed: int) -> str:
     """Check the function that adds potential-based shaping to a reward."""
     of = "reward, potential, state, next_state, terminated and discount"
     require_function("shaped_reward", answer, of)
-    rng = np.random.default_rng(seed)
-    cases = [_shaping_case(answer, terminated, rng) for terminated in (False, True, False)]
+    rules = [partial(_by_rule, rule) for rule in (_shaped, *SHAPING_MISTAKES.values())]
+    cases = [(told, *_shaped_by(answer, told)) for told in shaping_numbers(telling_draw(seed, shaping_numbers, rules))]
     all_of_it = [
-        why for why, rule in SHAPING_MISTAKES.items() if all(same(rule(*told), value) for _, told, value in cases)
+        why for why, rule in SHAPING_MISTAKES.items() if all(same(rule(*told), value) for told, _, value in cases)
     ]
-    for call, told, value in cases:
-        reward, before, after, terminated, discount = told
-        right = reward + (0.0 if terminated else discount * after) - before
+    for told, call, value in cases:
+        right = _shaped(*told)
         wrong = {why: SHAPING_MISTAKES[why](*told) for why in (all_of_it or SHAPING_MISTAKES)}
         compare(call, value, right, {why: result for why, result in wrong.items() if result != right})
     return "Right: what is given on the way to a state is taken back when it is left. Here are both policies:"
 
 
-def _shaping_case(
-    answer: Callable[..., Any], terminated: bool, rng: Random
-) -> tuple[str, tuple[float, float, float, bool, float], float]:
-    """Call a student's function on made-up numbers; return the call, its numbers, and what came."""
-    before, after = float(rng.integers(2, 9)), 10.0 + float(rng.integers(2, 9))
-    reward, discount = 40.0 + float(rng.integers(1, 6)), float(rng.choice([0.5, 0.75]))
+def _by_rule(rule: Callable[..., float], told: Numbers) -> float:
+    return rule(*told)
+
+
+def shaping_numbers(rng: Random) -> list[Numbers]:
+    """Make numbers up for three steps; the second one is the last of its episode."""
+    made = []
+    for terminated in (False, True, False):
+        before, after = float(rng.integers(2, 9)), 10.0 + float(rng.integers(2, 9))
+        reward, discount = 40.0 + float(rng.integers(1, 6)), float(rng.choice([0.5, 0.75]))
+        made.append((reward, before, after, terminated, discount))
+    return made
+
+
+def _shaped_by(answer: Callable[..., Any], told: Numbers) -> tuple[str, float]:
+    """Call a student's function on made-up numbers; return the call, and what came."""
+    reward, before, after, terminated, discount = told
     call = (
         f"shaped_reward({reward:g}, potential, 'bed', 'door', {terminated}, {discount:g}) with potential('bed') ="
         f" {before:g} and potential('door') = {after:g}"
@@ -129,7 +149,7 @@ def _shaping_case(
 
     with running(call):
         found = answer(reward, potential, "bed", "door", terminated, discount)
-    return call, (reward, before, after, terminated, discount), number(call, found)
+    return call, number(call, found)
 
 
 class UsedToChimes(Morning):

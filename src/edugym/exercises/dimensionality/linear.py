@@ -8,9 +8,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from edugym.grading.agents import agent_with_table, learn_step, require_class
+from edugym.grading.cases import telling_draw
 from edugym.grading.student_code import running
 from edugym.grading.updates import table_of
-from edugym.grading.values import compare, digits, given
+from edugym.grading.values import compare, digits, number, same
 from edugym.grading.wrong import WrongAnswer
 
 TERMS = "that is none of the usual mistakes, so compare your code with the equation, term by term"
@@ -148,13 +149,9 @@ def _full_gradient(step: Step) -> Any:
 def exercise_2(answer: Any, seed: int) -> str:
     """Check the class of an agent with linear features."""
     require_class("MyAgent", answer)
-    rng = np.random.default_rng(seed)
     probe = type("MyAgent", (answer,), {"features": lambda self, board: np.array(board, float), "__slots__": ()})
-    cases = made_up_steps(rng)
-    for step in cases:
-        agent = _made(probe, step)
-        for action in range(3):
-            _check_value(agent, step, action)
+    cases = steps_for(seed)
+    _check_values(probe, cases)
     outcomes = [_learned(_made(probe, step), step) for step in cases]
     for step, found in zip(cases, outcomes, strict=True):
         if np.allclose(found, right_update(step), rtol=1e-9, atol=1e-9):
@@ -164,6 +161,11 @@ def exercise_2(answer: Any, seed: int) -> str:
         why = fitting[0] if fitting else f"in this case it looks like this: {here[0]}" if here else TERMS
         raise WrongAnswer(f"{_told_update(step, found)}: {why}")
     return "Right: the error times the features. See it catch:"
+
+
+def steps_for(seed: int) -> list[Step]:
+    """Return the cases of a check."""
+    return made_up_steps(telling_draw(seed, made_up_steps, [right_update, *UPDATES.values()]))
 
 
 def made_up_steps(rng: np.random.Generator) -> list[Step]:
@@ -195,25 +197,48 @@ def _made(cls: Any, step: Step) -> Any:
     return agent
 
 
-def _check_value(agent: Any, step: Step, action: int) -> None:
-    call = f"value with the features {short(step.x)} and action {action}, where column {action} of w is "
-    call += short(step.w[:, action])
+VALUES: Mapping[str, Callable[[Step, int], float]] = MappingProxyType(
+    {
+        "that is the sum of the weights; multiply each by its feature": lambda s, a: float(s.w[:, a].sum()),
+        "that is one term of the sum; take the sum over all features": lambda s, a: float(s.x[0] * s.w[0, a]),
+        "that is the largest value of all actions; take the column of `action`": lambda s, a: float((s.x @ s.w).max()),
+        "that is the sum over all actions; take the column of `action`": lambda s, a: float((s.x @ s.w).sum()),
+        "a feature is not only 0 or 1: multiply by it": lambda s, a: float((s.w[:, a] * (s.x != 0)).sum()),
+        "that is the mean; take the sum": lambda s, a: float((s.x * s.w[:, a]).mean()),
+        "that is the row of w with this number; take the column": lambda s, a: float((s.x[:3] * s.w[a]).sum()),
+    }
+)
+"""By sentence, what each mistake makes of the value of an action."""
+
+
+def _check_values(probe: Any, cases: list[Step]) -> None:
+    """Check the values of all actions; a mistake is best named if it explains all of them."""
+    places, found = [], []
+    for step in cases:
+        agent = _made(probe, step)
+        for action in range(3):
+            places.append((step, action))
+            found.append(_value(agent, step, action))
+    fitting = [
+        why
+        for why, rule in VALUES.items()
+        if all(same(mine, rule(*place)) for place, mine in zip(places, found, strict=True))
+    ]
+    for (step, action), mine in zip(places, found, strict=True):
+        call = f"value with the features {short(step.x)} and action {action}, where column {action} of w is "
+        right = float(step.x @ step.w[:, action])
+        wrong = {why: VALUES[why](step, action) for why in fitting or VALUES}
+        mistakes = {why: value for why, value in wrong.items() if value != right}
+        compare(call + short(step.w[:, action]), mine, right, mistakes, otherwise=TERMS)
+
+
+def _value(agent: Any, step: Step, action: int) -> float:
+    """Return what the student's `value` gives, a number."""
     with running("value(...)"):
         found = agent.value(step.x.copy(), action)
-    given("value(...)", found)
     if not np.array_equal(table_of(agent, "w", step.w.shape), step.w):
         raise WrongAnswer("value changes the entries of `self.w`; it should only read them, for `learn` changes them")
-    right = float(step.x @ step.w[:, action])
-    mistakes = {
-        "that is the sum of the weights; multiply each by its feature": float(step.w[:, action].sum()),
-        "that is one term of the sum; take the sum over all features": float((step.x * step.w[:, action])[0]),
-        "that is the largest value of all actions; take the column of `action`": float((step.x @ step.w).max()),
-        "that is the sum over all actions; take the column of `action`": float((step.x @ step.w).sum()),
-        "a feature is not only 0 or 1: multiply by it": float((step.w[:, action] * (step.x != 0)).sum()),
-        "that is the mean; take the sum": right / len(step.x),
-        "that is the row of w with this number; take the column": float((step.x[:3] * step.w[action]).sum()),
-    }
-    compare(call, found, right, {why: wrong for why, wrong in mistakes.items() if wrong != right}, otherwise=TERMS)
+    return number("value(...)", found)
 
 
 def _learned(agent: Any, step: Step) -> Any:

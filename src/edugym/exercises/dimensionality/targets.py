@@ -1,6 +1,6 @@
 """Exercise 3 of lesson 4: the target of DQN, and the draw from its memory."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -9,10 +9,14 @@ import numpy as np
 from edugym.agents.dqn import Layers, forward
 from edugym.exercises.dimensionality.linear import TERMS, short
 from edugym.grading.agents import agent_created_by, require_class
+from edugym.grading.cases import telling_draw
 from edugym.grading.student_code import running
 from edugym.grading.values import digits, number, same
 from edugym.grading.wrong import WrongAnswer
 from edugym.lessons.dimensionality.open_dqn import OpenDQN
+
+ROWS = (0, 1, 2, 3, 2, 1)
+"""The rows of which the targets are checked; an episode ends in row 2."""
 
 
 class Remembered(NamedTuple):
@@ -43,6 +47,11 @@ def _bootstrapped(case: Remembered, value: float, gamma: float | None = None, en
     if case.terminated and ends:
         return case.reward
     return case.reward + (case.gamma if gamma is None else gamma) * value
+
+
+def _right(case: Remembered) -> float:
+    """Return the target of DQN."""
+    return _bootstrapped(case, float(case.old_next.max()))
 
 
 TARGETS: Mapping[str, Callable[[Remembered], float]] = MappingProxyType(
@@ -98,11 +107,9 @@ def exercise_3(answer: Any, seed: int) -> str:
     """Check the class of a DQN."""
     require_class("MyDQN", answer)
     _require_own_methods(answer)
-    rng = np.random.default_rng(seed)
     agent = _made(answer, 4, discount=0.5)
     cases, found = [], []
-    for row in (0, 1, 2, 3, 2, 1):
-        case = _some_memory(agent, row, rng)
+    for row, case in made_up_memories(agent, drawn_for(agent, seed)):
         before = _tables(agent)
         with running(f"target_of({row})"):
             target = agent.target_of(row)
@@ -146,6 +153,19 @@ def _tables(agent: Any) -> dict[str, Any]:
     return {
         f"{part}.{name}": values.copy() for part, fields in parts.items() for name, values in fields._asdict().items()
     }
+
+
+def made_up_memories(agent: Any, rng: np.random.Generator) -> Iterator[tuple[int, Remembered]]:
+    """Yield rows of the memory, each when it is filled."""
+    for row in ROWS:
+        yield row, _some_memory(agent, row, rng)
+
+
+def drawn_for(agent: Any, seed: int) -> np.random.Generator:
+    """Return the generator from which the memories of a check are drawn."""
+    return telling_draw(
+        seed, lambda rng: [case for _, case in made_up_memories(agent, rng)], [_right, *TARGETS.values()]
+    )
 
 
 def _some_memory(agent: Any, row: int, rng: np.random.Generator) -> Remembered:
@@ -192,7 +212,7 @@ def _values(weights: Layers, x: Any) -> Any:
 
 def _check_targets(cases: list[Remembered], found: list[float]) -> None:
     for case, target in zip(cases, found, strict=True):
-        right = _bootstrapped(case, case.old_next.max())
+        right = _right(case)
         if same(target, right):
             continue
         fitting = [
