@@ -370,6 +370,13 @@ def my_scores(a, mu, sigma):
     return a / sigma**2, a**2 / sigma**2 - 1
 
 
+# %% exercise 2, wrong: nothing for arrays
+# says: with three actions at once gives None: is a `return` missing
+def my_scores(a, mu, sigma):
+    if np.ndim(a) == 0:
+        return (a - mu) / sigma**2, (a - mu) ** 2 / sigma**2 - 1
+
+
 # %% exercise 2, wrong: rounded
 # says: do not round it
 def my_scores(a, mu, sigma):

@@ -99,8 +99,10 @@ def _check_arrays(answer: Any) -> None:
         "sigma": np.array([1.0, 1.0, 2.0]),
     }
     mine = {name: values.copy() for name, values in several.items()}
-    with running("my_scores with an array of actions"):
+    call = "my_scores(a, mu, sigma) with three actions at once"
+    with running(call):
         pair = answer(*mine.values())
+    _require_pair(call, pair)
     for name, values in several.items():
         if not np.array_equal(mine[name], values):
             raise WrongAnswer(
@@ -173,13 +175,18 @@ def _fits(rule: Any, cases: list[Any], found: list[float]) -> bool:
 
 def _two(call: str, pair: Any) -> tuple[float, float]:
     """Return the two numbers of an answer."""
+    _require_pair(call, pair)
+    return number(f"the first of {call}", pair[0]), number(f"the second of {call}", pair[1])
+
+
+def _require_pair(call: str, pair: Any) -> None:
+    """Refuse what is no pair of scores."""
     given(call, pair)
     if not isinstance(pair, tuple | list | np.ndarray) or len(pair) != 2:
         raise WrongAnswer(
             f"{call} should give two numbers, one for μ and one for ln σ, but gives {pair!r}: end with"
             " `return of_mu, of_log_sigma`"
         )
-    return number(f"the first of {call}", pair[0]), number(f"the second of {call}", pair[1])
 
 
 def exercise_3(answer: Any, seed: int) -> str:
