@@ -22,13 +22,21 @@ HINTS = (
     ("object does not support item assignment", "only arrays and lists have entries that can be changed"),
     ("truth value of an array", "compare single entries, not whole rows"),
     (
-        r"name '(Q|visits|tries|learning_rate|discount|bonus|epsilon|target_epsilon|kappa|last)' is not defined",
+        r"name '(Q|V|w|visits|tries|preferences|probabilities|weights|memory|steps|learning_rate|value_learning_rate"
+        r"|discount|bonus|epsilon|target_epsilon|kappa|last|ring|late)' is not defined",
         "write `self.` before a field",
     ),
     ("cannot access local variable", "it gets a value on some paths only"),
     ("'NoneType'", "something is None there: is a `return` missing?"),
     ("division by zero", "the number below the line can be 0: is it a count that should grow first?"),
     ("_tuplegetter", "that is the field of the class: write `self.` for the table of this agent"),
+    (
+        "converted to Python scalar",
+        "an array stands where one number is needed: take an entry of it, or calculate with + - * / **, which arrays"
+        " have as well",
+    ),
+    ("could not be broadcast", "two arrays of different sizes meet there"),
+    ("(function|method)' object is not subscriptable", "a function is called, with parentheses"),
     ("too many indices", "the array has fewer axes than there are indices"),
     (
         "out of bounds|index out of range",
