@@ -913,6 +913,72 @@ class Clock(NamedTuple):
 my_problem = Clock()
 
 
+# %% exercise 4, wrong: no NamedTuple
+# says: should inherit from NamedTuple
+class Plain:
+    days = 3
+    action_space = Discrete(2)
+    observation_space = MultiDiscrete([4, 2])
+
+    def initial(self, rng):
+        return 0, 0
+
+    def transition(self, state, action, rng):
+        return state[0] + 1, int(rng.random() < 0.5)
+
+    def reward(self, state, action, next_state, rng):
+        return 1.0 * (action == state[1])
+
+    def terminal(self, state):
+        return state[0] == self.days
+
+    def observation(self, state, rng):
+        return state
+
+
+my_problem = Plain()
+
+
+# %% exercise 4, wrong: a queue without end
+# says: does a number in its state grow without end
+class Queue(NamedTuple):
+    action_space = property(lambda self: Discrete(2))
+    observation_space = property(lambda self: MultiDiscrete([1_000_000, 2]))
+
+    def initial(self, rng):
+        return 1, 0
+
+    def transition(self, state, action, rng):
+        return state[0] + int(rng.random() < 0.6) - action, int(rng.random() * 2)
+
+    def reward(self, state, action, next_state, rng):
+        return -1.0 * state[0]
+
+    def terminal(self, state):
+        return state[0] < 1
+
+    def observation(self, state, rng):
+        return state
+
+
+my_problem = Queue()
+
+
+# %% exercise 4, wrong: an episode that never ends
+# says: no state of Endless is terminal and it has no `max_steps`
+class Endless(Plant):
+    __slots__ = ()
+
+    def transition(self, state, action, rng):
+        return 0, min(max(state[1] + (1 if rng.random() < 0.5 else -1), 0), 3)
+
+    def terminal(self, state):
+        return state[0] == 1
+
+
+my_problem = Endless()
+
+
 # %% exercise 4, wrong: no chance
 # says: should have chance
 class Sure(Plant):

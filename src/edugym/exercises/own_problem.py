@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from edugym.exact.branching import branches
+from edugym.exact.model import finite_model
 from edugym.grading.agents import require_class, require_function
 from edugym.grading.cases import telling_draw
 from edugym.grading.student_code import running
@@ -24,6 +25,10 @@ from edugym.mdp.values import GlobalDraws
 LATE = 59 / 9
 """The cost of oversleeping from which on a ring is best: -4 + 0.1 (1 - c) = 2 - c."""
 CLOSE = 0.005
+MOST_STATES = 20_000
+"""The largest problem of a student's own."""
+PATIENCE = 300.0
+"""The seconds of processor time in which such a problem must be checked and solved."""
 
 
 def exercise_1(answer: Any, seed: int) -> str:
@@ -61,7 +66,10 @@ def exercise_1(answer: Any, seed: int) -> str:
         says=says,
         otherwise=f"it is {side}" + ("; you are close, round it to two digits after the decimal point" if near else ""),
     )
-    return "Right: 59/9. Below it the best clock lets her oversleep in peace. Nothing in its code says so but a number."
+    return (
+        "Right: 59/9. Below it the best clock lets her sleep on when she is fast asleep at 8:20. Nothing in its code"
+        " says so but a number."
+    )
 
 
 Numbers = tuple[float, float, float, bool, float]
@@ -325,6 +333,18 @@ def _told(ways: Mapping[Any, float]) -> str:
     return " or ".join(f"{state} (p = {p:.2g})" for state, p in sorted(ways.items()))
 
 
+def _require_small(mdp: Any) -> None:
+    try:
+        finite_model(mdp, max_states=MOST_STATES)
+    except ValueError as error:
+        if "max_states" not in str(error):
+            raise
+        raise WrongAnswer(
+            f"my_problem has more than {MOST_STATES} states: does a number in its state grow without end? Give it a"
+            " largest value, for example by min(queue + 1, 10)"
+        ) from None
+
+
 def exercise_4(answer: Any, seed: int) -> str:
     """Check that a student's own problem is one: it runs, chance and decisions matter, and no one action is best."""
     given("my_problem", answer)
@@ -334,8 +354,15 @@ def exercise_4(answer: Any, seed: int) -> str:
         raise WrongAnswer("that is the problem of the lesson: write one of your own, under its own name")
     with running("my_problem"), _told_as_wrong():
         require_mdp(answer, "my_problem")
-    with running("my_problem"):
+    kind = type(answer)
+    if not issubclass(kind, tuple):
+        raise WrongAnswer(
+            f"{kind.__name__} should inherit from NamedTuple, as the form does: class {kind.__name__}(NamedTuple), with"
+            " its numbers as fields and without __init__"
+        )
+    with running("my_problem", limit=PATIENCE):
         check_mdp(answer)
+        _require_small(answer)
         values = solve(answer)
     model = values.model
     policy, live = values.greedy_policy(), ~model.terminal

@@ -89,6 +89,8 @@ def _sentence(what: str, error: Exception) -> str:
     if isinstance(error, RecursionError):
         message, because = "a function calls itself for ever", ""
     line = _student_line(error)
+    if not line and isinstance(error, ValueError) and _last_file(error).startswith(PACKAGE):
+        return message  # a check of the package refuses what it was given, and says so in a sentence
     place = f"the line `{line}`" if line else what
     return f"{place} raises {kind}: {message}{because}"
 
@@ -101,6 +103,11 @@ def _student_line(error: Exception) -> str:
         if not _is_ours(frame.f_code.co_filename)
     ]
     return next(filter(None, reversed(lines)), "")
+
+
+def _last_file(error: Exception) -> str:
+    """Return the file in which an error was raised."""
+    return [frame.f_code.co_filename for frame, _ in traceback.walk_tb(error.__traceback__)][-1]
 
 
 def _is_ours(file: str) -> bool:
