@@ -44,13 +44,10 @@ from edugym.lessons.continuous_actions.methods import (
     frozen_lake,
     gaussian,
     in_a_table,
-    joined,
-    late,
     learn_all,
     learn_bins,
     learn_continuous,
     name,
-    renamed,
     steps_to,
     tiles_on_the_wrist,
 )
@@ -70,7 +67,7 @@ from edugym.plotting.report import Report
 from edugym.plotting.sheet import Sheet
 from edugym.results.claims import Above, Below, Claim, Within
 from edugym.results.statistics import exactly, mean_interval, paired_difference, share_interval
-from edugym.results.tables import Results
+from edugym.results.tables import Results, joined
 
 __all__ = [
     "ACTIONS",
@@ -99,9 +96,7 @@ __all__ = [
     "gaussian",
     "gradient_figure",
     "in_a_table",
-    "joined",
     "lake_figure",
-    "late",
     "learn_all",
     "learn_bins",
     "learn_continuous",
@@ -114,7 +109,6 @@ __all__ = [
     "peaks",
     "ppo_figure",
     "race",
-    "renamed",
     "report",
     "reward",
     "scores",
@@ -193,13 +187,13 @@ def learning_claims(wide: Results, narrow: Results) -> list[Claim]:
         Claim(
             "5 bins end above 3",
             "greedy return, late, 5 bins less 3",
-            paired_difference(late(wide, five), late(wide, three)),
+            paired_difference(wide.late(five), wide.late(three)),
             Above(0.1),
         ),
         Claim(
             "Most runs with continuous actions end above the best that 3 bins can do",
             "share of the runs whose greedy return, late, is above 4.31",
-            share_interval(late(wide, CONTINUOUS) > best_return(BINS[0])),
+            share_interval(wide.late(CONTINUOUS) > best_return(BINS[0])),
             Above(0.5),
         ),
         Claim(
@@ -225,19 +219,19 @@ def learning_claims(wide: Results, narrow: Results) -> list[Claim]:
         Claim(
             "With 3 bins and the narrow container the box is never delivered",
             "greedy return, late",
-            mean_interval(late(narrow, three)),
+            mean_interval(narrow.late(three)),
             Below(0.5),
         ),
         Claim(
             "A narrower container makes 5 bins worse",
             "greedy return, late, narrow less wide",
-            paired_difference(late(narrow, five), late(wide, five)),
+            paired_difference(narrow.late(five), wide.late(five)),
             Below(0.0),
         ),
         Claim(
             "and continuous actions too",
             "greedy return, late, narrow less wide",
-            paired_difference(late(narrow, CONTINUOUS), late(wide, CONTINUOUS)),
+            paired_difference(narrow.late(CONTINUOUS), wide.late(CONTINUOUS)),
             Below(0.0),
         ),
     ]
@@ -295,7 +289,7 @@ def peak_claims() -> list[Claim]:
 def ppo_claims(stored: Results) -> list[Claim]:
     """Return the claims on PPO."""
     three, five, nine = map(name, BINS)
-    drawn = {label: late(stored, label, "training_return") for label in ACTIONS}
+    drawn = {label: stored.late(label, column="training_return") for label in ACTIONS}
     speed = {label: steps_to(stored, label, 3.0, "training_return") for label in ACTIONS}
     told = "results of ten seeds, stored with the package"
     return [

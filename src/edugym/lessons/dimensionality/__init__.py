@@ -22,7 +22,6 @@ from edugym.lessons.dimensionality.figures import (
     costs_figure,
     ever_learned,
     growth,
-    join,
     network_figure,
     policy_maps,
     shared_by_column,
@@ -73,7 +72,7 @@ from edugym.plotting.report import Report
 from edugym.plotting.sheet import Sheet
 from edugym.results.claims import Above, Below, Claim, Within
 from edugym.results.statistics import exactly, mean_interval, paired_difference
-from edugym.results.tables import Results
+from edugym.results.tables import Results, joined
 
 __all__ = [
     "COLUMN",
@@ -111,7 +110,7 @@ __all__ = [
     "generalise",
     "growth",
     "hashed_dark",
-    "join",
+    "joined",
     "learn",
     "linear",
     "mountain_car",
@@ -146,13 +145,6 @@ SLOW = 150_000
 """The training steps with one noisy pixel."""
 REPETITIONS = 10
 RANDOM_PLAY = -0.6
-
-
-def late(results: Results) -> Reals:
-    """Return the mean of the last five evaluations of every run, shape (n_repetitions,)."""
-    (label,) = results.methods
-    mean: Reals = results.curves(label).iloc[-5:].to_numpy(float).mean(axis=0)
-    return mean
 
 
 def measure(how: How) -> tuple[Any, ...]:
@@ -226,7 +218,7 @@ def pixel_claims(plain: Mapping[str, Results]) -> list[Claim]:
         Claim(
             "and catches every ball",
             "greedy return, last five evaluations",
-            mean_interval(late(plain[PIXELS])),
+            mean_interval(plain[PIXELS].late(PIXELS)),
             Above(0.99),
         ),
     ]
@@ -247,7 +239,7 @@ def noise_claims(plain: Mapping[str, Results], noisy: Mapping[str, Results]) -> 
         Claim(
             f"but it gets there, after {SLOW} steps",
             "greedy return, last five evaluations",
-            mean_interval(late(noisy[ONE_PIXEL])),
+            mean_interval(noisy[ONE_PIXEL].late(ONE_PIXEL)),
             Above(0.9),
         ),
         Claim(
@@ -259,13 +251,13 @@ def noise_claims(plain: Mapping[str, Results], noisy: Mapping[str, Results]) -> 
         Claim(
             f"and a table learns nothing; random play returns {RANDOM_PLAY:g}",
             "greedy return, last five evaluations",
-            mean_interval(late(noisy[ALL_PIXELS])),
+            mean_interval(noisy[ALL_PIXELS].late(ALL_PIXELS)),
             Within(RANDOM_PLAY - 0.15, RANDOM_PLAY + 0.15),
         ),
         Claim(
             "where the network learns",
             "greedy return of DQN, last five evaluations",
-            mean_interval(late(noisy[NETWORK])),
+            mean_interval(noisy[NETWORK].late(NETWORK)),
             Above(0.85),
             "boards that differ a little have values that differ a little",
         ),
