@@ -185,7 +185,7 @@ def learning_claims(wide: Results, narrow: Results) -> list[Claim]:
     three, five, nine = map(name, BINS)
     return [
         Claim(
-            "5 bins end above 3",
+            "Learning with 5 bins ends at a higher return than with 3",
             "greedy return, late, 5 bins less 3",
             paired_difference(wide.late(five), wide.late(three)),
             Above(0.1),
@@ -204,13 +204,13 @@ def learning_claims(wide: Results, narrow: Results) -> list[Claim]:
             "on the same table, with the same agent",
         ),
         Claim(
-            "5 bins reach it sooner than 9",
+            "5 bins reach a return of 3.5 sooner than 9",
             "training steps, 5 bins less 9",
             paired_difference(steps_to(wide, five, GOAL), steps_to(wide, nine, GOAL)),
             Below(0.0),
         ),
         Claim(
-            "but continuous actions reach it sooner than 9 bins",
+            "Continuous actions reach a return of 3.5 sooner than 9 bins",
             "training steps, continuous less 9 bins",
             paired_difference(steps_to(wide, CONTINUOUS, GOAL), steps_to(wide, nine, GOAL)),
             Below(0.0),
@@ -229,7 +229,7 @@ def learning_claims(wide: Results, narrow: Results) -> list[Claim]:
             Below(0.0),
         ),
         Claim(
-            "and continuous actions too",
+            "A narrower container makes continuous actions worse",
             "greedy return, late, narrow less wide",
             paired_difference(narrow.late(CONTINUOUS), wide.late(CONTINUOUS)),
             Below(0.0),
@@ -278,7 +278,7 @@ def peak_claims() -> list[Claim]:
             "continuous is not always better: a Gaussian has one peak, and sees only what is near",
         ),
         Claim(
-            "10 bins find the rich one",
+            "With 10 bins a policy that starts over the poor container finds the rich one",
             "share of 100 runs that end at the rich one",
             exactly(found["10 bins"]),
             Above(0.9),
@@ -295,23 +295,23 @@ def ppo_claims(stored: Results) -> list[Claim]:
     return [
         *(
             Claim(
-                f"PPO with 3 bins is sooner than with {label}" if label != CONTINUOUS else "and than with real numbers",
+                f"PPO reaches a return of 3 sooner with 3 bins than with {actions}",
                 f"training steps to a return of 3 with drawn actions, 3 bins less {label}",
                 paired_difference(speed[three], speed[label]),
                 Below(0.0),
                 told,
             )
-            for label in (five, nine, CONTINUOUS)
+            for label, actions in ((five, five), (nine, nine), (CONTINUOUS, "continuous actions"))
         ),
         Claim(
-            "PPO with 3 bins comes near the best that they can do, with drawn actions",
+            "With drawn actions PPO with 3 bins comes near the best return that 3 bins allow",
             "return, late",
             mean_interval(drawn[three]),
             Within(4.0, 4.31),
             told,
         ),
         Claim(
-            "Some runs deliver the box with drawn actions, and never with the likeliest ones",
+            "Some runs of PPO deliver the box with drawn actions, and not with the likeliest ones",
             "share of all runs with a return above 3 drawn, late, and below 1 likeliest, at the end",
             share_interval(np.concatenate([(drawn[x] > 3.0) & (stored.final(x) < 1.0) for x in ACTIONS])),
             Above(0.05),

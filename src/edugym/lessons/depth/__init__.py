@@ -249,7 +249,7 @@ def meeting_claims(many: Results, wary: Results) -> list[Claim]:
             "untried actions are worth 0 and tried ones less; bootstrapping hands that on, and returns do not",
         ),
         Claim(
-            "Monte Carlo runs that meet the exam still pass it in the end",
+            "With ten actions Monte Carlo runs that meet the exam still pass it in the end",
             "share of runs that pass in the end, less the share that ever passed",
             paired_difference(passes(many, MONTE_CARLO), met[MONTE_CARLO]),
             Within(-0.1, 0.1),

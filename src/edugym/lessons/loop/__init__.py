@@ -140,7 +140,7 @@ def player_claims(results: Results) -> list[Claim]:
             Within(95.0, 95.0),
         ),
         Claim(
-            "Q-learning finds it, without the model",
+            "Q-learning finds the best policy without the model",
             "share of runs that end with 95",
             results.share(Q_LEARNING, OPTIMUM),
             Above(0.5),
@@ -153,7 +153,7 @@ def reward_claims(results: Results) -> list[Claim]:
     start = int(model().initial.argmax())
     return [
         Claim(
-            "At the start rewards say nothing: all actions have the same",
+            "At the start all actions have the same reward, so rewards do not tell them apart",
             "highest less lowest reward, computed",
             exactly(float(np.ptp(model().r[start]))),
             Within(0.0, 0.0),
@@ -207,7 +207,7 @@ def discount_claims() -> list[Claim]:
             "what is best depends on the discount, which belongs to the question and not to the world",
         ),
         Claim(
-            "and worse at discount 1",
+            "The short way with one item is worse than the one with three at discount 1",
             "return, difference, computed",
             exactly(lead(1.0)),
             Below(0.0),

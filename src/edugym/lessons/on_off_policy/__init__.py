@@ -185,13 +185,13 @@ def zone_claims(zone: Results) -> list[Claim]:
     stops = {method: stopping_places(zone, method, stop_zone=2) for method in KINDS}
     return [
         Claim(
-            "Q-learning stops at the edge",
+            "With a stop zone of 2 cells Q-learning stops at the edge",
             "cell where the greedy run ends",
             mean_interval(stops[Q_LEARNING]),
             Above(8.7),
         ),
         Claim(
-            "SARSA stops before the edge",
+            "With a stop zone of 2 cells SARSA stops before the edge",
             "cell where the greedy run ends, less that of Q-learning",
             paired_difference(stops[SARSA_], stops[Q_LEARNING]),
             Below(0.0),
