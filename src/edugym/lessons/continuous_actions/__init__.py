@@ -169,7 +169,7 @@ def exact_claims() -> list[Claim]:
             "largest deviation",
             exactly(deviation),
             Within(0.0, 0.006),
-            "more bins mostly place the box more exactly, but 5 do not beat 4: they lead to other places",
+            "more bins are mostly better, but 5 do not beat 4",
         ),
         Claim(
             "Into a container 0.3 wide 3 bins cannot bring the box at all, and 5 can",

@@ -221,7 +221,6 @@ def action_claims(frames: Results, both: Results, quick: Results) -> list[Claim]
             f"greedy return after {EARLY} steps, k = 5 less k = 3",
             paired_difference(five, three),
             Above(0.0),
-            "the rows for the first, short corridors are few, and are learned first",
         ),
         Claim(
             "In the end a stack of five with actions is ahead of a stack of three",
