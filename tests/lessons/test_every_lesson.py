@@ -12,15 +12,15 @@ import edugym.lessons
 from edugym.lessons import lesson_names, load_experiments
 
 CLAIMS = {
-    "loop": 14,
-    "on_off_policy": 18,
-    "depth": 20,
+    "loop": 15,
+    "on_off_policy": 22,
+    "depth": 27,
     "dimensionality": 25,
     "memory": 19,
     "signal": 24,
     "continuous_actions": 20,
-    "stochasticity": 15,
-    "model_based": 20,
+    "stochasticity": 20,
+    "model_based": 27,
     "own_problem": 25,
 }
 """How many claims a lesson makes at least; those of exploration have a test of their own."""

@@ -312,7 +312,8 @@ def by_first_swing(
 
 def lake_optimum(steps: int = 100) -> float:
     """Return the best probability to arrive on the slippery lake within the steps of an episode."""
-    P = gymnasium.make(LAKE, is_slippery=True).unwrapped.P  # type: ignore[attr-defined]
+    lake: Any = gymnasium.make(LAKE, is_slippery=True).unwrapped
+    P = lake.P
     V = np.zeros(len(P))
     for _ in range(steps):
         V = np.array(
