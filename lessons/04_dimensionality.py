@@ -218,7 +218,7 @@ slower
 how = {"n_steps": 5_000, "repetitions": 30, "jobs": 1}
 by_position = lesson.learn(lesson.catch("vectorised"), lesson.POSITIONS, **how)
 by_board = lesson.learn(lesson.pixels(), lesson.PIXELS, **how)
-display(lesson.table_and_network({"no noise": lesson.join([by_position, by_board])}))
+display(lesson.table_and_network({"no noise": lesson.joined([by_position, by_board])}))
 curves = [one.curves(one.methods[0]).to_numpy() for one in (by_position, by_board)]
 print(f"largest difference between the two, in all {curves[0].shape[1]} runs: {np.abs(curves[0] - curves[1]).max():g}")
 slower.measured(slower.options[2 if (curves[0] == curves[1]).all() else 1])

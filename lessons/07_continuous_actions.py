@@ -381,7 +381,7 @@ learned = arms.learn_all(repetitions=20, jobs=2)
 display(Sheet("learning", [[arms.curves(learned, "table and tiles")]]))
 soon = {label: arms.steps_to(learned, label, 3.5).mean() for label in learned.methods}
 for label in learned.methods:
-    end = arms.late(learned, label).mean()
+    end = learned.late(label).mean()
     print(f"{label:10}: {soon[label]:6.0f} steps to 3.5 (mean), return {end:.2f} (mean of the last five points)")
 first.measured(min(soon, key=soon.get))
 
@@ -484,7 +484,7 @@ stored = arms.STORED.load()
 display(arms.ppo_figure(stored))
 steps = {label: arms.steps_to(stored, label, 3.0, "training_return") for label in stored.methods}
 for label in stored.methods:
-    drawn, likeliest = arms.late(stored, label, "training_return"), stored.final(label)
+    drawn, likeliest = stored.late(label, column="training_return"), stored.final(label)
     print(f"{label:10}: {steps[label].mean():6.0f} steps to 3, return at the end {drawn.mean():.2f} (means, drawn)")
     lost = likeliest < 1
     print(f"{'':10}  {lost.sum()} of 10 runs end below 1 with the likeliest actions;", end=" ")
@@ -537,7 +537,7 @@ tight = arms.learn_all((3,), width=0.4, repetitions=20, jobs=2)
 display(Sheet("narrow", [[arms.curves(tight, "a container 0.4 wide", width=0.4)]]))
 loss = {}
 for label in tight.methods:
-    wide, small = arms.late(learned, label).mean(), arms.late(tight, label).mean()
+    wide, small = learned.late(label).mean(), tight.late(label).mean()
     loss[label] = wide - small
     print(
         f"{label:10}: return {wide:.2f} in the wide container, {small:.2f} in the narrow one (means, last five points)"

@@ -104,7 +104,8 @@ def test_playing_a_file(tmp_path: Path) -> None:
     """In a notebook and by the command, with other values of its fields."""
     path = str(share(Morning(), tmp_path / "morning.py"))
     game = Game(path, late=3.0)
-    assert game.environment.unwrapped.mdp.late == 3.0  # type: ignore[attr-defined]
+    environment: Any = game.environment.unwrapped
+    assert environment.mdp.late == 3.0
     assert [*game.actions] == ["stay quiet", "chime", "ring"]
     with pytest.raises(ValueError, match="has no parameter 'lat'; it has length, ring, late"):
         Game(path, lat=3.0)

@@ -16,7 +16,7 @@ from tests.agents.case import same
 
 
 class Notes(NamedTuple):
-    """An agent that always does the same, and writes down what it is shown.
+    """An agent that always does the same, with room to write down what it is shown.
 
     Attributes:
         before: shape (n, ...): the observations before its steps.
@@ -32,6 +32,17 @@ class Notes(NamedTuple):
         """Action 0."""
         return 0
 
+    @property
+    def tabular(self) -> bool:
+        """It has no table."""
+        return False
+
+
+class OffPolicyNotes(Notes):
+    """Writes what it sees down."""
+
+    __slots__ = ()
+
     def learn(self, state: Any, action: Any, reward: float, next_state: Any) -> None:
         """Write it down, and forget the oldest."""
         t = self.time[0] % len(self.before)
@@ -39,13 +50,8 @@ class Notes(NamedTuple):
         self.after[t] = next_state
         self.time[0] += 1
 
-    @property
-    def tabular(self) -> bool:
-        """It has no table."""
-        return False
 
-
-class VectorNotes(Notes):
+class VectorNotes(OffPolicyNotes):
     """The same for vectors."""
 
     __slots__ = ()
@@ -61,7 +67,7 @@ class OnPolicyNotes(Notes):
 
     __slots__ = ()
 
-    def learn(self, state: Any, action: Any, reward: float, next_state: Any, next_action: Any) -> None:  # type: ignore[override]
+    def learn(self, state: Any, action: Any, reward: float, next_state: Any, next_action: Any) -> None:
         """Write it down, and forget the oldest."""
         t = self.time[0] % len(self.before)
         self.before[t] = state
@@ -88,7 +94,8 @@ def notes(kind: type[Notes], *shape: int) -> Notes:
 def test_vectors_are_those_of_flatten_observation(name: str, parameters: dict[str, Any], n: int | None) -> None:
     """What an agent is shown in `train` is what Gymnasium's wrapper shows in a loop by hand."""
     env = FlattenObservation(make_environment(name, **parameters))
-    length = env.observation_space.shape[0]  # type: ignore[index]
+    assert env.observation_space.shape is not None
+    length = env.observation_space.shape[0]
     assert n in (None, length)
     agent = notes(VectorNotes, length)
     train(make_mdp(name, **parameters), agent, 40, seed=3)
@@ -107,7 +114,7 @@ def test_vectors_are_those_of_flatten_observation(name: str, parameters: dict[st
     assert np.array_equal(agent.after, by_hand.after)
 
 
-@pytest.mark.parametrize("kind", [Notes, OnPolicyNotes])
+@pytest.mark.parametrize("kind", [OffPolicyNotes, OnPolicyNotes])
 def test_other_agents_see_arrays_as_they_are(kind: type[Notes], monkeypatch: pytest.MonkeyPatch) -> None:
     """Compiled and not the same; an observation is not overwritten by the next, and is the next step's first one."""
     mdp, agents = make_mdp("Catch"), []
@@ -124,7 +131,7 @@ def test_other_agents_see_arrays_as_they_are(kind: type[Notes], monkeypatch: pyt
 
 def test_the_loops_handle_no_arrays() -> None:
     """Between two steps there are only numbers: what machine code without reference counts asks for."""
-    for agent in (LinearQLearning.create(make_mdp("Catch")), notes(Notes, 10, 5)):
+    for agent in (LinearQLearning.create(make_mdp("Catch")), notes(OffPolicyNotes, 10, 5)):
         training: Any = trainer("Catch", agent, 0, None, expected=10)
         training.learn(7)
         assert all(isinstance(part, int | float) for part in training._moment[1:])

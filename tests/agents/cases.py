@@ -29,10 +29,10 @@ def _test_file(kind: type) -> ModuleType:
     return importlib.import_module(f"tests.agents.test_{kind.__module__.rpartition('.')[2]}")
 
 
-def _described(kind: type) -> dict[str, Case]:
+def _described(kind: Any) -> dict[str, Case]:
     """The cases of an agent: as its test file has them, or as it is at its defaults."""
     described: dict[str, Case] = getattr(_test_file(kind), "CASES", {})
-    return described or {kind.__name__: Case(kind, kind.create)}  # type: ignore[attr-defined]
+    return described or {kind.__name__: Case(kind, kind.create)}
 
 
 def _exploring(make: Callable[[Any], Any]) -> Case:

@@ -1,5 +1,7 @@
 """The exercises of lesson 7: what counts as a mistake is one, and the challenge is worth its points."""
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 
@@ -16,9 +18,9 @@ def test_every_mistake_in_sizes_is_one() -> None:
 
 
 @pytest.mark.parametrize("formulas", [exercises.OF_MEAN, exercises.OF_LOG_SPREAD])
-def test_every_mistake_in_scores_is_one(formulas: dict[str, object]) -> None:
+def test_every_mistake_in_scores_is_one(formulas: dict[str, Callable[..., float]]) -> None:
     """For the cases of the check each differs from the right formula, and from the others."""
-    made = {why: tuple(rule(*case) for case in ((2.0, 0.5, 0.5), (-1.0, 0.2, 2.0))) for why, rule in formulas.items()}  # type: ignore[operator]
+    made = {why: tuple(rule(*case) for case in ((2.0, 0.5, 0.5), (-1.0, 0.2, 2.0))) for why, rule in formulas.items()}
     assert len({tuple(np.round(values, 9)) for values in made.values()}) == len(made)
 
 

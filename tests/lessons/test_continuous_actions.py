@@ -68,7 +68,7 @@ def test_holding_the_box_is_seen() -> None:
 def test_three_bins_are_learned() -> None:
     """With other seeds than the lesson's."""
     results = arms.learn_bins(3, n_steps=50_000, repetitions=5, seed=7)
-    assert arms.late(results, "3 bins").mean() > 3.5
+    assert results.late("3 bins").mean() > 3.5
     agent = results.agents["3 bins"][0]
     assert arms.way(arms.in_a_table(3), agent)[0] == pytest.approx([-1.46, 0.395], abs=0.01)
 

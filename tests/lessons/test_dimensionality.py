@@ -30,6 +30,7 @@ from edugym.lessons.dimensionality import (
     generalise,
     growth,
     learn,
+    linear,
     n_weights,
     network,
     network_figure,
@@ -52,7 +53,7 @@ from edugym.lessons.dimensionality import (
     withheld,
 )
 from edugym.lessons.dimensionality.boards import Offset
-from edugym.lessons.dimensionality.methods import catch_numbers
+from edugym.lessons.dimensionality.methods import catch_numbers, play_on
 
 
 def test_rows_of_tables() -> None:
@@ -136,6 +137,16 @@ def test_coordinates() -> None:
     task, rng = catch_numbers(), np.random.default_rng(0)
     assert task.observation(Fall(4, 9, 0), rng).tolist() == [1.0, 1.0, 0.0]
     assert task.observation(Fall(2, 0, 1), rng).tolist() == [0.5, 0.0, 0.25]
+
+
+def test_linear_weights_that_catch_every_ball_exist() -> None:
+    """A step to the side pays as much as the ball is to that side of the paddle, and staying pays half."""
+    agent, columns = linear()(catch("grid")), np.arange(COLUMNS)
+    to_the_right = np.append(np.tile(columns, ROWS - 1), -columns)  # the paddle is in the last row
+    agent.weights[:-1] = np.outer(to_the_right, [-1.0, 0.0, 1.0])
+    agent.weights[-1] = [0.0, 0.5, 0.0]
+    rng = np.random.default_rng(0)
+    assert all(play_on(agent, "grid", Fall(ball, 0, COLUMNS // 2), rng)[1] for ball in range(COLUMNS))
 
 
 def test_weights_that_never_learned() -> None:

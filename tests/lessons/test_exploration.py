@@ -113,7 +113,7 @@ def test_what_was_learned_is_the_wall() -> None:
 def test_everything_that_the_lesson_claims(tmp_path: Any) -> None:
     """With the lesson's own settings and seed; and its data is where it says."""
     report = exploration.report(folder=tmp_path)
-    assert len(report.claims) == 31
+    assert len(report.claims) == 32
     assert [claim.statement for claim in report.claims if not claim.holds] == []
     assert [figure.name for figure in report.figures] == ["exploration", "visits", "climbs", "frontier", "fork"]
     assert [len(row) for figure in report.figures for row in figure.rows] == [2, 2, 3, 3, 1, 1, 2]

@@ -20,6 +20,7 @@ from edugym.lessons.loop import (
     discounted,
     items_on,
     learned_beside_exact,
+    leaving_return,
     misled,
     model,
     myopic_return,
@@ -59,8 +60,8 @@ def test_without_a_future_there_is_no_way() -> None:
 
 
 def test_players() -> None:
-    """Random play is worst, the next reward a little better, and both are far from the optimum."""
-    assert -500.0 < random_return() < myopic_return() < 0.0 < OPTIMUM
+    """Random play is worst, leaving and the next reward are a little better, and all are far from the optimum."""
+    assert -500.0 < random_return() < leaving_return() < myopic_return() < 0.0 < OPTIMUM
     assert 0.0 < misled() < 1.0
 
 

@@ -83,6 +83,8 @@ def test_share_lost() -> None:
     assert share_lost(model, 0.1, 0.01) == pytest.approx(0.068, abs=0.001)
     assert share_lost(model, 0.1, 0.1) == pytest.approx(0.041, abs=0.001)
     assert share_lost(model, 0.1, 0.1) > 0.1 / 3
+    with pytest.raises(ValueError, match="model must be that of a road, but is <model of Catch"):
+        share_lost(finite_model(make_mdp("Catch", observation_type="vectorised")), 0.1, 0.1)
 
 
 @pytest.fixture(scope="module")

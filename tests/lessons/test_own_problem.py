@@ -92,7 +92,7 @@ def test_roadrunner_gives_up() -> None:
 class Queue(NamedTuple):
     """A problem of a student's own, with a step limit and states that are single numbers."""
 
-    max_steps: int = 12
+    max_steps: int | None = 12
 
     @property
     def observation_space(self) -> Discrete:
@@ -145,7 +145,7 @@ class Circle(Queue):
     """Without a step limit: action 0 never ends an episode, and every step costs."""
 
     __slots__ = ()
-    max_steps = None  # type: ignore[assignment]
+    max_steps = None
 
     def transition(self, state: int, action: int, rng: Any) -> int:
         """Stay, or go on with luck."""
@@ -171,6 +171,13 @@ def test_problems_whose_episodes_may_never_end() -> None:
     endless = type("Endless", (Circle,), {"__slots__": (), "transition": lambda self, s, a, rng: 0})
     with pytest.raises(ValueError, match="no state of Endless is terminal"):
         own_problem.take_through_everything(endless())
+
+
+def test_returns_that_are_too_large() -> None:
+    """Each reward is a finite number, but their sum is none."""
+    rich = type("Rich", (Queue,), {"__slots__": (), "reward": lambda self, s, a, n, rng: 1e308})
+    with pytest.raises(ValueError, match="the returns of Rich are too large to be computed: give smaller rewards"):
+        own_problem.take_through_everything(rich())
 
 
 def test_problems_without_a_decision_are_told() -> None:
@@ -205,3 +212,10 @@ def test_the_film_shows_the_best_policy() -> None:
 def test_warming_up() -> None:
     """It runs."""
     own_problem.warm_up()
+
+
+def test_every_reward_has_a_line() -> None:
+    """There are looks for five rewards; a sixth has the first look again."""
+    measured = {f"reward {i}": np.full((2, 3), float(i)) for i in range(6)}
+    ax = own_problem.Bands((1, 2), measured).draw()
+    assert [line.get_label() for line in ax.lines] == [*measured]

@@ -26,13 +26,16 @@ from edugym.lessons.stochasticity.exact import (
     weighted,
     worth_of,
 )
+from edugym.lessons.stochasticity.figures import Dots
 from edugym.lessons.stochasticity.methods import (
     FAST_RULE,
     SAFE_RULE,
+    Played,
     lake_optimum,
     landings,
     learned_value,
     play_by_rules,
+    share_learned,
     values_on_the_tee,
 )
 from edugym.plotting import Sheet
@@ -254,3 +257,23 @@ def test_the_lake() -> None:
 def test_warming_up() -> None:
     """It runs."""
     stochasticity.warm_up()
+
+
+def test_every_number_of_theory_is_drawn() -> None:
+    """There are two looks for them; a third has the first again."""
+    ax = Dots({}, theory={"one": 1.0, "two": 2.0, "three": 3.0}).draw()
+    assert [line.get_label() for line in ax.lines] == ["one", "two", "three"]
+
+
+def test_what_was_learned_after_some_steps() -> None:
+    """From 0 to 3 of 4: three quarters."""
+    results = learn(n_steps=60, repetitions=2, points=6, risks={NEUTRAL: 0.0})
+    results.table["return"] = results.table["step"].map(lambda step: {0: 0.0, 10: 3.0}.get(step, 4.0))
+    assert share_learned(results, 10).tolist() == [0.75, 0.75]
+
+
+def test_hits_of_games_that_are_won() -> None:
+    """Lost games do not count: half of the games take one hit and a quarter take three, so 5/3; nobody wins: NaN."""
+    games = np.array([[0.25, 0.5, 0.0, 0.25], [1.0, 0.0, 0.0, 0.0]])
+    nothing = np.zeros(2)
+    np.testing.assert_allclose(Played(nothing, nothing, nothing, games).hits, [5 / 3, np.nan])

@@ -112,14 +112,15 @@ def test_the_longest_stack_that_fits() -> None:
     """31 frames of four observations take 62 bits, and their rows are right; one more is refused."""
     task: Any = FrameStack.create(Digits((3,) * 40, 4, 3), 31)
     assert rows(task, [0] * 39)[-1] == 4**31 - 1
-    for k, actions, message in (
+    refused: tuple[tuple[Any, bool, str], ...] = (
         (32, False, "k must be at most 31 for 4 observations, since the rows .* do not fit 63 bits, but is 32"),
         (19, True, "k must be at most 18 for 4 observations and 3 actions, .* but is 19"),
         (0, False, "k must be a whole number, 1 or more|k must be 1 or more"),
         (2.0, False, "k must be a whole number"),
-    ):
+    )
+    for k, actions, message in refused:
         with pytest.raises(ValueError, match=message):
-            FrameStack.create(CORRIDOR, k, actions)  # type: ignore[arg-type]
+            FrameStack.create(CORRIDOR, k, actions)
     with pytest.raises(ValueError, match="a table needs observations that are whole numbers"):
         FrameStack.create(make_mdp("Catch"), 2)
 

@@ -17,6 +17,13 @@ def test_means_and_theory() -> None:
     assert ax.get_legend() is not None
 
 
+def test_every_line_of_theory_is_drawn() -> None:
+    """There are two looks for them; a third line has the first again."""
+    theory = {label: np.array([y, y]) for label, y in (("one", 1.0), ("two", 2.0), ("three", 3.0))}
+    ax = Against([0.1, 0.2], {}, theory=theory).draw(new_axes())
+    assert [(line.get_label(), heights(line)[0]) for line in ax.lines] == [("one", 1.0), ("two", 2.0), ("three", 3.0)]
+
+
 def test_each_place_has_a_tick_on_a_logarithmic_axis() -> None:
     """As learning rates have."""
     ax = Against([0.003, 0.01, 1.0], {"A": [np.zeros(2)] * 3}, log=True).draw(new_axes())

@@ -12,8 +12,8 @@ from edugym.training import trainers
 from tests.agents.case import same
 
 
-class Swinger(NamedTuple):
-    """Turns both joints at random, and sums up what it is told.
+class Turning(NamedTuple):
+    """Turns both joints at random, and has a place for what it is told.
 
     Attributes:
         sums: shape (4,): of a number that it sees, of both numbers of its actions, and of the rewards.
@@ -25,17 +25,23 @@ class Swinger(NamedTuple):
         """A tuple of two numbers."""
         return 0.5 * rng.random() - 0.25 + 0.1 * state[2], 0.5 * rng.random() - 0.25
 
+    @property
+    def tabular(self) -> bool:
+        """It has no table."""
+        return False
+
+
+class Swinger(Turning):
+    """Sums up what it is told."""
+
+    __slots__ = ()
+
     def learn(self, state: Any, action: Any, reward: float, next_state: Any) -> None:
         """Add it up."""
         self.sums[0] += next_state[3] - state[2]
         self.sums[1] += action[0]
         self.sums[2] += action[1]
         self.sums[3] += reward
-
-    @property
-    def tabular(self) -> bool:
-        """It has no table."""
-        return False
 
 
 class ArraySwinger(Swinger):
@@ -48,12 +54,12 @@ class ArraySwinger(Swinger):
         return np.array([0.5 * rng.random() - 0.25 + 0.1 * state[2], 0.5 * rng.random() - 0.25])
 
 
-class OnPolicySwinger(Swinger):
+class OnPolicySwinger(Turning):
     """The same, with what it will do next."""
 
     __slots__ = ()
 
-    def learn(self, state: Any, action: Any, reward: float, next_state: Any, next_action: Any) -> None:  # type: ignore[override]
+    def learn(self, state: Any, action: Any, reward: float, next_state: Any, next_action: Any) -> None:
         """Add it up."""
         self.sums[0] += next_state[3] - state[2]
         self.sums[1] += action[0]
@@ -72,7 +78,7 @@ class OnPolicyArraySwinger(OnPolicySwinger):
 
 
 @pytest.mark.parametrize("kind", [Swinger, ArraySwinger, OnPolicySwinger, OnPolicyArraySwinger])
-def test_compiled_is_interpreted(kind: type[Swinger], monkeypatch: pytest.MonkeyPatch) -> None:
+def test_compiled_is_interpreted(kind: type[Turning], monkeypatch: pytest.MonkeyPatch) -> None:
     """Tuples and arrays are one, and machine code does what the interpreter does."""
     agents, compiled = [], []
 
@@ -101,7 +107,7 @@ def test_a_gymnasium_environment_gets_arrays() -> None:
     assert agent.sums[1:3].all()
 
 
-class _Pusher(Swinger):
+class _Pusher(Turning):
     """Pushes one way."""
 
     __slots__ = ()
@@ -110,6 +116,6 @@ class _Pusher(Swinger):
         """A tuple of one number."""
         return (0.5,)
 
-    def learn(self, state: Any, action: Any, reward: float) -> None:  # type: ignore[override]
+    def learn(self, state: Any, action: Any, reward: float) -> None:
         """What it did is what it is told."""
         assert action == (0.5,)

@@ -286,6 +286,10 @@ def test_values_of_every_run() -> None:
     results, last = Results(table), table["n_steps"].iloc[0] / 1_000
     np.testing.assert_equal(results.at("novelty", 1_000), [1.0, np.nan, 3.0])
     np.testing.assert_equal(results.late("novelty", 2), [last - 0.5, np.nan, last + 1.5])
+    table["training_return"] = 10.0 * table["return"]
+    np.testing.assert_equal(
+        Results(table).late("novelty", 2, "training_return"), [10.0 * last - 5.0, np.nan, 10.0 * last + 15.0]
+    )
     with pytest.raises(ValueError, match=r"step must be a point of the learning curves, \[0, 1000.*, but is 7"):
         results.at("novelty", 7)
 

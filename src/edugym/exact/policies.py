@@ -2,6 +2,7 @@
 
 import copy
 import pickle
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -65,7 +66,7 @@ def policy_of(agent: Any, model: FiniteModel, *, greedy: bool = False) -> Reals:
         policy = np.full((n_states, n_actions), 1 / n_actions)
         for s in np.flatnonzero(~model.terminal).tolist():
             policy[s] = 0.0
-            for p, observation in branches(lambda rng: task.observation(model.states[s], rng)):  # noqa: B023
+            for p, observation in branches(partial(task.observation, model.states[s])):
                 if observation not in known:
                     known[observation] = chosen(observation)
                 policy[s] += p * known[observation]

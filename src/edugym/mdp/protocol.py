@@ -100,9 +100,9 @@ def step_limit(mdp: MDP[Any, Any]) -> int | None:
     Raises:
         ValueError: `max_steps` is neither None nor a whole number of 1 or more.
     """
-    whole: Any = mdp  # a property that not every MDP has
+    any_mdp: Any = mdp  # `max_steps` is no part of the protocol, since not every MDP has it
     try:
-        limit = whole.max_steps
+        limit = any_mdp.max_steps
     except AttributeError:
         if _defines(mdp, "max_steps"):  # a mistake inside the property must not mean "no limit"
             raise

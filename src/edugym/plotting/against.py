@@ -1,6 +1,7 @@
 """What methods measure against a parameter, with intervals."""
 
 from collections.abc import Mapping, Sequence
+from itertools import cycle
 from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -24,7 +25,7 @@ class Against(NamedTuple):
         title: the text above the axes.
         x_label: the name of the parameter.
         y_label: the label of the y axis.
-        theory: by label, the values that theory predicts, shape (n,).
+        theory: by label, the values that theory predicts, shape (n,). A third line looks like the first.
         log: whether the x axis is logarithmic; then each x has a tick.
     """
 
@@ -44,7 +45,7 @@ class Against(NamedTuple):
             plot_line(ax, i, np.array(self.x), mean, method)
             ax.lines[-1].set(marker="o", markersize=3)
             ax.fill_between(self.x, low, high, color=stroke(i).color, alpha=0.16, linewidth=0)
-        for (label, line), look in zip(self.theory.items(), (REFERENCE, SOFT_REFERENCE), strict=False):
+        for (label, line), look in zip(self.theory.items(), cycle((REFERENCE, SOFT_REFERENCE)), strict=False):
             ax.plot(self.x, line, label=label, **look)
         if self.log:
             ax.set_xscale("log")

@@ -125,21 +125,22 @@ class Results:
         values: Reals = curves.reindex([step]).to_numpy(float)[0]
         return values
 
-    def late(self, method: str, points: int = 5) -> Reals:
-        """Return the mean of the last evaluations of every complete run of a method.
+    def late(self, method: str, points: int = 5, column: str = "return") -> Reals:
+        """Return the mean of the last points of the learning curve of every complete run of a method.
 
         Args:
             method: one of `methods`.
-            points: the number of evaluations, 1 or more.
+            points: the number of points, 1 or more.
+            column: as in `curves`.
 
         Returns:
-            Shape (n_repetitions,); NaN where a run is not complete.
+            Shape (n_repetitions,); NaN where a run is not complete, or where one of these points has no value.
 
         Raises:
             ValueError: an argument is none of these.
         """
         whole_number("points", points, 1)
-        values: Reals = self._complete_curves(method).iloc[-points:].to_numpy(float).mean(axis=0)
+        values: Reals = self._complete_curves(method, column).iloc[-points:].to_numpy(float).mean(axis=0)
         return values
 
     def _complete_curves(self, method: str, column: str = "return") -> "pandas.DataFrame":

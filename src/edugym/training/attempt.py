@@ -9,7 +9,9 @@ from edugym.training.contract import learner
 
 
 def attempt(make: Callable[[Any], Any], mdp: Any, after: int, seed: int = 0) -> list[int]:
-    """Return the actions of one episode of training, as it explores: the first that begins `after` so many steps.
+    """Train an agent, and return its actions in one episode, exploring included.
+
+    It is the first episode that starts when at least `after` training steps are done.
 
     This is the loop of Sutton and Barto in plain Python. Where nothing is random, as on a wall of Boulder, the actions
     are enough to replay the episode.
@@ -17,7 +19,7 @@ def attempt(make: Callable[[Any], Any], mdp: Any, after: int, seed: int = 0) -> 
     Args:
         make: makes the agent for the MDP.
         mdp: the MDP, with a step limit, `max_steps`.
-        after: the number of training steps before the episode, or a few more, since episodes are not cut.
+        after: how many training steps come before the episode, at least: they are whole episodes, so there may be more.
         seed: the seed of the agent.
     """
     agent = make(mdp)

@@ -44,13 +44,10 @@ from edugym.lessons.continuous_actions.methods import (
     frozen_lake,
     gaussian,
     in_a_table,
-    joined,
-    late,
     learn_all,
     learn_bins,
     learn_continuous,
     name,
-    renamed,
     steps_to,
     tiles_on_the_wrist,
 )
@@ -70,7 +67,7 @@ from edugym.plotting.report import Report
 from edugym.plotting.sheet import Sheet
 from edugym.results.claims import Above, Below, Claim, Within
 from edugym.results.statistics import exactly, mean_interval, paired_difference, share_interval
-from edugym.results.tables import Results
+from edugym.results.tables import Results, joined
 
 __all__ = [
     "ACTIONS",
@@ -99,9 +96,7 @@ __all__ = [
     "gaussian",
     "gradient_figure",
     "in_a_table",
-    "joined",
     "lake_figure",
-    "late",
     "learn_all",
     "learn_bins",
     "learn_continuous",
@@ -114,7 +109,6 @@ __all__ = [
     "peaks",
     "ppo_figure",
     "race",
-    "renamed",
     "report",
     "reward",
     "scores",
@@ -175,7 +169,7 @@ def exact_claims() -> list[Claim]:
             "largest deviation",
             exactly(deviation),
             Within(0.0, 0.006),
-            "more bins mostly place the box more exactly, but 5 do not beat 4: they lead to other places",
+            "more bins are mostly better, but 5 do not beat 4",
         ),
         Claim(
             "Into a container 0.3 wide 3 bins cannot bring the box at all, and 5 can",
@@ -191,15 +185,15 @@ def learning_claims(wide: Results, narrow: Results) -> list[Claim]:
     three, five, nine = map(name, BINS)
     return [
         Claim(
-            "5 bins end above 3",
+            "Learning with 5 bins ends at a higher return than with 3",
             "greedy return, late, 5 bins less 3",
-            paired_difference(late(wide, five), late(wide, three)),
+            paired_difference(wide.late(five), wide.late(three)),
             Above(0.1),
         ),
         Claim(
             "Most runs with continuous actions end above the best that 3 bins can do",
             "share of the runs whose greedy return, late, is above 4.31",
-            share_interval(late(wide, CONTINUOUS) > best_return(BINS[0])),
+            share_interval(wide.late(CONTINUOUS) > best_return(BINS[0])),
             Above(0.5),
         ),
         Claim(
@@ -210,13 +204,13 @@ def learning_claims(wide: Results, narrow: Results) -> list[Claim]:
             "on the same table, with the same agent",
         ),
         Claim(
-            "5 bins reach it sooner than 9",
+            "5 bins reach a return of 3.5 sooner than 9",
             "training steps, 5 bins less 9",
             paired_difference(steps_to(wide, five, GOAL), steps_to(wide, nine, GOAL)),
             Below(0.0),
         ),
         Claim(
-            "but continuous actions reach it sooner than 9 bins",
+            "Continuous actions reach a return of 3.5 sooner than 9 bins",
             "training steps, continuous less 9 bins",
             paired_difference(steps_to(wide, CONTINUOUS, GOAL), steps_to(wide, nine, GOAL)),
             Below(0.0),
@@ -225,19 +219,19 @@ def learning_claims(wide: Results, narrow: Results) -> list[Claim]:
         Claim(
             "With 3 bins and the narrow container the box is never delivered",
             "greedy return, late",
-            mean_interval(late(narrow, three)),
+            mean_interval(narrow.late(three)),
             Below(0.5),
         ),
         Claim(
             "A narrower container makes 5 bins worse",
             "greedy return, late, narrow less wide",
-            paired_difference(late(narrow, five), late(wide, five)),
+            paired_difference(narrow.late(five), wide.late(five)),
             Below(0.0),
         ),
         Claim(
-            "and continuous actions too",
+            "A narrower container makes continuous actions worse",
             "greedy return, late, narrow less wide",
-            paired_difference(late(narrow, CONTINUOUS), late(wide, CONTINUOUS)),
+            paired_difference(narrow.late(CONTINUOUS), wide.late(CONTINUOUS)),
             Below(0.0),
         ),
     ]
@@ -284,7 +278,7 @@ def peak_claims() -> list[Claim]:
             "continuous is not always better: a Gaussian has one peak, and sees only what is near",
         ),
         Claim(
-            "10 bins find the rich one",
+            "With 10 bins a policy that starts over the poor container finds the rich one",
             "share of 100 runs that end at the rich one",
             exactly(found["10 bins"]),
             Above(0.9),
@@ -295,29 +289,29 @@ def peak_claims() -> list[Claim]:
 def ppo_claims(stored: Results) -> list[Claim]:
     """Return the claims on PPO."""
     three, five, nine = map(name, BINS)
-    drawn = {label: late(stored, label, "training_return") for label in ACTIONS}
+    drawn = {label: stored.late(label, column="training_return") for label in ACTIONS}
     speed = {label: steps_to(stored, label, 3.0, "training_return") for label in ACTIONS}
     told = "results of ten seeds, stored with the package"
     return [
         *(
             Claim(
-                f"PPO with 3 bins is sooner than with {label}" if label != CONTINUOUS else "and than with real numbers",
+                f"PPO reaches a return of 3 sooner with 3 bins than with {actions}",
                 f"training steps to a return of 3 with drawn actions, 3 bins less {label}",
                 paired_difference(speed[three], speed[label]),
                 Below(0.0),
                 told,
             )
-            for label in (five, nine, CONTINUOUS)
+            for label, actions in ((five, five), (nine, nine), (CONTINUOUS, "continuous actions"))
         ),
         Claim(
-            "PPO with 3 bins comes near the best that they can do, with drawn actions",
+            "With drawn actions PPO with 3 bins comes near the best return that 3 bins allow",
             "return, late",
             mean_interval(drawn[three]),
             Within(4.0, 4.31),
             told,
         ),
         Claim(
-            "Some runs deliver the box with drawn actions, and never with the likeliest ones",
+            "Some runs of PPO deliver the box with drawn actions, and not with the likeliest ones",
             "share of all runs with a return above 3 drawn, late, and below 1 likeliest, at the end",
             share_interval(np.concatenate([(drawn[x] > 3.0) & (stored.final(x) < 1.0) for x in ACTIONS])),
             Above(0.05),

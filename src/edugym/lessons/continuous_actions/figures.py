@@ -17,11 +17,9 @@ from edugym.lessons.continuous_actions.methods import (
     SPREAD,
     WIDTH,
     in_a_table,
-    joined,
     learn_bins,
     learn_continuous,
     name,
-    renamed,
 )
 from edugym.lessons.continuous_actions.panels import (
     BestReturns,
@@ -38,7 +36,7 @@ from edugym.lessons.continuous_actions.release import Scores, climb, climb_in_bi
 from edugym.mdp.tabular import Tabular
 from edugym.plotting.curves import Curves
 from edugym.plotting.sheet import Sheet
-from edugym.results.tables import Results
+from edugym.results.tables import Results, joined
 from edugym.training.repeat import repeat
 
 SHOWN_BINS = (2, 3, 4, 5, 6, 7, 9)
@@ -106,7 +104,7 @@ def one_setting(
         f"{bins} bins, {cells} cells, α = {alpha:g}; σ = {sigma:g}, actor's rate {actor_rate:g};"
         f"\nγ = {gamma:g}, width {width:g}"
     )
-    both = joined([renamed(table, "REINFORCE, table"), renamed(real, "Gaussian actor-critic")])
+    both = joined([table.renamed("REINFORCE, table"), real.renamed("Gaussian actor-critic")])
     return Sheet("one_setting", [[WithBest(Curves(both, title, y_range=(-2.1, 5.2)), strokes=(6, 3), runs=True)]])
 
 
@@ -177,7 +175,7 @@ def race(own: Mapping[str, Any], *, n_bins: int = 5, n_steps: int = 40_000, repe
     """
     both: dict[str, Any] = {"n_steps": n_steps, "repetitions": repetitions, **how}
     parts = [
-        renamed(learn_bins(n_bins, baseline=on, **both), label)
+        learn_bins(n_bins, baseline=on, **both).renamed(label)
         for label, on in (("REINFORCE with baseline", True), ("without baseline", False))
     ]
     every = max(n_steps // 25, 1)

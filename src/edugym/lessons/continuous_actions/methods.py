@@ -13,7 +13,7 @@ from edugym.agents.tile_coding import TileCoding
 from edugym.envs.trashbot.task import Trashbot
 from edugym.lessons.continuous_actions.ppo import CONTINUOUS
 from edugym.mdp.discretised import DiscreteActions, Discretised
-from edugym.results.tables import Results
+from edugym.results.tables import Results, joined
 from edugym.training.repeat import repeat
 
 BINS = (3, 5, 9)
@@ -32,8 +32,6 @@ SPREAD = 0.5
 """σ of its policy."""
 OPTIMISM = 1.0
 """What its critic expects of every state at first."""
-LATE = 5
-"""The number of the last points of a curve that are averaged."""
 
 
 def name(n_bins: int) -> str:
@@ -140,25 +138,6 @@ def learn_all(bins: Sequence[int] = BINS, **how: Any) -> Results:
         **how: arguments that both `learn_bins` and `learn_continuous` have, and those of `edugym.training.repeat`.
     """
     return joined([*(learn_bins(n, **how) for n in bins), learn_continuous(**how)])
-
-
-def joined(results: Sequence[Results]) -> Results:
-    """Join the results of several methods."""
-    import pandas
-
-    table = pandas.concat([part.table for part in results], ignore_index=True)
-    return Results(table, {label: agents for part in results for label, agents in part.agents.items()})
-
-
-def renamed(results: Results, label: str) -> Results:
-    """Return results of one method under another label."""
-    (agents,) = results.agents.values()
-    return Results(results.table.assign(method=label), {label: agents})
-
-
-def late(results: Results, label: str, column: str = "return") -> Any:
-    """Return the mean of the last five points of every run with a label, shape (n_repetitions,)."""
-    return results.curves(label, column).iloc[-LATE:].mean().to_numpy(float)
 
 
 def steps_to(results: Results, label: str, goal: float, column: str = "return") -> Any:

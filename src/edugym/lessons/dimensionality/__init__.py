@@ -22,7 +22,6 @@ from edugym.lessons.dimensionality.figures import (
     costs_figure,
     ever_learned,
     growth,
-    join,
     network_figure,
     policy_maps,
     shared_by_column,
@@ -73,7 +72,7 @@ from edugym.plotting.report import Report
 from edugym.plotting.sheet import Sheet
 from edugym.results.claims import Above, Below, Claim, Within
 from edugym.results.statistics import exactly, mean_interval, paired_difference
-from edugym.results.tables import Results
+from edugym.results.tables import Results, joined
 
 __all__ = [
     "COLUMN",
@@ -111,7 +110,7 @@ __all__ = [
     "generalise",
     "growth",
     "hashed_dark",
-    "join",
+    "joined",
     "learn",
     "linear",
     "mountain_car",
@@ -146,13 +145,6 @@ SLOW = 150_000
 """The training steps with one noisy pixel."""
 REPETITIONS = 10
 RANDOM_PLAY = -0.6
-
-
-def late(results: Results) -> Reals:
-    """Return the mean of the last five evaluations of every run, shape (n_repetitions,)."""
-    (label,) = results.methods
-    mean: Reals = results.curves(label).iloc[-5:].to_numpy(float).mean(axis=0)
-    return mean
 
 
 def measure(how: How) -> tuple[Any, ...]:
@@ -203,7 +195,7 @@ def size_claims() -> list[Claim]:
             f"2^50 rows; over all images of 150 bytes it would have 10^{math.log10(rows_of_table('rgb')):.0f}",
         ),
         Claim(
-            "but while the ball falls, there are no more boards than states: a table needs rows for these only",
+            "While the ball falls, there are as many boards as states: a table needs rows for these boards only",
             "different boards / states, computed",
             exactly(boards / falling),
             Within(1.0, 1.0),
@@ -224,9 +216,9 @@ def pixel_claims(plain: Mapping[str, Results]) -> list[Claim]:
             "'a table cannot read pixels' is wrong: it gives a row to each board that occurs",
         ),
         Claim(
-            "and catches every ball",
+            "A hashed table over pixels catches every ball",
             "greedy return, last five evaluations",
-            mean_interval(late(plain[PIXELS])),
+            mean_interval(plain[PIXELS].late(PIXELS)),
             Above(0.99),
         ),
     ]
@@ -238,36 +230,35 @@ def noise_claims(plain: Mapping[str, Results], noisy: Mapping[str, Results]) -> 
     half = noisy[ONE_PIXEL].curves(ONE_PIXEL)
     return [
         Claim(
-            f"One noisy pixel slows it: it is behind after {half.index[1]} steps",
+            f"One noisy pixel slows the hashed table: it is behind after {half.index[1]} steps",
             f"greedy return, less that without noise after {N_STEPS // 2}",
             paired_difference(half.iloc[1].to_numpy(float), clean),
             Below(-0.2),
             f"each board has {LEVELS} rows now, and what is learned in one helps none of the others",
         ),
         Claim(
-            f"but it gets there, after {SLOW} steps",
+            f"With one noisy pixel the hashed table catches nearly every ball after {SLOW} steps",
             "greedy return, last five evaluations",
-            mean_interval(late(noisy[ONE_PIXEL])),
+            mean_interval(noisy[ONE_PIXEL].late(ONE_PIXEL)),
             Above(0.9),
         ),
         Claim(
-            "With noise of real numbers every board is new",
+            "With noise of real numbers in all pixels nearly every board is new",
             "share of observations never seen before",
             exactly(new_share(pixels(sigma=SIGMA)(0))),
             Above(0.99),
         ),
         Claim(
-            f"and a table learns nothing; random play returns {RANDOM_PLAY:g}",
+            f"With noise in all pixels a table learns nothing: it does no better than random play, {RANDOM_PLAY:g}",
             "greedy return, last five evaluations",
-            mean_interval(late(noisy[ALL_PIXELS])),
+            mean_interval(noisy[ALL_PIXELS].late(ALL_PIXELS)),
             Within(RANDOM_PLAY - 0.15, RANDOM_PLAY + 0.15),
         ),
         Claim(
-            "where the network learns",
+            "With noise in all pixels DQN learns to catch most balls",
             "greedy return of DQN, last five evaluations",
-            mean_interval(late(noisy[NETWORK])),
+            mean_interval(noisy[NETWORK].late(NETWORK)),
             Above(0.85),
-            "boards that differ a little have values that differ a little",
         ),
     ]
 
@@ -278,27 +269,27 @@ def general_claims(tests: Mapping[str, Reals]) -> list[Claim]:
     unseen = f"greedy return, balls from columns {', '.join(map(str, WITHHELD))}"
     return [
         Claim(
-            "The table catches all balls as in training",
+            "The table catches every ball from the columns of training",
             seen,
             mean_interval(tests[TABLE][[*TRAINED]].mean(axis=0)),
             Above(0.99),
         ),
         Claim(
-            "but it does not generalise: balls from new columns find it as ignorant as at first",
+            "The table does not generalise: it misses most balls from new columns",
             unseen,
             mean_interval(tests[TABLE][[*WITHHELD]].mean(axis=0)),
             Below(0.0),
             "their rows were never visited",
         ),
         Claim(
-            "Linear in the pixels is no way out: it does not learn the balls of training either",
+            "An agent linear in the pixels is no way out: it misses balls even from the columns of training",
             seen,
             mean_interval(tests[LINEAR][[*TRAINED]].mean(axis=0)),
             Below(0.8),
             "a sum over pixels cannot represent the true values; weights that catch every ball exist; it finds none",
         ),
         Claim(
-            "Features that fit do generalise: linear in ball minus paddle, new columns are caught",
+            "Features that fit do generalise: an agent linear in ball minus paddle catches balls from new columns",
             unseen,
             mean_interval(tests[OFFSET][[*WITHHELD]].mean(axis=0)),
             Above(0.95),
@@ -312,21 +303,21 @@ def sharing_claims(tests: Mapping[str, Reals]) -> list[Claim]:
     unseen = f"greedy return, balls from columns {', '.join(map(str, WITHHELD))}"
     return [
         Claim(
-            "A network on pixels does not generalise to new columns either",
+            "A fully connected network on pixels does not generalise to new columns",
             unseen,
             mean_interval(tests[NETWORK][[*WITHHELD]].mean(axis=0)),
             Below(0.5),
             "weights from pixels that were always 0 do not move",
         ),
         Claim(
-            "nor does a small CNN whose last layers have a weight for every place",
+            "A small CNN whose last layers have a weight for every place does not generalise to new columns",
             unseen,
             mean_interval(tests[SMALL][[*WITHHELD]].mean(axis=0)),
             Below(0.5),
             "results of ten seeds, stored with the package",
         ),
         Claim(
-            "but a CNN whose filters slide over the columns, of which the largest output counts, does",
+            "A CNN that keeps only the largest output of filters that slide over the columns generalises to new ones",
             unseen,
             mean_interval(tests[COLUMN][[*WITHHELD]].mean(axis=0)),
             Above(0.5),
@@ -346,7 +337,7 @@ def triad_claims() -> list[Claim]:
             Within(0.51, 0.51),
         ),
         Claim(
-            "An old target slows it and does not stop it",
+            "An old target slows the growth of this weight and does not stop it",
             "growth rate with a copy every 20 updates, of that without",
             exactly(math.log(old) / math.log(w_to_2w(2_000, 0.9, 0.1)[-1])),
             Within(0.2, 0.6),

@@ -209,14 +209,6 @@ def _listed(columns: Sequence[int]) -> str:
     return ", ".join(map(str, columns))
 
 
-def join(results: Sequence[Results]) -> Results:
-    """Return several results as one table."""
-    import pandas
-
-    agents = {label: agents for one in results for label, agents in one.agents.items()}
-    return Results(pandas.concat([one.table for one in results], ignore_index=True), agents)
-
-
 def table_and_network(panels: Mapping[str, Results]) -> Sheet:
     """Return a panel of learning curves for each kind of observation."""
     curves = [Learning(results, title, optimum=1.0, y_range=(-1.05, 1.05)) for title, results in panels.items()]

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
-from edugym.lessons.dimensionality.figures import join, table_and_network, withheld
+from edugym.lessons.dimensionality.figures import table_and_network, withheld
 from edugym.lessons.dimensionality.methods import (
     DARKEST,
     LEVELS,
@@ -24,7 +24,7 @@ from edugym.lessons.dimensionality.methods import (
 )
 from edugym.lessons.dimensionality.tasks import TRAINED
 from edugym.plotting.sheet import Sheet
-from edugym.results.tables import Results
+from edugym.results.tables import Results, joined
 
 HOPELESS = 40_000
 ONE_PIXEL, ALL_PIXELS = f"one noisy pixel of {LEVELS} levels", f"noise in all pixels, σ = {SIGMA:g}"
@@ -49,7 +49,7 @@ def compare_sights(n_steps: int = HOPELESS, repetitions: tuple[int, int] = (30, 
     }
     of_table, of_network = repetitions
     return {
-        title: join(
+        title: joined(
             [
                 learn(hashed, PIXELS, n_steps=n_steps, repetitions=of_table, **how),
                 learn(boards, NETWORK, network(), n_steps=n_steps, repetitions=of_network, **how),
@@ -83,4 +83,4 @@ def race_networks(own: Mapping[str, Any], repetitions: int = 2, n_steps: int = 8
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", UserWarning)
         runs = [learn(seen(), label, make, **how) for label, make in {NETWORK: network(), **own}.items()]
-    return table_and_network({"no noise": join(runs)})
+    return table_and_network({"no noise": joined(runs)})

@@ -18,6 +18,7 @@ from edugym.lessons.loop.exact import (
     best_way,
     discounted,
     items_on,
+    leaving_return,
     misled,
     model,
     myopic_return,
@@ -82,6 +83,7 @@ __all__ = [
     "learned_beside_exact",
     "learner",
     "learning_curves",
+    "leaving_return",
     "misled",
     "model",
     "myopic_return",
@@ -140,7 +142,7 @@ def player_claims(results: Results) -> list[Claim]:
             Within(95.0, 95.0),
         ),
         Claim(
-            "Q-learning finds it, without the model",
+            "Q-learning finds the best policy without the model",
             "share of runs that end with 95",
             results.share(Q_LEARNING, OPTIMUM),
             Above(0.5),
@@ -153,7 +155,7 @@ def reward_claims(results: Results) -> list[Claim]:
     start = int(model().initial.argmax())
     return [
         Claim(
-            "At the start rewards say nothing: all actions have the same",
+            "At the start all actions have the same reward, so rewards do not tell them apart",
             "highest less lowest reward, computed",
             exactly(float(np.ptp(model().r[start]))),
             Within(0.0, 0.0),
@@ -170,7 +172,13 @@ def reward_claims(results: Results) -> list[Claim]:
             "return, computed",
             exactly(myopic_return()),
             Below(OPTIMUM / 2),
-            f"more than random play ({random_return():.0f}): it takes what lies beside it",
+        ),
+        Claim(
+            "Leaving by the exit as soon as it is beside one is most of what the highest reward gains over random play",
+            "gain of random play that leaves so, of the gain of the highest reward, computed",
+            exactly((leaving_return() - random_return()) / (myopic_return() - random_return())),
+            Within(0.8, 0.95),
+            f"random play returns {random_return():.0f}, the highest next reward {myopic_return():.0f}",
         ),
         Claim(
             "Q-learning with discount 0 learns rewards, not returns, and never finds the best way",
@@ -207,7 +215,7 @@ def discount_claims() -> list[Claim]:
             "what is best depends on the discount, which belongs to the question and not to the world",
         ),
         Claim(
-            "and worse at discount 1",
+            "The short way with one item is worse than the one with three at discount 1",
             "return, difference, computed",
             exactly(lead(1.0)),
             Below(0.0),

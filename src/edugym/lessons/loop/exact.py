@@ -35,6 +35,13 @@ def random_return() -> float:
     return policy_evaluation(model(), policy, horizon=MAX_STEPS).start
 
 
+def leaving_return() -> float:
+    """Return what a player earns who acts at random but leaves wherever the exit is one step away, computed."""
+    leaves = model().terminal[model().successors[:, :, 0]]  # nothing is random in Supermarket
+    chosen = np.where(leaves.any(axis=1, keepdims=True), leaves, True)
+    return policy_evaluation(model(), chosen / chosen.sum(axis=1, keepdims=True), horizon=MAX_STEPS).start
+
+
 def myopic_return() -> float:
     """Return what a player earns who always takes the highest next reward (one of them at random), computed."""
     best = model().r >= model().r.max(axis=1, keepdims=True)
@@ -68,7 +75,7 @@ def items_on(rows: Sequence[int]) -> int:
 def misled() -> float:
     """Return the share of states with different next rewards in which the highest is not on the best way (γ = 1).
 
-    Such a state is one before the exit, or beside an item, when something else should come first.
+    Such a state is beside the exit, with an item still to collect.
     """
     Q, r = value_iteration(model()).Q, model().r
     differ: Integers = np.flatnonzero((r.max(axis=1) > r.min(axis=1)) & ~model().terminal)

@@ -162,11 +162,11 @@ def window_claims() -> list[Claim]:
             "the door was opened L - 1 steps ago; two marks in the window tell how long the corridor is (section 17.3)",
         ),
         Claim(
-            "The laws are for never erring: the best play with 7 observations and actions returns far more than 15",
+            "The best play with 7 observations and actions gets further than corridor 5: it returns far more than 15",
             "expected return of the best policy that was found",
             exactly(best_play(7, actions=True).value),
             Within(23.0, 23.6),
-            "the doors are still in the window, and the actions mostly tell how long the corridor is",
+            "the window of 2L - 3 is for never erring",
         ),
     ]
 
@@ -217,14 +217,13 @@ def action_claims(frames: Results, both: Results, quick: Results) -> list[Claim]
             f"{stack_size(DOORS + 1, 5, DOORS)} rows instead of {stack_size(DOORS + 1, 3, DOORS)}",
         ),
         Claim(
-            f"Five with actions still return more than three after {EARLY} steps",
+            f"A stack of five with actions still returns more than one of three after {EARLY} steps",
             f"greedy return after {EARLY} steps, k = 5 less k = 3",
             paired_difference(five, three),
             Above(0.0),
-            "the rows for the first, short corridors are few, and are learned first",
         ),
         Claim(
-            "In the end five with actions are ahead of three",
+            "In the end a stack of five with actions is ahead of a stack of three",
             "greedy return, k = 5 less k = 3",
             paired_difference(final(both, 5), final(both, 3)),
             Above(2.0),

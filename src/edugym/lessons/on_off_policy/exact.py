@@ -1,5 +1,7 @@
 """What is possible on a road, by planning on its exact model: the best runs, their slips, and where they change."""
 
+from typing import Any
+
 import numpy as np
 
 from edugym.envs.roadrunner import Roadrunner, Runner
@@ -28,8 +30,14 @@ def soft_return_of(model: FiniteModel, epsilon: float, planned_for: float) -> fl
 
 
 def share_lost(model: FiniteModel, epsilon: float, planned_for: float) -> float:
-    """Return how likely an episode of that policy is to end in a fall or a stall."""
-    task: Roadrunner = model.mdp  # type: ignore[assignment]
+    """Return how likely an episode of that policy is to end in a fall or a stall.
+
+    Raises:
+        ValueError: the model is not that of a Roadrunner.
+    """
+    task = model.mdp
+    if not isinstance(task, Roadrunner):
+        raise ValueError(f"model must be that of a road, but is {model!r}")
     lost = np.array([task.has_failed(state) for state in model.states])
     counting = model._replace(rewards=np.where(model.terminal[:, np.newaxis, np.newaxis], 0.0, lost[model.successors]))
     return policy_evaluation(counting, _soft(model, epsilon, planned_for), 1.0, horizon=HORIZON).start
@@ -51,14 +59,14 @@ def switch(model: FiniteModel, low: float = 0.0, high: float = 0.2, tolerance: f
     return (low + high) / 2
 
 
-def best_run(epsilon: float, **parameters: float) -> list[Runner]:
+def best_run(epsilon: float, **parameters: Any) -> list[Runner]:
     """Return the states of the run that is best for an agent which slips with probability ε, played without a slip.
 
     Args:
         epsilon: ε, from 0 to 1.
         parameters: those of the road, such as `negative_reward`.
     """
-    task = Roadrunner.create(**parameters)  # type: ignore[arg-type]
+    task = Roadrunner.create(**parameters)
     model = finite_model(task)
     policy = value_iteration(model, DISCOUNT, epsilon=epsilon, horizon=HORIZON).greedy_policy()
     rng = np.random.default_rng(0)  # the road draws nothing

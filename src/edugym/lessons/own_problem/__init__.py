@@ -140,35 +140,36 @@ def learning_lines(returns: dict[str, Reals]) -> Bands:
 def exact_claims() -> list[Claim]:
     """Return the claims on what rewards teach; they are exact, so their intervals are points."""
     nights = {label: what_happens(Morning(), best_policy(mdp)) for label, mdp in TASKS.items()}
+    free_rings = what_happens(Morning(), best_policy(Morning(ring=0.0)))
     stalling, running = first_stall(-1.0), first_stall(-100.0)
     return [
         Claim(
-            "Even the reward that was meant lets her oversleep, one day in seven",
+            "Even the reward that was meant lets the sleeper oversleep, one day in seven",
             "probability of oversleeping under the best policy",
             exactly(nights[MEANT].late),
             Within(0.13, 0.15),
-            "sleep is worth something, and a ring costs something",
+            f"sleep is worth this risk: if rings were free, it would still be {free_rings.late:.2f}",
         ),
         Claim(
-            "Paid for being awake, the clock wakes her at dawn",
+            "Paid for being awake, the clock wakes the sleeper at dawn",
             "minutes asleep, of 80",
             exactly(nights[WAKEFULNESS].sleep),
             Below(25.0),
         ),
         Claim(
-            "which costs most of the return that was meant",
+            "Paid for being awake, the clock loses most of the return that was meant",
             "return as meant, of 10.3",
             exactly(nights[WAKEFULNESS].meant),
             Below(3.0),
         ),
         Claim(
-            "Paid for each waking, the clock lets her doze off to wake her again",
+            "Paid for each waking, the clock lets the sleeper doze off to wake her again",
             "wakings in an episode",
             exactly(nights[WAKINGS].wakings),
             Above(2.0),
         ),
         Claim(
-            "Without that bonus she wakes less than once on average",
+            "Without a bonus for each waking the sleeper wakes less than once on average",
             "wakings in an episode",
             exactly(nights[MEANT].wakings),
             Below(1.0),
@@ -181,13 +182,18 @@ def exact_claims() -> list[Claim]:
         ),
         Claim("On Roadrunner with R = -1 the optimum is -1", "optimum", exactly(stalling[0]), Within(-1.001, -0.999)),
         Claim(
-            "and it stalls in the first step",
+            "On Roadrunner with R = -1 the best policy stalls in the first step",
             "change of speed in the first step",
             exactly(stalling[1]),
             Below(0.0),
             "the shortest run returns -2",
         ),
-        Claim("With R = -100 the optimum runs", "change of speed in the first step", exactly(running[1]), Above(0.0)),
+        Claim(
+            "On Roadrunner with R = -100 the best policy runs",
+            "change of speed in the first step",
+            exactly(running[1]),
+            Above(0.0),
+        ),
     ]
 
 
@@ -199,14 +205,14 @@ def shaping_claims() -> list[Claim]:
     difference = abs(meant.greedy_policy() - shaped.greedy_policy()).max()
     return [
         Claim(
-            "As a potential the same bonus changes no best action",
+            "As a potential a bonus for being awake changes no best action",
             "largest difference of the two best policies",
             exactly(float(difference)),
             Below(1e-9),
             "Ng, Harada and Russell (1999)",
         ),
         Claim(
-            "and lowers every value by its potential",
+            "Shaping with a potential lowers the value of every state by its potential",
             "largest |v'(s) - (v(s) - φ(s))|",
             exactly(float(gap)),
             Below(1e-9),
@@ -232,7 +238,9 @@ def state_claims() -> list[Claim]:
             exactly(max(actions)),
             Below(0.5),
         ),
-        Claim("and earns what silence earns", "return", exactly(sleep), Within(5.99, 6.01)),
+        Claim(
+            "A clock that does not know the time earns what silence earns", "return", exactly(sleep), Within(5.99, 6.01)
+        ),
     ]
 
 
@@ -256,32 +264,32 @@ def learning_claims(learned: dict[str, Reals], returns: dict[str, Reals]) -> lis
             Above(0.0),
         ),
         Claim(
-            "More learning does not mend a careless reward: Q-learning paid for each waking does what it is paid for",
+            "More learning does not mend a careless reward: paid for each waking, Q-learning ends far from the optimum",
             "return as meant after the largest budget, less the optimum",
             mean_interval(returns[WAKINGS][-1] - optimum),
             Below(-5.0),
         ),
         Claim(
-            "nor one that pays for being awake",
+            "More learning does not mend a careless reward: paid for being awake, Q-learning ends far from the optimum",
             "return as meant after the largest budget, less the optimum",
             mean_interval(returns[WAKEFULNESS][-1] - optimum),
             Below(-5.0),
         ),
         Claim(
-            "With the potential it ends near the optimum",
+            "With the potential Q-learning ends near the optimum",
             "return as meant after the largest budget, less the optimum",
             mean_interval(returns[POTENTIAL][-1] - optimum),
             Above(-2.0),
         ),
         Claim(
-            "which does not mean that shaping helps: early on this potential is behind no shaping",
+            "Shaping need not help: early on Q-learning with this potential is behind Q-learning without shaping",
             f"return as meant after {BUDGETS[1]} steps, less that without shaping",
             paired_difference(returns[POTENTIAL][1], returns[MEANT][1]),
             Below(0.0),
             "a potential that points the wrong way is a bad hint; it only cannot change the optimum",
         ),
         Claim(
-            "A potential that guesses the best values right is far ahead",
+            "Early on Q-learning with the best values as a potential is far ahead of Q-learning without shaping",
             f"return as meant after {BUDGETS[1]} steps, less that without shaping",
             paired_difference(returns[BEST_GUESS][1], returns[MEANT][1]),
             Above(1.0),

@@ -64,7 +64,7 @@ def what_happens(mdp: Any, policy: Reals) -> Night:
         policy: the policy, by the rows of the model, shape (S, A). The rows do not depend on the reward.
     """
     model = finite_model(mdp)
-    end = model.mdp.length  # type: ignore[union-attr]
+    end = mdp.length
     return Night(
         meant=policy_evaluation(model, policy, DISCOUNT).start,
         sleep=10.0 * _count(model, policy, lambda state, action, after: after[1] > 0),
@@ -142,7 +142,8 @@ def solve(mdp: Any) -> Values:
     """Return the undiscounted optimum of any finite MDP, up to its step limit if it has one.
 
     Raises:
-        ValueError: it is not finite, or episodes may go on for ever and gather reward without limit.
+        ValueError: it is not finite, episodes may go on for ever and gather reward without limit, or returns are larger
+            than any number of a computer.
     """
     model = finite_model(mdp)
     limit = step_limit(mdp)
@@ -151,12 +152,16 @@ def solve(mdp: Any) -> Values:
             f"no state of {type(mdp).__name__} is terminal and it has no `max_steps`, so an episode never ends"
         )
     try:
-        return value_iteration(model, DISCOUNT, horizon=limit, max_sweeps=20_000)
+        with np.errstate(over="ignore", invalid="ignore"):  # returns that are too large are refused below
+            values = value_iteration(model, DISCOUNT, horizon=limit, max_sweeps=20_000)
     except ValueError:
         raise ValueError(
             f"some episodes of {type(mdp).__name__} may never end, and gather reward without limit: give it a"
             " `max_steps`, or a terminal state that is always reached"
         ) from None
+    if not np.isfinite(values.Q).all():
+        raise ValueError(f"the returns of {type(mdp).__name__} are too large to be computed: give smaller rewards")
+    return values
 
 
 def player(mdp: Any) -> Callable[[Any], int]:

@@ -1,6 +1,7 @@
 """The figures of lesson 10."""
 
 from collections.abc import Mapping, Sequence
+from itertools import cycle
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -154,7 +155,7 @@ class Bands(NamedTuple):
         """Draw the lines on `ax`, by default in a new figure, and return the axes."""
         ax = own_axes(ax)
         x = np.asarray(self.x, float)
-        for look, (label, values) in zip(REWARD_STROKES, self.measured.items(), strict=False):
+        for look, (label, values) in zip(cycle(REWARD_STROKES), self.measured.items(), strict=False):
             mean, low, high = by_point(values).T
             ax.plot(x, mean, color=look.color, linestyle=look.linestyle, linewidth=1.6, label=label)
             ax.fill_between(x, low, high, color=look.color, alpha=0.16, linewidth=0)

@@ -17,7 +17,7 @@ from edugym.lessons.own_problem.morning import Morning
 from edugym.mdp.protocol import Random
 from edugym.mdp.wrapper import wrapper
 from edugym.plotting.sheet import Sheet
-from edugym.results.tables import Results
+from edugym.results.tables import joined
 
 
 def shaped_policies(shaped_reward: Callable[..., float], seed: int = 0) -> Sheet:
@@ -86,7 +86,7 @@ def count_matters(kind: Callable[[], Any], repetitions: int = 20, n_steps: int =
     }
     optimum = solve(mdp).start
     title = f"optimum {optimum:.1f}, the old clock {old_clock(mdp):.1f}"
-    return race(joined(seen, hidden), learned, optimum, random_return(mdp), title)
+    return race(joined([seen, hidden]), learned, optimum, random_return(mdp), title)
 
 
 def old_clock(mdp: Any) -> float:
@@ -94,11 +94,3 @@ def old_clock(mdp: Any) -> float:
     policy, rows = best_policy(Morning()), finite_model(Morning()).rows
     model = finite_model(mdp)
     return policy_evaluation(model, np.array([policy[rows[state[:2]]] for state in model.states]), DISCOUNT).start
-
-
-def joined(*parts: Results) -> Results:
-    """Return the results of several experiments with different methods as one."""
-    import pandas
-
-    agents = {method: runs for part in parts for method, runs in part.agents.items()}
-    return Results(pandas.concat([part.table for part in parts], ignore_index=True), agents)

@@ -217,7 +217,6 @@ def rate_claim(hasty: Results, steady: Results) -> Claim:
         "share of evaluations below 5000 in the second half of training, rate 0.1 less rate 0.02",
         paired_difference(time_below(hasty, label, 5_000), time_below(steady, label, 5_000)),
         Above(0.0),
-        "runs that end at such a moment seem to have failed, so that final returns fall into two groups",
     )
 
 
@@ -316,7 +315,7 @@ def memory_claims(in_turn: Reals, memory: Results) -> list[Claim]:
             "return, one word in all",
             memory.mean("without"),
             Below(RANDOM_PLAY),
-            "a greedy policy without signal and memory repeats one action",
+            "all that it sees is its hit points, and they do not tell what the toy wants",
         ),
     ]
 

@@ -1,6 +1,7 @@
 """The figures of lesson 8."""
 
 from collections.abc import Mapping, Sequence
+from itertools import cycle
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -95,7 +96,7 @@ class Dots(NamedTuple):
             interval = mean_interval(values)
             ax.plot([i, i], [interval.low, interval.high], color=stroke(i).color, linewidth=2)
             ax.plot(i, interval.estimate, "o", color=stroke(i).color, markersize=7, label=method)
-        for (label, value), look in zip(self.theory.items(), (REFERENCE, SOFT_REFERENCE), strict=False):
+        for (label, value), look in zip(self.theory.items(), cycle((REFERENCE, SOFT_REFERENCE)), strict=False):
             ax.axhline(value, label=label, **look)
         ax.set_xlim(-0.6, len(self.measured) - 0.4)
         dress(ax, "method", self.y_label, self.title)

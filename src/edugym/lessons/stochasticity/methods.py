@@ -89,6 +89,14 @@ class Played(NamedTuple):
     lost: Reals
     games: Reals
 
+    @property
+    def hits(self) -> Reals:
+        """Shape (n_repetitions,): the mean number of hits in the games that were won; NaN where none was."""
+        won = self.games[:, 1:]
+        with np.errstate(invalid="ignore"):  # 0 / 0 is NaN
+            mean: Reals = won @ np.arange(1, 1 + won.shape[1]) / won.sum(axis=1)
+        return mean
+
 
 def attitudes(beta: float) -> dict[str, float]:
     """Return three attitudes to risk, by label: avoiding it with -β, indifferent with 0, seeking it with β."""
@@ -304,7 +312,8 @@ def by_first_swing(
 
 def lake_optimum(steps: int = 100) -> float:
     """Return the best probability to arrive on the slippery lake within the steps of an episode."""
-    P = gymnasium.make(LAKE, is_slippery=True).unwrapped.P  # type: ignore[attr-defined]
+    lake: Any = gymnasium.make(LAKE, is_slippery=True).unwrapped
+    P = lake.P
     V = np.zeros(len(P))
     for _ in range(steps):
         V = np.array(
@@ -347,6 +356,13 @@ def compare_on_lake(
 def late(results: Results) -> Reals:
     """Return the mean of the last five evaluations of Q-learning in every run, shape (n_repetitions,)."""
     return results.late(NEUTRAL)
+
+
+def share_learned(results: Results, step: int) -> Reals:
+    """Return the greedy return after a number of steps as a share of that in the end, both above random play."""
+    first = results.at(NEUTRAL, 0)
+    share: Reals = (results.at(NEUTRAL, step) - first) / (late(results) - first)
+    return share
 
 
 def share_on_the_way(results: Results) -> Reals:
