@@ -113,7 +113,7 @@ def test_the_longest_stack_that_fits() -> None:
     task: Any = FrameStack.create(Digits((3,) * 40, 4, 3), 31)
     assert rows(task, [0] * 39)[-1] == 4**31 - 1
     refused: tuple[tuple[Any, bool, str], ...] = (
-        (32, False, "k must be at most 31 for 4 observations, since the rows .* do not fit 63 bits, but is 32"),
+        (32, False, r"k must be at most 31 for 4 observations, since a longer stack has 2\^63 rows or more, but is 32"),
         (19, True, "k must be at most 18 for 4 observations and 3 actions, .* but is 19"),
         (0, False, "k must be a whole number, 1 or more|k must be 1 or more"),
         (2.0, False, "k must be a whole number"),

@@ -120,3 +120,16 @@ def test_what_is_no_agent_is_refused() -> None:
     for wrong in (QLearning, 3, None):
         with pytest.raises(ValueError, match="agent must be an object with the methods act and learn, but is"):
             train(Stairs(), wrong, 10)
+
+
+@pytest.mark.parametrize(
+    ("table", "message"),
+    [
+        (np.zeros((9, 2), int), "Q of QLearning must be an array of float, but its dtype is int64"),
+        (np.full((9, 2), np.nan), r"Q of QLearning must hold numbers, but Q\[0, 0\] is nan"),
+    ],
+)
+def test_a_table_that_cannot_learn_is_refused_in_the_packages_own_agents_too(table: Any, message: str) -> None:
+    """Nothing would be learned, without a word."""
+    with pytest.raises(ValueError, match=message):
+        train(Stairs(), QLearning(table), 10)

@@ -26,7 +26,7 @@ class Stacked(NamedTuple):
 
 @wrapper
 class FrameStack(NamedTuple):
-    """An MDP that shows its last k observations, as the row of a table; with the actions between them if wanted.
+    """An MDP that shows its last k observations, and the actions between them if wanted, as the number of a table row.
 
     With n observations and m actions the table has n^k rows, and with actions n^k m^(k-1). An episode starts with k
     copies of its first observation (and action 0 between them).
@@ -99,8 +99,8 @@ class FrameStack(NamedTuple):
             actions: whether to show the actions between them as well.
 
         Raises:
-            ValueError: the task observes something else, its actions are not 0, 1, ..., or there are 2^63 different
-                stacks or more.
+            ValueError: `k` is below 1; the task observes something else; its actions are whole numbers that do not
+                start at 0, or are to be shown and are no whole numbers; or there are 2^63 different stacks or more.
         """
         require_mdp(mdp)
         k = whole_number("k", k, 1)
@@ -114,7 +114,7 @@ class FrameStack(NamedTuple):
         if most is not None and k > most:
             shown = f"{n} observations" if n_actions == 1 else f"{n} observations and {n_actions} actions"
             raise ValueError(
-                f"k must be at most {most} for {shown}, since the rows of a longer stack do not fit 63 bits, but is {k}"
+                f"k must be at most {most} for {shown}, since a longer stack has 2^63 rows or more, but is {k}"
             )
         return cls(mdp, k, n, n_actions, stack_size(n, k - 1, n_actions) if k > 1 else 1)
 
@@ -129,7 +129,7 @@ def stack_size(n_observations: int, k: int, n_actions: int = 1) -> int:
 
 
 def longest_stack(n_observations: int, n_actions: int = 1) -> int | None:
-    """The largest k for which the rows of a stack fit 63 bits; None where every k does."""
+    """The largest k for which a stack has fewer than 2^63 rows; None if there is no such limit."""
     if n_observations * n_actions == 1:
         return None
     k = 0
