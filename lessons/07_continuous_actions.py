@@ -82,7 +82,7 @@ play("Trashbot", n_bins=3)
 # With bins both angles stay on a lattice, since each turn is a multiple of one small angle. So a computer can try
 # *everything* that the arm can do. For each number of bins we ask: at which places in the container can the box be let
 # go? (The unit of length is the upper arm. The container is 0.45 wide and the box 0.25, so the box fits if it is at
-# most $(0.45 - 0.25) / 2 = 0.1$ away from the middle.)
+# most $(0.45 - 0.25) / 2 = 0.1$ off the middle.)
 #
 # **Predict.** Four bins have no 0: neither joint can rest. Five bins have one. With which of them can the box be
 # placed more exactly?
@@ -254,7 +254,7 @@ for mu, sigma in ((0.6, 0.5), (-0.8, 1.0), (0.1, 0.1)):
     for of, exact, each in zip(("μ", "ln σ"), arms.slopes(mu, sigma), found, strict=True):
         error = 1.96 * each.std() / len(each) ** 0.5
         by_actions = f"from actions {each.mean():5.2f} ± {error:.2f}"
-        print(f"μ = {mu:4}, σ = {sigma}, slope in {of:4}: finite differences {exact:5.2f}, {by_actions}")
+        print(f"μ = {mu:4}, σ = {sigma}, slope in {of + ':':5} finite differences {exact:5.2f}, {by_actions}")
 display(arms.gradient_figure())
 
 # %% [markdown]
@@ -317,7 +317,7 @@ for smallest in (0.02, 0.2):
 
 # %% [markdown]
 # Without a baseline they learn at first. But when $\sigma$ has shrunk to about 0.1, they are thrown out of the
-# container, one after the other. Many come back and leave again. The scores $(a - \mu) / \sigma^2$ are about
+# container, sooner or later all of them. Many come back and leave again. The scores $(a - \mu) / \sigma^2$ are about
 # $1 / \sigma$ in size, and the noise grows with them. While $\sigma$ stays at 0.2 or above, none leaves.
 #
 # **The picture to remember.** On the left you see one policy that learns. It starts wide and beside the middle. It
@@ -430,8 +430,8 @@ frames("Trashbot", learned.agents["continuous"][0], max_steps=40)
 # <details><summary>What we found</summary>
 #
 # With all else as it is, $\sigma = 0.1$ is too small: all four runs end at 0 or −1. With $\sigma = 0.2$ three of four
-# end at 0. Even $\sigma = 1$ is not too large: three of four deliver the box. But with `actor_rate` 0.002 as well, all
-# four stay at −1.
+# end at 0. Even $\sigma = 1$ is not too large: three of four deliver the box. But with $\sigma = 1$ and `actor_rate`
+# 0.002 all four stay at −1.
 # </details>
 
 
