@@ -21,6 +21,7 @@ import numpy as np
 
 from edugym import REINFORCE, GaussianActorCritic, TileCoding, make_mdp, paired_difference, train
 from edugym.agents.softmax import draw_action, follow_log_gradient, softmax
+from edugym.agents.tables import greedy_action
 from edugym.deep.ppo import clipped_gain
 from edugym.envs.trashbot.task import TrashbotInBins
 from edugym.lessons import continuous_actions as arms
@@ -30,8 +31,9 @@ from edugym.plotting import Sheet
 # %% [markdown]
 # ## Meet the environment: an arm, a box and a container
 #
-# An arm with two joints stands between a red box and a green container. A magnet hangs from its end. It is to pick up
-# the box and to let it fall into the container, the closer to the middle the better.
+# An arm with two joints, the shoulder and the elbow, stands between a red box and a green container. From its end, the
+# *wrist*, hangs a magnet. The arm is to pick up the box and to let it fall into the container, the closer to the middle
+# the better.
 
 # %%
 env = gym.make("edugym/Trashbot-v0", n_bins=5).unwrapped
@@ -79,7 +81,8 @@ play("Trashbot", n_bins=3)
 # ### What bins cost: try everything
 # With bins both angles stay on a lattice, since each turn is a multiple of one small angle. So a computer can try
 # *everything* that the arm can do. For each number of bins we ask: at which places in the container can the box be let
-# go?
+# go? (The unit of length is the upper arm. The container is 0.45 wide and the box 0.25, so the box fits if it is at
+# most $(0.45 - 0.25) / 2 = 0.1$ off the middle.)
 #
 # **Predict.** Four bins have no 0: neither joint can rest. Five bins have one. With which of them can the box be
 # placed more exactly?
@@ -194,9 +197,10 @@ source(follow_log_gradient)
 # %% [markdown]
 # The table needs *states* cut up as well. We keep only where the wrist is and whether the box is held. (Two bends of
 # the elbow can give the same wrist; the table cannot tell them apart.) We cut both coordinates of the wrist into 30
-# cells. Two places in the same cell look the same to the agent. The wrapper that cuts the observation has a line for
-# each of the seven numbers; 1 means that the number is left out. (The last number is 0 or 1, in the range from −1 to 1.
-# With 2 cells, 0 and 1 would lie in the same cell, and the agent could not see whether it holds the box. So it has 3.)
+# cells. Two places in the same cell look the same to the agent. The last line below says into how many cells each of
+# the seven numbers of the observation is cut; 1 cell means that the number is left out. (The last number is 0 or 1, in
+# the range from −1 to 1. With 2 cells, 0 and 1 would lie in the same cell, and the agent could not see whether it holds
+# the box. So it has 3.)
 
 # %%
 source(arms.in_a_table)
@@ -223,10 +227,10 @@ source(arms.in_a_table)
 # an action was better than the baseline, $\mu$ moves towards it, and $\sigma$ grows if the action was farther from
 # $\mu$ than $\sigma$, and shrinks if it was nearer. If the action was worse, all of this is the other way round.
 #
-# **Is the first score right?** Let us check it on one decision of our robot: where to let go. An action $a$ is now the
-# distance from the middle of the container, in units of the room that the box has there. It pays $4 - 2|a|$ in the
-# container and −2 on its wall. This reward has a jump and a kink: its derivative knows nothing of the wall. The policy
-# gradient does not need one.
+# **Are these scores right?** Let us check them on one decision of our robot: where to let go of the box. The action
+# $a = 0$ is the middle of the container, and at $a = -1$ and $a = 1$ the box only just fits. An action pays $4 - 2|a|$
+# if $|a| \le 1$, and −2 (the wall) if not. This reward has jumps and a kink: its derivative knows nothing of the wall.
+# The policy gradient does not need one.
 
 # %%
 source(arms.scores)
@@ -235,22 +239,26 @@ source(arms.scores)
 source(arms.estimates)
 
 # %% [markdown]
-# Let $J(\mu)$ be the expected reward of this policy, for a given $\sigma$. Each of 100 000 actions gives one estimate
-# of its slope (here with the baseline $b = 1$; any number will do). The mean of the estimates should be the slope. (±
-# is the 95 % interval. The figure below has 1 000 actions and $b = 0$.) To see whether it is, we compute $J$ itself as
-# a sum over a fine grid of actions, and take a *finite difference*,
-# $(J(\mu + h) - J(\mu - h)) / 2h$ with a small $h$.
+# Let $J$ be the expected reward of this policy. Each of 100 000 actions gives one estimate of the slope of $J$ in
+# $\mu$, and one of its slope in $\ln \sigma$ (here with the baseline $b = 1$; any number will do). The means of the
+# estimates should be these slopes. To check that, we compute $J$ itself as a sum over a fine grid of actions, and take
+# *finite differences*: $(J(\mu + h) - J(\mu - h)) / 2h$ with a small $h$, and the same with $\ln \sigma$. (± is the
+# 95 % interval.)
+#
+# The figure shows another estimate of the slope in $\mu$, from 1 000 actions and with $b = 0$. The line in its left
+# panel is the reward. The filled curve is the density of the policy; its height has no scale here.
 
 # %%
 for mu, sigma in ((0.6, 0.5), (-0.8, 1.0), (0.1, 0.1)):
     found = arms.estimates(mu, sigma, 100_000, baseline=1.0)
-    error = 1.96 * found.std() / len(found) ** 0.5
-    exact = arms.slope(mu, sigma)
-    print(f"μ = {mu:4}, σ = {sigma}: finite differences {exact:.2f}, from actions {found.mean():.2f} ± {error:.2f}")
+    for of, exact, each in zip(("μ", "ln σ"), arms.slopes(mu, sigma), found, strict=True):
+        error = 1.96 * each.std() / len(each) ** 0.5
+        by_actions = f"from actions {each.mean():5.2f} ± {error:.2f}"
+        print(f"μ = {mu:4}, σ = {sigma}, slope in {of + ':':5} finite differences {exact:5.2f}, {by_actions}")
 display(arms.gradient_figure())
 
 # %% [markdown]
-# The two agree. Move the sliders: when is the estimate good, and when is it wild?
+# They agree. Move the sliders: when is the estimate good, and when is it wild?
 
 
 # %%
@@ -264,7 +272,7 @@ sliders(gradient, mu=(-2.0, 2.0, 0.1), sigma=(0.1, 1.5, 0.1), actions=[10, 100, 
 # %% [markdown]
 # ### What a baseline does
 # **Predict.** A policy has nearly learned it: $\mu = 0.1$, $\sigma = 0.1$. Nearly all of its rewards lie between 3.4
-# and 4. How noisy is one estimate of the slope with the baseline $b = J$, compared with $b = 0$?
+# and 4. How noisy is one estimate of the slope in $\mu$ with the baseline $b = J$, compared with $b = 0$?
 
 # %%
 noise = predict(
@@ -279,7 +287,7 @@ display(arms.noise_figure(policies))
 ratios = []
 for label, (mu, sigma) in policies.items():
     J = arms.value(mu, sigma)
-    without, with_it = (arms.estimates(mu, sigma, 100_000, baseline=b).std() for b in (0.0, J))
+    without, with_it = (arms.estimates(mu, sigma, 100_000, baseline=b)[0].std() for b in (0.0, J))
     ratios.append(with_it / without)
     print(f"{label}: J = {J:.2f}, standard deviation {without:.1f} without a baseline, {with_it:.1f} with b = J")
 noise.measured("less than a tenth" if ratios[1] < 0.1 else "half as large" if ratios[1] < 0.75 else "the same")
@@ -297,15 +305,20 @@ noise.measured("less than a tenth" if ratios[1] < 0.1 else "half as large" if ra
 #
 # So what does it do to *learning*? One hundred policies learn $\mu$ and $\sigma$, one action and one update at a time
 # ($\alpha = 0.01$ for $\mu$ and for $\ln \sigma$; the baseline is the mean of all rewards so far, the present one
-# included, which only makes the step a little smaller):
+# included, which only makes the step a little smaller). The code keeps $\mu$ between −6 and 6, and $\sigma$ between
+# 0.02 and 2.7. What if it keeps $\sigma$ at 0.2 or above?
 
 # %%
-arms.baseline_figure()
+display(arms.baseline_figure())
+for smallest in (0.02, 0.2):
+    outside = abs(arms.climb(baseline=False, smallest=smallest).means) > 1
+    left, end = outside.any(axis=0).sum(), outside[-1].sum()
+    print(f"No baseline, σ at least {smallest}: {left} of 100 means leave the container, {end} are outside in the end")
 
 # %% [markdown]
-# Without a baseline they learn at first. Then 81 of the 100 are thrown out of the container. That happens when $\sigma$
-# has shrunk to about 0.1: the scores $(a - \mu) / \sigma^2$ are about $1 / \sigma$ in size, and the noise grows with
-# them.
+# Without a baseline they learn at first. But when $\sigma$ has shrunk to about 0.1, they are thrown out of the
+# container, sooner or later all of them. Many come back and leave again. The scores $(a - \mu) / \sigma^2$ are about
+# $1 / \sigma$ in size, and the noise grows with them. While $\sigma$ stays at 0.2 or above, none leaves.
 #
 # **The picture to remember.** On the left you see one policy that learns. It starts wide and beside the middle. It
 # moves to the middle, and it becomes narrow. (The narrowest one is cut off at the top.) That is how a Gaussian policy
@@ -363,7 +376,7 @@ source(GaussianActorCritic.learn)
 # | setting | value |
 # |---|---|
 # | 3, 5, 9 bins | REINFORCE with a baseline on a table, 30 by 30 cells, $\alpha^\theta = \alpha^w = 0.4$ |
-# | continuous | Gaussian actor-critic on tile coding, $\sigma = 0.5$, $\alpha^\theta = 0.02$, $\alpha^w = 0.4$; all values start at 1 (optimistic, to make it explore) |
+# | continuous | Gaussian actor-critic on tile coding, $\sigma = 0.5$, $\alpha^\theta = 0.02$, $\alpha^w = 0.4$; all values start at 1 (optimistic; starting at 0 did about as well) |
 # | all | $\gamma = 0.99$, 100 000 steps |
 # | evaluation | one greedy episode every 4 000 steps: the likeliest bin, or the mean $\mu$ |
 # | repetitions | 20; bands are 95 % intervals |
@@ -393,9 +406,8 @@ first.measured(min(soon, key=soon.get))
 # at 4.07. Five and nine end above them on average.
 #
 # And the continuous agent? It has infinitely many actions, and yet it needs about as many steps as 5 bins. Why is open:
-#
-# the continuous agent differs in *three* things: its actions, its features and its algorithm. Only the three agents
-# with bins can be compared directly. For a fair comparison with real numbers see PPO below. </details>
+# it differs in its actions, its features, its algorithm and its settings ($\alpha^\theta$ and the first values). Only
+# the three agents with bins can be compared directly. For a fair comparison with real numbers see PPO below. </details>
 
 # %% [markdown]
 # Watch both at work: three bins, and the continuous agent. (The films step with the slider or the button.)
@@ -411,8 +423,16 @@ frames("Trashbot", learned.agents["continuous"][0], max_steps=40)
 #
 # Choose the bins and cells of the table, the spread $\sigma$ of the Gaussian policy, the learning rates and the width
 # of the container. (4 runs of 40 000 steps; the thin lines are single runs. `alpha` is that of REINFORCE,
-# `actor_rate` is $\alpha^\theta$ of the actor-critic.) Find settings with which the Gaussian agent never picks up the
-# box, or never lets it go. What is too small a $\sigma$, what too large?
+# `actor_rate` is $\alpha^\theta$ of the actor-critic.) Find settings with which the Gaussian agent stays at −1 (mostly
+# its greedy arm does not pick up the box), or at 0 (it does not let it go). What is too small a $\sigma$, what too
+# large?
+#
+# <details><summary>What we found</summary>
+#
+# With all else as it is, $\sigma = 0.1$ is too small: all four runs end at 0 or −1. With $\sigma = 0.2$ three of four
+# end at 0. Even $\sigma = 1$ is not too large: three of four deliver the box. But with $\sigma = 1$ and `actor_rate`
+# 0.002 all four stay at −1.
+# </details>
 
 
 # %%
@@ -467,15 +487,20 @@ source(clipped_gain)
 # 0.001 (falling to 0), $\gamma = 0.999$, 128 copies, rounds of 64 steps, 6 epochs of 8 minibatches, 393 216 steps. A
 # run takes ten seconds or more, so these are stored results of ten seeds.
 #
-# The policy of PPO draws its actions, while it learns and in the left panel. The right panel shows the same
-# policies when they always take the likeliest bins, or the mean of the Gaussian.
+# While it learns, PPO draws its actions. These returns are in the left panel of the next figure. The right panel shows
+# the same policies when they always take the likeliest bins, or the mean of the Gaussian.
 #
 # **Predict.** The paper of EduGym (Moerland et al., 2023) expects that fewer actions are learned sooner. Compare the
 # steps to a return of 3 with drawn actions: do real numbers take more of them than 5 bins?
 
 # %%
 slower = predict(
-    "Real numbers take ...", ["more steps than 5 bins", "fewer steps than 5 bins", "the interval contains 0"]
+    "Real numbers take ...",
+    [
+        "more steps than 5 bins",
+        "fewer steps than 5 bins",
+        "not decided: the 95 % interval of the difference contains 0",
+    ],
 )
 slower
 
@@ -508,9 +533,10 @@ slower.measured(more if difference.low > 0 else fewer if difference.high < 0 els
 # may cost exactness too; we did not test this.
 #
 # In the right panel the runs spread widely. Four of the ten continuous policies end at 0 there: the arm holds the box
-# until time is up. Nothing in this world is random, so with the likeliest actions every episode is the same. Three of
-# the four deliver the box when they draw their actions. PPO improves the policy that draws. Nobody promised anything
-# for its likeliest actions.
+# until time is up. Bins fail there too: the printed lines count even more runs below 1 with 9 bins. Nothing in this
+# world is random, so with the likeliest actions every episode is the same. Three of the four, and most of those with
+# bins, deliver the box when they draw their actions. PPO improves the policy that draws. Nobody promised anything for
+# its likeliest actions.
 # </details>
 #
 # One seed live, with real numbers and 262 144 steps, in some ten seconds. Then a film in which it draws its actions.
@@ -524,9 +550,9 @@ frames("Trashbot", arms.Drawing(run.agent), max_steps=40)
 
 # %% [markdown]
 # ### A narrower container
-# **Predict.** In a container 0.4 wide instead of 0.45 the box has three quarters of the room. The best possible return
-# with 3 bins falls a little, from 4.31 to 4.08, and with real numbers it stays 5. Which of the two agents of the
-# experiment loses more of its return?
+# **Predict.** In a container 0.4 wide instead of 0.45 the box has three quarters of the room ($0.4 - 0.25$ instead of
+# $0.45 - 0.25$). The best possible return with 3 bins falls a little, from 4.31 to 4.08, and with real numbers it stays
+# 5. Which of the two agents of the experiment loses more of its return?
 
 # %%
 narrow = predict("In the narrower container more return is lost by ...", ["3 bins", "continuous", "neither, up to 0.2"])
@@ -588,8 +614,7 @@ rich.measured("fewer than 10" if share < 0.1 else "10 to 90" if share <= 0.9 els
 # So: real numbers give exactness, and bins give a policy that can have several peaks and starts everywhere. "Continuous
 # is always better" is wrong. </details>
 #
-# Does a wider start help the Gaussian? (From $\mu = 0$ and $\sigma = 2$, 98 of 100 arrive. From $\mu = -1$
-# even $\sigma = 3$ brings only about a third.)
+# Does a wider start help the Gaussian? Does another first $\mu$?
 
 
 # %%
@@ -598,9 +623,15 @@ def two_containers(mu=-1.0, sigma=0.5, bins=10):
     return arms.peaks(mu, sigma, bins)[0]
 
 
-sliders(two_containers, mu=(-2.0, 3.0, 0.25), sigma=(0.25, 3.0, 0.25), bins=(3, 25))
+sliders(two_containers, mu=(-2.0, 3.0, 0.25), sigma=(0.25, 2.5, 0.25), bins=(3, 25))
 
 # %% [markdown]
+# <details><summary>What we found</summary>
+#
+# From $\mu = -1$ even $\sigma = 2.5$ brings only 32 of 100 to the rich container. From $\mu = 0$ and $\sigma = 2$, 98
+# of 100 arrive.
+# </details>
+#
 # ### The same on a frozen lake
 # REINFORCE learns in any Gymnasium environment with whole numbers for observations and actions. FrozenLake is a lake
 # of 4 by 4 fields with four holes. Here it is not slippery. The only reward is 1 at the goal; a hole ends the episode
@@ -649,7 +680,8 @@ from edugym.grading import check
 # ### Exercise 1: what bins cost
 # Our arm has two joints. Let an arm have $m$ joints. Its table has a row for every state and a column for every
 # action. A state is: the angle of each joint, cut into $c$ cells, and whether the box is held (yes or no). An action
-# chooses one of $n$ bins for each joint. How many preferences $\theta(s, a)$ does the table have? Write the function.
+# chooses one of $n$ bins for each joint. (The table of the lesson has the two coordinates of the wrist instead of the
+# angles.) How many preferences $\theta(s, a)$ does the table have? Write the function.
 #
 # <details><summary>Hint</summary>First the number of rows, then the number of columns. How many ways are there to
 # choose one of n bins for two joints, and for three?</details>
@@ -705,8 +737,8 @@ display(arms.climb_race(my_scores))
 # The class below acts, and it notes each step of an episode: `self.states[t]`, `self.actions[t]`, and in
 # `self.rewards[t]` the reward $R_{t+1}$ that followed. At the end of the episode it calls `update(n)`, where `n` is
 # the number of its steps. Write `update`. First compute the returns, from the last step backwards:
-# $G_t = R_{t+1} + \gamma G_{t+1}$ with $G_n = 0$. Then, for each step $t$ in order (the check accepts either order; the
-# race shows the difference):
+# $G_t = R_{t+1} + \gamma G_{t+1}$ with $G_n = 0$. Then, for each step $t$ in order (the check accepts the reverse order
+# too; the race shows the difference):
 #
 # - $\delta = G_t - V(S_t)$, with the $V$ from before its change;
 # - move $V(S_t)$ by $\alpha^w \delta$;
@@ -756,8 +788,8 @@ class MyREINFORCE(NamedTuple):
         return draw_action(self.probabilities, rng)
 
     def greedy(self, state, rng):
-        """Choose the likeliest action."""
-        return int(np.argmax(self.preferences[state]))
+        """Choose the likeliest action, one of them at random if there are several."""
+        return greedy_action(self.preferences, state, rng)
 
     def learn(self, state, action, reward, terminated, truncated):
         """Note the step; learn at the end of the episode."""
@@ -796,9 +828,9 @@ display(arms.race({"mine": MyREINFORCE.create}))
 # %% [markdown]
 # <details><summary>What the race shows</summary>
 #
-# Your line lies on that of REINFORCE with a baseline, or nearly so, if you went through the steps in order. (If you
-# updated from the last step backwards, you have another line: the arm comes to some cells several times in an episode,
-# and then the order matters.) Without a baseline the mean line is earlier here, but eight runs are few. A baseline
+# Your line lies on that of REINFORCE with a baseline if you went through the steps in order. (If you updated from the
+# last step backwards, you have another line: the arm comes to some cells several times in an episode, and then the
+# order matters.) Without a baseline the mean line is earlier here, but eight runs are few. A baseline
 # makes each estimate less noisy where all returns are far from 0. It does not promise faster learning in every task.
 # </details>
 
@@ -827,11 +859,12 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 # - Bins limit what is possible: with 3 bins the best return is 4.31, and no learning can mend that. More bins are
 #   mostly better at their best, but not always (4 and 5).
 # - On the same table, with the same agent, fewer bins were learned sooner. The continuous agent needed fewer steps
-#   than 9 bins on average. Why is open: its features and its algorithm differ too. With PPO only 3 bins were clearly
-#   sooner than the others.
-# - What is possible is not what is learned: in a narrower container the continuous agent lost more than three bins.
+#   than 9 bins on average. Why is open: its features, its algorithm and its settings differ too. With PPO only 3 bins
+#   were clearly sooner than the others.
+# - What is possible is not what is learned: in a narrower container the continuous agent lost more of its return than
+#   the agent with 3 bins.
 # - The policy gradient needs no derivative of the reward: the mean of $(R - b) \nabla \ln \pi$ is the gradient. We
-#   checked it for $\mu$ by finite differences.
+#   checked it for $\mu$ and for $\ln \sigma$ by finite differences.
 # - A baseline does not change that mean. It kept narrow Gaussian policies in the container. On Trashbot with bins and
 #   on the lake REINFORCE learned without one as well.
 # - A Gaussian has one peak. Where a better action lies behind worse ones, bins can find it, and a narrow Gaussian

@@ -162,9 +162,21 @@ def preferences(joints, bins, cells):
 
 
 # %% exercise 1, wrong: two joints for ever
-# says: none of the usual mistakes
+# says: that is right for two joints
 def preferences(joints, bins, cells):
     return 2 * cells**2 * bins**2
+
+
+# %% exercise 1, wrong: the table of the wrist
+# says: here every joint has an angle of its own
+def preferences(joints, bins, cells):
+    return 2 * cells**2 * bins**joints
+
+
+# %% exercise 1, wrong: a quarter
+# says: none of the usual mistakes
+def preferences(joints, bins, cells):
+    return 2 * (cells * bins) ** joints / 4
 
 
 # %% exercise 1, wrong: a text
@@ -1134,6 +1146,194 @@ def update(self, n):
         self.rewards[t] = G
     for t in range(n):
         state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, right: first the baseline of every step, then the policy
+def update(self, n):
+    G, deltas = 0.0, np.zeros(n)
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        deltas[t] = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * deltas[t]
+    for t in range(n):
+        state = self.states[t]
+        delta = deltas[t]
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: the first visit alone
+# says: a state that comes twice is updated twice
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        if state in self.states[:t]:
+            continue
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: the last visit alone
+# says: a state that comes twice is updated twice
+def update(self, n):
+    G, seen = 0.0, []
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        state = self.states[t]
+        if state in seen:
+            continue
+        seen.append(state)
+        delta = G - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: every δ before any change
+# says: δ is computed with V from before the episode
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    deltas = self.rewards[:n] - self.V[self.states[:n]]
+    for t in range(n):
+        state = self.states[t]
+        delta = deltas[t]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: every π before any change
+# says: the probabilities are those from before the episode
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    scores = np.zeros((n, len(self.probabilities)))
+    for t in range(n):
+        self.look(self.states[t])
+        scores[t] = -self.probabilities
+        scores[t, self.actions[t]] += 1
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.preferences[state] += self.learning_rate * self.discount**t * delta * scores[t]
+
+
+# %% exercise 3, wrong: the TD error
+# says: that is the TD error of the actor-critic; here
+def update(self, n):
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        if t < n - 1:
+            delta += self.discount * self.V[self.states[t + 1]]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: the TD error, behind the end too
+# says: looks up states[n]
+def update(self, n):
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] + self.discount * self.V[self.states[t + 1]] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: looked at for each action
+# says: call self.look(state) once, before that loop
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        for a in range(len(self.probabilities)):
+            self.look(state)
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: the first return missing
+# says: rewards[0] is still the reward
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, 0, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: the first return 0
+# says: it is still 0
+def update(self, n):
+    G = np.zeros(n + 1)
+    for t in range(n - 1, 0, -1):
+        G[t] = self.rewards[t] + self.discount * G[t + 1]
+    for t in range(n):
+        state = self.states[t]
+        delta = G[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: the state after the step
+# says: states[t + 1], not S_t
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t + 1]
         delta = self.rewards[t] - self.V[state]
         self.V[state] += self.value_learning_rate * delta
         self.look(state)

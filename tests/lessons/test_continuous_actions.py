@@ -44,9 +44,24 @@ def test_scores_are_derivatives_of_the_logarithm() -> None:
 
 @pytest.mark.parametrize("baseline", [0.0, 3.0])
 def test_the_estimate_is_right_on_average(baseline: float) -> None:
-    """Whatever the baseline."""
+    """Of both slopes, whatever the baseline."""
     found = arms.estimates(0.6, 0.5, 200_000, baseline=baseline, seed=5)
-    assert found.mean() == pytest.approx(arms.slope(0.6, 0.5), abs=0.05)
+    assert found.mean(axis=1) == pytest.approx(arms.slopes(0.6, 0.5), abs=0.05)
+
+
+def test_a_policy_without_a_baseline_leaves_the_container_when_it_is_narrow() -> None:
+    """All do at some time, most lie outside in the end; none does where σ stays wide."""
+    narrow, wide = (np.abs(arms.climb(baseline=False, smallest=s).means) > 1.0 for s in (0.02, 0.2))
+    assert narrow.any(axis=0).all()
+    assert narrow[-1].mean() > 0.5
+    assert wide[-1].sum() == 0
+
+
+def test_the_title_tells_the_share_at_the_rich_container() -> None:
+    """So that it is seen beside the sliders, too."""
+    figure, found = arms.peaks(mu=0.0, sigma=2.0)
+    assert found["Gaussian"] > 0.9
+    assert f"Gaussian {found['Gaussian']:.0%}" in repr(figure)
 
 
 def test_claims_that_need_no_training() -> None:

@@ -48,6 +48,9 @@ def _size_mistakes(m: int, n: int, c: int) -> dict[str, float]:
         * m,
         "every joint has bins of its own: n^m actions, not n": 2 * c**m * n,
         "every joint has an angle of its own: c^m cells, not c": 2 * c * n**m,
+        "that is right for the two coordinates of the wrist in the lesson; here every joint has an angle of its own:"
+        " c^m cells, not c^2": 2 * c**2 * n**m,
+        "that is right for two joints; m joints have c^m cells and n^m actions": 2 * c**2 * n**2,
         "the angles are cut together: c^m cells, not c m": 2 * c * m * n**m,
         "both are powers: m joints have c^m cells and n^m actions": 2 * c * n * m,
         "both are powers: m joints have c^m cells and n^m actions; the joints are missing": 2 * c * n,
@@ -208,10 +211,10 @@ CHALLENGE = Challenge(
     baselines=MappingProxyType(
         {
             "the lesson's agent": gaussian,
-            "the same, all values 0 at first": lambda task: GaussianActorCritic.create(
+            "the lesson's agent, first values 0": lambda task: GaussianActorCritic.create(
                 task, features=tiles_on_the_wrist(task), learning_rate=0.02, value_learning_rate=0.4
             ),
-            "narrow, σ = 0.2": partial(gaussian, spread=0.2),
+            "the lesson's agent, σ = 0.2": partial(gaussian, spread=0.2),
         }
     ),
     optimum=5.0,

@@ -1,6 +1,7 @@
 """Made-up episodes, and what REINFORCE with a baseline makes of them: rightly, and with the usual mistakes."""
 
 from collections.abc import Mapping
+from functools import partial
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -8,6 +9,7 @@ import numpy as np
 from gymnasium.spaces import Discrete, MultiDiscrete
 
 from edugym.grading.agents import agent_created_by, learn_step, with_settings
+from edugym.grading.cases import telling_draw
 from edugym.grading.challenge import Sizes
 from edugym.grading.updates import table_of
 from edugym.grading.wrong import WrongAnswer
@@ -18,11 +20,23 @@ STALE = (0.5, 0.25, 0.25)
 """What stands in `probabilities` before `update`: that of another state."""
 OLD = 7.0
 """The reward that an earlier, longer episode has left in every place of `rewards`."""
+UNWRITTEN = 0
+"""What stands in `states` behind the last step: what `create` has put there."""
 SETTINGS: Mapping[str, float] = MappingProxyType({"learning_rate": 0.5, "value_learning_rate": 0.25, "discount": 0.8})
+
+EPISODES = (
+    (1, True, False),
+    (2, True, False),
+    (3, False, False),
+    (4, True, False),
+    (4, False, False),
+    (3, True, True),
+)
+"""Of each made-up episode, its length, whether it terminates, and whether it comes back to its first state."""
 
 
 class Case(NamedTuple):
-    """Tables, and an episode that visits no state twice; it terminates, or is cut off."""
+    """Tables, and an episode; it terminates, or is cut off."""
 
     preferences: Any
     V: Any
@@ -33,21 +47,39 @@ class Case(NamedTuple):
 
 
 def cases(seed: int) -> list[Case]:
-    """Make episodes up, of 1 to 4 steps, in simple numbers."""
-    rng = np.random.default_rng(seed)
+    """Make episodes up, of 1 to 4 steps, in simple numbers; the last one comes back to its first state."""
+    rules = [partial(_numbers, {}, True), *(partial(_numbers, change, False) for change in ({}, *MISTAKES.values()))]
+    return _drawn(telling_draw(seed, _drawn, rules))
+
+
+def _drawn(rng: np.random.Generator) -> list[Case]:
+    """Draw the episodes."""
     made = []
-    for length, terminates in ((1, True), (2, True), (3, False), (4, True), (4, False)):
+    for length, terminates, comes_back in EPISODES:
         preferences = rng.choice([-1.0, -0.5, 0.0, 0.5, 1.0], SHAPE)
         V = rng.choice([-1.0, 0.5, 1.5, 2.0], SHAPE[0])
         states = [int(s) for s in rng.permutation(SHAPE[0])[:length]]
+        if comes_back:
+            states[-1] = states[0]
         actions = [int(a) for a in rng.integers(SHAPE[1], size=length)]
         rewards = [float(r) for r in rng.choice([-2.0, 1.0, 3.0, 4.0], size=length)]
         made.append(Case(preferences, V, states, actions, rewards, terminates))
     return made
 
 
-def after(case: Case, change: Mapping[str, Any] = MappingProxyType({})) -> tuple[Any, Any]:
-    """Return preferences and values after learning; `change` says which mistake is made."""
+def _numbers(change: Mapping[str, Any], backwards: bool, case: Case) -> Any:
+    """Return all numbers that learning leaves."""
+    return np.concatenate([part.ravel() for part in after(case, change, backwards=backwards)])
+
+
+def after(case: Case, change: Mapping[str, Any] = MappingProxyType({}), *, backwards: bool = False) -> tuple[Any, Any]:
+    """Return preferences and values after learning.
+
+    Args:
+        case: the tables and the episode.
+        change: which mistake is made.
+        backwards: whether the last step is learned from first. Where no state comes twice, it makes no difference.
+    """
     theta, V, n = case.preferences.copy(), case.V.copy(), len(case.states)
     if change.get("cut off") == "forgotten" and not case.terminates:
         return theta, V
@@ -57,10 +89,19 @@ def after(case: Case, change: Mapping[str, Any] = MappingProxyType({})) -> tuple
     if change.get("rates") == "policy":
         value_rate = rate
     returns = _returns(case.rewards, discount, change.get("return", "G"))
-    for t in change.get("steps", lambda n: range(n))(n):
-        state, action = case.states[t], case.actions[t]
+    following = [*case.states[1:], UNWRITTEN]
+    seen = set()
+    for t in list(change.get("steps", range)(n))[:: -1 if backwards else 1]:
+        state, action = following[t] if change.get("state") == "next" else case.states[t], case.actions[t]
+        if change.get("visits") == "one" and state in seen:
+            continue
+        seen.add(state)
         wrong_state = case.states[-1] if change.get("state") == "last" else state
-        delta = returns[t] - V[state] if change.get("baseline", True) else returns[t]
+        known = case.V if change.get("values") == "old" else V
+        delta = returns[t] - known[state] if change.get("baseline", True) else returns[t]
+        if change.get("delta") in ("TD", "TD, unwritten"):
+            ends = t == n - 1 and change["delta"] == "TD"
+            delta = case.rewards[t] + (0.0 if ends else discount * V[following[t]]) - V[state]
         if change.get("value", "moved") == "moved":
             V[state] += value_rate * delta
         elif change.get("value") == "set":
@@ -75,12 +116,22 @@ def after(case: Case, change: Mapping[str, Any] = MappingProxyType({})) -> tuple
             delta = returns[t] - V[state]
         if change.get("delta") == "return":
             delta = returns[t]
-        weights = np.exp(theta[state] - theta[state].max())
-        pi = np.array(STALE) if change.get("stale") else weights / weights.sum()
-        score = _score(pi, action, change.get("score", "full"))
         power = {"t": discount**t, "none": 1.0, "end": discount ** (n - 1 - t), "next": discount ** (t + 1)}
-        theta[wrong_state] = theta[wrong_state] + rate * power[change.get("power", "t")] * delta * score
+        size, kind = rate * power[change.get("power", "t")] * delta, change.get("score", "full")
+        if change.get("look") == "often":
+            for a in range(SHAPE[1]):
+                theta[state, a] += size * _score(_softmax(theta[state]), action, kind)[a]
+            continue
+        looked_at = case.preferences if change.get("look") == "old" else theta
+        pi = np.array(STALE) if change.get("look") == "never" else _softmax(looked_at[state])
+        theta[wrong_state] = theta[wrong_state] + size * _score(pi, action, kind)
     return theta, V
+
+
+def _softmax(row: Any) -> Any:
+    """Return the probabilities of the actions."""
+    weights = np.exp(row - row.max())
+    return weights / weights.sum()
 
 
 def _returns(rewards: list[float], discount: float, kind: str) -> list[float]:
@@ -92,6 +143,8 @@ def _returns(rewards: list[float], discount: float, kind: str) -> list[float]:
         "reward": rewards,
         "undiscounted": [sum(rewards[t:]) for t in range(n)],
         "first": [G[0]] * n,
+        "not the first": [rewards[0], *G[1:]],
+        "first zero": [0.0, *G[1:]],
         "next": [*(discount * g for g in G[1:]), 0.0],
         "past": [sum(discount ** (t - k) * rewards[k] for k in range(t + 1)) for t in range(n)],
         "discounted reward": [discount * g for g in G],
@@ -150,7 +203,25 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
         "that is 1/π for the action taken; the score of a softmax is 1{a = A} − π(a|S)": {"score": "inverse"},
         "1{a = A} is missing: the action that was taken gets 1 − π, the others −π": {"score": "others"},
         "π should be subtracted in the score, not added": {"score": "plus"},
-        "the probabilities are those of another state: call self.look(state) first": {"stale": True},
+        "the probabilities are those of another state: call self.look(state) first": {"look": "never"},
+        "the probabilities change between the actions of one step: call self.look(state) once, before that loop": {
+            "look": "often"
+        },
+        "the probabilities are those from before the episode; they should be those of the preferences as the updates"
+        " so far have left them": {"look": "old"},
+        "δ is computed with V from before the episode; it should be V as the updates so far have left it": {
+            "values": "old"
+        },
+        "a state that comes twice is updated twice, once for each step": {"visits": "one"},
+        "that is the TD error of the actor-critic; here δ is the return less V(S_t)": {"delta": "TD"},
+        "that is the TD error of the actor-critic, and at the last step it looks up states[n], which is not of this"
+        " episode; here δ is the return less V(S_t)": {"delta": "TD, unwritten"},
+        "that is the state after the step, states[t + 1], not S_t": {"state": "next"},
+        "the return of the first step is missing, rewards[0] is still the reward: range(n - 1, -1, -1) goes down to"
+        " 0": {"return": "not the first"},
+        "the return of the first step is missing, it is still 0: range(n - 1, -1, -1) goes down to 0": {
+            "return": "first zero"
+        },
         "the preferences of the last state change in every step, not those of S_t": {"state": "last"},
         "an episode that is cut off is over as well: call `update` also when `truncated`": {"cut off": "forgotten"},
         "the first step of the episode is left out: range(n - 1, -1, -1) goes down to 0": {
@@ -177,11 +248,9 @@ def check_update(kind: Any, seed: int) -> None:
         raise WrongAnswer("update changes neither `preferences` nor `V`: change the entries of these arrays in place")
     for case, outcome in _pairs(made, found):
         right = after(case)
-        if _same(right, outcome):
+        if _same(right, outcome) or _same(after(case, backwards=True), outcome):
             continue
-        singles = [
-            why for why, change in MISTAKES.items() if all(_same(after(c, change), o) for c, o in _pairs(made, found))
-        ]
+        singles = [why for why, change in MISTAKES.items() if _explains(change, made, found)]
         pairs = [] if singles else _two_mistakes(made, found)
         why = [*singles, *pairs, "that is none of the usual mistakes, so follow this episode by hand"][0]
         raise WrongAnswer(f"{_told(case, right, outcome)}: {why}")
@@ -196,11 +265,17 @@ def _two_mistakes(made: list[Case], found: list[Any]) -> list[str]:
     items = list(MISTAKES.items())
     for i, (one, first) in enumerate(items):
         for other, second in items[i + 1 :]:
-            if not first.keys() & second.keys():
-                both = {**first, **second}
-                if all(_same(after(c, both), o) for c, o in _pairs(made, found)):
-                    return [f"{one}; and {other}"]
+            if not first.keys() & second.keys() and _explains({**first, **second}, made, found):
+                return [f"{one}; and {other}"]
     return []
+
+
+def _explains(change: Mapping[str, Any], made: list[Case], found: list[Any]) -> bool:
+    """Whether a mistake gives what was found in every case, when the steps are taken in order or backwards."""
+    return any(
+        all(_same(after(case, change, backwards=backwards), outcome) for case, outcome in _pairs(made, found))
+        for backwards in (False, True)
+    )
 
 
 def _same(one: Any, other: Any) -> bool:
@@ -217,12 +292,14 @@ def _told(case: Case, right: Any, found: Any) -> str:
             entry = tuple(int(i) for i in wrong[0])
             index = ", ".join(map(str, entry))
             state = entry[0]
+            from_, to = f"{before[entry]:.4g}", f"{expected[entry]:.4g}"
+            should = f"should stay at {to}" if from_ == to else f"should go from {from_} to {to}"
             return (
                 f"after the episode with states {case.states}, actions {case.actions} and rewards {case.rewards}, where"
                 f" γ = {SETTINGS['discount']:g}, α^θ = {SETTINGS['learning_rate']:g},"
                 f" α^w = {SETTINGS['value_learning_rate']:g}, V[{state}] = {case.V[state]:g} and"
-                f" preferences[{state}] = {case.preferences[state].tolist()}, {name}[{index}] should go from"
-                f" {before[entry]:.4g} to {expected[entry]:.4g}, but is {mine[entry]:.4g}"
+                f" preferences[{state}] = {case.preferences[state].tolist()}, {name}[{index}] {should},"
+                f" but is {mine[entry]:.4g}"
             )
     return "an entry is not a number"
 

@@ -59,7 +59,7 @@ from edugym.lessons.continuous_actions.release import (
     estimates,
     reward,
     scores,
-    slope,
+    slopes,
     two_containers,
     value,
 )
@@ -112,7 +112,7 @@ __all__ = [
     "report",
     "reward",
     "scores",
-    "slope",
+    "slopes",
     "steps_to",
     "tiles_on_the_wrist",
     "trainer",
@@ -239,17 +239,20 @@ def learning_claims(wide: Results, narrow: Results) -> list[Claim]:
 
 def gradient_claims() -> list[Claim]:
     """Return the claims on the gradient of a Gaussian policy, and on baselines."""
-    exact = slope(0.6, 0.5)
+    exact = slopes(0.6, 0.5)
     found = estimates(0.6, 0.5, 200_000, baseline=1.0)
-    late_policy = {b: estimates(0.1, 0.1, 100_000, baseline=b).std() for b in (0.0, value(0.1, 0.1))}
+    late_policy = {b: estimates(0.1, 0.1, 100_000, baseline=b)[0].std() for b in (0.0, value(0.1, 0.1))}
     without, with_baseline = late_policy.values()
     ends = {on: climb(baseline=on).values[-200:].mean(axis=0) for on in (True, False)}
     return [
-        Claim(
-            "The mean of (R - b) times the score is the slope of J",
-            "mean of the estimates less finite differences",
-            mean_interval(found - exact),
-            Within(-0.05, 0.05),
+        *(
+            Claim(
+                f"The mean of (R - b) times the score of {of} is the slope of J in {of}",
+                "mean of the estimates less finite differences",
+                mean_interval(by_actions - by_differences),
+                Within(-0.05, 0.05),
+            )
+            for of, by_actions, by_differences in zip(("μ", "ln σ"), found, exact, strict=True)
         ),
         Claim(
             "The baseline J makes the estimate of a narrow policy near the middle ten times less noisy",

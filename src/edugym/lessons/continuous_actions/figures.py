@@ -110,7 +110,7 @@ def one_setting(
 
 def gradient_figure(mu: float = 0.6, sigma: float = 0.5, n: int = 1_000, baseline: float = 0.0, seed: int = 0) -> Sheet:
     """Return a Gaussian policy over the reward, and the slope of J beside its estimate from n actions."""
-    estimate = float(estimates(mu, sigma, n, baseline=baseline, seed=seed).mean())
+    estimate = float(estimates(mu, sigma, n, baseline=baseline, seed=seed)[0].mean())
     policy = Landscape({"policy": (mu, sigma)}, title=f"μ = {mu:g}, σ = {sigma:g}")
     title = f"slope from {n} actions, b = {baseline:g}: {estimate:.2f}"
     return Sheet("gradient", [[policy, Slope(mu, sigma, estimate, title)]])
@@ -154,7 +154,8 @@ def peaks(
     title = f"two containers; μ = {mu:g}, σ = {sigma:g} at first"
     start = Landscape({"Gaussian, at first": (mu, sigma)}, two_containers, title, (-3.5, 3.5))
     found = {label: float((runs[label].means[-1] > 0.5).mean()) for label in runs}
-    return Sheet("peaks", [[start, Climbs(runs, "100 policies of each kind", (3, 6))]]), found
+    shares = ", ".join(f"{label} {share:.0%}" for label, share in found.items())
+    return Sheet("peaks", [[start, Climbs(runs, f"at the rich container in the end:\n{shares}", (3, 6))]]), found
 
 
 def climb_race(score: Scores) -> Sheet:

@@ -10,7 +10,7 @@ from edugym.envs.trashbot.geometry import REACH
 from edugym.lessons.continuous_actions.exact import best_return, deliveries, room
 from edugym.lessons.continuous_actions.methods import WIDTH, name
 from edugym.lessons.continuous_actions.ppo import ACTIONS, CONTINUOUS
-from edugym.lessons.continuous_actions.release import Climbed, Reward, density, reward, slope, value
+from edugym.lessons.continuous_actions.release import Climbed, Reward, density, reward, slopes, value
 from edugym.mdp.protocol import Reals
 from edugym.plotting.curves import Curves
 from edugym.plotting.panel import ALONE, Place
@@ -107,7 +107,7 @@ class Places(NamedTuple):
         ax.set_yticks(range(len(rows)), [str(n) if n else "real" for n in rows])
         ax.set_xlim(-1.15 * free, 1.15 * free)
         ax.set_ylim(-0.6, len(rows) - 0.4)
-        dress(ax, "distance from the middle", "bins", self.title)
+        dress(ax, "distance from the middle (the upper arm is 1)", "bins", self.title)
         return ax
 
 
@@ -165,7 +165,7 @@ class Landscape(NamedTuple):
             heights = np.minimum(density(actions, mean, spread), 4.4)
             ax.fill_between(actions, -2.6, -2.6 + 1.5 * heights, color=shade(i / n), alpha=0.35, label=label)
         ax.set_ylim(-2.7, 4.6)
-        dress(ax, "action a: distance from the middle", "reward", self.title)
+        dress(ax, "action a: where the box is let go", "reward", self.title)
         if place.alone:
             add_legend(ax)
         return ax
@@ -191,7 +191,7 @@ class Slope(NamedTuple):
         ax = own_axes(ax)
         means = np.linspace(-2.5, 2.5, 101)
         ax.plot(means, [value(m, self.spread) for m in means], color="#8a6d3b", linewidth=1.8, label="J(μ)")
-        here, exact = value(self.mean, self.spread), slope(self.mean, self.spread)
+        here, exact = value(self.mean, self.spread), slopes(self.mean, self.spread)[0]
         looks: tuple[tuple[float, str, dict[str, Any]], ...] = (
             (self.estimate, "slope from actions and scores", {"color": BOX_RED, "linewidth": 3.0, "alpha": 0.6}),
             (exact, "slope by finite differences", {"color": INK, "linestyle": "dashed", "linewidth": 1.2}),

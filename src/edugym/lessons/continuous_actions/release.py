@@ -1,7 +1,7 @@
 """One decision of Trashbot by itself: where to let go of the box. Policies for it, and the gradient of their value.
 
-An action a is the distance from the middle of the container, in units of the room that the box has there: it fits for
--1 <= a <= 1. Rewards are those of Trashbot: 4 in the middle, 2 where it only just fits, -2 on the wall.
+An action a says where the box is let go: 0 is the middle of the container, and at -1 and 1 the box only just fits.
+Rewards are those of Trashbot: 4 in the middle, 2 where the box only just fits, -2 on the wall.
 """
 
 import math
@@ -18,8 +18,10 @@ GRID = np.linspace(-12.0, 12.0, 24_001)
 """The actions over which a value is summed up, as an integral."""
 POOR, RICH = -1.0, 2.0
 """The middles of two containers: one that pays little, and one that pays as usual."""
-SMALLEST = 0.02
-"""σ never falls below this."""
+SMALLEST, LARGEST = 0.02, math.e
+"""σ never leaves these bounds."""
+FARTHEST = 6.0
+"""μ is never farther from 0."""
 
 
 def reward(a: Reals) -> Reals:
@@ -44,9 +46,12 @@ def value(mean: float, spread: float, pays: Reward = reward) -> float:
     return float((density(GRID, mean, spread) * pays(GRID)).sum() * step)
 
 
-def slope(mean: float, spread: float, pays: Reward = reward, h: float = 1e-4) -> float:
-    """Return how fast J grows with the mean, by finite differences."""
-    return (value(mean + h, spread, pays) - value(mean - h, spread, pays)) / (2.0 * h)
+def slopes(mean: float, spread: float, pays: Reward = reward, h: float = 1e-4) -> tuple[float, float]:
+    """Return how fast J grows with μ, and how fast it grows with ln σ, by finite differences."""
+    wider, narrower = spread * math.exp(h), spread * math.exp(-h)
+    of_mean = value(mean + h, spread, pays) - value(mean - h, spread, pays)
+    of_log_spread = value(mean, wider, pays) - value(mean, narrower, pays)
+    return of_mean / (2.0 * h), of_log_spread / (2.0 * h)
 
 
 def scores(a: Any, mean: Any, spread: Any) -> tuple[Any, Any]:
@@ -57,10 +62,10 @@ def scores(a: Any, mean: Any, spread: Any) -> tuple[Any, Any]:
 def estimates(
     mean: float, spread: float, n: int, *, baseline: float = 0.0, seed: int = 0, pays: Reward = reward
 ) -> Reals:
-    """Return estimates of the slope of J, each from one action: (R - b) times the score of the mean, shape (n,)."""
+    """Return estimates of both slopes of J, each from one action: (R - b) times its scores, shape (2, n)."""
     actions = np.random.default_rng(seed).normal(mean, spread, n)
-    of_mean: Reals = scores(actions, mean, spread)[0]
-    return (pays(actions) - baseline) * of_mean
+    both: Reals = np.array(scores(actions, mean, spread))
+    return (pays(actions) - baseline) * both
 
 
 class Climbed(NamedTuple):
@@ -85,6 +90,7 @@ def climb(
     n_updates: int = 2_000,
     n_runs: int = 100,
     baseline: bool = True,
+    smallest: float = SMALLEST,
     seed: int = 0,
     pays: Reward = reward,
     score: Scores = scores,
@@ -98,6 +104,7 @@ def climb(
         n_updates: how many actions each policy takes.
         n_runs: how many policies learn, each by itself.
         baseline: whether the mean of all rewards so far is subtracted from each reward.
+        smallest: the least σ, greater than 0.
         seed: of the actions.
         pays: the reward of an action.
         score: the scores of the Gaussian policy.
@@ -112,8 +119,9 @@ def climb(
         if baseline:
             b = b + (paid - b) / (t + 1)
         of_mean, of_log_spread = score(actions, mu, sigma)
-        mu = np.clip(mu + rate * (paid - b) * of_mean, -6.0, 6.0)
-        log_sigma = np.clip(log_sigma + rate * (paid - b) * of_log_spread, math.log(SMALLEST), 1.0)
+        mu = np.clip(mu + rate * (paid - b) * of_mean, -FARTHEST, FARTHEST)
+        moved = log_sigma + rate * (paid - b) * of_log_spread
+        log_sigma = np.clip(moved, math.log(smallest), math.log(LARGEST))
         means.append(mu)
         spreads.append(np.exp(log_sigma))
         rewards.append(paid)
