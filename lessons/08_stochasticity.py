@@ -344,8 +344,14 @@ change.measured(exact.change)
 # %%
 attitudes = stochasticity.crossing_by_attitude()
 display(Sheet("attitudes", [[attitudes]]))
-for (label, beta), between in zip(stochasticity.RISKS.items(), ((0.015, 0.018), (0.018, 0.02), (0.04, 0.06))):
-    print(f"{label:15}: drives up to about level {stochasticity.crossing(*between, cell=0.25, risk=beta):.3f}")
+between = {
+    stochasticity.AVERSE: (0.015, 0.018),
+    stochasticity.NEUTRAL: (0.018, 0.02),
+    stochasticity.SEEKING: (0.04, 0.06),
+}
+for label, (low, high) in between.items():
+    last = stochasticity.crossing(low, high, cell=0.25, risk=stochasticity.RISKS[label])
+    print(f"{label:15}: drives up to about level {last:.3f}")
 
 # %% [markdown]
 # This is what risk sensitivity does: it does not make a player bad, it *moves the level* at which the player stops
@@ -449,8 +455,8 @@ obstacle.measured(
 # <details><summary>What was measured</summary>
 #
 # **Measured.** It believes that a drive is worth less than it is: about 0.75 instead of 0.87. A player that follows a
-# simple rule sees the cell only, and gets 0.865, nearly the optimum, so that is not the obstacle. And lost balls do not
-# hurt it more than hits: with $\beta = 0$ all errors weigh 1, and a lost ball counts for what it costs.
+# simple rule sees the cell only, and gets 0.865, nearly the optimum, so that is not the obstacle. Nor does it
+# fear lost balls more than it should: with $\beta = 0$ all errors weigh 1, and a lost ball counts for what it costs.
 #
 # Why is the value too low? Noise does two things.
 #
