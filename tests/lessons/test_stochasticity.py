@@ -76,6 +76,15 @@ def test_the_grid_is_fine_enough() -> None:
     assert worth["drive"] == pytest.approx(worth["chip"], abs=1e-3)
 
 
+@pytest.mark.parametrize(("risk", "low", "high", "expected"), [(-2.0, 0.015, 0.018, 0.016), (2.0, 0.04, 0.06, 0.051)])
+def test_the_attitude_moves_the_crossing(risk: float, low: float, high: float, expected: float) -> None:
+    """Every player stops driving at some level, also the seeking one, and drive and chip are worth the same there."""
+    level = crossing(low, high, cell=0.25, risk=risk)
+    assert level == pytest.approx(expected, abs=5e-4)
+    worth = from_the_tee(level, 0.25, risk=risk)
+    assert worth["drive"] == pytest.approx(worth["chip"], abs=1e-3)
+
+
 def test_interpolated() -> None:
     """On the grid its values, and between them the mean."""
     values = np.array([[0.0, 1.0, 2.0], [4.0, 5.0, 6.0], [0.0, 0.0, 0.0]])

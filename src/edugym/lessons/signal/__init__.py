@@ -63,7 +63,7 @@ from edugym.lessons.signal.methods import (
 )
 from edugym.lessons.signal.moody import Moody, best_return, moody_toy
 from edugym.lessons.signal.players import Coin, RoundRobin, Voter
-from edugym.lessons.signal.words import bits, information, joint_table, right_words
+from edugym.lessons.signal.words import bits, information, joint_table
 from edugym.mdp.protocol import Reals
 from edugym.plotting.report import Report
 from edugym.results.claims import Above, Below, Claim, Within
@@ -117,7 +117,6 @@ __all__ = [
     "play",
     "race",
     "report",
-    "right_words",
     "rows_of_table",
     "time_below",
     "vocabulary_sheet",

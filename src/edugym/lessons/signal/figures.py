@@ -61,7 +61,7 @@ class Points(NamedTuple):
 
     measured: Mapping[str, tuple[Sequence[float], Sequence[Reals]]]
     title: str = ""
-    x_label: str = "I(X; Y) in bits"
+    x_label: str = "I(X; Y) in bits, toy in perfect care"
     marked: str = ""
     marks: Sequence[str] = ()
     shift: tuple[float, float] = (6, -9)

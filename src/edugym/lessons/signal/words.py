@@ -1,6 +1,7 @@
 """How much the words of Tamagotchi tell, computed over the states of simulated episodes."""
 
 import math
+from collections import Counter
 from functools import cache
 from itertools import combinations_with_replacement
 from typing import Any
@@ -15,9 +16,9 @@ from edugym.mdp.protocol import Reals
 def information(tau: float, length: int = 1, vocab_size: int = 4) -> float:
     """Return I(message; need), the information in a message about the wanted action, in bits (2 tell it exactly).
 
-    The states are those of a toy that is always given what it wants. Given the state, the words are independent, so
-    their order tells nothing, and the numbers of words of each kind have a multinomial distribution. Synonyms tell
-    nothing more, so that a larger vocabulary has the information of four words.
+    The states are those of a toy in perfect care, which is always given what it wants. Given the state, the words are
+    independent, so their order tells nothing, and the numbers of words of each kind have a multinomial distribution.
+    Synonyms tell nothing more, so that a larger vocabulary has the information of four words.
 
     Args:
         tau: the noise.
@@ -25,7 +26,7 @@ def information(tau: float, length: int = 1, vocab_size: int = 4) -> float:
         vocab_size: the number of different words.
     """
     toy = Tamagotchi.create(tau)
-    states = states_in_care(toy)
+    states = states_met(toy)
     kinds = min(vocab_size, 4)
     counts = np.array(
         [np.bincount(words, minlength=kinds) for words in combinations_with_replacement(range(kinds), length)]
@@ -52,42 +53,34 @@ def bits(joint: Reals) -> float:
     return float(np.sum(joint[possible] * np.log2(joint[possible] / (p_x * p_y)[possible])))
 
 
-def joint_table(tau: float, vocab_size: int = 4) -> Reals:
-    """Return the probability p(x, y) of every need with every word, for a toy that is given what it wants.
+def joint_table(tau: float, vocab_size: int = 4, *, obeyed: bool = False) -> Reals:
+    """Return the probability p(x, y) of every need with every word, for a toy in perfect care, or one that is obeyed.
 
     The rows are the needs. At most four words are told apart: synonyms are one word here.
     """
     kinds = min(vocab_size, 4)
     toy, joint = Tamagotchi.create(tau), np.zeros((4, kinds))
-    for (variables, wanted), share in states_in_care(toy).items():
+    for (variables, wanted), share in states_met(toy, obeyed).items():
         weights = np.array([toy.weight(variables, need, wanted) for need in range(4)])
         joint[wanted] += share * np.bincount(np.arange(4) % kinds, weights / weights.sum(), kinds)
     return joint
 
 
-def right_words(tau: float, episodes: int = 50) -> float:
-    """Return the share of the steps in which the word is right, in the episodes of a player that obeys it."""
-    toy, rng = Tamagotchi.create(tau), np.random.default_rng(0)
-    right, steps = 0, 0
-    for _ in range(episodes):
+@cache
+def states_met(toy: Tamagotchi, obeyed: bool = False) -> dict[tuple[Any, int], float]:
+    """Return the (variables, wanted action) that occur in simulated episodes, with their frequencies.
+
+    Args:
+        toy: the toy, which says one word out of four if it is obeyed.
+        obeyed: whether it is given what it says, instead of what it wants.
+    """
+    rng = np.random.default_rng(0)
+    counts: Counter[tuple[Any, int]] = Counter()
+    for _ in range(200 if obeyed else 20):  # an obeyed toy gets into many more states
         state = toy.initial(rng)
         for _ in range(toy.max_steps):
-            right, steps = right + (state.message == state.wanted), steps + 1
-            state = toy.transition(state, state.message, rng)
+            counts[state.variables, state.wanted] += 1
+            state = toy.transition(state, state.message if obeyed else state.wanted, rng)
             if toy.terminal(state):
                 break
-    return right / steps
-
-
-@cache
-def states_in_care(toy: Tamagotchi, episodes: int = 20) -> dict[tuple[Any, int], float]:
-    """Return the (variables, wanted action) of a toy that is always given what it wants, with their frequencies."""
-    rng = np.random.default_rng(0)
-    seen: dict[tuple[Any, int], float] = {}
-    for _ in range(episodes):
-        state = toy.initial(rng)
-        for _ in range(toy.max_steps):
-            key = (state.variables, state.wanted)
-            seen[key] = seen.get(key, 0.0) + 1 / (episodes * toy.max_steps)
-            state = toy.transition(state, state.wanted, rng)
-    return seen
+    return {state: count / counts.total() for state, count in counts.items()}

@@ -220,7 +220,7 @@ def weights_figure(risks: Mapping[str, float] = RISKS) -> Sheet:
         [
             [
                 Lines(deltas, weights, "the weight of a TD error", "TD error δ", "2σ(βδ)"),
-                Lines(deltas, moves, "how far it moves the value", "TD error δ", "2σ(βδ) δ"),
+                Lines(deltas, moves, "the weighted error", "TD error δ", "2σ(βδ) δ"),
             ]
         ],
     )
