@@ -106,7 +106,8 @@ def objective(ppo: PPO, net: ActorCritic, data: list[Tensor]) -> Tensor:
         entropy = torch.stack([part.entropy() for part in parts]).sum(0)
     ratio = (log_prob - old_log_prob).exp()
     gain = torch.min(ratio * advantage, ratio.clamp(1 - ppo.clip, 1 + ppo.clip) * advantage)
-    return (gain - (V - G) ** 2 / 2 + ppo.entropy_bonus * entropy).mean()
+    total: Tensor = (gain - (V - G) ** 2 / 2 + ppo.entropy_bonus * entropy).mean()
+    return total
 
 
 @pytest.mark.parametrize("bonus", [0.0, 0.3])
