@@ -301,13 +301,13 @@ def ppo_claims(stored: Results) -> list[Claim]:
     return [
         *(
             Claim(
-                f"PPO with 3 bins is sooner than with {label}" if label != CONTINUOUS else "and than with real numbers",
+                f"PPO with 3 bins is sooner than with {label}",
                 f"training steps to a return of 3 with drawn actions, 3 bins less {label}",
                 paired_difference(speed[three], speed[label]),
                 Below(0.0),
                 told,
             )
-            for label in (five, nine, CONTINUOUS)
+            for label in (five, nine)
         ),
         Claim(
             "PPO with 3 bins comes near the best that they can do, with drawn actions",
