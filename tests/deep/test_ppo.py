@@ -6,10 +6,13 @@ import numpy as np
 import pytest
 import torch
 from gymnasium import spaces
+from torch import Tensor
+from torch.distributions import Categorical, Normal
+from torch.nn import functional
 
 from edugym import make_environment
 from edugym.deep import PPO
-from edugym.deep.ppo import ActorCritic, advantages_of, clipped_gain, normalised
+from edugym.deep.ppo import ActorCritic, Gaussian, Network, Softmax, advantages_of, clipped_gain, normalised
 
 
 def test_advantages_by_hand() -> None:
@@ -49,6 +52,102 @@ def test_normalised() -> None:
     assert normalised(torch.tensor([5.0, 5.0])).tolist() == [0.0, 0.0]
 
 
+def test_a_network_by_hand() -> None:
+    """One unit in each layer, x = 0, so that h₁ = h₂ = 0 but for biases: tanh' = 1, and the chain rule can be read off.
+
+    With W₂ = 2, W₃ = 3 and b₃ = 5, y = 5; it changes by W₃ = 3 with b₂, by W₃ W₂ = 6 with b₁, and not with the
+    weights, whose inputs are 0. With x = 1 and W₁ = 0 it changes by 6 with W₁ as well.
+    """
+    net = Network([torch.tensor(numbers) for numbers in ([[0.0]], [0.0], [[2.0]], [0.0], [[3.0]], [5.0])])
+    *inputs, y = net.outputs(torch.tensor([[0.0], [1.0]]))
+    assert y.tolist() == [[5.0], [5.0]]
+    by_hand = [[[6.0]], [12.0], [[0.0]], [6.0], [[0.0]], [2.0]]  # sums over both states
+    assert [part.tolist() for part in net.gradient(inputs, torch.ones(2, 1))] == by_hand
+
+
+def test_a_gaussian_by_hand() -> None:
+    """With μ = 1, σ = 2 and a = 5, z = 2: log π = -2 - log 2 - log √2π; by μ it is z/σ = 1, by log σ z² - 1 = 3."""
+    policy = Gaussian(torch.tensor([[1.0]]), torch.tensor([2.0]).log())
+    a = torch.tensor([[5.0]])
+    assert float(policy.log_prob(a)) == pytest.approx(-2 - np.log(2) - np.log(np.sqrt(2 * np.pi)))
+    by_mean, by_log_std = policy.gradient(a, torch.tensor([10.0]), 0.5)
+    assert by_mean.tolist() == [[pytest.approx(10.0)]]
+    assert by_log_std.tolist() == [pytest.approx(30.0 + 0.5)]
+
+
+def test_a_softmax_by_hand() -> None:
+    """With p = (1/4, 3/4) and the first chosen, log π is log 1/4, and its derivatives by y are (1 - 1/4, -3/4)."""
+    p = torch.tensor([[0.25, 0.75]])
+    policy, a = Softmax([p.log()]), torch.tensor([[0]])
+    assert float(policy.log_prob(a)) == pytest.approx(np.log(0.25))
+    assert policy.gradient(a, torch.tensor([10.0]), 0.0)[0].tolist() == [pytest.approx([7.5, -7.5])]
+    entropy = -0.25 * np.log(0.25) - 0.75 * np.log(0.75)
+    by_y = [-0.25 * (np.log(0.25) + entropy), -0.75 * (np.log(0.75) + entropy)]
+    assert policy.gradient(a, torch.tensor([0.0]), 2.0)[0].tolist() == [pytest.approx([2 * by_y[0], 2 * by_y[1]])]
+
+
+def objective(ppo: PPO, net: ActorCritic, data: list[Tensor]) -> Tensor:
+    """The objective as the class says it, by torch's own distributions; torch can take its derivatives."""
+    x, action, old_log_prob, advantage, G = data
+
+    def run(weights: list[Tensor]) -> Tensor:
+        W1, b1, W2, b2, W3, b3 = weights
+        y: Tensor = functional.linear(functional.linear(functional.linear(x, W1, b1).tanh(), W2, b2).tanh(), W3, b3)
+        return y
+
+    y, V = run(net.actor.weights), run(net.critic.weights)[:, 0]
+    if isinstance(net.actions, spaces.Box):
+        normal: Any = Normal(y, net.log_std.exp())
+        log_prob, entropy = normal.log_prob(action).sum(-1), normal.entropy().sum(-1)
+    else:
+        parts: list[Any] = [Categorical(logits=part) for part in y.split_with_sizes(net.sizes, -1)]
+        log_prob = torch.stack([part.log_prob(action[:, k]) for k, part in enumerate(parts)]).sum(0)
+        entropy = torch.stack([part.entropy() for part in parts]).sum(0)
+    ratio = (log_prob - old_log_prob).exp()
+    gain = torch.min(ratio * advantage, ratio.clamp(1 - ppo.clip, 1 + ppo.clip) * advantage)
+    total: Tensor = (gain - (V - G) ** 2 / 2 + ppo.entropy_bonus * entropy).mean()
+    return total
+
+
+@pytest.mark.parametrize("bonus", [0.0, 0.3])
+@pytest.mark.parametrize(
+    "actions", [spaces.Discrete(3), spaces.MultiDiscrete([2, 4]), spaces.Box(-1.0, 1.0, (2,), np.float64)]
+)
+def test_the_gradient_is_that_of_the_objective(actions: spaces.Space[Any], bonus: float) -> None:
+    """What is written out equals what torch finds, in double precision, with ratios on both sides of the bounds."""
+    torch.manual_seed(1)
+    ppo = PPO.create("Catch", entropy_bonus=bonus)
+    net = ActorCritic(spaces.Box(-1.0, 1.0, (5,), np.float64), actions, 7)
+    for name in ("actor", "critic"):
+        parts = [torch.randn(part.shape, dtype=torch.float64) for part in getattr(net, name).weights]
+        setattr(net, name, Network(parts))
+    net.log_std = net.log_std.double()
+    x = torch.randn(200, 5, dtype=torch.float64)
+    policy = net.policy(net.actor(x))
+    action = policy.sample()
+    old = policy.log_prob(action) + 0.3 * torch.randn(200, dtype=torch.float64)
+    data = [x, action, old, normalised(torch.randn(200, dtype=torch.float64)), torch.randn(200, dtype=torch.float64)]
+    ratio = (policy.log_prob(action) - old).exp()
+    assert (ratio > 1 + ppo.clip).any()
+    assert (ratio < 1 - ppo.clip).any()
+    found = ppo.gradient(net, *data)
+    learned = [*net.actor.weights, *net.critic.weights, net.log_std]
+    for part in learned:
+        part.requires_grad_()
+    wanted = torch.autograd.grad(objective(ppo, net, data), learned, allow_unused=True)
+    by_torch = [torch.zeros_like(part) if of is None else of for part, of in zip(learned, wanted, strict=True)]
+    torch.testing.assert_close(found, torch.cat([part.ravel() for part in by_torch]))
+
+
+def test_weights_are_one_vector() -> None:
+    """What Adam changes there, the networks see."""
+    net = ActorCritic(spaces.Discrete(2), spaces.Box(-1.0, 1.0, (2,)), 4)
+    assert len(net.weights) == 2 * (2 * 4 + 4 + 4 * 4 + 4) + 4 * 2 + 2 + 4 + 1 + 2
+    net.weights.zero_()
+    learned = [*net.actor.weights, *net.critic.weights, net.log_std]
+    assert all(not part.any() for part in learned)
+
+
 def test_what_it_sees() -> None:
     """Whole numbers as ones and zeros, one after the other; colours as shares of 255; unbounded numbers as they are."""
     discrete = spaces.Discrete(2)
@@ -73,9 +172,9 @@ def test_every_kind_of_action(actions: spaces.Space[Any]) -> None:
     """Samples are in the space once they are given, and the logarithm of a probability has one number for each."""
     torch.manual_seed(0)
     net = ActorCritic(spaces.Discrete(2), actions, 4)
-    policy = net.policy(net.numbers(np.zeros(50, np.int64)))
+    policy = net.policy(net.actor(net.numbers(np.zeros(50, np.int64))))
     drawn = policy.sample()
-    assert policy.log_prob(drawn).shape == policy.entropy().shape == (50,)
+    assert policy.log_prob(drawn).shape == (50,)
     given = net.given(drawn)
     assert all(actions.contains(action) for action in given)
     if not isinstance(actions, spaces.Box):
@@ -97,11 +196,9 @@ def test_a_truncated_episode_is_worth_its_last_state() -> None:
 
     env = copies("Boulder", 2, ppo.parameters)
     net = ActorCritic(env.single_observation_space, env.single_action_space, 4)
-    with torch.no_grad():
-        *_, bias = net.critic.parameters()
-        for weights in net.critic.parameters():
-            weights.zero_()
-        bias.fill_(4.0)  # V is 4 everywhere
+    for weights in net.critic.weights:
+        weights.zero_()
+    net.critic.weights[-1].fill_(4.0)  # V is 4 everywhere
     curve = Curve("Boulder", ppo.parameters, lambda: net.greedy, 100, 1, 0)
     curve.measure(0)
     data, _ = ppo.play(env, net, env.reset(seed=0)[0], curve, 0)
@@ -115,7 +212,7 @@ def test_it_runs_everywhere_and_repeats(name: str) -> None:
     ppo = PPO.create(name, num_envs=4, length=8, hidden=8, epochs=2)
     runs = [ppo.train(96, seed=seed, evaluate_every=32, evaluation_episodes=2) for seed in (1, 1, 2)]
     assert runs[0].steps.tolist() == [0, 32, 64, 96]
-    weights = [run.agent.actor[0].weight for run in runs]
+    weights = [run.agent.weights for run in runs]
     assert torch.equal(weights[0], weights[1])
     assert not torch.equal(weights[0], weights[2])
     assert np.array_equal(runs[0].returns, runs[1].returns)

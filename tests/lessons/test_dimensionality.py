@@ -19,6 +19,7 @@ from edugym.lessons.dimensionality import (
     TRAINED,
     WITHHELD,
     OpenDQN,
+    bairds_weights,
     boards_figure,
     car_figure,
     catch,
@@ -52,6 +53,7 @@ from edugym.lessons.dimensionality import (
     warm_up,
     withheld,
 )
+from edugym.lessons.dimensionality.baird import Baird, weights_of_solid
 from edugym.lessons.dimensionality.boards import Offset
 from edugym.lessons.dimensionality.methods import catch_numbers, play_on
 
@@ -121,6 +123,28 @@ def test_the_triad() -> None:
     assert w_to_2w(100, 0.4, 0.1)[-1] < 0.2
     assert abs(w_to_2w(100, 1.0, 0.1, whole_way=True)[-1]) < 1e-6
     assert 1.0 < w_to_2w(100, 0.9, 0.1, copy_every=20)[-1] < w_to_2w(100, 0.9, 0.1)[-1]
+
+
+def test_bairds_weights_by_hand() -> None:
+    """The first update of the solid action: from a state i below 6 to state 6, whose value is 10 + 2 = 12.
+
+    The value of i is 2 + 1 = 3, so the error is 0.99 * 12 - 3 = 8.88. Times α = 0.05, w_i gains twice that, w_8 once.
+    """
+    changes = np.diff(weights_of_solid(n_steps=40), axis=0)
+    first = changes[changes.any(axis=1)][0]
+    assert first[7] == pytest.approx(0.05 * 8.88)
+    assert sorted(first[:7]) == pytest.approx([0.0] * 6 + [0.1 * 8.88])
+    mdp, rng = Baird(), np.random.default_rng(0)
+    assert mdp.observation(2, rng) @ np.arange(8) == 2 * 2 + 7
+    assert mdp.observation(6, rng) @ np.arange(8) == 6 + 2 * 7
+
+
+def test_the_figure_of_baird() -> None:
+    """Off-policy the weights leave the page; on-policy they stay below where they began."""
+    panels: Any = bairds_weights().rows[0]
+    left, right = panels
+    assert max(line.max() for line in left.lines.values()) > 50
+    assert max(np.abs(line).max() for line in right.lines.values()) <= 10
 
 
 def test_open_dqn_is_dqn() -> None:

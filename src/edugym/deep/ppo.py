@@ -1,5 +1,6 @@
 """Proximal policy optimisation, whole: for any observations that are numbers and any of Gymnasium's simple actions."""
 
+import math
 from collections.abc import Mapping
 from typing import Annotated, Any, NamedTuple
 
@@ -7,7 +8,7 @@ import numpy as np
 import torch
 from gymnasium import spaces
 from torch import Tensor, nn
-from torch.distributions import Categorical, Independent, Normal
+from torch.nn import functional
 
 from edugym.agents.settings import Discount, LearningRate, Probability, Range, new, shows_settings
 from edugym.agents.vectors import vector_length
@@ -84,11 +85,11 @@ class PPO(NamedTuple):
             ValueError: a parameter is not as above.
         """
         updates = whole_number("n_steps", n_steps, self.num_envs * self.length) // (self.num_envs * self.length)
-        with one_thread():
+        with one_thread(), torch.inference_mode():  # the gradient is written out below
             torch.manual_seed(whole_number("seed", seed, 0))
             env = copies(self.environment, self.num_envs, self.parameters)
             net = ActorCritic(env.single_observation_space, env.single_action_space, self.hidden)
-            optimizer = torch.optim.Adam(net.parameters(), self.learning_rate, eps=1e-5, fused=True)
+            optimizer = torch.optim.Adam([net.weights], self.learning_rate, eps=1e-5, fused=True)
             every = evaluate_every or max(1, n_steps // 10)
             curve = Curve(self.environment, self.parameters, lambda: net.greedy, every, evaluation_episodes, seed)
             curve.measure(0)
@@ -103,42 +104,49 @@ class PPO(NamedTuple):
     def play(self, env: Any, net: "ActorCritic", observations: Any, curve: Curve, done: int) -> Any:
         """Play `length` steps in every copy, and judge every action; shapes (length · n, ...)."""
         n, T = self.num_envs, self.length
-        X, A, log_probs = [], [], []
-        rewards, going_on = torch.zeros(T, n), torch.zeros(T, n)
-        with torch.no_grad():
-            for t in range(T):
-                x = net.numbers(observations)
-                policy = net.policy(x)
-                action = policy.sample()
-                X.append(x)
-                A.append(action)
-                log_probs.append(policy.log_prob(action))
-                observations, reward, terminated, truncated, infos = env.step(net.given(action))
-                over = terminated | truncated
-                rewards[t], going_on[t] = torch.as_tensor(reward), torch.as_tensor(~over)
-                for i in np.flatnonzero(truncated & ~terminated):  # what would have come is worth V
-                    last = net.numbers(np.asarray(infos["final_obs"][i])[None])
-                    rewards[t, i] += self.discount * net.value(last)[0]
-                curve.add(done + (t + 1) * n, reward, over)
-            V = net.value(torch.stack([*X, net.numbers(observations)]))  # (T + 1, n)
-            advantages = advantages_of(rewards, going_on, V, self.discount, self.trace_decay)
-            parts = (torch.stack(X), torch.stack(A), torch.stack(log_probs), advantages, advantages + V[:-1])
-        return [part.flatten(0, 1) for part in parts], observations
+        X, Y, A = [], [], []
+        rewards, going_on = np.zeros((T, n), np.float32), np.zeros((T, n), np.float32)
+        for t in range(T):
+            X.append(net.numbers(observations))
+            Y.append(net.actor(X[-1]))
+            A.append(net.policy(Y[-1]).sample())
+            observations, reward, terminated, truncated, infos = env.step(net.given(A[-1]))
+            over = terminated | truncated
+            rewards[t], going_on[t] = reward, ~over
+            for i in np.flatnonzero(truncated & ~terminated):  # what would have come is worth V
+                last = net.numbers(np.asarray(infos["final_obs"][i])[None])
+                rewards[t, i] += self.discount * float(net.critic(last))
+            curve.add(done + (t + 1) * n, reward, over)
+        x, y, action = torch.cat(X), torch.cat(Y), torch.cat(A)
+        V = net.critic(torch.cat([x, net.numbers(observations)])).view(T + 1, n)
+        steps = torch.as_tensor(rewards), torch.as_tensor(going_on)
+        advantages = advantages_of(*steps, V, self.discount, self.trace_decay)
+        log_prob, G = net.policy(y).log_prob(action), advantages + V[:-1]
+        return [x, action, log_prob, advantages.ravel(), G.ravel()], observations
 
     def learn(self, net: "ActorCritic", optimizer: Any, data: list[Tensor]) -> None:
         """Take steps up the objective, from each action `epochs` times."""
         for _ in range(self.epochs):
-            for rows in torch.randperm(len(data[0])).chunk(self.minibatches):
-                x, action, old_log_prob, advantage, G = (part[rows] for part in data)
-                policy = net.policy(x)
-                ratio = (policy.log_prob(action) - old_log_prob).exp()
-                gain = clipped_gain(ratio, normalised(advantage), self.clip).mean()
-                value_loss = 0.5 * (net.value(x) - G).pow(2).mean()
-                loss = -gain + value_loss - self.entropy_bonus * policy.entropy().mean()
-                optimizer.zero_grad()
-                loss.backward()
-                nn.utils.clip_grad_norm_(net.parameters(), 0.5)
+            order = torch.randperm(len(data[0]))
+            for part in zip(*(column.index_select(0, order).chunk(self.minibatches) for column in data), strict=True):
+                gradient = self.gradient(net, *part)
+                net.weights.grad = -gradient * (0.5 / gradient.norm()).clamp(max=1)  # Adam goes downhill
                 optimizer.step()
+
+    def gradient(
+        self, net: "ActorCritic", x: Tensor, action: Tensor, old_log_prob: Tensor, advantage: Tensor, G: Tensor
+    ) -> Tensor:
+        """The gradient of the objective by all weights: by the chain rule, from the outputs of the networks back."""
+        *inputs, y = net.actor.outputs(x)
+        policy, advantage = net.policy(y), normalised(advantage)
+        ratio = (policy.log_prob(action) - old_log_prob).exp()
+        gain = ratio * advantage  # its derivative by log π is the same number, ratio · Â
+        slope = gain * (gain == clipped_gain(ratio, advantage, self.clip))  # but 0 where the ratio is cut off
+        by_y, *by_log_std = policy.gradient(action, slope, self.entropy_bonus)
+        by_actor = net.actor.gradient(inputs, by_y)
+        *inputs, V = net.critic.outputs(x)
+        by_critic = net.critic.gradient(inputs, G[:, None] - V)
+        return torch.cat([part.ravel() for part in (*by_actor, *by_critic, *by_log_std)]) / len(x)
 
     @classmethod
     def create(cls, environment: Any, parameters: Mapping[str, Any] | None = None, **settings: Any) -> "PPO":
@@ -161,10 +169,11 @@ def advantages_of(rewards: Tensor, going_on: Tensor, V: Tensor, discount: float,
         discount: γ.
         trace_decay: λ.
     """
-    advantages, after = torch.zeros_like(rewards), torch.zeros_like(rewards[0])
-    for t in reversed(range(len(rewards))):
-        delta = rewards[t] + discount * going_on[t] * V[t + 1] - V[t]
-        advantages[t] = after = delta + discount * trace_decay * going_on[t] * after
+    delta = rewards + discount * going_on * V[1:] - V[:-1]
+    decay = discount * trace_decay * going_on
+    advantages = delta.clone()
+    for t in reversed(range(len(delta) - 1)):
+        advantages[t] += decay[t] * advantages[t + 1]
     return advantages
 
 
@@ -175,11 +184,18 @@ def clipped_gain(ratio: Tensor, advantage: Tensor, clip: float) -> Tensor:
 
 def normalised(x: Tensor) -> Tensor:
     """With a mean of 0 and a standard deviation of 1."""
-    return (x - x.mean()) / (x.std(correction=0) + 1e-8)
+    return functional.layer_norm(x, x.shape, eps=1e-12)
 
 
-class ActorCritic(nn.Module):
-    """A policy and a value function: two networks with two hidden layers each."""
+class ActorCritic:
+    """A policy and a value function: two networks with two hidden layers each.
+
+    Attributes:
+        actor: what it gives for a state, the policy is made of: means of real actions, or preferences of whole numbers.
+        critic: gives V.
+        log_std: log σ of each real action.
+        weights: all numbers that are learned, in one vector; the others are views of it.
+    """
 
     def __init__(self, observations: spaces.Space[Any], actions: spaces.Space[Any], hidden: int) -> None:
         """See the class.
@@ -187,42 +203,40 @@ class ActorCritic(nn.Module):
         Raises:
             ValueError: observations are not numbers, or actions not `Discrete`, `MultiDiscrete` or vectors of reals.
         """
-        super().__init__()
         self.observations, self.actions = observations, actions
         if isinstance(actions, spaces.Box) and len(actions.shape) == 1:
-            self.sizes = [actions.shape[0]]
+            self.sizes, n_reals = [actions.shape[0]], actions.shape[0]
         elif isinstance(actions, spaces.Discrete | spaces.MultiDiscrete):
-            self.sizes = list(table_sizes(actions))
+            self.sizes, n_reals = list(table_sizes(actions)), 0
         else:
             raise ValueError(f"PPO needs actions that are whole numbers or vectors, but the action space is {actions}")
         n_inputs = vector_length(observations)
-        self.actor = layers(n_inputs, hidden, hidden, sum(self.sizes), last=0.01)
-        self.critic = layers(n_inputs, hidden, hidden, 1, last=1.0)
-        self.log_std = nn.Parameter(torch.full((self.sizes[0],), -0.5))
+        actor = layers(n_inputs, hidden, hidden, sum(self.sizes), last=0.01)
+        critic = layers(n_inputs, hidden, hidden, 1, last=1.0)
+        learned = [*actor, *critic, torch.full((n_reals,), -0.5)]
+        self.weights = torch.cat([part.ravel() for part in learned])
+        views = self.weights.split_with_sizes([part.numel() for part in learned])
+        learned = [view.view(part.shape) for view, part in zip(views, learned, strict=True)]
+        self.actor, self.critic, self.log_std = Network(learned[:6]), Network(learned[6:12]), learned[12]
         if isinstance(observations, spaces.Box):
             largest = np.maximum(*np.abs((observations.low.ravel(), observations.high.ravel()))).astype(float)
-            self.scale = torch.as_tensor(np.where((largest > 0) & (largest < 1e9), 1 / np.maximum(largest, 1e-9), 1))
+            scale = np.where((largest > 0) & (largest < 1e9), 1 / np.maximum(largest, 1e-9), 1)
+            self.scale = torch.as_tensor(scale, dtype=torch.float32)
 
     def numbers(self, observations: Any) -> Tensor:
         """Observations as vectors, shape (n, n_inputs): numbers over the largest allowed, or ones and zeros."""
         seen = np.asarray(observations).reshape(len(observations), -1)
         if isinstance(self.observations, spaces.Box):
-            return (torch.as_tensor(seen) * self.scale).float()
+            return torch.as_tensor(seen, dtype=torch.float32) * self.scale
         sizes, x = table_sizes(self.observations), torch.zeros(len(seen), vector_length(self.observations))
         first = np.cumsum([0, *sizes[:-1]]) - np.array(table_lows(self.observations))
         return x.scatter_(1, torch.as_tensor(seen + first), 1.0)
 
-    def policy(self, x: Tensor) -> Any:
-        """The distribution π(·|s)."""
-        y = self.actor(x)
+    def policy(self, y: Tensor) -> "Gaussian | Softmax":
+        """The distribution π(·|s), from the outputs of the actor, shape (n, n_outputs)."""
         if isinstance(self.actions, spaces.Box):
-            return Independent(Normal(y, self.log_std.exp(), validate_args=False), 1)
-        return Several([Categorical(logits=part, validate_args=False) for part in y.split(self.sizes, -1)])
-
-    def value(self, x: Tensor) -> Tensor:
-        """V(s), shape (n,)."""
-        value: Tensor = self.critic(x).squeeze(-1)
-        return value
+            return Gaussian(y, self.log_std)
+        return Softmax([functional.log_softmax(part.T, 0).T for part in y.split_with_sizes(self.sizes, -1)])
 
     def given(self, actions: Tensor) -> Any:
         """Actions as the environment takes them."""
@@ -233,40 +247,103 @@ class ActorCritic(nn.Module):
 
     def greedy(self, observations: Any, first: Any = None) -> Any:
         """The likeliest actions for observations of shape (n, ...)."""
-        with torch.no_grad():
-            return self.given(self.policy(self.numbers(observations)).mode)
+        return self.given(self.policy(self.actor(self.numbers(observations))).mode)
 
 
-class Several(NamedTuple):
-    """The distribution of one or several whole numbers, each with probabilities of its own."""
+class Network(NamedTuple):
+    """Layers with tanh between them: y = W₃h₂ + b₃, h₂ = tanh(W₂h₁ + b₂), h₁ = tanh(W₁x + b₁)."""
 
-    parts: list[Any]  # of Categorical, whose methods have no types
+    weights: list[Tensor]  # W₁, b₁, W₂, b₂, W₃, b₃
+
+    def __call__(self, x: Tensor) -> Tensor:
+        """y, shape (n, n_outputs), for x of shape (n, n_inputs)."""
+        return self.outputs(x)[-1]
+
+    def outputs(self, x: Tensor) -> list[Tensor]:
+        """x, h₁, h₂ and y."""
+        W1, b1, W2, b2, W3, b3 = self.weights
+        h1 = functional.linear(x, W1, b1).tanh_()
+        h2 = functional.linear(h1, W2, b2).tanh_()
+        return [x, h1, h2, (W3 @ h2.T).T + b3]
+
+    def gradient(self, inputs: list[Tensor], d: Tensor) -> list[Tensor]:
+        """The derivatives by W₁, b₁, W₂ and so on of any sum over states.
+
+        Args:
+            inputs: x, h₁ and h₂, the inputs of the layers.
+            d: the derivatives of the sum by y, shape (n, n_outputs); on the way back, by what goes into each tanh.
+        """
+        found: list[Tensor] = []
+        for k in (2, 1, 0):
+            found = [d.T @ inputs[k], d.sum(0), *found]
+            if k > 0:
+                d = torch.ops.aten.tanh_backward(d @ self.weights[2 * k], inputs[k])  # times tanh' = 1 - h²
+        return found
+
+
+class Gaussian(NamedTuple):
+    """π of real numbers: log π = Σ (-z²/2 - log σ - log √2π), z = (a - μ)/σ; its entropy is Σ log σ and a constant."""
+
+    mean: Tensor  # shape (n, n_numbers)
+    log_std: Tensor  # shape (n_numbers,)
 
     def sample(self) -> Tensor:
-        """Shape (n, n_numbers)."""
-        return torch.stack([part.sample() for part in self.parts], -1)
+        """Actions, shape (n, n_numbers)."""
+        return self.mean + self.log_std.exp() * torch.randn_like(self.mean)
 
     def log_prob(self, actions: Tensor) -> Tensor:
-        """Of all numbers together, shape (n,)."""
-        logs = [part.log_prob(actions[..., k]) for k, part in enumerate(self.parts)]
-        return torch.stack(logs).sum(0)
+        """The logarithm of π, of all numbers of an action together, shape (n,)."""
+        z = (actions - self.mean) / self.log_std.exp()
+        return -(z * z / 2 + self.log_std + math.log(2 * math.pi) / 2).sum(-1)
 
-    def entropy(self) -> Tensor:
-        """Likewise."""
-        return torch.stack([part.entropy() for part in self.parts]).sum(0)
+    def gradient(self, actions: Tensor, slope: Tensor, bonus: float) -> list[Tensor]:
+        """The derivatives of the sum of slope · log π + bonus · entropy, by μ and by log σ."""
+        std = self.log_std.exp()
+        z = (actions - self.mean) / std
+        return [slope[:, None] * z / std, slope @ (z * z - 1) + bonus * len(z)]
 
     @property
     def mode(self) -> Tensor:
-        """The likeliest numbers, shape (n, n_numbers)."""
-        return torch.stack([part.mode for part in self.parts], -1)
+        """The likeliest actions, shape (n, n_numbers)."""
+        return self.mean
 
 
-def layers(*sizes: int, last: float) -> nn.Sequential:
-    """Fully connected layers with tanh between them, orthogonal weights, those of the last layer scaled by `last`."""
-    parts: list[nn.Module] = []
+class Softmax(NamedTuple):
+    """π of one or several whole numbers: each has probabilities p, the softmax of its part of y."""
+
+    log_p: list[Tensor]  # for each of them, shape (n, n_values)
+
+    def sample(self) -> Tensor:
+        """As of `Gaussian`."""
+        return torch.cat([torch.multinomial(log_p.exp(), 1) for log_p in self.log_p], -1)
+
+    def log_prob(self, actions: Tensor) -> Tensor:
+        """As of `Gaussian`."""
+        chosen = [log_p.gather(1, actions[:, k : k + 1]) for k, log_p in enumerate(self.log_p)]
+        return torch.cat(chosen, -1).sum(-1)
+
+    def gradient(self, actions: Tensor, slope: Tensor, bonus: float) -> list[Tensor]:
+        """By y: of log π, 1 - p for what was chosen, else -p; of the entropy H = -Σ p log p, -p (log p + H)."""
+        found = []
+        for k, log_p in enumerate(self.log_p):
+            p = log_p.exp()
+            d = (-slope[:, None] * p).scatter_add_(1, actions[:, k : k + 1], slope[:, None])
+            if bonus:
+                d -= bonus * p * (log_p - (p * log_p).sum(-1, keepdim=True))
+            found.append(d)
+        return [torch.cat(found, -1)]
+
+    @property
+    def mode(self) -> Tensor:
+        """As of `Gaussian`."""
+        return torch.stack([log_p.argmax(-1) for log_p in self.log_p], -1)
+
+
+def layers(*sizes: int, last: float) -> list[Tensor]:
+    """W and b of each layer: W is orthogonal, that of the last layer times `last`, and b is 0."""
+    found = []
     for k in range(len(sizes) - 1):
-        layer = nn.Linear(sizes[k], sizes[k + 1])
-        nn.init.orthogonal_(layer.weight, last if k == len(sizes) - 2 else 2**0.5)
-        nn.init.zeros_(layer.bias)
-        parts += [layer, nn.Tanh()]
-    return nn.Sequential(*parts[:-1])
+        W = torch.empty(sizes[k + 1], sizes[k])
+        nn.init.orthogonal_(W, last if k == len(sizes) - 2 else 2**0.5)
+        found += [W, torch.zeros(sizes[k + 1])]
+    return found

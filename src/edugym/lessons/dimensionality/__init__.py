@@ -15,7 +15,9 @@ from typing import Any
 
 import numpy as np
 
+from edugym.agents.semi_gradient_sarsa import SemiGradientSARSA
 from edugym.experiments import How, reporting
+from edugym.lessons.dimensionality.baird import bairds_weights, growth_of_weights, weights_of_solid
 from edugym.lessons.dimensionality.figures import (
     boards_figure,
     car_figure,
@@ -99,6 +101,7 @@ __all__ = [
     "WITHHELD",
     "Coordinates",
     "OpenDQN",
+    "bairds_weights",
     "boards_figure",
     "car_figure",
     "catch",
@@ -327,7 +330,7 @@ def sharing_claims(tests: Mapping[str, Reals]) -> list[Claim]:
 
 
 def triad_claims() -> list[Claim]:
-    """Return the claims on the deadly triad, computed."""
+    """Return the claims on the deadly triad, computed and simulated."""
     old = w_to_2w(2_000, 0.9, 0.1, copy_every=20)[-1]
     return [
         Claim(
@@ -342,13 +345,33 @@ def triad_claims() -> list[Claim]:
             exactly(math.log(old) / math.log(w_to_2w(2_000, 0.9, 0.1)[-1])),
             Within(0.2, 0.6),
         ),
+        Claim(
+            "In Baird's counterexample the weights of Q-learning grow",
+            "largest weight after 1000 steps, of that at the start",
+            mean_interval(np.array([growth_of_weights(weights_of_solid(seed=seed)) for seed in range(10)])),
+            Above(5.0),
+        ),
+        Claim(
+            "and those of SARSA do not, with the same behaviour and features: what it learns about is what it does",
+            "largest weight after 1000 steps, of that at the start",
+            mean_interval(
+                np.array([growth_of_weights(weights_of_solid(SemiGradientSARSA, seed=seed)) for seed in range(10)])
+            ),
+            Below(1.0),
+        ),
     ]
 
 
 def figures(plain: Mapping[str, Results], noisy: Mapping[str, Results], tests: Mapping[str, Reals]) -> list[Sheet]:
-    """Return the figures: learning curves, sizes of tables, and tests on withheld columns."""
+    """Return the figures: learning curves, sizes of tables, weights that diverge, and tests on withheld columns."""
     curves = [Curves(results, label, optimum=1.0) for label, results in {**plain, **noisy}.items()]
-    return [Sheet("dimensionality", [curves[:2], curves[2:]]), size_sheet(), withheld(tests), stored_networks()]
+    return [
+        Sheet("dimensionality", [curves[:2], curves[2:]]),
+        size_sheet(),
+        bairds_weights(),
+        withheld(tests),
+        stored_networks(),
+    ]
 
 
 def warm_up() -> None:
