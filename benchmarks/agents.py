@@ -23,7 +23,7 @@ def comparisons(quick: bool) -> list[Comparison]:
     """One for each agent; a few of them if it should be quick."""
     wanted = [*((name, 100.0) for name in ONE_STEP), *((name, 50.0) for name in (*SEVERAL_STEPS, *LINEAR))]
     made = [comparison(name, ratio) for name, ratio in (wanted[::7] if quick else wanted)]
-    return made if quick else [*made, networks(), real_actions()]
+    return made if quick else [*made, networks(), real_actions(), *policy_gradients()]
 
 
 def comparison(name: str, ratio: float) -> Comparison:
@@ -58,6 +58,20 @@ def real_actions() -> Comparison:
     return Comparison("GaussianActorCritic on Trashbot", "training steps", ours, others, rate_target=1e6)
 
 
+def policy_gradients() -> list[Comparison]:
+    """PPO with the same networks, copies, batches and epochs."""
+    return [
+        Comparison(
+            f"PPO on {name}",
+            "training steps",
+            Contender("EduGym", partial(ppo, name)),
+            [Contender("Stable-Baselines3's PPO, as many updates", partial(baselines_ppo, name))],
+            ratio_target=3,
+        )
+        for name in ("Catch", "Trashbot")
+    ]
+
+
 def compiled(name: str, create: Any) -> Work:
     """Training as machine code, without evaluation but at the ends."""
     mdp = make_mdp(name)
@@ -86,6 +100,49 @@ def interpreted(name: str, create: Any) -> Work:
             moment = loops.start_off_policy(view.mdp, rngs[0])
             loops.off_policy(n, view.mdp, learning, LIMIT, *rngs, new_log(), moment)
         return n
+
+    return work
+
+
+def ppo(name: str) -> Work:
+    """Our PPO at its defaults, without evaluation but at the ends."""
+    from edugym.deep import PPO
+
+    algorithm = PPO.create(name)
+    round_of_steps = algorithm.num_envs * algorithm.length
+
+    def work(n: int) -> int:
+        n = max(n // round_of_steps, 1) * round_of_steps
+        algorithm.train(n, evaluate_every=n, evaluation_episodes=1)
+        return n
+
+    return work
+
+
+def baselines_ppo(name: str) -> Work:
+    """Stable-Baselines3's PPO with the settings of ours."""
+    from stable_baselines3 import PPO as BaselinesPPO
+
+    from edugym.deep import PPO, stable_baselines3_env
+    from edugym.deep.curves import one_thread
+
+    ours = PPO.create(name)
+    agent = BaselinesPPO(
+        "MlpPolicy",
+        stable_baselines3_env(name, ours.num_envs),
+        learning_rate=ours.learning_rate,
+        n_steps=ours.length,
+        batch_size=ours.num_envs * ours.length // ours.minibatches,
+        n_epochs=ours.epochs,
+        policy_kwargs={"net_arch": {"pi": [ours.hidden] * 2, "vf": [ours.hidden] * 2}},
+        device="cpu",
+    )
+
+    def work(n: int) -> int:
+        before = agent.num_timesteps
+        with one_thread():
+            agent.learn(n, reset_num_timesteps=False)
+        return int(agent.num_timesteps - before)
 
     return work
 
