@@ -326,8 +326,8 @@ memory.twin_figure(4, 4, actions=True)
 # Say that corridor $L$ is the longest one that must be played without an error. There a single mark is enough, provided
 # that the agent sees two marks in every *shorter* corridor: then seeing only one means that it is in corridor $L$. The
 # worst moment of the shorter ones is the last unmarked place of corridor $L - 1$, where the second last mark lies
-# $2L - 4$ steps back. (The lower picture is this moment for $L = 4$: one more entry, four steps back, would show the mark of
-# step 0.) With the present observation that makes $2L - 3$:
+# $2L - 4$ steps back. (The lower picture is this moment for $L = 4$: one more entry, four steps back, would show the
+# mark of step 0.) With the present observation that makes $2L - 3$:
 #
 # $$
 # k = \max(L,\; 2L - 3)
@@ -406,7 +406,7 @@ source(DQN.add_gradient)
 # | setting | value |
 # |---|---|
 # | network | one hidden layer of 64 units |
-# | update | every 4 steps, from the first 1 000 steps on, by Adam with learning rate 0.001 |
+# | update | every 4 steps after the first 1 000, by Adam with learning rate 0.001 |
 # | batch | 32 of the last 10 000 steps |
 # | `target` | copied every 250 updates |
 # | discount | $\gamma = 0.8$ |
