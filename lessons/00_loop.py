@@ -38,8 +38,9 @@ state, info = env.reset(seed=0)
 env.unwrapped.scene()
 
 # %% [markdown]
-# Play it yourself, with the buttons. Each step costs 1 point, an item brings 25 and the exit 50, so that the step onto an
-# item has the reward 24. What is the highest total that you can get? (The line below the picture also has the *observation*, which is the number of the state.)
+# Play it yourself, with the buttons. Each step costs 1 point, an item brings 25 and the exit 50, so that the step onto
+# an item has the reward 24. What is the highest total that you can get? (The line below the picture also shows a
+# number, the *observation*. It stands for where the shopper is and what is in the bag.)
 
 # %%
 play("Supermarket", max_steps=100)
@@ -217,8 +218,9 @@ frames(env, agent, max_steps=40)
 
 # %% [markdown]
 # The shopper takes two items, and then walks to and fro between two cells. Around these two cells it knows only that
-# steps cost points. The values of the last item and of the exit have come back a few cells, but not yet as far as this.
-# And after 20 000 steps more? `train` is the loop that you have just seen, translated into machine code.
+# steps cost points. Each update carries value one step back, from $S'$ to $S$. From the last item and from the exit it
+# has come back a few cells so far, but not yet to these two. And after 20 000 steps more? `train` is the loop that you
+# have just seen, translated into machine code.
 
 # %%
 train(env, agent, 20_000, seed=1)
@@ -236,9 +238,10 @@ frames(env, agent, max_steps=40)
 #
 # The left panel shows, every 250 steps, one episode in which the agent neither explores nor learns. Lines are means of
 # 30 runs, and bands show how sure these means are (95 % confidence intervals). The dashed line is the *optimum*, the
-# best possible total. The right panel shows the episodes in which they learn, with their random actions. It has only
-# the runs in which an episode has just ended. At the very beginning these are the lucky short ones, so ignore its first
-# points. Its dotted line is the best mean that a player can get if 10 % of its actions are random.
+# best possible total. The right panel shows the episodes in which they learn, with their random actions. Each point is
+# the mean over those runs in which an episode ended in the last 250 steps. Before step 500 only lucky, short episodes
+# can have ended, so ignore these first points. The dotted line is the best mean that a player can get if 10 % of its
+# actions are random.
 #
 # **Predict.** Over the last 5 000 steps, who has the lowest mean in the left panel?
 
@@ -290,17 +293,16 @@ items.measured(items.options[loop.items_on(loop.best_way(0.85))])
 # <details><summary>What was measured</summary>
 #
 # **Measured.** One. The exit is at least 16 steps away, so that its reward counts at most $0.85^{15} = 0.09$ times.
-# Some of the ways with 16 steps pass the red item, so it costs nothing extra. A further item makes the way longer, so
-# that everything after it counts still less. The shop is the same as before: the discount belongs to the *question*,
-# not to the world. </details>
+# Some of the ways with 16 steps pass the red item, so it costs nothing extra. With the green item as well the best way
+# has 22 steps. That item brings $25 \cdot 0.85^{14} = 2.6$. But the exit comes 6 steps later, which costs $50 \cdot
+# (0.85^{15} - 0.85^{21}) = 2.7$, and the 6 steps themselves cost 0.3. So the return of the whole way would fall, from
+# 6.2 to 5.8. The shop is the same as before: the discount belongs to the *question*, not to the world. </details>
 
 # %% [markdown]
-# The map shows $v_*$ of each cell for one bag, and the best action as an arrow. An arrow is slanted where two actions
-# are equally good. A cell has no arrow where three or four are, or two opposite ones; the entrance and the exit never
-# have one. An item cell is white: with this bag nobody can stand there. Values below 0 have the palest colour. The
-# orange line is the best way from the entrance, drawn for the empty bag only. After an item the bag is another one, so
-# from there on the line may run against the arrows. The right panel always shows this way: what each of its rewards
-# counts at the start.
+# The map shows $v_*$ of each cell for one bag, and the best action as an arrow (slanted: two actions are equally good;
+# none: more than two are, or two opposite ones). The orange line is the best way from the entrance, for the empty bag
+# only. After an item the bag is another one, so from there on the line may run against the arrows. The right panel
+# always shows this way: what each of its rewards counts at the start.
 #
 # *Move a slider and let it go.* At which values of $\gamma$ does the best way change? What is best for $\gamma = 0$?
 
@@ -312,6 +314,9 @@ sliders(
 )
 
 # %% [markdown]
+# (The white cells are those with an item that is not in the bag: whoever enters one takes the item, and then has
+# another bag. Values below 0 have the palest colour. The entrance and the exit never have an arrow.)
+#
 # <details><summary>Answer</summary>
 #
 # On this slider: at $\gamma = 0$ all ways from the start are equal. From 0.5 to 0.89 one item is best (16 steps), from
@@ -321,8 +326,10 @@ sliders(
 # %% [markdown]
 # ## See inside: the table while it learns
 #
-# On the left is what one agent has learned with $\gamma = 0.99$, the highest $Q(s, a)$ in each cell; grey cells have learned
-# nothing, and the rest is as above. On the right is $v_*$. Move the slider slowly: it is a film of learning.
+# On the left is what one agent has learned with $\gamma = 0.99$, the highest $Q(s, a)$ in each cell. In grey cells it
+# has learned nothing. In the palest cells it knows only that steps cost points, and there the arrow mostly points to
+# what it has tried least, sometimes into a wall. On the right is $v_*$. Move the slider slowly: it is a film of
+# learning.
 
 # %%
 sliders(
@@ -334,7 +341,8 @@ sliders(
 # %% [markdown]
 # The colour starts beside the red item and comes back towards the entrance, a few cells from picture to picture. Later
 # the cells grow darker once more: now the value of the other items and of the exit has come back too. In the end the
-# value of the entrance is exactly right. (The rest of the way has the bags "red", "red and green" and "all three".)
+# value of the first state, the entrance with an empty bag, is exactly right. (The rest of the way has the bags "red",
+# "red and green" and "all three".)
 
 # %% [markdown]
 # ## Predict, then check

@@ -54,7 +54,7 @@ env.scene()
 # | dynamics | $p$ grows by 1; after the last place $L$ grows by 1 and $p = 0$ | if the door is right |
 # | | the episode *terminates* | if the door is wrong |
 # | reward | 1 for a right door, 0 for a wrong one | |
-# | discount | $\gamma = 0.8$ | used by the agents; returns in the figures are not discounted |
+# | discount | $\gamma = 0.8$ | used by Q-learning and DQN in the corridor; returns in the figures are not discounted |
 #
 # A task whose observations do not tell the state is a *partially observable* Markov decision process. The right doors
 # are drawn anew in every episode, so nobody can learn them by heart. After 1 000 steps an episode is *truncated*: cut
@@ -108,8 +108,9 @@ play("MemoryCorridor", blind=True)
 # The package does this outside of the agent: it turns the task into one that *shows* the window, as one whole number,
 # the row of a table. The observations are the digits of that number, and the oldest ones are dropped from it. (Stacks
 # of observations are also called frame stacks, since on a screen an observation is a frame. An episode starts with $k$
-# copies of the first observation, and with action 0 between them.) In the code `row % n_recent` drops the oldest
-# observation (and the action after it). `n_actions` is 1 if actions are not shown.
+# copies of the first observation, and with action 0 between them.) In the code `n_recent` is the number of rows that
+# there would be without the oldest observation (and the action after it), so `row % n_recent` drops it. `inner` is the
+# state of the corridor. `n_actions` is 1 if actions are not shown.
 
 # %%
 source(FrameStack, "transition", "observation")
@@ -141,6 +142,12 @@ two = memory.learn(2, n_steps=50_000, repetitions=1)
 frames(FrameStack.create(make_mdp("MemoryCorridor"), 2), two.agents["k = 2"][0], seed=4)
 
 # %% [markdown]
+# <details><summary>What you see</summary>
+#
+# It errs at row 7: mark 1, then no mark. In corridor 2 this row means "open the door that was marked", door 1. But here
+# it is the first place of corridor 3. The right door of that place is 0, and it was marked three steps ago, out of the
+# window. One row, two right doors. </details>
+#
 # ### Notes
 # A window keeps everything for a short while. The opposite is to keep a little for ever. This player is made by hand.
 # It writes down each marked door, and opens the doors in its notes. It learns nothing: whoever wrote it knew what
@@ -157,14 +164,15 @@ frames("MemoryCorridor", memory.Rememberer.create(None), seed=4, max_steps=60)
 # %% [markdown]
 # ### A learned memory
 # The third kind is between the two. A *recurrent* network has a memory $M_t$, some numbers that it changes at every
-# step by a function $u$ whose weights are learned. Recurrent PPO, the agent at the end of this lesson, uses
+# step by a function $u$ whose weights are learned. For recurrent PPO, the agent at the end of this lesson, $u$ is an
+# *LSTM*, a small network that keeps numbers from step to step:
 #
 # $$
 # M_t = u(M_{t-1}, O_t)
 # $$
 #
-# (PPO is a method that changes the policy itself and not values; you need not know it here. An LSTM is a small network
-# that keeps numbers from step to step.)
+# (PPO learns the policy directly, and the values that it learns as well only help with that. You need not know it
+# here.)
 #
 # The window and the notes are such functions as well (there $u$ may use the action too, as in section 17.3 of the
 # book), but somebody wrote them.
@@ -241,12 +249,19 @@ sliders(
 )
 
 # %% [markdown]
-# <details><summary>Why γ hardly matters</summary>
+# <details><summary>What they change</summary>
 #
-# Every right door is rewarded at once. An agent with $\gamma = 0$ cares for the next reward alone, and opens the same
-# doors. The difficulty of this task is not that rewards come late, but that the *information* comes early and is needed
-# late.
-# </details>
+# The numbers are those of $k = 3$ with actions, where the default settings end at 7.0.
+#
+# - With $\varepsilon = 0$ it ends at 6.3. The first door that was right in a row gets a value above 0. All others stay at
+#   0, so that the agent never tries them in this row. With any other ε of the slider it does, and 0.5 ends at 7.0 too.
+# - With $\alpha = 1$ it ends at 5.3. A value is then the last target itself: after one error it is 0, and all that came
+#   before is forgotten.
+# - With $\gamma = 0$ it ends at 7.0.
+#
+# Why does γ hardly matter? Every right door is rewarded at once. An agent with $\gamma = 0$ cares for the next reward
+# alone, and opens the same doors. The difficulty of this task is not that rewards come late, but that the *information*
+# comes early and is needed late. </details>
 
 # %% [markdown]
 # ## See inside: the sliding window
@@ -305,11 +320,14 @@ memory.twin_figure(4, 4, actions=True)
 # %% [markdown]
 # The agent sees one mark, and two unmarked places after it. Is it in corridor 4, where the right door was opened 3
 # steps ago, or in corridor 3, where it was opened 2 steps ago? To look a door up, it must also know the length of the
-# corridor. The last two marks are as many steps apart as the previous corridor is long; the present one is one longer.
-# Say that corridor $L$ is the longest one that must be played without an error. In every shorter corridor both marks
-# must be in the window. (In corridor $L$ itself one mark is enough: an agent that sees only one knows that it is in the
-# longest.) The worst moment is the last unmarked place of corridor $L - 1$, where the second last mark lies $2L - 4$
-# steps back. With the present observation that makes $2L - 3$:
+# corridor. Two marks would tell it: the last two are as many steps apart as the previous corridor is long, and the
+# present one is one place longer.
+#
+# Say that corridor $L$ is the longest one that must be played without an error. There a single mark is enough, provided
+# that the agent sees two marks in every *shorter* corridor: then seeing only one means that it is in corridor $L$. The
+# worst moment of the shorter ones is the last unmarked place of corridor $L - 1$, where the second last mark lies
+# $2L - 4$ steps back. (The lower picture is this moment for $L = 4$: one more entry, four steps back, would show the
+# mark of step 0.) With the present observation that makes $2L - 3$:
 #
 # $$
 # k = \max(L,\; 2L - 3)
@@ -361,28 +379,40 @@ early.measured(
 # <details><summary>What was measured</summary>
 #
 # **Measured.** It returns more: 6.9 against 6.0. The larger table is further from *its own* best, so in that sense it
-# learns more slowly. But after 1 000 steps only about 74 of its 82 944 rows have a value other than 0, and about 50 of
-# the 576 rows of the smaller one. So there is hardly more to learn yet.
-# </details>
+# learns more slowly. But 144 times as many rows are not 144 times as much to learn: after 1 000 steps only about 74 of
+# its 82 944 rows have a value other than 0, and about 50 of the 576 rows of the smaller one. We think that this is why
+# it is not behind at first. </details>
 
 # %% [markdown]
 # ### A network on the window
 # A table has a row for every window, and what it learns in one row does not carry over to similar ones. A network can
 # learn "open the door that was opened 4 steps ago" once. DQN is Q-learning with a network in the place of the table,
-# trained on batches of remembered steps (lesson 4 is about networks). The window comes to it as separate numbers,
-# each of them as a vector with a single 1. The target has the same form as before, but its values come from an older
-# copy of the network, `self.target` (section 16.5). A step down the gradient takes the place of the change of one
-# entry. (In this code `memory` is the store of old steps for training, not what the agent remembers of the corridor.
-# `slope_of_loss` is the TD error, cut to the range −1 to 1.)
+# trained on batches of remembered steps (lesson 4 is about networks). The window comes to it as separate numbers, each
+# of them as a vector with a single 1. The target has the same form as before, but its values come from an older copy of
+# the network, `self.target` (section 16.5). A step down the gradient takes the place of the change of one entry. (In
+# this code `memory` is the store of old steps for training, not what the agent remembers of the corridor.
+# `slope_of_loss` gets Q(S, A) less the target, the TD error with the other sign, and cuts it to the range −1 to 1. So a
+# step *down* the gradient moves Q(S, A) towards the target.)
 
 # %%
 source(DQN.add_gradient)
 
 # %% [markdown]
-# It trains for 80 000 steps on 7 observations, and on 7 observations with the actions between them (one hidden layer of
-# 64 units; every 4 steps an update from a batch of 32 of the last 10 000 steps, by Adam with learning rate 0.001;
-# `target` is copied every 250 updates; $\gamma = 0.8$; $\varepsilon$ falls evenly from 1 to 0.02 in the first 16 000
-# steps; 3 repetitions, so the bands are wide). This is the longest cell of the lesson; it takes 10 to 20 seconds.
+# It trains for 80 000 steps on 7 observations, and on 7 observations with the actions between them, with 3 repetitions,
+# so the bands are wide. This is the longest cell of the lesson; it takes 10 to 20 seconds.
+#
+# <details><summary>The settings of DQN</summary>
+#
+# | setting | value |
+# |---|---|
+# | network | one hidden layer of 64 units |
+# | update | every 4 steps after the first 1 000, by Adam with learning rate 0.001 |
+# | batch | 32 of the last 10 000 steps |
+# | `target` | copied every 250 updates |
+# | discount | $\gamma = 0.8$ |
+# | exploring | $\varepsilon$ falls evenly from 1 to 0.02 in the first 16 000 steps |
+#
+# </details>
 #
 # **Predict.** By the law, 7 observations with actions are enough for corridor 5, since $2 \cdot 5 - 3 = 7$. Perfect
 # play through corridor 5 returns 15. What will DQN return at the end, on average over the last fifth of training?
@@ -476,9 +506,8 @@ learned.measured(learned.options[0 if ends.mean() < below else 1 if ends.mean() 
 #
 # **Measured.** It ends near 16, between the two. Its mean is still rising when training ends. Nobody told it that there
 # are marks, places or lengths. With observations alone, a window that never errs through corridor 5 would have to hold
-# 11 of them. (The numbers of steps are not a race: it learns from 64 copies and from whole rounds, and DQN from single
-# steps.)
-# </details>
+# 11 of them. (The numbers of steps are not a race. PPO collects rounds of 64 · 32 steps, uses each round 4 times, and
+# throws it away. DQN draws its batches from the last 10 000 steps.) </details>
 
 # %% [markdown]
 # ### The same with eyes shut, on a frozen lake
@@ -675,7 +704,8 @@ display(memory.race({"my window": MyWindow(make_mdp("MemoryCorridor"))}, n_steps
 # - It returns the next place: one further, or 0 if this was the last place of the corridor. How does the agent know
 #   that?
 #
-# Before you run the check: how far will Q-learning get in 20 000 steps?
+# Before you run the check: how far will Q-learning get in 20 000 steps? The race shows it beside the lesson's windows
+# of 4, without and with actions.
 #
 # <details><summary>Hint</summary>Only the last place of a corridor has a mark. <code>self.num_doors</code> is N, and
 # <code>seen == self.num_doors</code> says that there is no mark.</details>
@@ -763,12 +793,16 @@ display(memory.race(notebook, n_steps=20_000, repetitions=10, log=True, evaluati
 # same weight.
 #
 # Write an agent with `act` and `learn`, whose memory is inside. Of the task it is told only the two spaces:
-# observations 0 to 9 are signs, 10 is "no mark". Let `learn` have the parameters `terminated` and `truncated`, so that
-# it knows when an episode is over. It is trained ten times, each time with another script. Your points are the mean
-# return of its training episodes, in percent of 64. That is what an agent gets that keeps the right notes, never tries
-# a door twice for a sign for which it was wrong, and never tries a door that already belongs to another sign. (The
-# column "return at the end" plays an episode without `learn`. It means little for agents whose memory is in `learn`,
-# and it does not count.)
+# observations 0 to 9 are signs, 10 is "no mark". `learn` asks by name for what it needs: `state`, `action`, `reward`,
+# `next_state`, and `terminated` and `truncated`, which tell it when an episode is over. `my_agent` returns a new agent.
+# If it is a `NamedTuple` of arrays, like `QLearning`, it is compiled; a plain class works too, more slowly. Give it no
+# method `greedy`: then a copy of it is evaluated, and its own memory stays as it is.
+#
+# It is trained ten times, each time with another script. Your points are the mean return of its training episodes, in
+# percent of 64, and at most 100. 64 is what an agent gets *on average* that keeps the right notes, never tries a door
+# twice for a sign for which it was wrong, and never tries a door that already belongs to another sign. Ten runs have
+# luck in them: one such agent gets between 90 and 100 points, depending on the name. (The column "return at the end"
+# plays an episode without `learn`. It means little for agents whose memory is in `learn`, and it does not count.)
 #
 # Half a page with it: what does your agent keep from step to step, what from episode to episode, and what of it was
 # your knowledge and not learned? In which task would that be wrong?
@@ -790,8 +824,8 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #   actions in it, $\max(L, 2L - 3)$ are enough.
 # - Those laws are for never erring. The best play with a window gets further on average, and Q-learning and DQN came
 #   close to it.
-# - A longer window made the table much larger, but did not slow the first steps down: early on, hardly more of its
-#   rows were met.
+# - A longer window made the table much larger, but did not slow the first steps down: early on, both tables
+#   had learned something in a few dozen rows only.
 # - Recurrent PPO learned what to keep, without a window.
 # - With a notebook 16 rows were enough for the optimum. What counts is the right memory, not a long one.
 #

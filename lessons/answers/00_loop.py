@@ -222,6 +222,24 @@ def discounted_return(rewards, discount):
     return sum((1 - discount) ** k * reward for k, reward in enumerate(rewards))
 
 
+# %% exercise 1, wrong: the discount of the cell above
+# says: 0.5, the discount of the cell under equation 3.9, stands where `discount` should
+def discounted_return(rewards, discount):
+    G = 0.0
+    for reward in reversed(rewards):
+        G = reward + 0.5 * G
+    return G
+
+
+# %% exercise 1, wrong: the old return is added twice
+# says: is the old G added once more, by `+=`
+def discounted_return(rewards, discount):
+    G = 0.0
+    for reward in reversed(rewards):
+        G += reward + discount * G
+    return G
+
+
 # %% exercise 1, wrong: a number
 # says: should be a function
 discounted_return = 4 + 0.5 * 2
@@ -655,6 +673,24 @@ def learn(self, state, action, reward, next_state, terminated):
 # %% exercise 3, wrong: an instance
 # says: should be the class
 MyAgent = QLearning.create((6, 3))
+
+
+# %% exercise 3, wrong: made with brackets
+# says: MyAgent should be the class itself, but is what MyAgent(...) makes
+class MyAgent(NamedTuple):
+    Q: np.ndarray
+    learning_rate: float = 0.5
+    discount: float = 0.99
+
+    def act(self, state, rng):
+        return 0
+
+    def learn(self, state, action, reward, next_state, terminated):
+        target = reward if terminated else reward + self.discount * max(self.Q[next_state])
+        self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+MyAgent = MyAgent(np.zeros((800, 4)))
 
 
 # %% exercise 3, wrong: a discount without its type

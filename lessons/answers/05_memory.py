@@ -623,6 +623,13 @@ def update(self, notes, place, seen, action):
     return place + 1 if seen == 3 else 0
 
 
+# %% exercise 3, wrong: doors below three
+# says: 3 stands where self.num_doors should: where there are more doors
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    return 0 if seen < 3 else place + 1
+
+
 # %% exercise 3, wrong: both are returned
 # says: the next place alone
 def update(self, notes, place, seen, action):

@@ -39,8 +39,10 @@ def test_a_class_and_a_function() -> None:
     """Each is no other, and a placeholder is not solved yet."""
     require_class("Mine", Player)
     require_function("f", len, "a list")
-    with pytest.raises(WrongAnswer, match="Mine should be the class, but is of the type Player"):
+    with pytest.raises(WrongAnswer, match="Mine should be the class itself, but is of the type Player"):
         require_class("Mine", Player(None))
+    with pytest.raises(WrongAnswer, match=r"Player should be the class itself, but is what Player\(...\) makes: leave"):
+        require_class("Player", Player(None))
     with pytest.raises(WrongAnswer, match="f should be a function of a list, but is the class Player"):
         require_function("f", Player, "a list")
     with pytest.raises(WrongAnswer, match="f should be a function of a list, but is of the type float"):

@@ -141,3 +141,11 @@ def test_figures() -> None:
     assert sorted(BAGS.values()) == [*range(8)]
     mine = race({"mine": lambda shop: agent_after(0)}, n_steps=80, repetitions=2)
     assert {text.get_text() for text in mine.draw().legends[0].get_texts()} >= {"mine", Q_LEARNING, MYOPIC, RANDOM}
+
+
+def test_learned_beside_exact_names_the_bag_that_is_drawn() -> None:
+    """The value of the first state is the same for every bag; the map is not."""
+    learned, exact = learned_beside_exact(20_000, "red").rows[0]
+    start = value_iteration(model(), DISCOUNT).start
+    assert learned.title == f"after 20 000 steps, bag: red\nvalue of the first state: {start:.1f}"
+    assert exact.title == f"v*, bag: red\nvalue of the first state: {start:.1f}"

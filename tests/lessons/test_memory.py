@@ -137,6 +137,12 @@ def test_figures() -> None:
         assert all(ax.get_xlabel() for ax in sheet.draw().axes)
 
 
+def test_race_says_what_it_shows() -> None:
+    """A notebook has no k, and the lesson's own windows have 4."""
+    mine = race({"mine": MemoryCorridor.create()}, n_steps=500, repetitions=2)
+    assert mine.rows[0][0].title == "yours, and windows of 4"
+
+
 def test_eyes_shut_on_the_lake() -> None:
     """The row of a window grows by its digits: nothing is seen, four actions."""
     lake = blind_lake(3, actions=True)

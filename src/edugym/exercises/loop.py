@@ -35,7 +35,7 @@ def exercise_1(answer: Any, seed: int) -> str:
         fitting = {sentence: mistakes[sentence] for sentence in everywhere or mistakes}
         different = {sentence: value for sentence, value in fitting.items() if value != expected}
         compare(_call(rewards, discount), found, expected, different)
-    return "Right: one multiplication a step, and from the last reward to the first no power of γ is needed."
+    return "Right. From the last reward to the first, one multiplication a step is enough, and no power of γ is needed."
 
 
 def _call(rewards: Sequence[float], discount: float) -> str:
@@ -93,6 +93,12 @@ def _return_mistakes(rewards: Sequence[float], discount: float) -> dict[str, flo
         "1 − γ stands in the place of γ": weighted([(1 - discount) ** k for k in range(n)]),
         "it is multiplied by 1 − γ; the return is a sum, not a mean": (1 - discount) * weighted(powers),
         "the sign is wrong": -weighted(powers),
+        "0.5, the discount of the cell under equation 3.9, stands where `discount` should": weighted(
+            [0.5**k for k in range(n)]
+        ),
+        "is the old G added once more, by `+=`? Write `G = reward + discount * G`": weighted(
+            [(1 + discount) ** k for k in range(n)]
+        ),
         "γ is squared": weighted([discount ** (2 * k) for k in range(n)]),
         "it stays 0: is `G` changed in the loop?": 0.0,
     }

@@ -25,7 +25,9 @@ def require_class(name: str, answer: Any) -> None:
     """
     given(name, answer)
     if not isinstance(answer, type):
-        raise WrongAnswer(f"{name} should be the class, but is of the type {type(answer).__name__}")
+        kind = type(answer).__name__
+        what = f"what {name}(...) makes: leave the brackets out" if kind == name else f"of the type {kind}"
+        raise WrongAnswer(f"{name} should be the class itself, but is {what}")
 
 
 def require_function(name: str, answer: Any, of: str) -> None:

@@ -114,6 +114,7 @@ class Challenge:
         repetitions: on how many tasks agents are tried; each has a layout of its own.
         column: which returns count: "return" (of evaluation episodes, without exploring) or "training_return" (of all
             training episodes, so that exploring costs).
+        best_label: the label of `optimum` and `best_average` in the table.
     """
 
     environment: Any
@@ -124,6 +125,7 @@ class Challenge:
     best_average: float
     repetitions: int = 10
     column: str = "return"
+    best_label: str = "possible"
 
     def score(self, agent: Any, name: str | int) -> Score:
         """Train an agent, and the baselines, on the tasks that belong to a name.
@@ -153,7 +155,7 @@ class Challenge:
         averages = {label: float(results.average(label, self.column).mean()) for label in results.methods}
         best_baseline = max(self.baselines, key=lambda label: averages[label])
         rows = {label: (float(results.final(label).mean()), averages[label]) for label in results.methods}
-        possible = {"possible": (self.optimum, self.best_average)}
+        possible = {self.best_label: (self.optimum, self.best_average)}
         return Score(
             str(name),
             self._points(averages[YOURS]),

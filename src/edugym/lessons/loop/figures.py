@@ -44,7 +44,7 @@ HARDER = {
     "Boulder": "the only reward is far away: how to explore?",
     "Roadrunner": "a random step may be deadly",
     "Study": "the exam comes long after the lecture",
-    "Catch": "the state is a picture: too many for a table",
+    "Catch": "states are pictures: too many for a table",
     "MemoryCorridor": "it sees only a part, and must remember",
     "Tamagotchi": "what it is told is not always true",
     "Trashbot": "an action is any value in a range",
@@ -150,13 +150,17 @@ def learned_beside_exact(steps: int = 20_000, bag: str = "empty") -> Sheet:
     exact = best_table(DISCOUNT)
     start = int(model().states[int(model().initial.argmax())])
     learned = np.where((Q == 0.0).all(axis=1, keepdims=True), np.nan, Q)
-    mine = f"after {steps:,} steps: {Q[start].max():.1f} at the start, bag empty".replace(",", " ")
+    trained = f"after {steps:,} steps".replace(",", " ")
+    mine, ideal = (
+        f"{whose}, bag: {bag}\nvalue of the first state: {table[start].max():.1f}"
+        for whose, table in ((trained, Q), ("v*", exact))
+    )
     return Sheet(
         "learned_beside_exact",
         [
             [
                 ValueMap(learned, mine, BAGS[bag], bar=False),
-                ValueMap(exact, f"v*: {exact[start].max():.1f} at the start, bag empty", BAGS[bag]),
+                ValueMap(exact, ideal, BAGS[bag]),
             ]
         ],
     )

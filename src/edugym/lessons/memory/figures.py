@@ -362,7 +362,7 @@ def race(
     parts = [_renamed(frames, FRAMES_ALONE, 4), _renamed(both, WITH_ACTIONS, 4)]
     settings: dict[str, Any] = {"learning_rate": LEARNING_RATE, "discount": DISCOUNT, "epsilon": EPSILON}
     parts += [learn_on(task, label, **settings, **how) for label, task in own.items()]
-    return Sheet("race", [[WithBest(Curves(joined(parts), "k = 4, and yours"), log=log)]])
+    return Sheet("race", [[WithBest(Curves(joined(parts), "yours, and windows of 4"), log=log)]])
 
 
 def _renamed(results: Results, label: str, k: int) -> Results:
