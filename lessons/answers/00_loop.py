@@ -494,6 +494,40 @@ def learn(self, state, action, reward, next_state, terminated, truncated):
     self.Q[state, action] -= self.learning_rate * (self.Q[state, action] - target)
 
 
+# %% exercise 3, right: parameters in another order
+def learn(self, reward, terminated, next_state, action, state):
+    target = reward if terminated else reward + self.discount * max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% exercise 3, right: the table is the last field
+class MyAgent(NamedTuple):
+    learning_rate: float = 0.5
+    discount: float = 0.99
+    Q: np.ndarray = np.zeros((1, 1))
+
+    def act(self, state, rng):
+        return 0
+
+    def learn(self, state, action, reward, next_state, terminated):
+        target = reward if terminated else reward + self.discount * max(self.Q[next_state])
+        self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% exercise 3, right: settings by name
+class MyAgent:
+    def __init__(self, Q, **settings):
+        self.Q = Q
+        self.__dict__.update(settings)
+
+    def act(self, state, rng):
+        return 0
+
+    def learn(self, state, action, reward, next_state, terminated):
+        target = reward if terminated else reward + self.discount * max(self.Q[next_state])
+        self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
 # %% exercise 3, wrong: not solved
 # says: Not solved yet
 def learn(self, state, action, reward, next_state, terminated):
@@ -621,3 +655,33 @@ def learn(self, state, action, reward, next_state, terminated):
 # %% exercise 3, wrong: an instance
 # says: should be the class
 MyAgent = QLearning.create((6, 3))
+
+
+# %% exercise 3, wrong: a discount without its type
+# says: MyAgent should keep its field `discount`
+class MyAgent(NamedTuple):
+    Q: np.ndarray
+    learning_rate: float = 0.5
+    discount = 0.99
+
+    def act(self, state, rng):
+        return 0
+
+    def learn(self, state, action, reward, next_state, terminated):
+        target = reward if terminated else reward + self.discount * max(self.Q[next_state])
+        self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% exercise 3, wrong: the table has another name
+# says: MyAgent should keep its field `Q`, the table
+class MyAgent(NamedTuple):
+    table: np.ndarray
+    learning_rate: float = 0.5
+    discount: float = 0.99
+
+    def act(self, state, rng):
+        return 0
+
+    def learn(self, state, action, reward, next_state, terminated):
+        target = reward if terminated else reward + self.discount * max(self.table[next_state])
+        self.table[state, action] += self.learning_rate * (target - self.table[state, action])

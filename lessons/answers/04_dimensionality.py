@@ -295,6 +295,20 @@ def learn(self, state, action, reward, next_state, terminated):
         self.w[i, action] += self.learning_rate * error * x[i]
 
 
+# %% exercise 2, right: parameters in another order
+def learn(self, action, state, next_state, reward, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% exercise 2, right: truncated is taken and not used
+def learn(self, state, action, reward, next_state, terminated, truncated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
 # %% exercise 2, wrong: terminal states are worth something
 # says: after a terminal state nothing follows
 def learn(self, state, action, reward, next_state, terminated):
@@ -488,6 +502,67 @@ def learn(self, state, action, reward, next_state, terminated):
 # %% exercise 2, wrong: no class
 # says: should be the class
 MyAgent = QLearning.create((4, 2))
+
+
+# %% exercise 2, wrong: truncated like terminated
+# says: only its clock ran out
+def learn(self, state, action, reward, next_state, terminated, truncated):
+    x = self.features(state)
+    over = terminated or truncated
+    target = reward if over else reward + self.discount * (self.features(next_state) @ self.w).max()
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% exercise 2, wrong: SARSA
+# says: that is SARSA
+def learn(self, state, action, reward, next_state, next_action, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * self.value(next_state, next_action)
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% exercise 2, wrong: done
+# says: is 'terminated' meant?
+def learn(self, state, action, reward, next_state, done):
+    self.w[:, action] += self.learning_rate * reward
+
+
+# %% exercise 2, wrong: value writes into the weights
+# says: value changes the entries of `self.w`
+def value(self, board, action):
+    terms = self.w[:, action]
+    terms *= self.features(board)
+    return terms.sum()
+
+
+# %% exercise 2, wrong: nine features written in
+# says: two arrays of different sizes
+def learn(self, state, action, reward, next_state, terminated):
+    x = np.zeros(9)
+    x[4] = 1.0
+    target = reward if terminated else reward + self.discount * max(self.value(next_state, a) for a in range(3))
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% exercise 2, wrong: the learning rate is no field
+# says: MyAgent should keep its field `learning_rate`
+class MyAgent(NamedTuple):
+    w: Any
+    discount: float = 0.9
+
+    def features(self, board):
+        return np.ones(9)
+
+    def act(self, state, rng):
+        return 0
+
+    def value(self, board, action):
+        return self.features(board) @ self.w[:, action]
+
+    def learn(self, state, action, reward, next_state, terminated):
+        x = self.features(state)
+        target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+        self.w[:, action] += 0.1 * (target - self.value(state, action)) * x
 
 
 # %% exercise 3, right: with one_step_target
@@ -701,3 +776,64 @@ def row_for(self, u):
 # %% exercise 3, wrong: a function
 # says: should be the class
 MyDQN = lambda task: DQN.create(task)
+
+
+# %% exercise 3, wrong: it writes into the memory
+# says: changes `self.memory.rewards`
+def target_of(self, row):
+    memory = self.memory
+    if memory.terminated[row] == 0:
+        dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+        memory.rewards[row] += self.discount * self.Q[0].max()
+    return memory.rewards[row]
+
+
+# %% exercise 3, wrong: random numbers of its own
+# says: it is `u`
+def row_for(self, u):
+    return int(np.random.random() * min(self.steps[0], len(self.memory.actions)))
+
+
+# %% exercise 3, wrong: it counts the draws
+# says: changes `self.steps`
+def row_for(self, u):
+    self.steps[0] += 1
+    return int(u * min(self.steps[0] - 1, len(self.memory.actions)))
+
+
+# %% exercise 3, wrong: the array of steps
+# says: take an entry of it
+def row_for(self, u):
+    return int(u * np.minimum(self.steps, len(self.memory.actions) * np.ones(2)))
+
+
+# %% exercise 3, wrong: DQN for OpenDQN
+# says: class MyDQN(lesson.OpenDQN)
+class MyDQN(DQN):
+    __slots__ = ()
+
+    def target_of(self, row):
+        memory = self.memory
+        if memory.terminated[row] == 1:
+            return memory.rewards[row]
+        dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+        return memory.rewards[row] + self.discount * self.Q[0].max()
+
+    def row_for(self, u):
+        return int(u * min(self.steps[0], len(self.memory.actions)))
+
+
+# %% exercise 3, wrong: a method under another name
+# says: MyDQN has no method `row_for` of its own
+class MyDQN(lesson.OpenDQN):
+    __slots__ = ()
+
+    def target_of(self, row):
+        memory = self.memory
+        if memory.terminated[row] == 1:
+            return memory.rewards[row]
+        dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+        return memory.rewards[row] + self.discount * self.Q[0].max()
+
+    def row_of(self, u):
+        return int(u * min(self.steps[0], len(self.memory.actions)))

@@ -363,6 +363,26 @@ def my_scores(a, mu, sigma):
     return (a - mu) / s**2, (a - mu) ** 2 / s**2 - 1
 
 
+# %% exercise 2, wrong: it writes into the actions
+# says: changes the array `a`
+def my_scores(a, mu, sigma):
+    a -= mu
+    return a / sigma**2, a**2 / sigma**2 - 1
+
+
+# %% exercise 2, wrong: nothing for arrays
+# says: with three actions at once gives None: is a `return` missing
+def my_scores(a, mu, sigma):
+    if np.ndim(a) == 0:
+        return (a - mu) / sigma**2, (a - mu) ** 2 / sigma**2 - 1
+
+
+# %% exercise 2, wrong: rounded
+# says: do not round it
+def my_scores(a, mu, sigma):
+    return (a - mu) / sigma**2, np.round((a - mu) ** 2 / sigma**2 - 1, 3)
+
+
 # %% exercise 3, right: returns first, then the steps in order
 def update(self, n):
     G = 0.0
@@ -470,6 +490,59 @@ def update(self, n):
             chosen = int(a == self.actions[t])
             self.preferences[s, a] += self.learning_rate * self.discount**t * delta * (chosen - self.probabilities[a])
         self.V[s] = (1 - self.value_learning_rate) * self.V[s] + self.value_learning_rate * self.rewards[t]
+
+
+# %% exercise 3, right: parameters of learn in another order
+def learn(self, truncated, action, state, terminated, reward):
+    t = self.length[0]
+    self.states[t], self.actions[t], self.rewards[t] = state, action, reward
+    self.length[0] = t + 1
+    if terminated or truncated:
+        self.update(self.length[0])
+        self.length[0] = 0
+
+
+# %% exercise 3, right: a plain class
+class MyREINFORCE:
+    learning_rate, value_learning_rate, discount = 0.4, 0.4, 0.99
+
+    def __init__(self, n_states, n_actions):
+        self.preferences, self.V = np.zeros((n_states, n_actions)), np.zeros(n_states)
+        self.probabilities, self.rewards = np.zeros(n_actions), np.zeros(200)
+        self.states, self.actions, self.length = np.zeros(200, int), np.zeros(200, int), np.zeros(1, int)
+
+    @classmethod
+    def create(cls, task):
+        return cls(int(np.prod(task.observation_space.nvec)), int(task.action_space.n))
+
+    def look(self, state):
+        softmax(self.preferences, state, self.probabilities)
+
+    def act(self, state, rng):
+        self.look(state)
+        return draw_action(self.probabilities, rng)
+
+    def learn(self, state, action, reward, terminated, truncated):
+        t = self.length[0]
+        self.states[t], self.actions[t], self.rewards[t] = state, action, reward
+        self.length[0] = t + 1
+        if terminated or truncated:
+            self.update(self.length[0])
+            self.length[0] = 0
+
+    def update(self, n):
+        G = 0.0
+        for t in range(n - 1, -1, -1):
+            G = self.rewards[t] + self.discount * G
+            self.rewards[t] = G
+        for t in range(n):
+            state = self.states[t]
+            delta = self.rewards[t] - self.V[state]
+            self.V[state] += self.value_learning_rate * delta
+            self.look(state)
+            for a in range(len(self.probabilities)):
+                score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+                self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
 
 
 # %% exercise 3, wrong: the placeholder
@@ -993,3 +1066,77 @@ def update(self, n):
         for a in range(len(self.probabilities)):
             score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
             self.preferences[state] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% exercise 3, wrong: a list of rewards
+# says: the table `rewards` should be a NumPy array, but is a list
+def create(cls, task):
+    n_states, n_actions = int(np.prod(task.observation_space.nvec)), int(task.action_space.n)
+    episode = np.zeros(200, np.int64), np.zeros(200, np.int64), [0.0] * 200, np.zeros(1, np.int64)
+    return cls(np.zeros((n_states, n_actions)), np.zeros(n_states), np.zeros(n_actions), *episode)
+
+
+# %% exercise 3, wrong: lists of preferences
+# says: the table `preferences` should be a NumPy array, but is a list
+def create(cls, task):
+    n_states, n_actions = int(np.prod(task.observation_space.nvec)), int(task.action_space.n)
+    episode = np.zeros(200, np.int64), np.zeros(200, np.int64), np.zeros(200), np.zeros(1, np.int64)
+    return cls([[0.0] * n_actions for _ in range(n_states)], np.zeros(n_states), np.zeros(n_actions), *episode)
+
+
+# %% exercise 3, wrong: a baseline for each action
+# says: the table `V` should have the shape (7,)
+def create(cls, task):
+    n_states, n_actions = int(np.prod(task.observation_space.nvec)), int(task.action_space.n)
+    episode = np.zeros(200, np.int64), np.zeros(200, np.int64), np.zeros(200), np.zeros(1, np.int64)
+    return cls(np.zeros((n_states, n_actions)), np.zeros((n_states, n_actions)), np.zeros(n_actions), *episode)
+
+
+# %% exercise 3, wrong: whole rewards
+# says: loses what is behind the decimal point
+def create(cls, task):
+    n_states, n_actions = int(np.prod(task.observation_space.nvec)), int(task.action_space.n)
+    episode = np.zeros(200, np.int64), np.zeros(200, np.int64), np.zeros(200, np.int64), np.zeros(1, np.int64)
+    return cls(np.zeros((n_states, n_actions)), np.zeros(n_states), np.zeros(n_actions), *episode)
+
+
+# %% exercise 3, wrong: create gives the class back
+# says: gives the class MyREINFORCE
+def create(cls, task):
+    return cls
+
+
+# %% exercise 3, wrong: no create
+# says: MyREINFORCE should keep its method `create`
+class MyREINFORCE(NamedTuple):
+    preferences: np.ndarray
+    V: np.ndarray
+
+
+# %% exercise 3, wrong: it learns from terminated episodes alone
+# says: an episode that is cut off is over as well
+def learn(self, state, action, reward, terminated, truncated):
+    t = self.length[0]
+    self.states[t], self.actions[t], self.rewards[t] = state, action, reward
+    self.length[0] = t + 1
+    if terminated:
+        self.update(self.length[0])
+    if terminated or truncated:
+        self.length[0] = 0
+
+
+# %% exercise 3, wrong: one reward too many
+# says: the last reward of n steps is rewards[n - 1]
+def update(self, n):
+    G = 0.0
+    for t in range(n, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score

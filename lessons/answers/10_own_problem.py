@@ -307,7 +307,7 @@ def shaped_reward(reward, potential, state, next_state, terminated, discount):
 
 
 # %% exercise 2, wrong: the potential as a table
-# says: raises TypeError
+# says: a function is called, with parentheses
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     return reward + discount * potential[next_state] - potential[state]
 
@@ -322,6 +322,12 @@ def shaped_reward(reward, potential, state, next_state, terminated, discount):
 # says: its parameters are not those of the exercise
 def shaped_reward(reward, potential, state, next_state, discount):
     return reward + discount * potential(next_state) - potential(state)
+
+
+# %% exercise 2, wrong: discount and end exchanged
+# says: γ φ(s') is missing
+def shaped_reward(reward, potential, state, next_state, discount, terminated):
+    return reward + (0 if terminated else discount * potential(next_state)) - potential(state)
 
 
 # %% exercise 3, right: counts last
@@ -622,7 +628,7 @@ def transition(self, state, action, rng):
 
 
 # %% exercise 3, wrong: the old start
-# says: initial should return three numbers
+# says: initial(rng) should return three numbers
 def initial(self, rng):
     return 0, 2
 
@@ -654,6 +660,78 @@ class UsedToIt(NamedTuple):
 
 
 UsedToIt = UsedToIt()
+
+
+# %% exercise 3, wrong: a list
+# says: of the type list
+def transition(self, state, action, rng):
+    time, depth, chimes = state
+    luck = rng.random()
+    if action == 2:
+        depth = 0 if luck < 0.9 else max(depth - 1, 0)
+    elif action == 1 and chimes < 2:
+        depth = max(depth - 1, 0) if luck < 0.7 else depth
+    else:
+        depth = min(depth + 1, 2) if luck < 0.5 else depth
+    return [time + 1, depth, min(chimes + (action == 1), 2)]
+
+
+# %% exercise 3, wrong: parameters exchanged
+# says: transition of UsedToIt must take (self, state, action, rng)
+def transition(self, action, state, rng):
+    time, depth, chimes = state
+    luck = rng.random()
+    if action == 2:
+        depth = 0 if luck < 0.9 else max(depth - 1, 0)
+    elif action == 1 and chimes < 2:
+        depth = max(depth - 1, 0) if luck < 0.7 else depth
+    else:
+        depth = min(depth + 1, 2) if luck < 0.5 else depth
+    return time + 1, depth, min(chimes + (action == 1), 2)
+
+
+# %% exercise 3, wrong: random numbers of its own
+# says: draw from rng
+def transition(self, state, action, rng):
+    time, depth, chimes = state
+    luck = random.random()
+    if action == 2:
+        depth = 0 if luck < 0.9 else max(depth - 1, 0)
+    elif action == 1 and chimes < 2:
+        depth = max(depth - 1, 0) if luck < 0.7 else depth
+    else:
+        depth = min(depth + 1, 2) if luck < 0.5 else depth
+    return time + 1, depth, min(chimes + (action == 1), 2)
+
+
+# %% exercise 3, wrong: an array for a start
+# says: of the type ndarray
+def initial(self, rng):
+    return np.array([0, 2, 0])
+
+
+# %% exercise 3, wrong: the count is hidden
+# says: should be the whole state
+def observation(self, state, rng):
+    return state[0], state[1], 0
+
+
+# %% exercise 3, wrong: another end
+# says: terminal((7, 0, 0)) should be False
+def terminal(self, state):
+    return state[0] >= self.length - 1
+
+
+# %% exercise 3, wrong: pay for chimes
+# says: reward((0, 0, 0), 0, (1, 1, 0), rng) should be 1, but is 0
+def reward(self, state, action, next_state, rng):
+    reward = float(next_state[2])
+    if action == 2:
+        reward -= self.ring
+    if next_state[0] == self.length and next_state[1] > 0:
+        reward -= self.late
+    return reward
+
 
 # %% exercise 4, right: a plant
 my_problem = Plant()

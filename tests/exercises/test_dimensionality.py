@@ -17,22 +17,34 @@ def test_every_mistake_in_sizes_is_one(kind: str) -> None:
         assert wrong(6, 4) != sizes.ENTRIES[kind](6, 4), sentence
 
 
-def test_every_mistake_in_the_update_is_one() -> None:
+@pytest.mark.parametrize("seed", [0, 1, 53, 71])
+def test_every_mistake_in_the_update_is_one(seed: int) -> None:
     """Over the cases of a check each differs from the right weights, and from those of the other mistakes."""
-    rng = np.random.default_rng(0)
-    cases = [linear._some_step(rng, terminated=k % 3 == 2) for k in range(9)]
-    made = {why: np.array([rule(case) for case in cases]) for why, rule in linear.UPDATES.items()}
-    made["right"] = np.array([linear.right_update(case) for case in cases])
+    rules = {"right": linear.right_update, **linear.UPDATES}
+    cases = linear.steps_for(seed)
+    made = {why: np.array([rule(case) for case in cases]) for why, rule in rules.items()}
+    for one in made:
+        for other in made:
+            assert one == other or not np.allclose(made[one], made[other]), (one, other)
+    assert [(case.terminated, case.truncated) for case in cases[:3]] == [(False, False), (False, True), (True, False)]
+
+
+@pytest.mark.parametrize("seed", [0, 1, 123])
+def test_every_mistake_in_the_value_is_one(seed: int) -> None:
+    """Over the cases of a check each differs from the right value, and from the other mistakes."""
+    places = [(case, action) for case in linear.steps_for(seed) for action in range(3)]
+    made = {why: [rule(*place) for place in places] for why, rule in linear.VALUES.items()}
+    made["right"] = [float(case.x @ case.w[:, action]) for case, action in places]
     for one in made:
         for other in made:
             assert one == other or not np.allclose(made[one], made[other]), (one, other)
 
 
-def test_every_mistake_in_the_target_is_one() -> None:
+@pytest.mark.parametrize("seed", [0, 1, 13])
+def test_every_mistake_in_the_target_is_one(seed: int) -> None:
     """Over the cases of a check each differs from the right target, and from the other mistakes."""
-    rng = np.random.default_rng(0)
     agent = DQN.create((2, 3), hidden=2, memory_size=4, batch_size=2, discount=0.5)
-    cases = [targets._some_memory(agent, row, rng) for row in (0, 1, 2, 3, 2, 1)]
+    cases = [case for _, case in targets.made_up_memories(agent, targets.drawn_for(agent, seed))]
     made = {why: [float(rule(case)) for case in cases] for why, rule in targets.TARGETS.items()}
     made["right"] = [targets._bootstrapped(case, float(case.old_next.max())) for case in cases]
     for one in made:

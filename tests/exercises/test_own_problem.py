@@ -1,5 +1,6 @@
 """The exercises of lesson 10: the numbers in the checks are those of the exact model, and mistakes differ."""
 
+from collections.abc import Callable
 from functools import partial
 
 import numpy as np
@@ -23,6 +24,17 @@ def test_every_shaping_mistake_is_one() -> None:
     steps = [(41.0, 3.0, 14.0, False, 0.5), (43.0, 5.0, 16.0, True, 0.75)]
     found = [tuple(rule(*step) for step in steps) for rule in exercises.SHAPING_MISTAKES.values()]
     assert len({*found, (41 + 0.5 * 14 - 3, 43 - 5.0)}) == len(found) + 1
+
+
+@pytest.mark.parametrize(("seed", "word"), [(59, "still has to be paid"), (130, "still has to be paid")])
+def test_the_shaping_mistake_is_the_one_that_fits_all_cases(seed: int, word: str) -> None:
+    """Numbers are drawn so that no two mistakes give the same; with some seeds they once did."""
+
+    def no_bill(r: float, potential: Callable[[str], float], s: str, s2: str, end: bool, g: float) -> float:
+        return r if end else r + g * potential(s2) - potential(s)
+
+    with pytest.raises(WrongAnswer, match=word):
+        exercises.exercise_2(no_bill, seed)
 
 
 def test_every_mistaken_sleeper_differs() -> None:

@@ -43,7 +43,7 @@ def test_a_class_and_a_function() -> None:
         require_class("Mine", Player(None))
     with pytest.raises(WrongAnswer, match="f should be a function of a list, but is the class Player"):
         require_function("f", Player, "a list")
-    with pytest.raises(WrongAnswer, match="f should be a function of a list, but is a float"):
+    with pytest.raises(WrongAnswer, match="f should be a function of a list, but is of the type float"):
         require_function("f", 2.0, "a list")
     with pytest.raises(Unsolved):
         require_class("Mine", ...)
@@ -66,6 +66,24 @@ def test_what_makes_no_agent() -> None:
         agent_created_by("Player", Player, "wall", None)
 
 
+class Named:
+    """A student's agent that takes whatever settings there are."""
+
+    def __init__(self, w: Any, **settings: float) -> None:
+        """Keep them."""
+        self.w, self.settings = w, settings
+
+    def learn(self) -> None:
+        """Learn nothing."""
+
+
+def test_settings_of_create() -> None:
+    """They stand in the call of the sentence."""
+    assert agent_created_by("QLearning", QLearning, "wall", (3, 2), {"learning_rate": 0.25}).learning_rate == 0.25
+    with pytest.raises(WrongAnswer, match=r"QLearning\.create\(wall, speed=1\) raises ValueError"):
+        agent_created_by("QLearning", QLearning, "wall", (3, 2), {"speed": 1})
+
+
 def test_settings() -> None:
     """They are given to a named tuple and to a plain object; a field that is gone is named."""
 
@@ -78,6 +96,9 @@ def test_settings() -> None:
         with_settings("Player", Player(None), {"speed": 1.0}, "learn")
     made = agent_with_table("Player", Player, (3, 2), {"rate": 0.25})
     assert made.Q.shape == (3, 2)
+    assert agent_with_table("Named", Named, (3, 2), {"rate": 0.25}, "w").w.shape == (3, 2)
+    with pytest.raises(WrongAnswer, match="Player should keep its field `w`, the table that `learn` changes"):
+        agent_with_table("Player", Player, (3, 2), {"rate": 0.25}, "w")
     with pytest.raises(WrongAnswer, match="Player should keep its field `speed`"):
         agent_with_table("Player", Player, (3, 2), {"speed": 1.0})
 
@@ -87,6 +108,9 @@ def test_a_step_is_told_by_names() -> None:
     player = Player(np.zeros(4))
     assert learn_step(player, STEP) == "learn(reward=2, state=1)"
     assert player.Q.tolist() == [0.0, 2.0, 0.0, 0.0]
+    silent = type("Silent", (tuple,), {"learn": lambda self: None, "_actual": None})
+    with pytest.raises(WrongAnswer, match=r"^Silent must have a method act\(self, state, rng\)$"):
+        learn_step(silent(), STEP)
     other = type("Other", (Player,), {"learn": lambda self, state, done: None})
     with pytest.raises(WrongAnswer, match="is 'terminated' meant"):
         learn_step(other(None), STEP)

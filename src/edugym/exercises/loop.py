@@ -1,34 +1,24 @@
 """The exercises of lesson 0: the return of an episode, ε-greedy, and an agent of one's own."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
 import numpy as np
 
+from edugym.grading.agents import agent_with_table, require_class, require_function
 from edugym.grading.choices import check_choices
 from edugym.grading.one_step import Q_LEARNING
 from edugym.grading.student_code import running
 from edugym.grading.updates import table_of
-from edugym.grading.values import compare, given, number, same
+from edugym.grading.values import compare, number, same
 from edugym.grading.wrong import WrongAnswer
 from edugym.lessons.loop.exact import discounted
 
 
-def a_function(name: str, answer: Any) -> None:
-    """Refuse what is no function.
-
-    Raises:
-        WrongAnswer: it is something else.
-    """
-    given(name, answer)
-    if isinstance(answer, type) or not callable(answer):
-        raise WrongAnswer(f"{name} should be a function, but is of the type {type(answer).__name__}")
-
-
 def exercise_1(answer: Any, seed: int) -> str:
     """Check the return of a list of rewards."""
-    a_function("discounted_return", answer)
+    require_function("discounted_return", answer, "rewards and discount")
     rng = np.random.default_rng(seed)
     cases: list[tuple[list[float], float]] = [([4.0, 2.0, 8.0], 0.25)]
     for length, discount in ((4, 0.5), (6, 0.25), (3, 1.0), (5, 0.0), (1, 0.5)):
@@ -110,7 +100,7 @@ def _return_mistakes(rewards: Sequence[float], discount: float) -> dict[str, flo
 
 def exercise_2(answer: Any, seed: int) -> str:
     """Check ε-greedy with ties broken at random."""
-    a_function("choose", answer)
+    require_function("choose", answer, "values, epsilon and rng")
     _uses_the_generator(answer)
     rng = np.random.default_rng(seed)
     cases: list[tuple[list[float], float]] = [
@@ -209,22 +199,14 @@ def _choice_mistakes(values: Any, epsilon: float) -> dict[str, list[float]]:
 
 def exercise_3(answer: Any, seed: int) -> str:
     """Check the class of an agent whose `learn` is Q-learning."""
-    given("MyAgent", answer)
-    if not isinstance(answer, type):
-        raise WrongAnswer(f"MyAgent should be the class, but is of the type {type(answer).__name__}")
+    require_class("MyAgent", answer)
     rng = np.random.default_rng(seed)
     for shape in ((6, 3), (5, 2), (7, 4)):
         settings = {
             "learning_rate": float(rng.choice([0.125, 0.25, 0.75])),
             "discount": float(rng.choice([0.5, 0.625, 0.75])),
         }
-        make = partial(_made, answer, shape, settings)
+        make = partial(agent_with_table, "MyAgent", answer, shape, settings)
         table_of(make(), "Q", shape)
         Q_LEARNING.check(make, shape, settings, seed)
     return "Right: that is all of Q-learning. See it race:"
-
-
-def _made(answer: Callable[..., Any], shape: tuple[int, int], settings: Mapping[str, float]) -> Any:
-    """Make a student's agent with a table of this shape."""
-    with running("MyAgent(Q, learning_rate=..., discount=...)"):
-        return answer(np.zeros(shape), **settings)

@@ -1,12 +1,16 @@
 """The exercises of lesson 10: where a policy flips, shaping, a state that knows enough, and a problem of one's own."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from functools import partial
+from itertools import product
 from typing import Any
 
 import numpy as np
 
 from edugym.exact.branching import branches
+from edugym.grading.agents import require_class, require_function
+from edugym.grading.cases import telling_draw
 from edugym.grading.student_code import running
 from edugym.grading.values import compare, digits, given, number, same
 from edugym.grading.wrong import WrongAnswer
@@ -15,6 +19,7 @@ from edugym.lessons.own_problem.figures import names_of
 from edugym.lessons.own_problem.morning import RING, Morning
 from edugym.mdp.checking import check_mdp, require_mdp
 from edugym.mdp.protocol import Random, step_limit
+from edugym.mdp.values import GlobalDraws
 
 LATE = 59 / 9
 """The cost of oversleeping from which on a ring is best: -4 + 0.1 (1 - c) = 2 - c."""
@@ -59,6 +64,15 @@ def exercise_1(answer: Any, seed: int) -> str:
     return "Right: 59/9. Below it the best clock lets her oversleep in peace. Nothing in its code says so but a number."
 
 
+Numbers = tuple[float, float, float, bool, float]
+"""A reward, φ(s), φ(s'), whether the episode has terminated, and γ."""
+
+
+def _shaped(r: float, a: float, b: float, end: bool, g: float) -> float:
+    """Return a reward with potential-based shaping."""
+    return r + (0.0 if end else g * b) - a
+
+
 SHAPING_MISTAKES: Mapping[str, Callable[..., float]] = {
     "the potential of the next state counts γ φ(s'), with the discount": lambda r, a, b, end, g: r + b * (not end) - a,
     "after a terminal state there is nothing: its potential is 0 when `terminated`": lambda r, a, b, end, g: (
@@ -86,42 +100,56 @@ SHAPING_MISTAKES: Mapping[str, Callable[..., float]] = {
     "γ belongs before φ(s'), not before φ(s)": lambda r, a, b, end, g: r + b * (not end) - g * a,
     "the reward itself is not discounted": lambda r, a, b, end, g: g * (r + b * (not end)) - a,
     "the two states have changed places": lambda r, a, b, end, g: r + g * a * (not end) - b,
+    "γ φ(s') is missing; it counts unless `terminated`": lambda r, a, b, end, g: r - a,
     "+ φ(s) stands where − φ(s) should": lambda r, a, b, end, g: r + g * b * (not end) + a,
 }
-"""By the sentence that tells of it, what each mistake gives for the reward, φ(s), φ(s'), the end, and γ."""
+"""By the sentence that tells of it, what each mistake gives for the same numbers."""
 
 
 def exercise_2(answer: Any, seed: int) -> str:
     """Check the function that adds potential-based shaping to a reward."""
-    given("shaped_reward", answer)
-    if not callable(answer) or isinstance(answer, type):
-        raise WrongAnswer(f"shaped_reward should be a function, but is of the type {type(answer).__name__}")
-    rng = np.random.default_rng(seed)
-    cases = [_shaping_case(answer, terminated, rng) for terminated in (False, True, False)]
+    of = "reward, potential, state, next_state, terminated and discount"
+    require_function("shaped_reward", answer, of)
+    rules = [partial(_by_rule, rule) for rule in (_shaped, *SHAPING_MISTAKES.values())]
+    cases = [(told, *_shaped_by(answer, told)) for told in shaping_numbers(telling_draw(seed, shaping_numbers, rules))]
     all_of_it = [
-        why for why, rule in SHAPING_MISTAKES.items() if all(same(rule(*told), value) for _, told, value in cases)
+        why for why, rule in SHAPING_MISTAKES.items() if all(same(rule(*told), value) for told, _, value in cases)
     ]
-    for call, told, value in cases:
-        reward, before, after, terminated, discount = told
-        right = reward + (0.0 if terminated else discount * after) - before
+    for told, call, value in cases:
+        right = _shaped(*told)
         wrong = {why: SHAPING_MISTAKES[why](*told) for why in (all_of_it or SHAPING_MISTAKES)}
         compare(call, value, right, {why: result for why, result in wrong.items() if result != right})
     return "Right: what is given on the way to a state is taken back when it is left. Here are both policies:"
 
 
-def _shaping_case(
-    answer: Callable[..., Any], terminated: bool, rng: Random
-) -> tuple[str, tuple[float, float, float, bool, float], float]:
-    """Call a student's function on made-up numbers; return the call, its numbers, and what came."""
-    before, after = float(rng.integers(2, 9)), 10.0 + float(rng.integers(2, 9))
-    reward, discount = 40.0 + float(rng.integers(1, 6)), float(rng.choice([0.5, 0.75]))
+def _by_rule(rule: Callable[..., float], told: Numbers) -> float:
+    return rule(*told)
+
+
+def shaping_numbers(rng: Random) -> list[Numbers]:
+    """Make numbers up for three steps; the second one is the last of its episode."""
+    made = []
+    for terminated in (False, True, False):
+        before, after = float(rng.integers(2, 9)), 10.0 + float(rng.integers(2, 9))
+        reward, discount = 40.0 + float(rng.integers(1, 6)), float(rng.choice([0.5, 0.75]))
+        made.append((reward, before, after, terminated, discount))
+    return made
+
+
+def _shaped_by(answer: Callable[..., Any], told: Numbers) -> tuple[str, float]:
+    """Call a student's function on made-up numbers; return the call, and what came."""
+    reward, before, after, terminated, discount = told
     call = (
         f"shaped_reward({reward:g}, potential, 'bed', 'door', {terminated}, {discount:g}) with potential('bed') ="
         f" {before:g} and potential('door') = {after:g}"
     )
+
+    def potential(state: str) -> float:
+        return {"bed": before, "door": after}[state]
+
     with running(call):
-        found = answer(reward, {"bed": before, "door": after}.__getitem__, "bed", "door", terminated, discount)
-    return call, (reward, before, after, terminated, discount), number(call, found)
+        found = answer(reward, potential, "bed", "door", terminated, discount)
+    return call, number(call, found)
 
 
 class UsedToChimes(Morning):
@@ -177,40 +205,90 @@ USED_MISTAKES = {
 
 def exercise_3(answer: Any, seed: int) -> str:
     """Check the class of a morning whose sleeper gets used to the chime."""
-    given("UsedToIt", answer)
-    if not isinstance(answer, type):
-        raise WrongAnswer(f"UsedToIt should be the class, but is of the type {type(answer).__name__}")
+    require_class("UsedToIt", answer)
     with running("UsedToIt()"):
-        mine, first = answer(), answer().initial(np.random.default_rng(seed))
-    right = UsedToChimes()
-    given("initial(...)", first)
-    if not isinstance(first, tuple) or len(first) != 3:
-        raise WrongAnswer(f"initial should return three numbers, (time, depth, chimes), but returns {first!r}")
-    if tuple(first) != (0, 2, 0):
+        mine = answer()
+    with _told_as_wrong():
+        require_mdp(mine, "UsedToIt()")
+    with running("initial(rng)"):
+        first = mine.initial(np.random.default_rng(seed))
+    if _three("initial(rng)", first) != (0, 2, 0):
         raise WrongAnswer(f"initial should return (0, 2, 0), fast asleep and no chime yet, but returns {first!r}")
     rng = np.random.default_rng(seed)
     states = [(int(rng.integers(1, 7)), depth, chimes) for depth in (2, 1, 0) for chimes in (0, 1, 2)]
-    _compare_ways(mine, right, [(state, action) for state in states for action in (0, 1, 2)])
-    with running("observation_space"):
-        n = [*getattr(mine.observation_space, "nvec", ())]
-    if n != [9, 3, 3]:
-        raise WrongAnswer(
-            f"observation_space should be MultiDiscrete([self.length + 1, 3, 3]), one number for each part of the"
-            f" state, but is {mine.observation_space}"
-        )
-    try:
+    _compare_ways(mine, UsedToChimes(), [(state, action) for state in states for action in (0, 1, 2)])
+    _compare_the_rest(mine, UsedToChimes())
+    with _told_as_wrong():
         check_mdp(mine)
+    return "Right: one number more, and the next state depends on the state and the action alone again. See it learn:"
+
+
+@contextmanager
+def _told_as_wrong() -> Iterator[None]:
+    """Take what is refused as an MDP for a wrong answer, with the same sentence."""
+    try:
+        yield
     except ValueError as error:
         raise WrongAnswer(str(error)) from None
-    return "Right: one number more, and the next state depends on the state and the action alone again. See it learn:"
+
+
+def _three(call: str, state: Any) -> tuple[Any, ...]:
+    """Return a state of three numbers as a plain tuple.
+
+    Raises:
+        WrongAnswer: it is something else, such as a list, which cannot be a state here.
+    """
+    given(call, state)
+    if not isinstance(state, tuple) or len(state) != 3:
+        kind = "" if isinstance(state, tuple) else f", of the type {type(state).__name__}"
+        raise WrongAnswer(
+            f"{call} should return three numbers in a tuple, (time, depth, chimes), but returns {state!r}{kind}"
+        )
+    return tuple(state)
+
+
+AS_IT_WAS = "that method was right as it was, for only `observation_space`, `initial` and `transition` change"
+
+
+def _compare_the_rest(mine: Any, right: UsedToChimes) -> None:
+    """Compare the observation space, and the methods that should not change, in all states."""
+    last, rng = right.length, np.random.default_rng(0)
+    with running("observation_space"):
+        space = mine.observation_space
+    if [*getattr(space, "nvec", ())] != [last + 1, 3, 3]:
+        raise WrongAnswer(
+            "observation_space should be MultiDiscrete([self.length + 1, 3, 3]), one number for each part of"
+            f" the state, but is {space}"
+        )
+    for state in product(range(last + 1), range(3), range(3)):
+        call = f"terminal({state})"
+        with running(call):
+            ends = bool(mine.terminal(state))
+        if ends != right.terminal(state[:2]):
+            raise WrongAnswer(f"{call} should be {not ends}, but is {ends}: {AS_IT_WAS}")
+        call = f"observation({state}, rng)"
+        with running(call):
+            seen = mine.observation(state, rng)
+        if not np.array_equal(seen, state):
+            raise WrongAnswer(f"{call} should be the whole state, but is {seen!r}: {AS_IT_WAS}")
+    for state, action in product(product(range(last), range(3), range(3)), range(3)):
+        for _, after in branches(partial(right.transition, state, action)):
+            call = f"reward({state}, {action}, {after}, rng)"
+            with running(call):
+                found = mine.reward(state, action, after, rng)
+            expected, paid = right.reward(state[:2], action, after[:2], rng), number(call, found)
+            if not same(paid, expected):
+                raise WrongAnswer(
+                    f"{call} should be {digits(expected, paid)}, but is {digits(paid, expected)}: {AS_IT_WAS}"
+                )
 
 
 def _compare_ways(mine: Any, right: UsedToChimes, steps: Sequence[tuple[Any, int]]) -> None:
     """Compare where steps can lead, and with which probabilities; a mistake is best named if it explains all steps."""
-    found, expected = [], []
+    found, expected, draws = [], [], GlobalDraws(type(mine).__name__)
     for state, action in steps:
         call = f"transition({state}, {action}, rng)"
-        with running(call):
+        with _told_as_wrong(), draws.refused("transition"), running(call):
             found.append(_ways(partial(mine.transition, state, action), call))
         expected.append(_ways(partial(right.transition, state, action), call))
     wrong = [k for k, ways in enumerate(found) if not _same(ways, expected[k])]
@@ -234,10 +312,8 @@ def _compare_ways(mine: Any, right: UsedToChimes, steps: Sequence[tuple[Any, int
 def _ways(draw: Callable[[Any], Any], call: str) -> dict[Any, float]:
     total: dict[Any, float] = {}
     for p, state in branches(draw):
-        given(call, state)
-        if not isinstance(state, tuple) or len(state) != 3:
-            raise WrongAnswer(f"{call} should return three numbers, (time, depth, chimes), but returns {state!r}")
-        total[tuple(state)] = total.get(tuple(state), 0.0) + p
+        three = _three(call, state)
+        total[three] = total.get(three, 0.0) + p
     return total
 
 
@@ -249,14 +325,6 @@ def _told(ways: Mapping[Any, float]) -> str:
     return " or ".join(f"{state} (p = {p:.2g})" for state, p in sorted(ways.items()))
 
 
-def _require_mine(answer: Any) -> None:
-    """Refuse what is no MDP, such as a class in place of a value."""
-    try:
-        require_mdp(answer, "my_problem")
-    except ValueError as error:
-        raise WrongAnswer(str(error)) from None
-
-
 def exercise_4(answer: Any, seed: int) -> str:
     """Check that a student's own problem is one: it runs, chance and decisions matter, and no one action is best."""
     given("my_problem", answer)
@@ -264,13 +332,11 @@ def exercise_4(answer: Any, seed: int) -> str:
         raise WrongAnswer("that is the problem with which the cell began: write one of your own, under its own name")
     if isinstance(answer, Morning) or type(answer).__name__ == "Morning":
         raise WrongAnswer("that is the problem of the lesson: write one of your own, under its own name")
-    try:
-        with running("my_problem"):
-            _require_mine(answer)
-            check_mdp(answer)
-            values = solve(answer)
-    except ValueError as error:
-        raise WrongAnswer(str(error)) from None
+    with running("my_problem"), _told_as_wrong():
+        require_mdp(answer, "my_problem")
+    with running("my_problem"):
+        check_mdp(answer)
+        values = solve(answer)
     model = values.model
     policy, live = values.greedy_policy(), ~model.terminal
     if len(model.states) < 4 or policy.shape[1] < 2:

@@ -7,6 +7,7 @@ is worth knowing; `check(exercise_2, optimist)` in a notebook shows one or the o
 - `updates`: an agent's `learn` against an update rule and its usual mistakes, on made-up tables and transitions;
 - `choices`: an agent's `act` against the probability of each action;
 - `results`: what `repeat` returned, against what was asked for;
+- `cases`: made-up cases in which no two mistakes look alike;
 - `agents`: an answer that should be a function, a class, or an agent with its fields;
 - `student_code`: errors in an answer, which end at the student's own line.
 

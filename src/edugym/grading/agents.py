@@ -2,6 +2,8 @@
 
 import inspect
 from collections.abc import Callable, Mapping
+from functools import partial
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -10,6 +12,9 @@ from edugym.grading.student_code import running
 from edugym.grading.values import given
 from edugym.grading.wrong import WrongAnswer
 from edugym.training.contract import learns_from
+
+DEFAULTS: Mapping[str, Any] = MappingProxyType({})
+"""No settings: `create` takes its own."""
 
 
 def require_class(name: str, answer: Any) -> None:
@@ -36,8 +41,8 @@ def require_function(name: str, answer: Any, of: str) -> None:
     """
     given(name, answer)
     if isinstance(answer, type) or not callable(answer):
-        kind = f"is the class {answer.__name__}" if isinstance(answer, type) else f"is a {type(answer).__name__}"
-        raise WrongAnswer(f"{name} should be a function of {of}, but {kind}")
+        kind = f"the class {answer.__name__}" if isinstance(answer, type) else f"of the type {type(answer).__name__}"
+        raise WrongAnswer(f"{name} should be a function of {of}, but is {kind}")
 
 
 def agent_made_by(call: str, make: Callable[[Any], Any], task: Any) -> Any:
@@ -66,7 +71,7 @@ def agent_made_by(call: str, make: Callable[[Any], Any], task: Any) -> Any:
     return made
 
 
-def agent_created_by(name: str, answer: Any, what: str, task: Any) -> Any:
+def agent_created_by(name: str, answer: Any, what: str, task: Any, settings: Mapping[str, Any] = DEFAULTS) -> Any:
     """Make an agent by the `create` of a student's class.
 
     Args:
@@ -74,13 +79,15 @@ def agent_created_by(name: str, answer: Any, what: str, task: Any) -> Any:
         answer: the class.
         what: the task, for the sentence: "wall".
         task: what the agent is made for.
+        settings: what else `create` is given, by name.
 
     Raises:
         WrongAnswer: there is no `create`, it fails, or what it gives is no agent.
     """
     if not hasattr(answer, "create"):
         raise WrongAnswer(f"{name} should keep its method `create`, which makes a new agent for a {what}")
-    return agent_made_by(f"{name}.create({what})", answer.create, task)
+    call = ", ".join([what, *(f"{setting}={value}" for setting, value in settings.items())])
+    return agent_made_by(f"{name}.create({call})", partial(answer.create, **settings), task)
 
 
 def with_settings(name: str, agent: Any, settings: Mapping[str, float], method: str) -> Any:
@@ -103,25 +110,36 @@ def with_settings(name: str, agent: Any, settings: Mapping[str, float], method: 
     return agent
 
 
-def agent_with_table(name: str, answer: Any, shape: tuple[int, int], settings: Mapping[str, float]) -> Any:
-    """Make a student's agent from its class, with a table Q of zeros.
+def agent_with_table(
+    name: str, answer: Any, shape: tuple[int, ...], settings: Mapping[str, float], table: str = "Q"
+) -> Any:
+    """Make a student's agent from its class, with a table of zeros.
 
     Args:
         name: the name of the class.
         answer: the class.
         shape: the shape of the table.
         settings: its other fields.
+        table: the field of the table.
 
     Raises:
         WrongAnswer: a field is missing, making it fails, or it does not learn.
     """
-    fields = getattr(answer, "_fields", None) or [*inspect.signature(answer).parameters]
-    _require_fields(name, [field for field in ("Q", *settings) if field not in fields], "learn")
-    with running(f"{name}(Q, ...)"):
-        made = answer(Q=np.zeros(shape), **settings)
+    missing = [field for field in (table, *settings) if not _takes(answer, field)]
+    if table in missing:
+        raise WrongAnswer(f"{name} should keep its field `{table}`, the table that `learn` changes")
+    _require_fields(name, missing, "learn")
+    with running(f"{name}({table}, ...)"):
+        made = answer(**{table: np.zeros(shape)}, **settings)
     if not hasattr(made, "learn"):
         raise WrongAnswer(f"{name} should have a method `learn`")
     return made
+
+
+def _takes(kind: Any, field: str) -> bool:
+    """Whether a value of a class can be made with this field, by its name."""
+    parameters = inspect.signature(kind).parameters
+    return field in parameters or any(one.kind is one.VAR_KEYWORD for one in parameters.values())
 
 
 def _require_fields(name: str, missing: list[str], method: str) -> None:

@@ -1,6 +1,7 @@
 """An open challenge: an agent of the student's own, on tasks that belong to a name, against baselines."""
 
 import hashlib
+import math
 import unicodedata
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -140,7 +141,7 @@ class Challenge:
         mdp = self._task(seed)
         sizes = Sizes(mdp.observation_space, mdp.action_space)
         maker = self._maker(agent, sizes)
-        with running("training your agent"):
+        with running("training your agent", limit=math.inf):
             results = repeat(
                 self.environment,
                 {YOURS: maker, **{label: _sees_sizes(make, sizes) for label, make in self.baselines.items()}},

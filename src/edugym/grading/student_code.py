@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
+from edugym.grading.patience import LIMIT, ending
 from edugym.grading.wrong import Unsolved, WrongAnswer
 
 PACKAGE = str(Path(__file__).resolve().parents[1])
@@ -21,13 +22,21 @@ HINTS = (
     ("object does not support item assignment", "only arrays and lists have entries that can be changed"),
     ("truth value of an array", "compare single entries, not whole rows"),
     (
-        r"name '(Q|visits|tries|learning_rate|discount|bonus|epsilon|target_epsilon|kappa|last)' is not defined",
+        r"name '(Q|V|w|visits|tries|preferences|probabilities|weights|memory|steps|learning_rate|value_learning_rate"
+        r"|discount|bonus|epsilon|target_epsilon|kappa|last|ring|late)' is not defined",
         "write `self.` before a field",
     ),
     ("cannot access local variable", "it gets a value on some paths only"),
     ("'NoneType'", "something is None there: is a `return` missing?"),
     ("division by zero", "the number below the line can be 0: is it a count that should grow first?"),
     ("_tuplegetter", "that is the field of the class: write `self.` for the table of this agent"),
+    (
+        "converted to Python scalar",
+        "an array stands where one number is needed: take an entry of it, or calculate with + - * / **, which arrays"
+        " have as well",
+    ),
+    ("could not be broadcast", "two arrays of different sizes meet there"),
+    ("(function|method)' object is not subscriptable", "a function is called, with parentheses"),
     ("too many indices", "the array has fewer axes than there are indices"),
     (
         "out of bounds|index out of range",
@@ -47,18 +56,19 @@ HINTS = (
 
 
 @contextmanager
-def running(what: str) -> Iterator[None]:
+def running(what: str, limit: float = LIMIT) -> Iterator[None]:
     """Run a student's code: an error in it becomes one sentence, and a placeholder "not solved yet".
 
     Args:
         what: what is running, for the sentence: "optimist(wall)".
+        limit: the seconds of processor time that it may take.
 
     Raises:
-        WrongAnswer: the code raises an error.
+        WrongAnswer: the code raises an error, or does not end.
         Unsolved: the code is the placeholder of the exercise.
     """
     try:
-        with np.errstate(all="ignore"), warnings.catch_warnings():
+        with ending(what, limit), np.errstate(all="ignore"), warnings.catch_warnings():
             warnings.simplefilter("ignore")
             yield
     except WrongAnswer:

@@ -278,13 +278,13 @@ def _students(make: Callable[[], Any], cases: list[Case]) -> tuple[Outcomes, tup
     return outcomes, names, returned
 
 
-def table_of(agent: Any, name: str, shape: tuple[int, ...], kind: str = "f") -> Any:
+def table_of(agent: Any, name: str, shape: tuple[int, ...] | None, kind: str = "f") -> Any:
     """Return a table of a student's agent.
 
     Args:
         agent: the agent.
         name: the field.
-        shape: the shape that it should have.
+        shape: the shape that it should have; None is any.
         kind: "f" for real numbers, "i" for whole ones, which may also be stored as real ones.
 
     Raises:
@@ -295,7 +295,7 @@ def table_of(agent: Any, name: str, shape: tuple[int, ...], kind: str = "f") -> 
         raise WrongAnswer(f"the agent should have a table `{name}`, but {type(agent).__name__} has none")
     if not isinstance(table, np.ndarray):
         raise WrongAnswer(f"the table `{name}` should be a NumPy array, but is a {type(table).__name__}")
-    if table.shape != shape:
+    if shape is not None and table.shape != shape:
         raise WrongAnswer(f"the table `{name}` should have the shape {shape}, but has {table.shape}")
     if table.dtype.kind != "f" and kind == "f":
         raise WrongAnswer(

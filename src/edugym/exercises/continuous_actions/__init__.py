@@ -10,6 +10,7 @@ import numpy as np
 from edugym.agents.gaussian_actor_critic import GaussianActorCritic
 from edugym.envs.trashbot.task import Trashbot
 from edugym.exercises.continuous_actions.episodes import check_update
+from edugym.grading.agents import require_class, require_function
 from edugym.grading.challenge import Challenge
 from edugym.grading.student_code import running
 from edugym.grading.values import allowance, compare, given, number
@@ -21,7 +22,7 @@ UNUSUAL = "that is none of the usual mistakes, so work it out by hand for a smal
 
 def exercise_1(answer: Any, seed: int) -> str:
     """Check the number of preferences of a table for an arm with several joints."""
-    _is_function("preferences", answer)
+    require_function("preferences", answer, "joints, bins and cells")
     rng = np.random.default_rng(seed)
     cases = [(3, 5, 10 + int(rng.integers(5))), (2, 3, 7), (3, 4, 6), (1, 9, 12), (4, 3, 5 + int(rng.integers(3)))]
     for joints, bins, cells in cases:
@@ -61,12 +62,11 @@ def _size_mistakes(m: int, n: int, c: int) -> dict[str, float]:
 
 def exercise_2(answer: Any, seed: int) -> str:
     """Check the scores of a Gaussian policy."""
-    _is_function("my_scores", answer)
+    require_function("my_scores", answer, "a, mu and sigma")
     rng = np.random.default_rng(seed)
     cases = [(2.0, 0.5, 0.5), (-1.0, 0.2, 2.0), (0.3, 0.4, 0.25)]
-    cases.append(
-        (float(rng.integers(-12, 13)) / 4, float(rng.integers(-12, 13)) / 4 + 0.125, float(rng.integers(5, 9)) / 4)
-    )
+    sigma = float(rng.choice([0.75, 1.5, 1.75]))  # divided by its square a number has many digits: rounding shows
+    cases.append((float(rng.integers(-12, 13)) / 4, float(rng.integers(-12, 13)) / 4 + 0.125, sigma))
     found = []
     for a, mu, sigma in cases:
         call = f"my_scores({a:g}, {mu:g}, {sigma:g})"
@@ -81,22 +81,40 @@ def exercise_2(answer: Any, seed: int) -> str:
                 continue
             fits = [why for why, rule in mistakes.items() if _fits(rule, cases, [p[k] for p in found])]
             a, mu, sigma = case
-            why = fits[0] if fits else "derive it again from ln π(a), term by term"
+            rounded = any(round(expected, places) == pair[k] for places in range(1, 7))
+            why = "do not round it" if rounded else [*fits, "derive it again from ln π(a), term by term"][0]
             raise WrongAnswer(
                 f"my_scores({a:g}, {mu:g}, {sigma:g}) should give {expected:.4g} for {what}, but gives"
                 f" {pair[k]:.4g}: {why}"
             )
-    several = np.array([0.0, 1.0, -2.0])
-    with running("my_scores with an array of actions"):
-        pair = answer(several, np.array([0.5, 0.5, 0.5]), np.array([1.0, 1.0, 2.0]))
-    for k, part in enumerate(pair):
-        rule = (OF_MEAN, OF_LOG_SPREAD)[k][""]
-        expected_array = rule(several, np.array([0.5, 0.5, 0.5]), np.array([1.0, 1.0, 2.0]))
-        if np.shape(part) != (3,) or not np.allclose(np.asarray(part, float), expected_array):
+    _check_arrays(answer)
+    return "Right: the mean of both scores is 0, so a baseline changes nothing on average. See your policies learn:"
+
+
+def _check_arrays(answer: Any) -> None:
+    """Check the scores of three actions at once."""
+    several = {
+        "a": np.array([0.0, 1.0, -2.0]),
+        "mu": np.array([0.5, 0.5, 0.5]),
+        "sigma": np.array([1.0, 1.0, 2.0]),
+    }
+    mine = {name: values.copy() for name, values in several.items()}
+    call = "my_scores(a, mu, sigma) with three actions at once"
+    with running(call):
+        pair = answer(*mine.values())
+    _require_pair(call, pair)
+    for name, values in several.items():
+        if not np.array_equal(mine[name], values):
+            raise WrongAnswer(
+                f"my_scores changes the array `{name}` that it is given: `-=` and the like write into an array, so"
+                " give what you compute a name of its own"
+            )
+    for part, formulas in zip(pair, (OF_MEAN, OF_LOG_SPREAD), strict=True):
+        expected = formulas[""](*several.values())
+        if np.shape(part) != (3,) or not np.allclose(np.asarray(part, float), expected):
             raise WrongAnswer(
                 "my_scores with three actions at once should give three numbers for each score: use + - * / **"
             )
-    return "Right: the mean of both scores is 0, so a baseline changes nothing on average. See your policies learn:"
 
 
 OF_MEAN: Mapping[str, Any] = MappingProxyType(
@@ -157,27 +175,23 @@ def _fits(rule: Any, cases: list[Any], found: list[float]) -> bool:
 
 def _two(call: str, pair: Any) -> tuple[float, float]:
     """Return the two numbers of an answer."""
+    _require_pair(call, pair)
+    return number(f"the first of {call}", pair[0]), number(f"the second of {call}", pair[1])
+
+
+def _require_pair(call: str, pair: Any) -> None:
+    """Refuse what is no pair of scores."""
     given(call, pair)
     if not isinstance(pair, tuple | list | np.ndarray) or len(pair) != 2:
         raise WrongAnswer(
             f"{call} should give two numbers, one for μ and one for ln σ, but gives {pair!r}: end with"
             " `return of_mu, of_log_sigma`"
         )
-    return number(f"the first of {call}", pair[0]), number(f"the second of {call}", pair[1])
-
-
-def _is_function(name: str, answer: Any) -> None:
-    """Refuse what is no function."""
-    given(name, answer)
-    if not callable(answer) or isinstance(answer, type):
-        raise WrongAnswer(f"{name} should be a function, but is of the type {type(answer).__name__}")
 
 
 def exercise_3(answer: Any, seed: int) -> str:
     """Check the class of REINFORCE with a baseline."""
-    given("MyREINFORCE", answer)
-    if not isinstance(answer, type):
-        raise WrongAnswer(f"MyREINFORCE should be the class, but is of the type {type(answer).__name__}")
+    require_class("MyREINFORCE", answer)
     check_update(answer, seed)
     return "Right: returns minus a baseline, times the score. See it race:"
 

@@ -4,11 +4,12 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
-import gymnasium
 import numpy as np
+from gymnasium.spaces import Discrete, MultiDiscrete
 
-from edugym.grading.student_code import running
-from edugym.grading.values import given
+from edugym.grading.agents import agent_created_by, learn_step, with_settings
+from edugym.grading.challenge import Sizes
+from edugym.grading.updates import table_of
 from edugym.grading.wrong import WrongAnswer
 
 SHAPE = (7, 3)
@@ -20,40 +21,36 @@ OLD = 7.0
 SETTINGS: Mapping[str, float] = MappingProxyType({"learning_rate": 0.5, "value_learning_rate": 0.25, "discount": 0.8})
 
 
-class Sizes(NamedTuple):
-    """Stands for the task for which an agent is made."""
-
-    observation_space: Any = gymnasium.spaces.MultiDiscrete([7])
-    action_space: Any = gymnasium.spaces.Discrete(SHAPE[1])
-
-
 class Case(NamedTuple):
-    """Tables, and an episode that visits no state twice."""
+    """Tables, and an episode that visits no state twice; it terminates, or is cut off."""
 
     preferences: Any
     V: Any
     states: list[int]
     actions: list[int]
     rewards: list[float]
+    terminates: bool
 
 
 def cases(seed: int) -> list[Case]:
     """Make episodes up, of 1 to 4 steps, in simple numbers."""
     rng = np.random.default_rng(seed)
     made = []
-    for length in (1, 2, 3, 4, 4):
+    for length, terminates in ((1, True), (2, True), (3, False), (4, True), (4, False)):
         preferences = rng.choice([-1.0, -0.5, 0.0, 0.5, 1.0], SHAPE)
         V = rng.choice([-1.0, 0.5, 1.5, 2.0], SHAPE[0])
         states = [int(s) for s in rng.permutation(SHAPE[0])[:length]]
         actions = [int(a) for a in rng.integers(SHAPE[1], size=length)]
         rewards = [float(r) for r in rng.choice([-2.0, 1.0, 3.0, 4.0], size=length)]
-        made.append(Case(preferences, V, states, actions, rewards))
+        made.append(Case(preferences, V, states, actions, rewards, terminates))
     return made
 
 
 def after(case: Case, change: Mapping[str, Any] = MappingProxyType({})) -> tuple[Any, Any]:
     """Return preferences and values after learning; `change` says which mistake is made."""
     theta, V, n = case.preferences.copy(), case.V.copy(), len(case.states)
+    if change.get("cut off") == "forgotten" and not case.terminates:
+        return theta, V
     rate, value_rate, discount = SETTINGS.values()
     if change.get("rates") == "swapped":
         rate, value_rate = value_rate, rate
@@ -100,6 +97,7 @@ def _returns(rewards: list[float], discount: float, kind: str) -> list[float]:
         "discounted reward": [discount * g for g in G],
         "absolute": [sum(discount**k * rewards[k] for k in range(t, n)) for t in range(n)],
         "last": [rewards[-1]] * n,
+        "one more": [G[t] + discount ** (n - t) * OLD for t in range(n)],
         "buffer": [G[t] + discount ** (n - t) * OLD / (1.0 - discount) for t in range(n)],
     }[kind]
 
@@ -143,6 +141,8 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
         "G_t is discounted from step t on, and not from the start of the episode": {"return": "absolute"},
         "every step gets the last reward alone": {"return": "last"},
         "it goes through the whole of `rewards`; this episode has only its first n steps": {"return": "buffer"},
+        "the return begins with rewards[n], which an earlier episode has left there: the last reward of n steps is"
+        " rewards[n - 1]": {"return": "one more"},
         "π is missing in the score: it is 1{a = A} − π(a|S)": {"score": "one"},
         "only the preference of the action that was taken changes; all others change by −π": {"score": "own"},
         "the sign of the score is wrong: it is 1{a = A} − π(a|S)": {"score": "minus"},
@@ -152,6 +152,7 @@ MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
         "π should be subtracted in the score, not added": {"score": "plus"},
         "the probabilities are those of another state: call self.look(state) first": {"stale": True},
         "the preferences of the last state change in every step, not those of S_t": {"state": "last"},
+        "an episode that is cut off is over as well: call `update` also when `truncated`": {"cut off": "forgotten"},
         "the first step of the episode is left out: range(n - 1, -1, -1) goes down to 0": {
             "steps": lambda n: range(1, n)
         },
@@ -228,17 +229,23 @@ def _told(case: Case, right: Any, found: Any) -> str:
 
 def _learned(kind: Any, case: Case) -> tuple[Any, Any]:
     """Return the tables of a student's agent after an episode."""
-    with running("MyREINFORCE.create(task)"):
-        agent = kind.create(Sizes())
-    given("MyREINFORCE.create(task)", agent)
-    for name in (*SETTINGS, "preferences", "V", "probabilities", "states", "actions", "rewards", "length"):
-        if not hasattr(agent, name):
-            raise WrongAnswer(f"MyREINFORCE should keep its field `{name}`")
-    agent = agent._replace(**SETTINGS) if hasattr(agent, "_replace") else agent
-    agent.preferences[:], agent.V[:], agent.probabilities[:] = case.preferences, case.V, STALE
-    agent.rewards[:] = OLD
-    n = len(case.states)
-    with running(f"learn, at the end of an episode of {n} steps,"):
-        for t in range(n):
-            agent.learn(case.states[t], case.actions[t], case.rewards[t], t == n - 1, False)
-    return np.array(agent.preferences), np.array(agent.V)
+    task = Sizes(MultiDiscrete([SHAPE[0]]), Discrete(SHAPE[1]))
+    agent = agent_created_by("MyREINFORCE", kind, "task", task)
+    agent = with_settings("MyREINFORCE", agent, SETTINGS, "update")
+    tables = {"preferences": case.preferences, "V": case.V, "probabilities": np.array(STALE)}
+    for name, values in tables.items():
+        table_of(agent, name, values.shape)[...] = values
+    table_of(agent, "rewards", None)[...] = OLD
+    last = len(case.states) - 1
+    for t, (state, action, reward) in enumerate(zip(case.states, case.actions, case.rewards, strict=True)):
+        step = {
+            "state": state,
+            "action": action,
+            "reward": reward,
+            "next_state": case.states[t + 1] if t < last else state,
+            "next_action": case.actions[t + 1] if t < last else action,
+            "terminated": t == last and case.terminates,
+            "truncated": t == last and not case.terminates,
+        }
+        learn_step(agent, step)
+    return table_of(agent, "preferences", SHAPE).copy(), table_of(agent, "V", SHAPE[:1]).copy()

@@ -7,18 +7,14 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from edugym.grading.agents import agent_with_table, learn_step, require_class
+from edugym.grading.cases import telling_draw
 from edugym.grading.student_code import running
-from edugym.grading.values import compare, digits, given
+from edugym.grading.updates import table_of
+from edugym.grading.values import compare, digits, number, same
 from edugym.grading.wrong import WrongAnswer
 
 TERMS = "that is none of the usual mistakes, so compare your code with the equation, term by term"
-
-
-def is_class(name: str, answer: Any) -> None:
-    """Refuse what is no class."""
-    given(name, answer)
-    if not isinstance(answer, type):
-        raise WrongAnswer(f"{name} should be the class, but is of the type {type(answer).__name__}")
 
 
 class Step(NamedTuple):
@@ -29,7 +25,9 @@ class Step(NamedTuple):
     action: int
     reward: float
     x_next: Any
+    next_action: int
     terminated: bool
+    truncated: bool
     alpha: float
     gamma: float
 
@@ -82,6 +80,11 @@ UPDATES: Mapping[str, Rule] = MappingProxyType(
         "in the next state take the best action, not the one that was taken before": lambda s: _moved(
             s, _target(s, lambda q: float(q[s.action]))
         ),
+        "in the next state take the best action, not the one that comes next: that is SARSA": lambda s: _moved(
+            s, _target(s, lambda q: float(q[s.next_action]))
+        ),
+        "a truncated episode is treated as terminated, but only its clock ran out: the value of the next state still"
+        " counts": lambda s: _moved(s, s.reward if s.truncated else _target(s)),
         "that is the next state's value of action 0 alone; take the largest one of all three": lambda s: _moved(
             s, _target(s, lambda q: float(q[0]))
         ),
@@ -145,14 +148,10 @@ def _full_gradient(step: Step) -> Any:
 
 def exercise_2(answer: Any, seed: int) -> str:
     """Check the class of an agent with linear features."""
-    is_class("MyAgent", answer)
-    rng = np.random.default_rng(seed)
+    require_class("MyAgent", answer)
     probe = type("MyAgent", (answer,), {"features": lambda self, board: np.array(board, float), "__slots__": ()})
-    cases = [_some_step(rng, terminated=k % 3 == 2) for k in range(9)]
-    for step in cases:
-        agent = _made(probe, step)
-        for action in range(3):
-            _check_value(agent, step, action)
+    cases = steps_for(seed)
+    _check_values(probe, cases)
     outcomes = [_learned(_made(probe, step), step) for step in cases]
     for step, found in zip(cases, outcomes, strict=True):
         if np.allclose(found, right_update(step), rtol=1e-9, atol=1e-9):
@@ -164,8 +163,21 @@ def exercise_2(answer: Any, seed: int) -> str:
     return "Right: the error times the features. See it catch:"
 
 
-def _some_step(rng: np.random.Generator, terminated: bool) -> Step:
-    """Make a case up: simple numbers, several features that are not 0, and another best action in the next state."""
+def steps_for(seed: int) -> list[Step]:
+    """Return the cases of a check."""
+    return made_up_steps(telling_draw(seed, made_up_steps, [right_update, *UPDATES.values()]))
+
+
+def made_up_steps(rng: np.random.Generator) -> list[Step]:
+    """Make cases up: ordinary steps, steps after which the episode is cut off, and last ones."""
+    return [_some_step(rng, terminated=k % 3 == 2, truncated=k % 3 == 1) for k in range(9)]
+
+
+def _some_step(rng: np.random.Generator, terminated: bool, truncated: bool) -> Step:
+    """Make a case up: simple numbers, several features that are not 0, and three different actions.
+
+    These are the one that was taken, the one that comes next, and the best one in the next state.
+    """
     while True:
         w = rng.integers(-3, 4, size=(4, 3)).astype(float)
         x, x_next = (rng.permutation([0.0, 1.0, 2.0, -1.0]) for _ in range(2))
@@ -173,42 +185,78 @@ def _some_step(rng: np.random.Generator, terminated: bool) -> Step:
         values, here = x_next @ w, x @ w
         best = int(np.argmax(values))
         if best != action and len({*values}) == 3 and int(np.argmax(here)) != action and not np.array_equal(x, x_next):
-            return Step(w, x, action, float(rng.integers(2, 5)), x_next, terminated, 0.5, 0.75)
+            reward, other = float(rng.integers(2, 5)), 3 - action - best
+            return Step(w, x, action, reward, x_next, other, terminated, truncated, 0.5, 0.75)
 
 
 def _made(cls: Any, step: Step) -> Any:
     """Make an agent of the student's."""
-    with running("MyAgent(...)"):
-        return cls(step.w.copy(), learning_rate=step.alpha, discount=step.gamma)
+    settings = {"learning_rate": step.alpha, "discount": step.gamma}
+    agent = agent_with_table("MyAgent", cls, step.w.shape, settings, "w")
+    table_of(agent, "w", step.w.shape)[...] = step.w
+    return agent
 
 
-def _check_value(agent: Any, step: Step, action: int) -> None:
-    call = f"value with the features {short(step.x)} and action {action}, where column {action} of w is "
-    call += short(step.w[:, action])
+VALUES: Mapping[str, Callable[[Step, int], float]] = MappingProxyType(
+    {
+        "that is the sum of the weights; multiply each by its feature": lambda s, a: float(s.w[:, a].sum()),
+        "that is one term of the sum; take the sum over all features": lambda s, a: float(s.x[0] * s.w[0, a]),
+        "that is the largest value of all actions; take the column of `action`": lambda s, a: float((s.x @ s.w).max()),
+        "that is the sum over all actions; take the column of `action`": lambda s, a: float((s.x @ s.w).sum()),
+        "a feature is not only 0 or 1: multiply by it": lambda s, a: float((s.w[:, a] * (s.x != 0)).sum()),
+        "that is the mean; take the sum": lambda s, a: float((s.x * s.w[:, a]).mean()),
+        "that is the row of w with this number; take the column": lambda s, a: float((s.x[:3] * s.w[a]).sum()),
+    }
+)
+"""By sentence, what each mistake makes of the value of an action."""
+
+
+def _check_values(probe: Any, cases: list[Step]) -> None:
+    """Check the values of all actions; a mistake is best named if it explains all of them."""
+    places, found = [], []
+    for step in cases:
+        agent = _made(probe, step)
+        for action in range(3):
+            places.append((step, action))
+            found.append(_value(agent, step, action))
+    fitting = [
+        why
+        for why, rule in VALUES.items()
+        if all(same(mine, rule(*place)) for place, mine in zip(places, found, strict=True))
+    ]
+    for (step, action), mine in zip(places, found, strict=True):
+        call = f"value with the features {short(step.x)} and action {action}, where column {action} of w is "
+        right = float(step.x @ step.w[:, action])
+        wrong = {why: VALUES[why](step, action) for why in fitting or VALUES}
+        mistakes = {why: value for why, value in wrong.items() if value != right}
+        compare(call + short(step.w[:, action]), mine, right, mistakes, otherwise=TERMS)
+
+
+def _value(agent: Any, step: Step, action: int) -> float:
+    """Return what the student's `value` gives, a number."""
     with running("value(...)"):
         found = agent.value(step.x.copy(), action)
-    given("value(...)", found)
-    right = float(step.x @ step.w[:, action])
-    mistakes = {
-        "that is the sum of the weights; multiply each by its feature": float(step.w[:, action].sum()),
-        "that is one term of the sum; take the sum over all features": float((step.x * step.w[:, action])[0]),
-        "that is the largest value of all actions; take the column of `action`": float((step.x @ step.w).max()),
-        "that is the sum over all actions; take the column of `action`": float((step.x @ step.w).sum()),
-        "a feature is not only 0 or 1: multiply by it": float((step.w[:, action] * (step.x != 0)).sum()),
-        "that is the mean; take the sum": right / len(step.x),
-        "that is the row of w with this number; take the column": float((step.x[:3] * step.w[action]).sum()),
-    }
-    compare(call, found, right, {why: wrong for why, wrong in mistakes.items() if wrong != right}, otherwise=TERMS)
+    if not np.array_equal(table_of(agent, "w", step.w.shape), step.w):
+        raise WrongAnswer("value changes the entries of `self.w`; it should only read them, for `learn` changes them")
+    return number("value(...)", found)
 
 
 def _learned(agent: Any, step: Step) -> Any:
     """Return the weights after the student's `learn`."""
     before = agent.w
-    with running("learn(...)"):
-        agent.learn(step.x.copy(), step.action, step.reward, step.x_next.copy(), step.terminated)
-    if agent.w is not before or np.shape(agent.w) != step.w.shape:
+    told = {
+        "state": step.x.copy(),
+        "action": step.action,
+        "reward": step.reward,
+        "next_state": step.x_next.copy(),
+        "next_action": step.next_action,
+        "terminated": step.terminated,
+        "truncated": step.truncated,
+    }
+    learn_step(agent, told)
+    if agent.w is not before:
         raise WrongAnswer("learn should change the entries of `self.w` in place, but puts another array there")
-    return np.array(agent.w)
+    return before.copy()
 
 
 def _agrees(rule: Rule, step: Step, found: Any) -> bool:

@@ -6,18 +6,16 @@ from typing import Any
 
 import numpy as np
 
+from edugym.grading.agents import require_function
 from edugym.grading.student_code import running
-from edugym.grading.values import compare, given
-from edugym.grading.wrong import WrongAnswer
+from edugym.grading.values import compare
 
 UNUSUAL = "that is none of the usual mistakes, so work it out by hand for a small board"
 
 
 def exercise_1(answer: Any, seed: int) -> str:
     """Check the number of entries of a dense table."""
-    given("table_entries", answer)
-    if not callable(answer) or isinstance(answer, type):
-        raise WrongAnswer(f"table_entries should be a function, but is of the type {type(answer).__name__}")
+    require_function("table_entries", answer, "rows, columns and kind")
     rng = np.random.default_rng(seed)
     rows, columns = 5 + int(rng.integers(3)), 4
     for kind in ("vectorised", "grid", "rgb"):

@@ -1,16 +1,22 @@
 """Exercise 3 of lesson 4: the target of DQN, and the draw from its memory."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from edugym.agents.dqn import Layers, forward
-from edugym.exercises.dimensionality.linear import TERMS, is_class, short
+from edugym.exercises.dimensionality.linear import TERMS, short
+from edugym.grading.agents import agent_created_by, require_class
+from edugym.grading.cases import telling_draw
 from edugym.grading.student_code import running
 from edugym.grading.values import digits, number, same
 from edugym.grading.wrong import WrongAnswer
+from edugym.lessons.dimensionality.open_dqn import OpenDQN
+
+ROWS = (0, 1, 2, 3, 2, 1)
+"""The rows of which the targets are checked; an episode ends in row 2."""
 
 
 class Remembered(NamedTuple):
@@ -41,6 +47,11 @@ def _bootstrapped(case: Remembered, value: float, gamma: float | None = None, en
     if case.terminated and ends:
         return case.reward
     return case.reward + (case.gamma if gamma is None else gamma) * value
+
+
+def _right(case: Remembered) -> float:
+    """Return the target of DQN."""
+    return _bootstrapped(case, float(case.old_next.max()))
 
 
 TARGETS: Mapping[str, Callable[[Remembered], float]] = MappingProxyType(
@@ -94,21 +105,67 @@ TARGETS: Mapping[str, Callable[[Remembered], float]] = MappingProxyType(
 
 def exercise_3(answer: Any, seed: int) -> str:
     """Check the class of a DQN."""
-    is_class("MyDQN", answer)
-    rng = np.random.default_rng(seed)
-    with running("MyDQN.create(...)"):
-        agent = answer.create((2, 3), hidden=2, memory_size=4, batch_size=2, discount=0.5)
+    require_class("MyDQN", answer)
+    _require_own_methods(answer)
+    agent = _made(answer, 4, discount=0.5)
     cases, found = [], []
-    for row in (0, 1, 2, 3, 2, 1):
-        case = _some_memory(agent, row, rng)
+    for row, case in made_up_memories(agent, drawn_for(agent, seed)):
+        before = _tables(agent)
         with running(f"target_of({row})"):
             target = agent.target_of(row)
+        for name, values in _tables(agent).items():
+            if not np.array_equal(values, before[name]):
+                raise WrongAnswer(
+                    f"target_of({row}) changes `self.{name}`; it should only read it, and return a number"
+                )
         cases.append(case)
         found.append(number(f"target_of({row})", target))
     _check_targets(cases, found)
     for steps, size in ((3, 8), (8, 8), (21, 8), (1, 5), (5, 40)):
         _check_rows(answer, steps, size)
     return "Right: an old network gives the target, and every transition in memory has the same chance. See it learn:"
+
+
+def _require_own_methods(answer: Any) -> None:
+    """Refuse a class whose target and rows are those of the package, or are used by nobody."""
+    if not issubclass(answer, OpenDQN):
+        raise WrongAnswer(
+            "MyDQN should begin with `class MyDQN(lesson.OpenDQN):`, as it is OpenDQN that calls `target_of` and"
+            " `row_for`"
+        )
+    for name in ("target_of", "row_for"):
+        if getattr(answer, name) is getattr(OpenDQN, name):
+            raise WrongAnswer(
+                f"MyDQN has no method `{name}` of its own, so it uses that of OpenDQN: is the name spelt as in the"
+                " exercise, and does the method stand inside the class?"
+            )
+
+
+def _made(answer: Any, memory_size: int, **settings: float) -> Any:
+    """Make a small network of the student's: two numbers in, three actions."""
+    sizes = {"hidden": 2, "memory_size": memory_size, "batch_size": 2}
+    return agent_created_by("MyDQN", answer, "board", (2, 3), {**sizes, **settings})
+
+
+def _tables(agent: Any) -> dict[str, Any]:
+    """Return copies of what a target is computed from, by name."""
+    parts = {"memory": agent.memory, "weights": agent.weights, "target": agent.target}
+    return {
+        f"{part}.{name}": values.copy() for part, fields in parts.items() for name, values in fields._asdict().items()
+    }
+
+
+def made_up_memories(agent: Any, rng: np.random.Generator) -> Iterator[tuple[int, Remembered]]:
+    """Yield rows of the memory, each when it is filled."""
+    for row in ROWS:
+        yield row, _some_memory(agent, row, rng)
+
+
+def drawn_for(agent: Any, seed: int) -> np.random.Generator:
+    """Return the generator from which the memories of a check are drawn."""
+    return telling_draw(
+        seed, lambda rng: [case for _, case in made_up_memories(agent, rng)], [_right, *TARGETS.values()]
+    )
 
 
 def _some_memory(agent: Any, row: int, rng: np.random.Generator) -> Remembered:
@@ -155,7 +212,7 @@ def _values(weights: Layers, x: Any) -> Any:
 
 def _check_targets(cases: list[Remembered], found: list[float]) -> None:
     for case, target in zip(cases, found, strict=True):
-        right = _bootstrapped(case, case.old_next.max())
+        right = _right(case)
         if same(target, right):
             continue
         fitting = [
@@ -174,10 +231,16 @@ def _check_targets(cases: list[Remembered], found: list[float]) -> None:
 
 def _check_rows(answer: Any, steps: int, size: int) -> None:
     """Check that every transition in memory has the same chance."""
-    agent = answer.create((2, 3), hidden=2, memory_size=size, batch_size=2)
+    agent = _made(answer, size)
     agent.steps[0] = steps
     filled = min(steps, size)
     counts = np.zeros(filled, np.int64)
+    with running("row_for(0.5)"):
+        again = {str(agent.row_for(0.5)) for _ in range(20)}
+    if agent.steps[0] != steps:
+        raise WrongAnswer("row_for(0.5) changes `self.steps`: only read it, and return a row")
+    if len(again) > 1:
+        raise WrongAnswer("row_for(0.5) gives another row in every call: the random number is drawn already, it is `u`")
     where = f"after {steps} transitions, in a memory of {size} rows"
     for u in (np.arange(120 * filled) + 0.5) / (120 * filled):
         with running(f"row_for({u:.3g})"):

@@ -1,0 +1,40 @@
+"""Made-up cases that tell a right answer and every usual mistake apart."""
+
+from collections.abc import Callable, Collection, Iterable
+from itertools import count
+from typing import Any, TypeVar
+
+import numpy as np
+
+Case = TypeVar("Case")
+
+
+def telling_draw(
+    seed: int,
+    make: Callable[[np.random.Generator], Iterable[Case]],
+    rules: Collection[Callable[[Case], Any]],
+) -> np.random.Generator:
+    """Return a generator from which cases are drawn in which no two rules look alike.
+
+    Cases by chance may hide a mistake: "the value of action 0" is right wherever action 0 is the best.
+
+    Args:
+        seed: the number from which the cases are drawn, 0 or more.
+        make: draws the cases.
+        rules: the right rule and the mistakes; each gives a number or an array for a case.
+
+    Returns:
+        A generator with which `make` draws cases so that any two rules differ in one of them or more.
+    """
+    for draw in count():
+        cases = [*make(np.random.default_rng([seed, draw]))]
+        outcomes = {tuple(_rounded(rule, cases)) for rule in rules}
+        if len(outcomes) == len(rules):
+            break
+    return np.random.default_rng([seed, draw])
+
+
+def _rounded(rule: Callable[[Case], Any], cases: Iterable[Case]) -> list[float]:
+    """Return all that a rule gives, without what rounding adds."""
+    numbers: list[float] = np.concatenate([np.ravel(rule(case)) for case in cases]).astype(float).round(6).tolist()
+    return numbers

@@ -1,0 +1,25 @@
+"""Cases that tell a right answer and every mistake apart."""
+
+import numpy as np
+import pytest
+
+from edugym.grading.cases import telling_draw
+
+
+def two_numbers(rng: np.random.Generator) -> list[float]:
+    """Two numbers of which each is 0 or 1."""
+    return [float(number) for number in rng.integers(2, size=2)]
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_cases_tell_rules_apart(seed: int) -> None:
+    """Twice a number is the number itself where both are 0: such a draw is left out."""
+    rules = [lambda x: x, lambda x: 2 * x, lambda x: [x * x + 1]]
+    assert any(two_numbers(telling_draw(seed, two_numbers, rules)))
+
+
+def test_the_same_seed_gives_the_same_cases() -> None:
+    """And another seed others."""
+    drawn = {seed: telling_draw(seed, two_numbers, [abs]).random(3).tolist() for seed in (0, 1)}
+    assert drawn[0] == telling_draw(0, two_numbers, [abs]).random(3).tolist()
+    assert drawn[0] != drawn[1]

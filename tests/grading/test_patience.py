@@ -1,0 +1,79 @@
+"""A student's code that never ends is ended, with one sentence."""
+
+import threading
+import time
+from collections.abc import Callable
+
+import pytest
+
+from edugym.grading.patience import ending
+from edugym.grading.student_code import running
+from edugym.grading.wrong import WrongAnswer
+
+
+def waits_for_ever() -> None:
+    """A loop whose condition stays true."""
+    action = 3
+    while action == 3:
+        action = max(3, action)
+
+
+def catches_everything() -> None:
+    """A loop that an error does not end, until the third."""
+    for _ in range(3):
+        try:
+            waits_for_ever()
+        except BaseException:  # as a bare `except:` does
+            continue
+
+
+@pytest.mark.parametrize("code", [waits_for_ever, catches_everything])
+def test_code_that_never_ends_is_ended_with_a_sentence(code: Callable[[], None]) -> None:
+    """Also within code that has no limit."""
+    with (
+        pytest.raises(WrongAnswer, match=r"act\(3\) has not ended after 0.1 seconds: is there a `while`"),
+        running("your code", limit=1_000),
+        running("act(3)", limit=0.1),
+    ):
+        code()
+
+
+def test_code_that_ends_in_time_is_not_interrupted() -> None:
+    """Neither then nor later."""
+    for _ in range(200):
+        with ending("act(3)", limit=0.3):
+            pass
+    end = time.process_time() + 0.8
+    while time.process_time() < end:
+        pass
+
+
+def test_ctrl_c_stays_ctrl_c() -> None:
+    """It is no wrong answer."""
+    with pytest.raises(KeyboardInterrupt), ending("act(3)"):
+        raise KeyboardInterrupt
+
+
+def test_another_thread_has_no_limit() -> None:
+    """Only the main thread can be interrupted."""
+    done: list[bool] = []
+
+    def long() -> None:
+        with ending("act(3)", limit=0.0):
+            time.sleep(0.5)
+            done.append(True)
+
+    thread = threading.Thread(target=long)
+    thread.start()
+    thread.join()
+    assert done
+
+
+def test_the_watching_thread_ends() -> None:
+    """It does not stay for the rest of the session."""
+    with ending("act(3)"):
+        assert any(thread.name == "edugym-patience" for thread in threading.enumerate())
+    end = time.monotonic() + 10
+    while any(thread.name == "edugym-patience" for thread in threading.enumerate()) and time.monotonic() < end:
+        time.sleep(0.05)
+    assert not any(thread.name == "edugym-patience" for thread in threading.enumerate())
