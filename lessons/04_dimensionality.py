@@ -451,8 +451,9 @@ unseen.measured(len(generalises))
 # is green if the agent then catches the ball, and red if not. The frames are for balls from the withheld columns. (The
 # paddle starts in the middle, so that the corners are states that training hardly ever visits.)
 #
-# Runs differ much, so move `run` as well. DQN on pixels catches the balls from both withheld columns in one run of ten,
-# and from one of them in two runs; DQN on the positions from both in five, and from one in three.
+# Runs differ much, so move `run` as well. Of balls from the top row, DQN on pixels catches those from both withheld
+# columns in one run of ten, and from one of them in two runs; DQN on the positions from both in five, and from one in
+# three.
 
 
 # %%
