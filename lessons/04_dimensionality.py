@@ -103,7 +103,7 @@ lesson.size_sheet()
 
 # %% [markdown]
 # The y axis shows powers of ten, and it is logarithmic: $10^2$ on it means $10^{100}$. The line of the network counts
-# weights, all others rows. (There are about $10^{80}$ atoms in the universe.) The two lowest lines lie close together:
+# weights, all others rows. The two lowest lines lie close together:
 # "boards that occur" are the different boards that can be seen while the ball falls. There are exactly as many as
 # states that can occur, 195: each state shows one board, and no two look alike. (Of the 250 positions, some cannot be
 # reached, and in 25 the ball is already down.)
@@ -212,9 +212,8 @@ frames("Catch", choose, seed=2)
 # | network | DQN, 64 hidden units, Adam with learning rate 0.001; 5 repetitions, so its bands are wide |
 # | evaluation | 30 greedy episodes at each point |
 #
-# In the figures a line is the mean over the repetitions, and the band around it is the 95 % confidence interval of this
-# mean. (Elsewhere it is a bar through a dot. Without a bar, all runs agree.) A band can pass above 1, though no return
-# does, since it is computed from the mean and the spread alone.
+# A line in the figures is the mean over the repetitions, and the band its 95 % confidence interval. (Elsewhere this is
+# a bar through a dot; without a bar, all runs agree.) A band can pass above 1, though no return does.
 #
 # First without noise. One table has a row for each of the 250 positions. The other is a hashed table of boards.
 #
@@ -296,8 +295,7 @@ sliders(one_table, **sizes, epsilon=(0.0, 1.0, 0.05), alpha=(0.05, 1.0, 0.05), g
 # With 16 levels $\alpha = 1$ and $\varepsilon = 1$ ended somewhat lower, at 0.71 and 0.77 instead of 0.85. </details>
 #
 # **The network.** Which numbers of hidden units learn as fast as 64? What does a learning rate that is ten times larger
-# do? How much noise does the network bear? (3 runs of 5 000 steps as thin lines, and their mean. So look twice before
-# you believe a difference.)
+# do? How much noise does the network bear? (3 runs of 5 000 steps as thin lines, and their mean.)
 
 
 # %%
@@ -312,7 +310,7 @@ sliders(one_network, hidden=[2, 4, 16, 64], sigma=(0.0, 0.3, 0.05), **rates)
 # %% [markdown]
 # <details><summary>What came out, as the mean of ten runs at 5 000 steps</summary>
 #
-# None of the smaller numbers: 2, 4 and 16 hidden units came to -0.30, -0.35 and 0.27, and 64 to 0.75. The learning rate
+# No smaller number: 2, 4 and 16 hidden units came to -0.30, -0.35 and 0.27, and 64 to 0.75. The learning rate
 # 0.01 was *faster* here (0.92). With $\sigma$ = 0.1, 0.2 and 0.3 the return was 0.45, -0.15 and -0.46. But 5 000 steps
 # are few: with $\sigma = 0.1$ it came to 0.99 in the 30 000 steps above. </details>
 
@@ -400,7 +398,7 @@ source(dqn.adam)
 # %% [markdown]
 # ## Predict, then check
 #
-# Answer each question before you run the cell below it. You learn most when you are surprised.
+# Answer each question before you run the cell below it.
 #
 # ### Balls from columns that were never seen
 # Now balls fall from columns 0, 2 and 4 only, in all of training (40 000 steps). Then we test six agents, greedy, with
@@ -440,20 +438,18 @@ unseen.measured(len(generalises))
 # <details><summary>What was measured</summary>
 #
 # **Measured.** One: the agent that sees ball minus paddle. A network does *not* generalise by itself. On pixels it does
-# no better on new columns than a table. (Linear in the pixels does not even learn the training columns reliably: in one
-# of ten runs it catches the balls from all three, in the others from two or one. Its sum has no term for ball and
-# paddle together, so it cannot represent the true values. Weights exist that catch every ball, from all five columns:
-# try to find them. But Q-learning looks for correct values, not for a good policy. No run found such weights.)
+# no better on new columns than a table. (Linear in the pixels does not even learn the training columns, but for one run
+# of ten. Its sum has no term for ball and paddle together, so it cannot represent the true values. Weights exist that
+# catch every ball, from all five columns: try to find them. But Q-learning looks for correct values, not for a good
+# policy. No run found such weights.)
 # </details>
 #
 # ### The picture that explains it
 # Each cell is a state, with the ball in row 5 of the board. The arrow is what the agent does there; • is stay. A cell
-# is green if the agent then catches the ball, and red if not. The frames are for balls from the withheld columns. (The
-# paddle starts in the middle, so that the corners are states that training hardly ever visits.)
+# is green if the agent then catches the ball, and red if not. The frames are for balls from the withheld columns.
 #
 # Runs differ much, so move `run` as well. Of balls from the top row, DQN on pixels catches those from both withheld
-# columns in one run of ten, and from one of them in two runs; DQN on the positions from both in five, and from one in
-# three.
+# columns in one run of ten, and from one of them in two; DQN on the positions from both in five, and from one in three.
 
 
 # %%
@@ -598,8 +594,7 @@ sliders(triad, gamma=(0.0, 1.0, 0.05), alpha=(0.05, 0.2, 0.05), copy_every=[1, 5
 
 # %% [markdown]
 # ### Networks from a library, on the grid and on the image (optional)
-# Few people write DQN themselves. Stable-Baselines3 has it, and PPO; the package has a PPO of its own. Ten runs of each
-# are stored:
+# Stable-Baselines3 has DQN and PPO; the package has a PPO of its own. Ten runs of each are stored:
 #
 # | method | network | copies of the task | learning rate |
 # |---|---|---:|---|
@@ -682,7 +677,7 @@ factor.measured(costs[9][lesson.TABLE] / costs[3][lesson.TABLE])
 # step costs 1, and episodes end after 1 000 steps at the latest. Both agents are semi-gradient SARSA with $\gamma = 1$
 # and $\varepsilon = 0$, in 3 runs of 20 000 steps. (All values start at 0 and every step costs 1. So what was not tried
 # looks best, and that is enough exploration.) One has position and speed themselves as features, and a constant, the
-# other one 8 tilings of 8 by 8 tiles. The book has this example in section 10.1.
+# other one 8 tilings of 8 by 8 tiles (as in section 10.1).
 #
 # **Predict.** After training the weights are held still. Whose greedy policy gets up the hill?
 
@@ -711,9 +706,8 @@ hill.measured(hill.options[0 if straight and tiled else 1 if tiled else 2 if str
 # %% [markdown]
 # ## Exercises
 #
-# Each exercise has a cell for your answer, and below it a cell that checks it. The check does not only say whether an
-# answer is right: it says what was expected, what came, and which mistake that looks like. It runs your code on cases
-# that it makes up.
+# Each exercise has a cell for your answer, and below it a cell that checks it, on cases that it makes up. It says what
+# was expected, what came, and which mistake that looks like.
 
 # %%
 from edugym.exercises.dimensionality import CHALLENGE, exercise_1, exercise_2, exercise_3
@@ -840,17 +834,16 @@ display(lesson.race({"my agent": lambda task: MyAgent(np.zeros((9, 3)))}))
 # - `target_of(row)` returns the target $y$ for the transition at the place `row` of the memory. `memory.rewards[row]`
 #   is its reward, `memory.next_states[row]` the next state as an array, and `memory.terminated[row]` is 1 if the
 #   episode ended there, else 0. `dqn.forward(weights, x, self.h, self.Q)` writes the action values of an array `x` into
-#   `self.Q`: `self.Q[0, a]` is that of action `a`. The weights are `self.weights` ($\theta$), or the old ones: these
-#   are `self.target` ($\theta^-$), which in spite of its name is not $y$.
+#   `self.Q`: `self.Q[0, a]` is that of action `a`. The weights are `self.weights` ($\theta$) or
+#   the old ones, `self.target` ($\theta^-$, not $y$).
 # - `row_for(u)` returns the place (0, 1, ...) of a transition to learn from, for a random number `u` from 0 to 1
 #   (1 excluded). Every transition that is in the memory must be equally likely. `self.steps[0]` is the number of
 #   transitions so far. The memory has `len(self.memory.actions)` places, filled from place 0 on. When all are full, new
 #   transitions take the places of the oldest.
 #
 # The race shows your network beside the lesson's (2 runs of 8 000 steps). If your draw is the lesson's, the two lines
-# lie on each other; another fair draw is as right and gives another line. The first time, your class is compiled, which
-# can take a minute. A class that cannot be compiled takes some minutes. (A generator, as in `max(... for a in ...)`,
-# cannot be compiled.)
+# lie on each other; another fair draw gives another line. It takes a minute to compile your class, and some minutes to
+# run one that cannot be compiled (such as one with a generator, `max(... for a in ...)`).
 #
 # <details><summary>Hint</summary>The lines of <code>add_gradient</code> and <code>act</code> of DQN do the same:
 # <code>source(DQN, "add_gradient", "act")</code>. Their <code>forward</code> is <code>dqn.forward</code> here. Write
