@@ -134,6 +134,22 @@ def table_entries(rows, columns, kind):
     return 3 * ((rows * columns) ** 2 if kind == "grid" else 256 ** (rows * columns * 3))
 
 
+# %% exercise 1, wrong: base and exponent of the image
+# says: base and exponent have changed places
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return rows * columns**2 * 3
+    return 2 ** (rows * columns) * 3 if kind == "grid" else (3 * rows * columns) ** 256 * 3
+
+
+# %% exercise 1, wrong: colours as a power
+# says: the exponent is 3 times the number of cells
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return rows * columns**2 * 3
+    return 2 ** (rows * columns) * 3 if kind == "grid" else 256 ** (rows * columns) ** 3 * 3
+
+
 # %% exercise 1, wrong: a product
 # says: take 2 to the power
 def table_entries(rows, columns, kind):
@@ -388,6 +404,48 @@ def learn(self, state, action, reward, next_state, terminated):
     for i in range(len(x)):
         if x[i] != 0:
             self.w[i, action] += self.learning_rate * error
+
+
+# %% exercise 2, wrong: numbers in place of the settings
+# says: use `self.learning_rate` and `self.discount`
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + 0.9 * (self.features(next_state) @ self.w).max()
+    self.w[:, action] += 0.1 * (target - self.value(state, action)) * x
+
+
+# %% exercise 2, wrong: a number in place of the learning rate
+# says: use `self.learning_rate` in place of 0.1
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+    self.w[:, action] += 0.1 * (target - self.value(state, action)) * x
+
+
+# %% exercise 2, wrong: a number in place of the discount
+# says: use `self.discount` in place of 0.9
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + 0.9 * (self.features(next_state) @ self.w).max()
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% exercise 2, wrong: the error in the loop
+# says: compute the error once, before any weight moves
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+    for i in range(len(x)):
+        self.w[i, action] += self.learning_rate * (target - self.value(state, action)) * x[i]
+
+
+# %% exercise 2, wrong: the target in the loop
+# says: compute the target and the error once
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    for i in range(len(x)):
+        target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+        self.w[i, action] += self.learning_rate * (target - self.value(state, action)) * x[i]
 
 
 # %% exercise 2, wrong: no learning rate
@@ -732,13 +790,13 @@ def target_of(self, row):
 
 
 # %% exercise 3, wrong: empty rows
-# says: count the rows that are filled
+# says: count the places that are filled
 def row_for(self, u):
     return int(u * len(self.memory.actions))
 
 
 # %% exercise 3, wrong: beyond the memory
-# says: the memory has no more rows
+# says: the memory has no more places
 def row_for(self, u):
     return int(u * self.steps[0])
 
@@ -756,9 +814,15 @@ def row_for(self, u):
 
 
 # %% exercise 3, wrong: rounded
-# says: round(...) is not
+# says: neither round(...) nor a remainder
 def row_for(self, u):
     return round(u * (min(self.steps[0], len(self.memory.actions)) - 1))
+
+
+# %% exercise 3, wrong: a remainder
+# says: nor a remainder by % is even
+def row_for(self, u):
+    return int(u * self.steps[0]) % len(self.memory.actions)
 
 
 # %% exercise 3, wrong: not whole

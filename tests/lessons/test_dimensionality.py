@@ -218,6 +218,21 @@ def test_figures() -> None:
         assert all(ax.get_xlabel() for ax in sheet.draw().axes)
 
 
+def test_arrows_point_where_the_paddle_goes() -> None:
+    """Its column is on the horizontal axis: right of it the cell of an arrow to the right."""
+    results = generalise([OFFSET], n_steps=4_000, repetitions=1, jobs=1)
+    (ax,) = policy_maps(results, [OFFSET]).draw().axes
+    arrows = {text.get_position(): text.get_text() for text in ax.texts}
+    assert ax.get_xlabel() == "column of the paddle"
+    assert [arrows[paddle, 2] for paddle in range(COLUMNS)][1::2] == ["→", "←"]
+
+
+def test_panels_of_stored_networks_compare() -> None:
+    """Both have the same vertical axis."""
+    one, two = stored_networks().draw().axes
+    assert one.get_ylim() == two.get_ylim()
+
+
 def test_warming_up() -> None:
     """It runs."""
     warm_up()

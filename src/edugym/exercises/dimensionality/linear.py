@@ -100,6 +100,17 @@ UPDATES: Mapping[str, Rule] = MappingProxyType(
         "only the sign of the feature, or whether it is 0, counts here; multiply by the feature itself": (
             lambda s: _moved(s, _target(s), by=(s.x != 0.0).astype(float))
         ),
+        "use `self.learning_rate` in place of 0.1: the check takes another one": lambda s: _moved(
+            s, _target(s), rate=0.1
+        ),
+        "use `self.discount` in place of 0.9: the check takes another one": lambda s: _moved(s, _target(s, gamma=0.9)),
+        "use `self.learning_rate` and `self.discount` in place of 0.1 and 0.9: the check takes others": lambda s: (
+            _moved(s, _target(s, gamma=0.9), rate=0.1)
+        ),
+        "compute the error once, before any weight moves": lambda s: _in_a_loop(s, lambda w: _target(s)),
+        "compute the target and the error once, before any weight moves": lambda s: _in_a_loop(
+            s, lambda w: _target(s._replace(w=w))
+        ),
         "the learning rate is missing": lambda s: _moved(s, _target(s), rate=1.0),
         "the error has the wrong sign: it is the target less the present value": lambda s: _moved(
             s, _target(s), rate=-s.alpha
@@ -128,6 +139,14 @@ UPDATES: Mapping[str, Rule] = MappingProxyType(
     }
 )
 """By sentence, what each mistake makes of the weights."""
+
+
+def _in_a_loop(step: Step, target: Callable[[Any], float]) -> Any:
+    """Return the weights if the error is computed again for each of them, from those that have moved already."""
+    w = step.w.copy()
+    for i, feature in enumerate(step.x):
+        w[i, step.action] += step.alpha * (target(w) - float(step.x @ w[:, step.action])) * feature
+    return w
 
 
 def _set(step: Step) -> Any:

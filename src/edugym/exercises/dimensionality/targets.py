@@ -238,10 +238,12 @@ def _check_rows(answer: Any, steps: int, size: int) -> None:
     with running("row_for(0.5)"):
         again = {str(agent.row_for(0.5)) for _ in range(20)}
     if agent.steps[0] != steps:
-        raise WrongAnswer("row_for(0.5) changes `self.steps`: only read it, and return a row")
+        raise WrongAnswer("row_for(0.5) changes `self.steps`: only read it, and return a place")
     if len(again) > 1:
-        raise WrongAnswer("row_for(0.5) gives another row in every call: the random number is drawn already, it is `u`")
-    where = f"after {steps} transitions, in a memory of {size} rows"
+        raise WrongAnswer(
+            "row_for(0.5) gives another place in every call: the random number is drawn already, it is `u`"
+        )
+    where = f"after {steps} transitions, in a memory of {size} places"
     for u in (np.arange(120 * filled) + 0.5) / (120 * filled):
         with running(f"row_for({u:.3g})"):
             found = agent.row_for(float(u))
@@ -250,21 +252,22 @@ def _check_rows(answer: Any, steps: int, size: int) -> None:
             raise WrongAnswer(f"row_for({u:.3g}) should be a whole number, but is {found!r}: make it one by int(...)")
         if not 0 <= row < filled:
             known = {
-                size: "count the rows that are filled: the smaller one of `self.steps[0]` and the rows of the memory",
-                steps: "the memory has no more rows than it has: take the smaller one of two numbers",
+                size: "count the places that are filled: the smaller one of `self.steps[0]` and all places",
+                steps: "the memory has no more places than it has: take the smaller one of two numbers",
             }
-            past = "rows count from 0, so that the last one is their number less 1" if row == filled else ""
+            past = "places count from 0, so that the last one is their number less 1" if row == filled else ""
             wrong = next((why for n, why in known.items() if n != filled and int(u * n) == row), past)
             raise WrongAnswer(
-                f"{where}, row_for({u:.3g}) is {row:.0f}, but the rows 0 to {filled - 1} are filled"
+                f"{where}, row_for({u:.3g}) is {row:.0f}, but the places 0 to {filled - 1} are filled"
                 + (f": {wrong}" if wrong else "")
             )
         counts[int(row)] += 1
     if np.abs(counts - 120).max() > 1:
         never = [int(row) for row in np.flatnonzero(counts == 0)]
         why = (
-            f"row {never[0]} never comes up, and it should as often as the others"
+            f"place {never[0]} never comes up, and it should as often as the others"
             if never
-            else "some rows come up more often than others; int(...) cuts off and is even, round(...) is not"
+            else "some places come up more often than others: multiply `u` by the number of filled places, and cut off"
+            " by int(...); neither round(...) nor a remainder by % is even"
         )
-        raise WrongAnswer(f"{where}, every filled row should be equally likely: {why}")
+        raise WrongAnswer(f"{where}, every filled place should be equally likely: {why}")

@@ -171,6 +171,8 @@ class Dots(NamedTuple):
 class PolicyMap(NamedTuple):
     """What an agent does in each state with the ball in one row, and whether it then catches the ball.
 
+    The paddle's column is on the horizontal axis, so that an arrow points to the cell where the paddle goes.
+
     Attributes:
         agent: the agent.
         what: what it sees, as in `methods.GENERAL`.
@@ -193,15 +195,15 @@ class PolicyMap(NamedTuple):
                 state = Fall(ball, self.ball_y, paddle)
                 action, caught = play_on(self.agent, self.what, state, rng)
                 colour = CAUGHT if caught else MISSED
-                ax.add_patch(Rectangle((ball - 0.48, paddle - 0.48), 0.96, 0.96, facecolor=colour, edgecolor="white"))
-                ax.text(ball, paddle, ARROWS[action], ha="center", va="center", fontsize=11, color=INK)
+                ax.add_patch(Rectangle((paddle - 0.48, ball - 0.48), 0.96, 0.96, facecolor=colour, edgecolor="white"))
+                ax.text(paddle, ball, ARROWS[action], ha="center", va="center", fontsize=11, color=INK)
         for column in WITHHELD:
-            frame = Rectangle((column - 0.5, -0.5), 1.0, COLUMNS, fill=False, edgecolor=INK, linewidth=1.6)
+            frame = Rectangle((-0.5, column - 0.5), COLUMNS, 1.0, fill=False, edgecolor=INK, linewidth=1.6)
             ax.add_patch(frame)
         ax.set(xlim=(-0.6, COLUMNS - 0.4), ylim=(-0.6, COLUMNS - 0.4))
         ax.set_xticks(range(COLUMNS))
         ax.set_yticks(range(COLUMNS))
-        dress(ax, "column of the ball", "column of the paddle", self.title)
+        dress(ax, "column of the paddle", "column of the ball", self.title)
         return ax
 
 
@@ -314,9 +316,10 @@ def stored_networks(live: Mapping[str, Any] | None = None) -> Sheet:
         live: by label, the `Run`.
     """
     results = STORED.load()
+    look: dict[str, Any] = {"optimum": 1.0, "y_range": (-1.05, 1.05)}
     panels: list[Any] = [
-        Learning(results, "grid (50 numbers)", methods=[DQN_GRID, PPO_GRID, OUR_PPO], optimum=1.0),
-        WithRuns(Learning(results, "image (150)", methods=[DQN_IMAGE, PPO_IMAGE, PPO_DARK], optimum=1.0), live or {}),
+        Learning(results, "grid (50 numbers)", methods=[DQN_GRID, PPO_GRID, OUR_PPO], **look),
+        WithRuns(Learning(results, "image (150)", methods=[DQN_IMAGE, PPO_IMAGE, PPO_DARK], **look), live or {}),
     ]
     return Sheet("networks", [panels])
 
