@@ -585,6 +585,28 @@ def imagine(self, s, a):
     return reward + bonus + self.discount * value
 
 
+# %% exercise 2, wrong: the list of states asked
+# says: whether any action of the state was tried
+# says: this *pair*
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if s not in self.seen[: self.n_seen[0]]:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
+# %% exercise 2, wrong: the value of the action that was never tried
+# says: the *largest* value of the state
+def imagine(self, s, a):
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    if self.last[s, a] == 0:
+        return bonus + self.discount * self.Q[s, a]
+    value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
+    return self.rewards[s, a] + bonus + self.discount * value
+
+
 # %% exercise 2, wrong: by the reward asked
 # says: a reward may be 0
 # says: this *pair*
@@ -1371,6 +1393,26 @@ lake_results = repeat(
 lake_results = repeat(
     lake,
     {**methods, "mine": partial(DynaQ.create, planning_steps=2, learning_rate=1.0)},
+    3_000,
+    repetitions=5,
+    evaluation_episodes=10,
+)
+
+# %% exercise 4, wrong: no model
+# says: should plan, and 'mine' learns from real steps alone
+lake_results = repeat(
+    lake,
+    {**methods, "mine": partial(QLearning.create, learning_rate=0.5)},
+    3_000,
+    repetitions=5,
+    evaluation_episodes=10,
+)
+
+# %% exercise 4, wrong: no planning steps
+# says: let `planning_steps` be above 0
+lake_results = repeat(
+    lake,
+    {**methods, "mine": partial(DynaQ.create, learning_rate=0.5, planning_steps=0)},
     3_000,
     repetitions=5,
     evaluation_episodes=10,

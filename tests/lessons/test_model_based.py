@@ -2,9 +2,11 @@
 
 import math
 from functools import partial
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
+import pandas as pd
 import pytest
 
 from edugym.agents.dyna_q import DynaQ
@@ -147,6 +149,16 @@ def test_the_clock() -> None:
     assert clock.seconds(SWEEPING)[-1] == pytest.approx(np.maximum(targets[SWEEPING] * 1e-5, 5e-5).sum(axis=1))
     assert steps_to(results, DYNA_10, 1_000.0) == clock.seconds_to(DYNA_10, 1_000.0) == math.inf
     assert steps_to(results, DYNA_10, -600.0) == clock.seconds_to(DYNA_10, -600.0) == 0.0
+
+
+def test_each_run_has_a_clock_of_its_own() -> None:
+    """Of two runs the fast one learns from second 10 to 20, the slow one nothing: from second 20 on the mean is 50."""
+    curves = pd.DataFrame({0: [0.0, 0.0, 100.0], 1: [0.0, 0.0, 0.0]}, index=[0, 10, 20])
+    results: Any = SimpleNamespace(curves=lambda method: curves)
+    targets = {SWEEPING: np.array([[1] * 20, [10] * 20])}
+    moments, returns = Clock(results, targets, step_ms=0.0, target_us=1e6).mean(SWEEPING)
+    assert moments[[0, -1]] == pytest.approx([10.0, 200.0])
+    assert np.interp([15.0, 20.0, 100.0, 200.0], moments, returns) == pytest.approx([25.0, 50.0, 50.0, 50.0], abs=1.0)
 
 
 def test_the_targets_of_prioritised_sweeping() -> None:

@@ -49,7 +49,8 @@ def imagined(
         "nothing": True,
     }[asks]
     if not known and untried != "stays":
-        return {"zero": 0.0, "bonus only": float(bonus)}[untried]
+        own = float(bonus + discount * case.Q[s, a])
+        return {"zero": 0.0, "bonus only": float(bonus), "its own value": own}[untried]
     reward, next_state, ended = stored if known else (0.0, s, False)
     row = case.Q[next_state]
     value = {"max": row.max(), "mean": row.mean(), "own": case.Q[s].max(), "same": row[a], "none": 0.0}[backup]
@@ -80,12 +81,14 @@ IMAGINED_MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
         "after a terminal state there is no future: leave γ max_a Q(S', a) out where `ends` is 1": {"ends": "ignored"},
         "an action that was never tried is imagined to lead back to its own state, so γ max_a Q(s, a) belongs to its"
         " target": {"untried": "bonus only"},
+        "for an action that was never tried the target has the *largest* value of the state, max_a Q(s, a), and not the"
+        " value of that action": {"untried": "its own value"},
         "an action that was never tried has a target too: reward 0, back to its own state, and the bonus": {
             "untried": "zero"
         },
         "an action that was never tried has nothing in the tables yet, so do not read `next_states` there: it leads"
         " back to its own state": {"asks": "nothing"},
-        "`max(self.last[s])` asks whether any action of the state was tried; ask whether this *pair* was tried:"
+        "that asks whether any action of the state was tried; ask whether this *pair* was tried:"
         " `self.last[s, a] == 0`": {"asks": "state"},
         "a reward may be 0, so it does not say that nothing was tried; ask whether this *pair* was tried:"
         " `self.last[s, a] == 0`": {"asks": "reward"},
@@ -150,6 +153,9 @@ def _imagined_by(agent: Any, case: Memory) -> float:
         values = getattr(case, name)
         table_of(agent, name, SHAPE, values.dtype.kind)[...] = values
     table_of(agent, "clock", (1,), "i")[0] = case.now
+    states = np.flatnonzero(case.last.any(axis=1))
+    table_of(agent, "seen", SHAPE[:1], "i")[...] = np.pad(states, (0, SHAPE[0] - len(states)))
+    table_of(agent, "n_seen", (1,), "i")[0] = len(states)
     call = f"imagine({case.state}, {case.action})"
     with running(call):
         found = agent.imagine(case.state, case.action)

@@ -1,4 +1,4 @@
-"""Exercise 3: R-max in ten lines."""
+"""Exercise 3: R-max."""
 
 from collections.abc import Mapping
 from functools import partial
@@ -86,7 +86,7 @@ SWEEP_MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
 
 
 def exercise_3(answer: Any, seed: int) -> str:
-    """Check R-max in ten lines: what it remembers, and how it sweeps."""
+    """Check R-max: what it remembers, and how it sweeps."""
     _check_sweep(answer, seed)
     _check_learn(answer, seed)
     return (

@@ -169,12 +169,22 @@ class Clock(NamedTuple):
         reached = self.results.curves(method).to_numpy(float) >= level
         return float(np.median(np.where(reached, self.seconds(method), np.inf).min(axis=0)))
 
+    def mean(self, method: str) -> tuple[Reals, Reals]:
+        """Return moments in seconds, and the mean return of the runs at each of them.
+
+        Each run has a clock of its own, so it would not do to take the mean of their times as well: a run that
+        computes more in the same steps also knows more.
+        """
+        seconds, returns = self.seconds(method), self.results.curves(method).to_numpy(float)
+        moments: Reals = np.geomspace(seconds[1].min(), seconds[-1].max(), 400)
+        runs = [np.interp(moments, seconds[:, k], returns[:, k]) for k in range(returns.shape[1])]
+        return moments, np.mean(runs, axis=0)
+
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the curves on `ax`, by default in a new figure, and return the axes."""
         ax = own_axes(ax)
         for method, look in strokes_of(self.results.methods).items():
-            curve = self.results.curves(method).mean(axis=1).to_numpy(float)
-            ax.plot(self.seconds(method).mean(axis=1)[1:], curve[1:], linewidth=1.6, label=method, **look)
+            ax.plot(*self.mean(method), linewidth=1.6, label=method, **look)
         ax.axhline(OPTIMUM, label="optimum", **REFERENCE)
         ax.set_xscale("log")
         ax.set_ylim(-100.0, 100.0)

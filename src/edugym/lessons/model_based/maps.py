@@ -165,11 +165,11 @@ def dynamic_programming(n_sweeps: tuple[int, ...] = (1, 8, 16, 30), discount: fl
     return in_pairs("dynamic_programming", panels)
 
 
-def wrong_plan(noise: float = 1.5, errors: int = 0, gamma: float = 0.95) -> Sheet:
+def wrong_plan(noise: float = 1.5, draw: int = 0, gamma: float = 0.95) -> Sheet:
     """Return the way of a plan that was made with a wrong model, and whether it gets to the exit."""
-    plan = follow_plan(noise, errors, gamma)
+    plan = follow_plan(noise, draw, gamma)
     how = f"return {plan.total:g}" if plan.ends else "a wall, for ever" if plan.bumps else "round and round, for ever"
     floor = np.full((800, 4), np.nan)
     floor[list(exact_model().states)] = 0.0
-    title = f"noise {noise:g}, errors {errors}, γ = {gamma:g}: {how}"
+    title = f"noise {noise:g}, draw {draw}, γ = {gamma:g}: {how}"
     return Sheet("wrong_plan", [[FloorMap(floor, title, path=plan.path)]])
