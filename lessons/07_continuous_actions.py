@@ -32,8 +32,9 @@ from edugym.plotting import Sheet
 # ## Meet the environment: an arm, a box and a container
 #
 # An arm with two joints, the shoulder and the elbow, stands between a red box and a green container. From its end, the
-# *wrist*, hangs a magnet. The arm is to pick up the box and to let it fall into the container, the closer to the middle
-# the better.
+# *wrist*, hangs a magnet. The magnet takes the box if it comes down on it. Between the walls of the container, below
+# their rim, it lets the box fall: the closer to the middle the better. (Both happen by themselves; the actions only
+# move the arm.)
 
 # %%
 env = gym.make("edugym/Trashbot-v0", n_bins=5).unwrapped
@@ -50,7 +51,7 @@ env.scene()
 # | states | two angles, whether the box is held, the step | |
 # | observations | seven numbers from −1 to 1 | elbow $x, y$; wrist $x, y$; magnet $x, y$; 1 if the box is held |
 # | actions | $\mathcal{A} = [-1, 1]^2$, or $n \times n$ bins | how far shoulder and elbow turn, as a share of 12 degrees |
-# | dynamics | both angles change by the action times 12 degrees | deterministic |
+# | dynamics | both angles change by the action times 12 degrees; the step that picks up the box leaves the arm where it is | deterministic |
 # | | the episode *terminates* | if the box is delivered, if the arm hits something, or after 150 steps |
 # | reward | 1 for picking up the box | |
 # | | 2 for delivering it, and up to 2 more | 2 in the middle of the container, 0 where the box only just fits |
@@ -305,7 +306,7 @@ noise.measured("less than a tenth" if ratios[1] < 0.1 else "half as large" if ra
 #
 # So what does it do to *learning*? One hundred policies learn $\mu$ and $\sigma$, one action and one update at a time
 # ($\alpha = 0.01$ for $\mu$ and for $\ln \sigma$; the baseline is the mean of all rewards so far, the present one
-# included, which only makes the step a little smaller). The code keeps $\mu$ between −6 and 6, and $\sigma$ between
+# included, which only multiplies step $t$ by $(t - 1)/t$). The code keeps $\mu$ between −6 and 6, and $\sigma$ between
 # 0.02 and 2.7. What if it keeps $\sigma$ at 0.2 or above?
 
 # %%
@@ -422,10 +423,9 @@ frames("Trashbot", learned.agents["continuous"][0], max_steps=40)
 # ## Your turn
 #
 # Choose the bins and cells of the table, the spread $\sigma$ of the Gaussian policy, the learning rates and the width
-# of the container. (4 runs of 40 000 steps; the thin lines are single runs. `alpha` is that of REINFORCE,
-# `actor_rate` is $\alpha^\theta$ of the actor-critic.) Find settings with which the Gaussian agent stays at −1 (mostly
-# its greedy arm does not pick up the box), or at 0 (it does not let it go). What is too small a $\sigma$, what too
-# large?
+# of the container. (4 runs of 40 000 steps; the thin lines are single runs. `alpha` is that of REINFORCE, `actor_rate`
+# is $\alpha^\theta$ of the actor-critic.) Find settings with which the Gaussian agent stays at −1 (mostly its greedy
+# arm does not pick up the box), or at 0 (it never delivers it). What is too small a $\sigma$, what too large?
 #
 # <details><summary>What we found</summary>
 #
@@ -837,10 +837,10 @@ display(arms.race({"mine": MyREINFORCE.create}))
 
 # %% [markdown]
 # ### The open challenge: your own container
-# Trashbot with continuous actions, and a container whose width belongs to your name: from 0.4 to 0.6. Your agent has
-# 50 000 steps in each of ten runs. It is told only the two spaces: seven numbers in, two numbers out. Its points are
-# the mean return of its greedy episodes over training, in percent of 5. So it should learn *soon*. No agent can get
-# all 100, since nobody can deliver the box before they have learned to.
+# Trashbot with continuous actions, and ten containers whose widths belong to your name: from 0.4 to 0.6. Your agent has
+# 50 000 steps in each. It is told only the two spaces: seven numbers in, two numbers out. Its points are the mean
+# return of its greedy episodes over training, in percent of 5. So it should learn *soon*. No agent can get all 100,
+# since nobody can deliver the box before they have learned to.
 #
 # Everything is allowed that learns from its own steps: other features, a $\sigma$ that shrinks, bins inside of the
 # agent, an agent of your own. Half a page with it: what did you change, why should it help, and what did you measure?
