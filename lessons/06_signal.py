@@ -272,9 +272,8 @@ Sheet("answers", [panels[:2], panels[2:]])
 # How much noise can Q-learning stand? Give the toy more words in a message ($L$), or a larger vocabulary ($H$). When
 # does that help, and when does it hurt? Then turn the knobs of the agent. With a smaller $\gamma$ it looks less far
 # ahead: does it need to? The yellow and the green line show the two players who know the words (with one word they are
-# the same player). Move a slider and release it: 10 repetitions of 200 000 steps are computed again. (A vocabulary of
-# fewer than four words is *ambiguous*: a word means two needs or more. The two players then do not know the meaning
-# either.)
+# the same player). Move a slider and release it: 10 repetitions of 200 000 steps are computed again. (With fewer than
+# four words some are *ambiguous*: they mean two needs or more. The two players then do not know which one either.)
 
 
 # %%
@@ -314,8 +313,8 @@ sliders(
 # ## See inside: information, and being able to use it
 #
 # A toy that is hard to understand can repeat itself. At $\tau = 0.1$ four words tell nearly four times as much as one.
-# But the table of Q-learning is then 64 times larger, and each of its rows is visited less often. (This cell takes 10
-# to 40 seconds.)
+# But the table of Q-learning is then 64 times larger, and each of its rows is visited less often. (The run takes 10 to
+# 40 seconds.)
 #
 # **Predict.** Q-learning trains at $\tau = 0.1$ with four words in each message instead of one. What does it get after
 # the same 200 000 steps, with the same $\alpha = 0.02$?
@@ -641,7 +640,7 @@ from edugym.grading import check
 # %% [markdown]
 # ### Exercise 1: change a parameter
 # At $\tau = 0.1$ one word carries 0.022 bit. How many words must a message have, at least, to carry 0.4 bit or more?
-# Set `words` to that number. Before you compute: what would it be if four words carried exactly four times as much as
+# Set `words` to that number. Before you compute: what would it be if $L$ words carried exactly $L$ times as much as
 # one?
 #
 # <details><summary>Hint</summary><code>signal.information(0.1, 5)</code> is the information in a message of five words, in bits.

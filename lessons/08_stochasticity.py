@@ -229,8 +229,8 @@ highest.measured(seen)
 # twice as many balls, and earn 0.78. That keeps the seeking player at 0.82. Of the averse runs, 8 of 30 have learned to
 # start with a putt, which wastes a hit: 0.70. The others earn 0.78, and a player who follows a rule and never drives
 # earns 0.79 (exercise 2). Played without a mistake, the fast plan earns 0.87. So safety itself costs about 0.07 here.
-# But only 11 of the 30 neutral runs play the fast plan; most play the safe one. So the neutral mean is 0.05 below the
-# fast plan, the averse mean is 0.03 below the safe one, and the two differ by 0.06 only.
+# But only 11 of the 30 neutral runs play the fast plan; most play the safe one. So the neutral mean is 0.82 and not
+# 0.87, and the two differ by 0.06 only.
 # </details>
 
 # %% [markdown]
@@ -476,10 +476,10 @@ obstacle.measured(
 # at 1, so that what was not tried looks good, its learning rate is 0.005 instead of 0.02, so that one ball moves it
 # less, and it trains ten times as long (10 repetitions). All of its runs take the risk, and it is at the optimum.
 #
-# Does it take all three? We tried the other combinations. With one of the three changes, or with longer training and one
-# of the other two, 60 to 70 % of the runs take the risk. With good first values and smaller steps all of them do. But
-# their mean is 0.82: they are not done learning. So the price of noise is all three: good first values, smaller steps,
-# and more of them.
+# Does it take all three? We tried the other combinations. With one of the three changes, or with longer training and
+# one of the other two, about two thirds of the runs take the risk. With good first values and smaller steps all of them
+# do. But their mean is 0.82: they are not done learning. So the price of noise is all three: good first values, smaller
+# steps, and more of them.
 # </details>
 
 # %% [markdown]
@@ -537,11 +537,11 @@ pays.measured("the same, within 0.01" if abs(gain) < 0.01 else more)
 # level. At level 0.02, beyond the crossing, the seeking player earns much less. After ten times the training (10
 # repetitions) it is ahead again. And that lead is gone against the patient player, who is as neutral as the other.
 #
-# There is one reason behind all of them. At level 0.015 the drive *is* the best swing on average, and many neutral
-# learners are scared away from it by bad luck. With the hits hidden only 23 % of the neutral runs take the risk,
-# against 47 %. (A likely reason: one row of the table stands for good games and bad ones.) So the neutral player is
-# worse there: 0.795 instead of 0.816. The seeking player stays near 0.81: $\beta = 2$ is a push towards the drive. (In
-# both games about half of its runs still chip first; after ten times the training none does.)
+# At level 0.015 there is one reason: the drive *is* the best swing on average, and many neutral learners are scared
+# away from it by bad luck. With the hits hidden only 23 % of the neutral runs take the risk, against 47 %. (A likely
+# reason: one row of the table stands for good games and bad ones.) So the neutral player is worse there: 0.795 instead
+# of 0.816. The seeking player stays near 0.81: $\beta = 2$ is a push towards the drive. (In both games about half of
+# its runs still chip first; after ten times the training none does.)
 #
 # So risk-seeking does not pay as such: a player who knew the true values could never gain by it. It *can* make up for
 # another fault. At level 0.02, where the drive is not the best swing, the same $\beta = 2$ costs dearly.
@@ -594,10 +594,10 @@ lotteries.measured("both equally, within 0.02" if abs(difference) < 0.02 else hi
 # ### The learning rate, on another slippery ground
 # FrozenLake is an environment of Gymnasium. The agent walks over a frozen lake of 4 by 4 cells to a goal, which pays 1.
 # In some cells the ice has a hole, and a fall ends the episode without a reward. If the lake is *slippery*, the agent
-# goes where it wants with probability 1/3 only, and else to one of the two sides. An environment is swapped in by its
-# name. (The settings: Q-learning, $\gamma = 0.99$, $\varepsilon = 0.1$, values start at 1, 10 000 steps, 5 000 on the
-# lake that is not slippery, 6 repetitions. The dashed line on the right is the best probability to arrive within the
-# 100 steps of an episode. The colours stand for learning rates here.)
+# goes where it wants with probability 1/3 only, and else to one of the two sides. (The settings: Q-learning, $\gamma =
+# 0.99$, $\varepsilon = 0.1$, values start at 1, 10 000 steps, 5 000 on the lake that is not slippery, 6 repetitions.
+# The dashed line on the right is the best probability to arrive within the 100 steps of an episode. The colours stand
+# for learning rates here.)
 #
 # **Predict.** On the lake that is not slippery, no learning rate is faster than $\alpha = 1$. What about the slippery
 # lake?

@@ -253,7 +253,7 @@ def message_claims(voted: Mapping[int, Reals], one: Results, four: Results) -> l
     bits = information(NOISY)
     return [
         Claim(
-            "28 words at τ = 0.1 carry as much information as one word at τ = 0.02",
+            "On a toy in perfect care 28 words at τ = 0.1 carry as much information as one word at τ = 0.02",
             "ratio of I(message; need), computed",
             exactly(information(NOISY, 28) / information(0.02)),
             Within(0.9, 1.1),
