@@ -262,10 +262,10 @@ worst.measured(min(late, key=late.get))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** In the left panel Q-learning with $\gamma = 0$ is the worst, far below random play. Its table says about
-# −1 for every action, except beside an item or the exit. With exactly right values it would be the player of −248. But
-# its values are not quite right, and in this episode they do not change: where the smallest difference decides, the
-# same action is taken at every return, and the shopper goes round and round until the clock stops. While it learns
+# **Measured.** In the left panel Q-learning with $\gamma = 0$ is the worst, far below random play. Where it was often,
+# its values are about −1, except beside an item or the exit. With exactly right values it would be the player of −248.
+# But its values are not quite right, and in this episode they do not change: where the smallest difference decides, the
+# same action is taken at every visit, and the shopper goes round and round until the clock stops. While it learns
 # (right panel) it is no worse than random play. After many more steps its values become exactly −1, and chance decides
 # again: the orange line begins to rise for that reason.
 #
@@ -328,7 +328,7 @@ sliders(
 #
 # On the left is what one agent has learned with $\gamma = 0.99$, the highest $Q(s, a)$ in each cell. In grey cells it
 # has learned nothing. In the palest cells it knows only that steps cost points, and there the arrow mostly points to
-# what it has tried least, sometimes into a wall. On the right is $v_*$. Move the slider slowly: it is a film of
+# what it has tried least, sometimes into a wall. On the right is $v_*$. Move the slider from 0 on: it is a film of
 # learning.
 
 # %%
@@ -350,7 +350,7 @@ sliders(
 # An agent can act in 420 states of the shop: each cell but the exit, with each bag that is possible there. After 20 000
 # steps the agent takes a good way, as you saw.
 #
-# **Predict.** In what share of them is its greedy action a best one?
+# **Predict.** In what share of these states is its greedy action a best one?
 
 # %%
 everywhere = predict("States in which the agent's greedy action is a best one:", unit="%")

@@ -134,8 +134,8 @@ source(best_value)
 
 # %% [markdown]
 # Watch what Q-learning has learned with a window of 2 observations, without actions. This is one greedy episode after
-# 50 000 steps of training. (The films step with the slider or the button.) Here "observation" is the row of the window:
-# 4 · the older + the newer. So 15 is (no mark, no mark). See at which row it errs.
+# 50 000 steps of training. (The films step with the slider or the button.) In the film "observation" is the row *after*
+# the door: 4 · the older + the newer. So 15 is (no mark, no mark). At which row does it err?
 
 # %%
 two = memory.learn(2, n_steps=50_000, repetitions=1)
@@ -163,16 +163,15 @@ frames("MemoryCorridor", memory.Rememberer.create(None), seed=4, max_steps=60)
 
 # %% [markdown]
 # ### A learned memory
-# The third kind is between the two. A *recurrent* network has a memory $M_t$, some numbers that it changes at every
-# step by a function $u$ whose weights are learned. For recurrent PPO, the agent at the end of this lesson, $u$ is an
-# *LSTM*, a small network that keeps numbers from step to step:
+# The third kind is learned. A *recurrent* network has a memory $M_t$, some numbers that it changes at every step by a
+# function $u$ whose weights are learned. For recurrent PPO, the agent at the end of this lesson, $u$ is an *LSTM*, a
+# small network that keeps numbers from step to step:
 #
 # $$
 # M_t = u(M_{t-1}, O_t)
 # $$
 #
-# (PPO learns the policy directly, and the values that it learns as well only help with that. You need not know it
-# here.)
+# (PPO learns the policy directly; it also learns values, but only to help with that. You need not know it here.)
 #
 # The window and the notes are such functions as well (there $u$ may use the action too, as in section 17.3 of the
 # book), but somebody wrote them.
@@ -253,8 +252,8 @@ sliders(
 #
 # The numbers are those of $k = 3$ with actions, where the default settings end at 7.0.
 #
-# - With $\varepsilon = 0$ it ends at 6.3. The first door that was right in a row gets a value above 0. All others stay at
-#   0, so that the agent never tries them in this row. With any other ε of the slider it does, and 0.5 ends at 7.0 too.
+# - With $\varepsilon = 0$ it ends at 6.3. In each row the first door that was right gets a value above 0. All others
+#   stay at 0, so the agent never tries them there. With any other ε of the slider it does, and 0.5 ends at 7.0 too.
 # - With $\alpha = 1$ it ends at 5.3. A value is then the last target itself: after one error it is 0, and all that came
 #   before is forgotten.
 # - With $\gamma = 0$ it ends at 7.0.
@@ -268,7 +267,7 @@ sliders(
 #
 # This is an episode without an error, through corridor 4. It is shown at the first place of corridor 4. The upper row
 # shows what the agent saw ("–" is no mark), the lower row the doors that it opened. The orange frame is the window.
-# Which door is right now? The arrows point to where it was marked, and to where it was opened last. (At a marked place
+# Which is the right door? The arrows point to where it was marked, and to where it was opened last. (At a marked place
 # there are no arrows.)
 
 
@@ -399,7 +398,7 @@ source(DQN.add_gradient)
 
 # %% [markdown]
 # It trains for 80 000 steps on 7 observations, and on 7 observations with the actions between them, with 3 repetitions,
-# so the bands are wide. This is the longest cell of the lesson; it takes 10 to 20 seconds.
+# so the bands are wide. This is the longest cell of the lesson; it takes 10 to 40 seconds.
 #
 # <details><summary>The settings of DQN</summary>
 #
@@ -824,8 +823,8 @@ CHALLENGE.score(my_agent, "Ada Lovelace")
 #   actions in it, $\max(L, 2L - 3)$ are enough.
 # - Those laws are for never erring. The best play with a window gets further on average, and Q-learning and DQN came
 #   close to it.
-# - A longer window made the table much larger, but did not slow the first steps down: early on, both tables
-#   had learned something in a few dozen rows only.
+# - A longer window made the table much larger, but did not slow the first steps down: early on, $k = 3$ and $k = 5$ had
+#   learned something in a few dozen rows only.
 # - Recurrent PPO learned what to keep, without a window.
 # - With a notebook 16 rows were enough for the optimum. What counts is the right memory, not a long one.
 #
