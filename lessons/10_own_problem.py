@@ -330,8 +330,8 @@ for method, returns in worth.items():
 # %% [markdown]
 # All five learn a good clock. Dyna, which replays what it has seen, is close to the optimum after 1 000 steps (125
 # mornings), and finds the best policy in most runs. 3-step SARSA is the second fastest: after about 4 000 steps it is
-# within 1 of the optimum. The other three need most of the 10 000. Of these four methods 14 to 17 of the 20 runs end
-# with a policy worth 9.78 or more, of 10.32; the others pull the means down. The novelty reward is no help here: its
+# within 1 of the optimum. The other three need most of the 10 000. For each method but Dyna, 14 to 17 of the 20 runs
+# end with a policy worth 9.78 or more, of 10.32; the others pull the mean down. The novelty reward is no help here: its
 # line is close to that of Q-learning. One reason may be that exploring is easy in this problem. (On the left the points
 # are means of played episodes, which luck may lift above the optimum; on the right the policies are evaluated exactly.)
 
@@ -424,11 +424,12 @@ progress.measured(progress.options[2 if wakings > 1.5 else 1 if earlier else 0])
 #
 # **Measured.** Paid for being awake, the clock chimes from 7:10 on, and she sleeps 19 minutes instead of 66. Paid for
 # waking, it chimes until she wakes, is quiet until she dozes off, and wakes her again: 2.4 times on average, and she
-# sleeps 37 minutes. (At 8:20 it rings unless she is awake, since this is the last chance of a bonus. When she is awake
-# it chimes, so that she is not late.) With either reward she hardly ever oversleeps. By the reward that was meant they
+# sleeps 37 minutes. (At 8:20 it rings when she is dozing, too: a ring earns $10 - 4 = 6$, and a chime $0.7 \cdot 10 -
+# 0.3 \cdot 9 = 4.3$ on average.) With either reward she hardly ever oversleeps. By the reward that was meant they
 # return 2.3 and 2.4, less than a quarter of the optimum, 10.3. This is called *reward hacking*, but nobody is hacked:
 # the agent does what it is paid for. (In the second map the cell with two letters has two best actions: at 8:20 neither
-# quiet nor a chime can wake her, and a ring costs 4 and earns 2. The fourth map belongs to the next part.)
+# quiet nor a chime can wake her, and a ring costs 4 and earns $0.9 \cdot 2 = 1.8$. The fourth map belongs to the next
+# part.)
 # </details>
 
 # %% [markdown]
@@ -621,10 +622,10 @@ display(own_problem.shaped_policies(shaped_reward))
 # is like silence: her sleep may get deeper, with the same probability. Rings work as before. Now $(t, d)$ is no Markov
 # state any more: what a chime does depends on how many came before it.
 #
-# Put their number into the state: `(time, depth, chimes)`, where `chimes` is the number of chimes so far, and stays at
-# 2 from then on. A chime counts also when she is awake. Complete `observation_space`, `initial` and `transition`.
-# Before you run the check: below it Q-learning learns your problem twice, once with and once without a look at `chimes`
-# (20 runs of 20 000 steps each, with the settings of the experiment). What will be the difference?
+# Put their number into the state: `(time, depth, chimes)`, where `chimes` is the number of chimes so far, but at most
+# 2. A chime counts also when she is awake. Complete `observation_space`, `initial` and `transition`. Before you run the
+# check: below it Q-learning learns your problem twice, once with and once without a look at `chimes` (20 runs of 20 000
+# steps each, with the settings of the experiment). What will be the difference?
 #
 # <details><summary>Hint</summary>Copy the method <code>transition</code> of <code>Morning</code>. Take three numbers
 # out of the state instead of two. She hears a chime if <code>action == 1 and chimes < 2</code>; look at
@@ -715,7 +716,7 @@ display(own_problem.count_matters(UsedToIt))
 # replace it by one of your own, under another name. Set `my_problem` to a value of it. The check wants
 #
 # - two actions and four states or more, and chance in the dynamics;
-# - an end: terminal states that are always reached, or a field `max_steps: int = 20`;
+# - an end: terminal states that are always reached (a deadline belongs in the state, like the time of the morning);
 # - a decision: no single action that is best in every state.
 #
 # Keep it small (some hundred states; a queue or a stock needs a largest value), with whole numbers in states and
@@ -818,23 +819,19 @@ for sheet in tour.sheets:
     display(sheet)
 
 # %% [markdown]
-# With a field `max_steps` the optimum is that of a player who counts the steps, and the map and the list are for the
-# first step. Agents see only the state, so they may stay below that line however long they learn. To see the policy of
-# all states: `for s, p in zip(tour.values.model.states, tour.values.greedy_policy()): print(s, p)`.
+# To see the best action in every state:
+# `for s, p in zip(tour.values.model.states, tour.values.greedy_policy()): print(s, p)`.
 #
 # **A careless reward.** Solve your problem with another reward, and judge both policies by the one that you meant. This
 # one pays 1 more for action 0; put a careless reward of yours in its place. (With it an episode may never end, so it is
 # cut off after 1 000 steps. `what_happens` and `best_blind` are for the morning only.)
 
 # %%
-limit = getattr(my_problem, "max_steps", 1_000)
-
-
 class Careless(type(my_problem)):
     """My problem with a careless reward."""
 
     __slots__ = ()
-    max_steps = limit
+    max_steps = 1_000
 
     def reward(self, state, action, next_state, rng):
         """What I meant, and a bonus for action 0."""
@@ -844,7 +841,7 @@ class Careless(type(my_problem)):
 model = finite_model(my_problem)
 for label, task in (("the reward that I meant", my_problem), ("the careless reward", Careless(*my_problem))):
     policy = own_problem.best_policy(task)
-    meant = policy_evaluation(model, policy, 1.0, horizon=limit).start
+    meant = policy_evaluation(model, policy, 1.0, horizon=1_000).start
     print(f"{label} teaches a policy that returns {meant:.2f}, by the reward that I meant")
 
 # %% [markdown]

@@ -773,7 +773,37 @@ class Gambler(NamedTuple):
 my_problem = Gambler(goal=8)
 
 
-# %% exercise 4, right: a queue with a step limit
+# %% exercise 4, right: a queue, with the time in the state
+class Tills(NamedTuple):
+    """Open a second till when the queue gets long."""
+
+    hours: int = 8
+    observation_space = property(lambda self: MultiDiscrete([self.hours + 1, 7]))
+    action_space = property(lambda self: Discrete(2))
+
+    def initial(self, rng):
+        return 0, 0
+
+    def transition(self, state, action, rng):
+        hour, waiting = state
+        comes = 2 if rng.random() < 0.5 else 0
+        return hour + 1, min(max(waiting + comes - 1 - action, 0), 6)
+
+    def reward(self, state, action, next_state, rng):
+        return -1.0 * next_state[1] - 1.5 * action
+
+    def terminal(self, state):
+        return state[0] == self.hours
+
+    def observation(self, state, rng):
+        return state
+
+
+my_problem = Tills()
+
+
+# %% exercise 4, wrong: a queue with a step limit
+# says: so the best action depends on how many steps are left
 class Queue(NamedTuple):
     """Open a second till when the queue gets long."""
 
@@ -965,7 +995,7 @@ my_problem = Queue()
 
 
 # %% exercise 4, wrong: an episode that never ends
-# says: no state of Endless is terminal and it has no `max_steps`
+# says: no state of Endless is terminal, so an episode never ends: let `terminal` be True somewhere
 class Endless(Plant):
     __slots__ = ()
 

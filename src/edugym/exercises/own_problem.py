@@ -36,7 +36,7 @@ def exercise_1(answer: Any, seed: int) -> str:
     mistakes = {
         "that is the value with which the cell began": 10.0,
         "a ring fails with probability 0.1; then she is dozing, which is worth 1 and costs `late`": 6.0,
-        "compare the ring with staying quiet: of the two without noise, that is the better one": 5.2 / 0.9,
+        "compare the ring with staying quiet, which is better there than a chime": 5.2 / 0.9,
         "when the ring fails she is dozing, and that is worth 1": 6.0 / 0.9,
         "who stays asleep has slept: staying quiet is worth 2 − late": 3.9 / 0.9,
         "staying quiet is worth 2 − late, and a failed ring 1 − late, as sleep is worth its depth": 4.0 / 0.9,
@@ -360,6 +360,11 @@ def exercise_4(answer: Any, seed: int) -> str:
             f"{kind.__name__} should inherit from NamedTuple, as the form does: class {kind.__name__}(NamedTuple), with"
             " its numbers as fields and without __init__"
         )
+    if step_limit(answer) is not None:
+        raise WrongAnswer(
+            "my_problem has `max_steps`, so the best action depends on how many steps are left: keep the time in the"
+            " state, and end the episode by `terminal`, as Morning does"
+        )
     with running("my_problem", limit=PATIENCE):
         check_mdp(answer)
         _require_small(answer)
@@ -375,7 +380,7 @@ def exercise_4(answer: Any, seed: int) -> str:
         raise WrongAnswer("my_problem should have chance in its dynamics: use `rng` in `transition`")
     if np.ptp(model.rewards[model.probabilities > 0]) == 0:
         raise WrongAnswer("every transition of my_problem has the same reward, so all policies are equal")
-    gap = values.start - random_return(answer, step_limit(answer))
+    gap = values.start - random_return(answer)
     if gap < 1e-6 * max(1.0, abs(values.start)):
         raise WrongAnswer("the best policy of my_problem earns no more than random actions: do the actions matter?")
     best_always = (policy[live] > 0).all(axis=0)

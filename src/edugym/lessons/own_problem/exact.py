@@ -149,15 +149,16 @@ def solve(mdp: Any) -> Values:
     limit = step_limit(mdp)
     if not model.terminal.any() and limit is None:
         raise ValueError(
-            f"no state of {type(mdp).__name__} is terminal and it has no `max_steps`, so an episode never ends"
+            f"no state of {type(mdp).__name__} is terminal, so an episode never ends: let `terminal` be True somewhere,"
+            " for example when a number of steps that is kept in the state is reached"
         )
     try:
         with np.errstate(over="ignore", invalid="ignore"):  # returns that are too large are refused below
             values = value_iteration(model, DISCOUNT, horizon=limit, max_sweeps=20_000)
     except ValueError:
         raise ValueError(
-            f"some episodes of {type(mdp).__name__} may never end, and gather reward without limit: give it a"
-            " `max_steps`, or a terminal state that is always reached"
+            f"some episodes of {type(mdp).__name__} may never end, and gather reward without limit: it needs"
+            " terminal states that are always reached, for example after a number of steps that is kept in the state"
         ) from None
     if not np.isfinite(values.Q).all():
         raise ValueError(f"the returns of {type(mdp).__name__} are too large to be computed: give smaller rewards")

@@ -250,6 +250,6 @@ def weights_sheet(ring: float = 4.0, late: float = 10.0, bonus: float = 0.0) -> 
     """
     mdp = Morning(ring=float(ring), late=float(late))
     night = what_happens(mdp, best_policy(WithBonus(mdp, float(bonus))))
-    happens = f"{night.rings:.1f} rings, {night.wakings:.1f} wakings, oversleeps {night.late:.0%}"
-    told = f"asleep or dozing {night.sleep:.0f} min, {happens}"
+    happens = f"rings {night.rings:.1f}, wakings {night.wakings:.1f}, oversleeps {night.late:.0%}"
+    told = f"sleep {night.sleep:.0f} min, {happens}"
     return Sheet("weights", [[morning_map(WithBonus(mdp, float(bonus)), told)]])
