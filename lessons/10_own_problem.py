@@ -826,6 +826,7 @@ for sheet in tour.sheets:
 # one pays 1 more for action 0; put a careless reward of yours in its place. (With it an episode may never end, so it is
 # cut off after 1 000 steps. `what_happens` and `best_blind` are for the morning only.)
 
+
 # %%
 class Careless(type(my_problem)):
     """My problem with a careless reward."""
