@@ -65,6 +65,18 @@ negative_reward = -1 / 0.1
 # says: the number must be negative
 negative_reward = 37.0
 
+# %% exercise 1, wrong: no minus, and the right tenth
+# says: negative_reward = 36.9: a fall is no gain, so the number must be negative
+negative_reward = 36.9
+
+# %% exercise 1, wrong: the estimate without its minus
+# says: the number must be negative
+negative_reward = 3 / 0.1
+
+# %% exercise 1, wrong: far too low
+# says: is below -1 000 000
+negative_reward = -1e9
+
 # %% exercise 1, wrong: rounded to tens
 # says: the best run at ε = 0.1 takes 5 steps
 # says: it is too low

@@ -69,6 +69,9 @@ def test_best_runs() -> None:
     assert [tuple(state) for state in fast] == [(0, 0), (1, 1), (3, 2), (6, 3), (9, 3)]
     assert len(safe) == 6
     assert tuple(safe[-2]) == (6, 2)
+    second = [(0, 0), (1, 1), (3, 2), (4, 1), (6, 2), (9, 3)]
+    assert [tuple(state) for state in best_run(0.1, start=fast[2])] == second[2:]
+    assert [*in_the_plane().paths.values()] == [[*map(tuple, fast)], [*map(tuple, safe)], second]
     deadly = deadly_actions(ROAD)
     assert deadly[3, 6] == 1
     assert deadly[2, 6] == 0

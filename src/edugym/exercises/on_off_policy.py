@@ -32,18 +32,21 @@ def exercise_1(answer: Any, seed: int) -> str:
         "that is the estimate 3/ε, which leaves out all slips but the last; let best_run work it out exactly": -30.0,
         "that is 1/ε; a random action is the deadly one in only one of three cases, and the rest of the run slips"
         " too": -10.0,
-        "a fall is no gain, so the number must be negative": -PENALTY,
         "there the *path* of the safe run changes; the number of its steps changes elsewhere": _path_changes(),
     }
 
     def says(penalty: float) -> str:
         told = f"negative_reward = {digits(penalty, PENALTY)}"
-        if not -1_000_000 <= penalty <= 0:
-            return f"{told} is not from -1 000 000 to 0"
+        if penalty < -1_000_000:
+            return f"{told} is below -1 000 000"
         steps = len(best_run(EPSILON, negative_reward=penalty)) - 1
         return f"with {told} the best run at ε = 0.1 takes {steps} step{'s' if steps > 1 else ''}"
 
     found = number("negative_reward", answer)
+    if found > 0.0:
+        raise WrongAnswer(
+            f"negative_reward = {digits(found, PENALTY)}: a fall is no gain, so the number must be negative"
+        )
     near = abs(found - PENALTY) < 1.0
     if PENALTY - CLOSE < found < PENALTY:
         raise WrongAnswer(f"{says(found)}: that is too low, by a little: take the next higher tenth")

@@ -59,18 +59,19 @@ def switch(model: FiniteModel, low: float = 0.0, high: float = 0.2, tolerance: f
     return (low + high) / 2
 
 
-def best_run(epsilon: float, **parameters: Any) -> list[Runner]:
+def best_run(epsilon: float, *, start: Runner | None = None, **parameters: Any) -> list[Runner]:
     """Return the states of the run that is best for an agent which slips with probability ε, played without a slip.
 
     Args:
         epsilon: ε, from 0 to 1.
+        start: the state in which it begins; None is that of an episode.
         parameters: those of the road, such as `negative_reward`.
     """
     task = Roadrunner.create(**parameters)
     model = finite_model(task)
     policy = value_iteration(model, DISCOUNT, epsilon=epsilon, horizon=HORIZON).greedy_policy()
     rng = np.random.default_rng(0)  # the road draws nothing
-    states = [task.initial(rng)]
+    states = [task.initial(rng) if start is None else start]
     while not task.terminal(states[-1]) and len(states) <= task.max_steps:
         states.append(task.transition(states[-1], int(policy[model.row(states[-1])].argmax()), rng))
     return states

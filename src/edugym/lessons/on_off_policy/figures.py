@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 FAST_RUN, SAFE_RUN = "fast run (4 steps)", "safe run (5 steps)"
+SECOND_RUN = "second safe run (5 steps)"
 
 
 class Paths(NamedTuple):
@@ -153,13 +154,19 @@ def switch_lines(model: FiniteModel) -> Switch:
 
 
 def in_the_plane() -> Paths:
-    """Return position and speed as a map: the deadly actions in each state, and the two best runs through it."""
+    """Return position and speed as a map: the deadly actions in each state, and the best runs through it.
+
+    The second safe run begins like the fast one, and goes on from its third state as is best for a runner that slips.
+    """
+    fast = best_run(0.0)
+    runs = {
+        FAST_RUN: fast,
+        SAFE_RUN: best_run(EPSILON),
+        SECOND_RUN: [*fast[:2], *best_run(EPSILON, start=fast[2])],
+    }
     return Paths(
         deadly_actions(ROAD),
-        {
-            FAST_RUN: [(state.x, state.dx) for state in best_run(0.0)],
-            SAFE_RUN: [(state.x, state.dx) for state in best_run(EPSILON)],
-        },
+        {label: [(state.x, state.dx) for state in states] for label, states in runs.items()},
         "in how many of 3 actions a runner falls or stalls",
         "position",
         "speed",
