@@ -290,9 +290,10 @@ sliders(one_table, **sizes, epsilon=(0.0, 1.0, 0.05), alpha=(0.05, 1.0, 0.05), g
 # %% [markdown]
 # <details><summary>What came out</summary>
 #
-# None of the three matters much; the columns and the levels do. Without noise every setting that we tried came to 1
-# within 3 000 steps. Only the column of the ball is random, so one look at an outcome is enough, whatever $\alpha$ is.
-# With 16 levels $\alpha = 1$ and $\varepsilon = 1$ ended somewhat lower, at 0.71 and 0.77 instead of 0.85. </details>
+# None of the three matters much; the columns and the levels do. On five columns without noise every setting that we
+# tried came to 1 within 3 000 steps. Only the column of the ball is random, so one look at an outcome is enough,
+# whatever $\alpha$ is. With 16 levels $\alpha = 1$ and $\varepsilon = 1$ ended somewhat lower, at 0.71 and 0.77 instead
+# of 0.85. </details>
 #
 # **The network.** Which numbers of hidden units learn as fast as 64? What does a learning rate that is ten times larger
 # do? How much noise does the network bear? (3 runs of 5 000 steps as thin lines, and their mean.)
@@ -463,7 +464,7 @@ sliders(maps, ball_row=(0, 8), run=(0, 9))
 
 # %% [markdown]
 # The table has never met the states in the frames; its values there are still 0, and it moves at random. Ball minus
-# paddle has the same features in a frame as beside it. But why does DQN on pixels know so little? The next cell shows,
+# paddle has met the same differences with other balls. But why does DQN on pixels know so little? The next cell shows,
 # for one of its ten runs, from which pixels any weight has ever had a gradient other than 0.
 
 # %%
@@ -477,7 +478,7 @@ for row in touched:
 # the test, it is multiplied by random weights, as they were drawn at the start.
 #
 # What do the agents do with balls from columns 1 and 3? This is where the paddle ends, in each of ten runs. The last
-# agent is DQN on pixels once more, with 0 for all weights that never moved.
+# agent is DQN on pixels once more, with 0 for all weights of the pixels that are not marked "learned".
 
 # %%
 cut = copy.deepcopy(general[lesson.NETWORK])
@@ -505,8 +506,8 @@ for column in lesson.WITHHELD:
 # over the image. Two of them were trained for 30 000 steps on images of balls from columns 0, 2 and 4, by PPO of
 # Stable-Baselines3 (a policy gradient method, chapter 13). We stored the results of ten seeds each.
 #
-# - The **small CNN** has two layers of filters that see 3 by 3 cells of the board. After them comes a layer with a
-#   weight for every place of the board, as in most networks for games.
+# - The **small CNN** has two layers of filters, each of 3 by 3. After them comes a layer with a weight for every place
+#   of the board, as in most networks for games.
 # - The **CNN over columns** has filters as high as the board and 9 columns wide, so one filter sees ball and paddle at
 #   any distance. They slide from left to right, also beyond the edges. Of each filter only the largest output counts,
 #   wherever it is. No weight belongs to a column.
@@ -575,8 +576,8 @@ bound.measured(grows[0] - 0.01)
 # Three things come together here. Sutton and Barto call them the *deadly triad* (section 11.3): **function
 # approximation** (states share a weight), **bootstrapping** (the target contains a learned value), and **off-policy
 # learning** (the policy leaves the second state as often as it comes there, but that step is never learned from). With
-# the step sizes of the slider below, nothing grows in this example if any one of the three is missing. The dotted line
-# shows one case: it learns from the step to the end as well, as on-policy learning does.
+# the step sizes of the slider below, nothing grows for ever in this example if any one of the three is missing. The
+# dotted line shows one case: it learns from the step to the end as well, as on-policy learning does.
 #
 # DQN has all three. Its old target does not remove the danger: with $\theta^-$ held still, $w$ moves towards
 # $2 \gamma w^-$ ($w^-$ is the old copy), so it still grows if $\gamma > \frac{1}{2}$, but by one factor $2 \gamma$ at
@@ -631,10 +632,10 @@ more.measured(more.options[0 if ratio <= 2 else 1 if ratio <= 10 else 2])
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Not more: 10 240 against 14 336. PPO is tested every 2 048 steps, so these are two tests apart, and the
-# two slowest runs hold the mean on the grid back: the median run needs about 10 000 steps on both. Settings and
-# networks differ as well, so this compares two recipes, not two observations. And the image is not as rich as it
-# sounds: only seven of the 256 levels occur, in no more than 195 images.
+# **Measured.** Not more: 10 240 against 14 336. PPO is tested every 2 048 steps, so these are two tests apart. The
+# median run first gets there after about 10 000 steps on both, but four runs on the grid fall back, and one on the
+# image. Settings and networks differ as well, so this compares two recipes, not two observations. And the image is not
+# as rich as it sounds: only seven of the 256 levels occur, in no more than 195 images.
 #
 # The darkened image took as many steps as the plain one. A new brightness at every step, which was the end of the
 # table, does not hold up this network.
@@ -676,8 +677,8 @@ factor.measured(costs[9][lesson.TABLE] / costs[3][lesson.TABLE])
 # over observations would meet a new row at nearly every step. The car is too weak for the hill, and must swing up. Each
 # step costs 1, and episodes end after 1 000 steps at the latest. Both agents are semi-gradient SARSA with $\gamma = 1$
 # and $\varepsilon = 0$, in 3 runs of 20 000 steps. (All values start at 0 and every step costs 1. So what was not tried
-# looks best, and that is enough exploration.) One has position and speed themselves as features, and a constant, the
-# other one 8 tilings of 8 by 8 tiles (as in section 10.1).
+# looks best. For tiles that is exploration enough.) One has position and speed themselves as features, and a constant,
+# the other one 8 tilings of 8 by 8 tiles (as in section 10.1).
 #
 # **Predict.** After training the weights are held still. Whose greedy policy gets up the hill?
 
@@ -841,9 +842,9 @@ display(lesson.race({"my agent": lambda task: MyAgent(np.zeros((9, 3)))}))
 #   transitions so far. The memory has `len(self.memory.actions)` places, filled from place 0 on. When all are full, new
 #   transitions take the places of the oldest.
 #
-# The race shows your network beside the lesson's (2 runs of 8 000 steps). If your draw is the lesson's, the two lines
-# lie on each other; another fair draw gives another line. It takes a minute to compile your class, and some minutes to
-# run one that cannot be compiled (such as one with a generator, `max(... for a in ...)`).
+# The race shows your network beside the lesson's (thin lines: 2 runs of 8 000 steps). If your draw is the lesson's, the
+# two lines lie on each other; another fair draw gives another line. It takes a minute to compile your class, and some
+# minutes to run one that cannot be compiled (such as one with a generator, `max(... for a in ...)`).
 #
 # <details><summary>Hint</summary>The lines of <code>add_gradient</code> and <code>act</code> of DQN do the same:
 # <code>source(DQN, "add_gradient", "act")</code>. Their <code>forward</code> is <code>dqn.forward</code> here. Write
