@@ -23,3 +23,9 @@ def test_the_same_seed_gives_the_same_cases() -> None:
     drawn = {seed: telling_draw(seed, two_numbers, [abs]).random(3).tolist() for seed in (0, 1)}
     assert drawn[0] == telling_draw(0, two_numbers, [abs]).random(3).tolist()
     assert drawn[0] != drawn[1]
+
+
+def test_rules_that_are_the_same_are_refused() -> None:
+    """Rather than looking for a case for ever."""
+    with pytest.raises(ValueError, match="two of them never differed"):
+        telling_draw(0, two_numbers, [lambda x: x, lambda x: 1 * x])

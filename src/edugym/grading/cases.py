@@ -1,12 +1,12 @@
 """Made-up cases that tell a right answer and every usual mistake apart."""
 
 from collections.abc import Callable, Collection, Iterable
-from itertools import count
 from typing import Any, TypeVar
 
 import numpy as np
 
 Case = TypeVar("Case")
+MOST_DRAWS = 1_000
 
 
 def telling_draw(
@@ -25,13 +25,16 @@ def telling_draw(
 
     Returns:
         A generator with which `make` draws cases so that any two rules differ in one of them or more.
+
+    Raises:
+        ValueError: two rules are the same.
     """
-    for draw in count():
+    for draw in range(MOST_DRAWS):
         cases = [*make(np.random.default_rng([seed, draw]))]
         outcomes = {tuple(_rounded(rule, cases)) for rule in rules}
         if len(outcomes) == len(rules):
-            break
-    return np.random.default_rng([seed, draw])
+            return np.random.default_rng([seed, draw])
+    raise ValueError(f"rules must differ in some cases, but two of them never differed in {MOST_DRAWS} draws")
 
 
 def _rounded(rule: Callable[[Case], Any], cases: Iterable[Case]) -> list[float]:
