@@ -346,18 +346,19 @@ def triad_claims() -> list[Claim]:
             Within(0.2, 0.6),
         ),
         Claim(
-            "In Baird's counterexample the weights of Q-learning grow",
+            "In Baird's counterexample the weights of Q-learning grow more than fivefold",
             "largest weight after 1000 steps, of that at the start",
             mean_interval(np.array([growth_of_weights(weights_of_solid(seed=seed)) for seed in range(10)])),
             Above(5.0),
         ),
         Claim(
-            "and those of SARSA do not, with the same behaviour and features: what it learns about is what it does",
+            "In Baird's counterexample the weights of SARSA do not grow, with the same behaviour and features",
             "largest weight after 1000 steps, of that at the start",
             mean_interval(
                 np.array([growth_of_weights(weights_of_solid(SemiGradientSARSA, seed=seed)) for seed in range(10)])
             ),
             Below(1.0),
+            "SARSA learns the values of its own behaviour",
         ),
     ]
 
