@@ -540,10 +540,10 @@ stop.measured(np.mean(on_off_policy.stopping_places(zone, "SARSA", stop_zone=2))
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** Between 8 and 9. Q-learning always stops at the edge, and SARSA before it, in cell 8, in about half of its
-# runs. This is the picture that the paper draws of the two. Expected SARSA stops in cell 8 in all its runs, which is the
-# best for $\varepsilon = 0.2$. The other runs of SARSA were unlucky again: a slip takes up to $0.1 \cdot 100 = 10$ off a
-# value, and the two ways to run differ by 0.5. With $\alpha = 0.003$ all but one stop in cell 8.
+# **Measured.** Between 8 and 9. Q-learning always stops at the edge, and SARSA before it, in cell 8, in about half of
+# its runs. This is the picture that the paper draws of the two. Expected SARSA stops in cell 8 in all its runs, which
+# is the best for $\varepsilon = 0.2$. The other runs of SARSA were unlucky again: a slip takes up to $0.1 \cdot 100 =
+# 10$ off a value, and the two ways to run differ by 0.4. With $\alpha = 0.003$ all but one stop in cell 8.
 # </details>
 
 # %% [markdown]

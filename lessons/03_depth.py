@@ -31,8 +31,8 @@ from edugym.plotting import Sheet
 # A student has $H = 10$ days. On each day the student does one thing: study, sleep, go out, or something else. On the
 # last day there is an exam, and whoever studies on that day and is prepared passes it. To be prepared takes knowledge
 # and energy. Studying gives knowledge on three days only, the days with a lecture, and two of those are needed. Sleep
-# gives energy, on any day, and two nights of it are needed. Going out takes energy. On the other days it does not
-# matter what the student does, except that everything has a small price. In the picture, what brought the student
+# gives energy, on any day, and two nights of it are needed. Going out takes energy. Days with neither lecture nor exam
+# are *free days*: there only going out does harm. Everything has a small price. In the picture, what brought the student
 # closer to passing is green, what led away from it is red, and what did neither is grey.
 
 # %%
@@ -330,8 +330,8 @@ sliders(
 #
 # **Measured.** With 150 repetitions, since 10 show only the large differences:
 #
-# - **total_days.** With 20 days instead of 10 $n = 1$ loses most, since its staircase has more steps. Its mean return in
-#   these 1 000 episodes falls from 2.9 to 0.0, and that of Monte Carlo from 4.3 to 3.7.
+# - **total_days.** With 20 days instead of 10 $n = 1$ loses most, perhaps because its staircase has more steps. Its
+#   mean return in these 1 000 episodes falls from 2.9 to 0.0, and that of Monte Carlo from 4.3 to 3.7.
 # - **epsilon.** With 0.5 instead of 0.1 that of $n = 1$ falls to 1.2, and that of Monte Carlo rises to 5.4.
 # - **alpha.** With 0.01 Monte Carlo passes in 98 % of the runs, and $n = 1$ in 17 %. With 0.5 it is 85 % and 93 %.
 # - $n = 1$ is the best by far with many actions and a large learning rate: with ten actions and $\alpha = 0.5$ it passes in
@@ -643,7 +643,7 @@ display(depth.race({"quiet": quiet}, repetitions=30))
 
 # %% [markdown]
 # With five actions it ends far below the others. It tries a few things at first, since all it has tried was worse than
-# 0. But it stops at the first life that looks best, and on many layouts it never passes. So exploration makes the
+# 0. But it stops at the first plan that looks best, and on many layouts it never passes. So exploration makes the
 # variance, *and* it is needed. An agent should explore, and yet not learn from its exploring actions as if they were
 # its policy.
 #
