@@ -32,8 +32,8 @@ from edugym.plotting import Sheet
 # last day there is an exam, and whoever studies on that day and is prepared passes it. To be prepared takes knowledge
 # and energy. Studying gives knowledge on three days only, the days with a lecture, and two of those are needed. Sleep
 # gives energy, on any day, and two nights of it are needed. Going out takes energy. Days with neither lecture nor exam
-# are *free days*: there only going out does harm. Everything has a small price. In the picture, what brought the student
-# closer to passing is green, what led away from it is red, and what did neither is grey.
+# are *free days*: there only going out does harm. Everything has a small price. In the picture, what brought the
+# student closer to passing is green, what led away from it is red, and what did neither is grey.
 
 # %%
 study = make_mdp("Study", layout_seed=5, action_reward_noise_sigma=0.2)
