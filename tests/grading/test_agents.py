@@ -80,9 +80,9 @@ class Named:
 
 
 def test_settings_of_create() -> None:
-    """They stand in the call of the sentence."""
+    """A wrong one is refused in the words of the agent itself."""
     assert agent_created_by("QLearning", QLearning, "wall", (3, 2), {"learning_rate": 0.25}).learning_rate == 0.25
-    with pytest.raises(WrongAnswer, match=r"QLearning\.create\(wall, speed=1\) raises ValueError"):
+    with pytest.raises(WrongAnswer, match="QLearning has no setting .speed.; it has learning_rate"):
         agent_created_by("QLearning", QLearning, "wall", (3, 2), {"speed": 1})
 
 

@@ -84,7 +84,7 @@ def test_what_is_possible() -> None:
         (lambda wall: QLearning, "must be an object with the methods act and learn"),
         (lambda wall: QLearning.create(wall, alpha=1), "has no setting 'alpha'"),
         (lambda wall: wall.unwrapped.mdp.grips, "told `observation_space` and `action_space` only, not 'unwrapped'"),
-        (lambda wall: QLearning.create((3, 2)), "training your agent"),
+        (lambda wall: QLearning.create((3, 2)), r"must have a table Q of shape \(61, 2\)"),
     ],
 )
 def test_slips(agent: Any, says: str) -> None:
