@@ -82,7 +82,7 @@ class Named:
 def test_settings_of_create() -> None:
     """A wrong one is refused in the words of the agent itself."""
     assert agent_created_by("QLearning", QLearning, "wall", (3, 2), {"learning_rate": 0.25}).learning_rate == 0.25
-    with pytest.raises(WrongAnswer, match="QLearning has no setting .speed.; it has learning_rate"):
+    with pytest.raises(WrongAnswer, match="QLearning has no setting 'speed'; it has learning_rate"):
         agent_created_by("QLearning", QLearning, "wall", (3, 2), {"speed": 1})
 
 
