@@ -250,7 +250,7 @@ def learning_claims(learned: dict[str, Reals], returns: dict[str, Reals]) -> lis
     return [
         *(
             Claim(
-                f"{method} learns a good clock",
+                f"{method[:1].upper()}{method[1:]} learns a good clock",
                 "expected return of its policy",
                 mean_interval(values),
                 Above(9.0),
