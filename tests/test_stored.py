@@ -30,7 +30,7 @@ def test_they_are_current(module: str) -> None:
 
 
 def test_changed_code_is_noticed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Another number is other code; another docstring or comment is not."""
+    """Another number is other code; another docstring or comment is not, nor a claim on the results."""
     path = tmp_path / "lesson.py"
     monkeypatch.setattr(stored, "_source", lambda module: path)
     found = Stored("lesson", lambda **how: stored_in("memory.recurrent").load(), ())
@@ -41,6 +41,7 @@ def test_changed_code_is_noticed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 
     before = code('"""Before."""\n\ndef rate():\n    """The rate."""\n    return 0.1\n')
     assert code('"""After."""\n\ndef rate():\n    """Its rate."""\n    return 0.1  # small\n') == before
+    assert code('"""Before."""\n\ndef rate():\n    return 0.1\n\ndef rate_claims():\n    return [0.3]\n') == before
     assert code('"""Before."""\n\ndef rate():\n    """The rate."""\n    return 0.2\n') != before
 
 

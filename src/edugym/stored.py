@@ -47,8 +47,11 @@ class Stored(NamedTuple):
         return Results.load(self.path)
 
     def code(self) -> str:
-        """Return a hash of the code that determines the results, without its docstrings and comments."""
-        trees = (_without_docstrings(_source(name)) for name in (f"{LESSONS}.{self.module}", *self.determined_by))
+        """Return a hash of the code that determines the results.
+
+        Docstrings, comments and functions that judge the results do not count; these have names in `_claims`.
+        """
+        trees = (_what_determines(_source(name)) for name in (f"{LESSONS}.{self.module}", *self.determined_by))
         return hashlib.sha256("\n".join(trees).encode()).hexdigest()[:32]
 
     def is_current(self) -> bool:
@@ -73,8 +76,10 @@ def _source(module: str) -> Path:
     return Path(spec.origin)
 
 
-def _without_docstrings(path: Path) -> str:
+def _what_determines(path: Path) -> str:
     tree = ast.parse(path.read_text(encoding="utf-8"))
+    judges = [node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name.endswith("_claims")]
+    tree.body = [node for node in tree.body if node not in judges]
     for node in ast.walk(tree):
         if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef) and ast.get_docstring(node) is not None:
             node.body = node.body[1:]

@@ -58,6 +58,11 @@ class Within(NamedTuple):
 Expectation: TypeAlias = Above | Below | Within
 
 
+def beginning(name: str) -> str:
+    """Return a method's name as it begins a sentence: with a capital letter."""
+    return f"{name[:1].upper()}{name[1:]}"
+
+
 class Claim(NamedTuple):
     """A statement about an experiment, with its measurement.
 

@@ -87,7 +87,7 @@ from edugym.lessons.model_based.plans import (
 )
 from edugym.mdp.protocol import Reals
 from edugym.plotting.report import Report
-from edugym.results.claims import Above, Below, Claim, Within
+from edugym.results.claims import Above, Below, Claim, Within, beginning
 from edugym.results.statistics import Interval, paired_difference, proportion_interval, share_interval
 from edugym.results.tables import Results
 from edugym.training.attempt import attempt
@@ -209,7 +209,7 @@ def speed_claims(learned: Results) -> list[Claim]:
     """Return the claims on the real steps that learning takes."""
     return [
         Claim(
-            f"{method[:1].upper()}{method[1:]} learns in fewer steps than Q-learning",
+            f"{beginning(method)} learns in fewer steps than Q-learning",
             f"greedy return, mean over the first {EARLY} steps, less that of Q-learning",
             paired_difference(early(learned, method), early(learned, Q_LEARNING)),
             Above(0.0),
@@ -225,7 +225,7 @@ def end_claims(learned: Results, remedied: Results) -> list[Claim]:
     return [
         *(
             Claim(
-                f"{method[:1].upper()}{method[1:]} ends below Q-learning, which does not plan",
+                f"{beginning(method)} ends below Q-learning, which does not plan",
                 "final return less that of Q-learning",
                 difference(learned, method, learned, Q_LEARNING),
                 Below(0.0),
@@ -277,7 +277,7 @@ def remedy_claims(learned: Results, remedied: Results) -> list[Claim]:
         ),
         *(
             Claim(
-                f"{method[:1].upper()}{method[1:]} is not at the optimum after {EARLY} steps",
+                f"{beginning(method)} is not at the optimum after {EARLY} steps",
                 "share of runs with return 95",
                 share_interval(learned.at(method, EARLY) >= OPTIMUM),
                 Below(0.5),

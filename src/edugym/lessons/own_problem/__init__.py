@@ -41,7 +41,7 @@ from edugym.lessons.own_problem.races import count_matters, shaped_policies
 from edugym.mdp.protocol import Reals
 from edugym.plotting.report import Report
 from edugym.plotting.sheet import Sheet
-from edugym.results.claims import Above, Below, Claim, Within
+from edugym.results.claims import Above, Below, Claim, Within, beginning
 from edugym.results.statistics import exactly, mean_interval, paired_difference
 from edugym.results.tables import Results
 
@@ -250,7 +250,7 @@ def learning_claims(learned: dict[str, Reals], returns: dict[str, Reals]) -> lis
     return [
         *(
             Claim(
-                f"{method[:1].upper()}{method[1:]} learns a good clock",
+                f"{beginning(method)} learns a good clock",
                 "expected return of its policy",
                 mean_interval(values),
                 Above(9.0),
