@@ -82,6 +82,35 @@ def test_a_signal_ends_a_run(how: str, env_id: str, tmp_path: Path) -> None:
     assert learned == "True"
 
 
+IMPORTS = """
+import signal, sys
+
+forgets = 0
+
+def press(frame, event, argument):
+    global forgets
+    code = frame.f_code
+    if event == "call" and code.co_name == "cb" and "importlib" in code.co_filename and "edugym.agents" in sys.modules:
+        forgets += 1
+        if forgets == int(sys.argv[1]):
+            sys.setprofile(None)
+            signal.raise_signal(signal.SIGINT)
+
+signal.signal(signal.SIGINT, signal.default_int_handler)
+sys.setprofile(press)
+from edugym import DQN
+print("all is imported after", forgets)
+"""
+
+
+@pytest.mark.parametrize("moment", [1, 2, 3])
+def test_python_ignores_it_while_it_imports(moment: int) -> None:
+    """Python ignores an error when it forgets the lock of an imported module: it is raised again."""
+    ended = subprocess.run([sys.executable, "-c", IMPORTS, str(moment)], capture_output=True, text=True, check=False)
+    assert ended.returncode != 0, ended.stdout
+    assert ended.stderr.splitlines()[-1] == "KeyboardInterrupt"
+
+
 @pytest.fixture
 def came() -> Iterator[list[int]]:
     """Where Ctrl-C leaves its number in the next test, instead of raising `KeyboardInterrupt`."""

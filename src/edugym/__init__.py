@@ -8,11 +8,15 @@ used. `__init__.pyi` lists the public names; an agent, a wrapper or an environme
 import ast
 import importlib
 import importlib.util
+import sys
 from functools import cache
 from pathlib import Path
 from typing import Any
 
-from edugym.registration import in_snake_case, register_environments
+from edugym.interrupts import Work
+
+with Work():  # Python ignores a Ctrl-C that comes at certain moments of an import
+    from edugym.registration import in_snake_case, register_environments
 
 __version__ = "0.1.0"
 
@@ -30,13 +34,17 @@ def __getattr__(name: str) -> Any:
     """Load a public name when it is first used."""
     if name == "__all__":  # for `from edugym import *`
         return __dir__()
-    if name in _homes():
-        return getattr(importlib.import_module(_homes()[name]), name)
+    home = _homes().get(name)
+    file = in_snake_case(name)
     for folder in ("agents", "mdp", "envs"):
-        file = in_snake_case(name)
-        if file != name and importlib.util.find_spec(f"edugym.{folder}.{file}"):
-            return getattr(importlib.import_module(f"edugym.{folder}.{file}"), name)
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        if home is None and file != name and importlib.util.find_spec(f"edugym.{folder}.{file}"):
+            home = f"edugym.{folder}.{file}"
+    if home is None:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    if home not in sys.modules:
+        with Work():
+            importlib.import_module(home)
+    return getattr(importlib.import_module(home), name)
 
 
 def __dir__() -> list[str]:

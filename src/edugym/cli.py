@@ -3,13 +3,14 @@
 import os
 import sys
 
-from edugym.interrupts import INTERRUPTED
+from edugym.interrupts import INTERRUPTED, Work
 
 
 def main() -> None:
     """Run the command; Ctrl-C ends it without a traceback, also while its modules are imported."""
     try:
-        from edugym.commands import run
+        with Work():
+            from edugym.commands import run
     except KeyboardInterrupt:
         print("edugym: interrupted", file=sys.stderr, flush=True)
         os._exit(INTERRUPTED)

@@ -14,7 +14,6 @@ What cannot be interrupted at all, such as LLVM or the import of a library, runs
 
 import _thread
 import os
-import queue
 import signal
 import sys
 import tempfile
@@ -113,7 +112,6 @@ class Work:
         """Take the place of every signal handler that is a Python function."""
         _current.work = self
         if threading.current_thread() is threading.main_thread():
-            _start_watch()
             self._held = True  # until all are in place
             for number in signal.valid_signals():
                 handler = signal.getsignal(number)
@@ -180,7 +178,7 @@ class Work:
         if number == signal.SIGINT and self._order is not None and not self.ordered:
             self.ordered = True
             self._order()
-            _presses.put((PATIENCE, self._insist))
+            _later(PATIENCE, self._insist)
             return
         try:
             self._handlers[number](number, frame)
@@ -197,7 +195,7 @@ class Work:
     def _swallowed(self, unraisable: Any) -> None:
         """Press Ctrl-C again where Python ignored it."""
         if issubclass(unraisable.exc_type, KeyboardInterrupt):
-            _presses.put((AGAIN, self._raise_again))
+            _later(AGAIN, self._raise_again)
         else:
             self._hook(unraisable)
 
@@ -207,16 +205,6 @@ class Work:
 
 
 _current = threading.local()  # its `work` is the innermost one of a thread
-_presses: "queue.SimpleQueue[tuple[float, Callable[[], None]]]" = queue.SimpleQueue()
-_watch: threading.Thread | None = None
-
-
-def _start_watch() -> None:
-    """Start the thread that presses Ctrl-C again. It must be there before: a signal handler cannot start a thread."""
-    global _watch
-    if _watch is None or not _watch.is_alive():  # a forked process has no threads
-        _watch = threading.Thread(target=_press, name="edugym-ctrl-c", daemon=True)
-        _watch.start()
 
 
 def _press_ctrl_c() -> None:
@@ -228,11 +216,14 @@ def _press_ctrl_c() -> None:
         _thread.interrupt_main()
 
 
-def _press() -> None:
-    while True:
-        seconds, press = _presses.get()
+def _later(seconds: float, press: Callable[[], None]) -> None:
+    """Call a function in a thread after some seconds. `Thread.start` would wait for locks, which no handler may do."""
+
+    def wait() -> None:
         time.sleep(seconds)
         press()
+
+    _thread.start_new_thread(wait, ())
 
 
 @contextmanager

@@ -123,6 +123,7 @@ def test_planning_saves_steps() -> None:
 @pytest.mark.parametrize(
     ("setting", "value", "allowed"),
     [
+        ("planning_steps", math.inf, "a whole number"),
         ("planning_steps", -1, "0 or more"),
         ("planning_steps", 2.5, "a whole number"),
         ("planning_seconds", 0, "greater than 0"),

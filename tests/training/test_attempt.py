@@ -1,8 +1,12 @@
 """One episode of training, to be watched."""
 
-import numpy as np
+from typing import Any, NamedTuple
 
-from edugym import GoExplore, make_mdp
+import numpy as np
+import pytest
+from gymnasium import spaces
+
+from edugym import SARSA, GoExplore, make_mdp
 from edugym.training.attempt import attempt
 
 
@@ -16,3 +20,71 @@ def test_attempt_is_an_episode_of_training() -> None:
         state = wall.transition(state, action, rng)
     assert wall.terminal(state) or len(actions) == wall.max_steps
     assert actions == attempt(GoExplore.create, wall, after=500)
+
+
+class Notebook(NamedTuple):
+    """An agent that writes down how each step ended."""
+
+    ends: list[tuple[int, bool, bool]]
+
+    def act(self, state: Any, rng: Any) -> int:
+        """Always the action 0."""
+        return 0
+
+    def learn(self, state: int, terminated: bool, truncated: bool) -> None:
+        """Write it down."""
+        self.ends.append((state, terminated, truncated))
+
+
+class Steps(NamedTuple):
+    """The state counts steps up to 2, which is terminal; the agent sees ten more."""
+
+    max_steps: int
+
+    @property
+    def observation_space(self) -> spaces.Discrete:
+        """10, 11 and 12 occur."""
+        return spaces.Discrete(13)
+
+    @property
+    def action_space(self) -> spaces.Discrete:
+        """One action."""
+        return spaces.Discrete(1)
+
+    def initial(self, rng: Any) -> int:
+        """No step."""
+        return 0
+
+    def transition(self, state: int, action: int, rng: Any) -> int:
+        """One step more."""
+        return state + 1
+
+    def reward(self, state: int, action: int, next_state: int, rng: Any) -> float:
+        """Nothing."""
+        return 0.0
+
+    def terminal(self, state: int) -> bool:
+        """After two steps."""
+        return state == 2
+
+    def observation(self, state: int, rng: Any) -> int:
+        """Ten more."""
+        return state + 10
+
+
+@pytest.mark.parametrize(
+    ("max_steps", "ends"), [(1, [(10, False, True)]), (2, [(10, False, False), (11, True, False)])]
+)
+def test_the_agent_gets_what_train_would_give(max_steps: int, ends: list[tuple[int, bool, bool]]) -> None:
+    """Observations, not states; and the last step before the limit is not truncated where it is terminal."""
+    agent = Notebook([])
+    assert attempt(lambda mdp: agent, Steps(max_steps), after=0) == [0] * max_steps
+    assert agent.ends == ends
+
+
+def test_what_it_cannot_do_is_refused() -> None:
+    """Agents that learn from the next action, and MDPs without a limit."""
+    with pytest.raises(ValueError, match="make must give an off-policy agent, but learn of SARSA takes `next_action`"):
+        attempt(SARSA.create, make_mdp("Boulder"), after=0)
+    with pytest.raises(ValueError, match="mdp must have a step limit, `max_steps`, but Golf has none"):
+        attempt(GoExplore.create, make_mdp("Golf"), after=0)

@@ -1,4 +1,4 @@
-"""Dyna-Q: Q-learning that also replays a model it has learned."""
+"""Dyna-Q: Q-learning that also plans with a model, learned or given."""
 
 import math
 from typing import Annotated, Any, NamedTuple
@@ -8,6 +8,7 @@ from edugym.agents.settings import ActionValues, Discount, LearningRate, Range, 
 from edugym.agents.strategies import EpsilonGreedy, Exploration
 from edugym.agents.tables import best_value, greedy_action, one_step_target, random_action
 from edugym.agents.tabular_model import TabularModel, empty_model, given_model
+from edugym.checks import whole_number
 from edugym.exact.tables import FiniteModel
 from edugym.mdp.protocol import Random
 
@@ -18,25 +19,28 @@ class DynaQ(NamedTuple):
 
         Q(S, A) <- Q(S, A) + α [R + γ max_a Q(S', a) - Q(S, A)]             for the step that was taken
         Model(S, A) <- R, S'
-        and n times: S <- a random state that was seen;  A <- a random action that was taken in S;
+        and n times: S <- a random state in which an action was taken;  A <- a random one of these actions;
         R, S' <- Model(S, A);  the same update
 
-    The model counts: where an action has had several outcomes, it gives each by its share. `expected_updates` updates
-    with the mean over all of them instead of one (section 8.5). An `exploration_bonus` κ makes it Dyna-Q+ (section
-    8.3): an imagined R becomes R + κ √τ, where τ is the number of steps since the action was last taken in that state,
-    and actions that were never taken there are imagined as well, to lead back to the state with reward 0.
+    If S' is terminal, max_a Q(S', a) is 0. The model counts outcomes: it draws each next state in proportion to how
+    often it followed, and remembers the mean of the rewards. With `expected_updates`, planning uses the mean over all
+    outcomes instead of one sample (section 8.5). An `exploration_bonus` κ makes it Dyna-Q+ (section 8.3): an imagined R
+    becomes R + κ √τ, where τ is the number of steps since the action was last taken in that state, or since the start
+    of learning. Planning then also imagines actions that were never taken there: they lead back to the same state, with
+    reward 0 and the bonus.
 
-    Planning takes place when the agent acts, before it chooses; that is the order of the box.
+    `act` plans first and then chooses. The box plans at the end of a step, so the order of the updates is the same;
+    with a given model, the agent also plans before its first step.
 
     Attributes:
         Q: shape (n_states, n_actions): the action values.
         model: what follows on each action in each state.
-        planning: n, or the time there is.
+        planning: how much to plan at each step: n updates, or a number of seconds.
         learning_rate: α, greater than 0 and up to 1.
         discount: γ, from 0 to 1.
         exploration: how actions are chosen.
         exploration_bonus: κ, 0 or more.
-        expected_updates: whether planning uses the probabilities of the model (descriptive) or samples (generative).
+        expected_updates: whether planning uses expected updates, from the model's probabilities, or sample updates.
 
     References: Sutton (1990); Sutton and Barto, 2nd edition, the box of section 8.2 and section 8.3.
     """
@@ -51,7 +55,7 @@ class DynaQ(NamedTuple):
     expected_updates: bool = False
 
     def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool) -> None:
-        """Q-learning from the step that was taken, which the model learns as well."""
+        """Q-learning from the step that was taken. The model counts the step, unless it was given."""
         target = one_step_target(reward, self.discount, best_value(self.Q, next_state), terminated)
         self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
         self.model.observe(state, action, reward, next_state, terminated)
@@ -70,7 +74,7 @@ class DynaQ(NamedTuple):
             done += 1
 
     def imagined_target(self, state: int, action: int, rng: Random) -> float:
-        """What the model says of R + γ max_a Q(S', a), with the bonus."""
+        """The target R + γ max_a Q(S', a) by the model, plus the bonus."""
         if self.model.visits[state, action] == 0:
             target = self.discount * best_value(self.Q, state)
         elif self.expected_updates:
@@ -106,14 +110,15 @@ class DynaQ(NamedTuple):
 
         Args:
             environment: an MDP or Gymnasium environment, or the shape (n_states, n_actions).
-            planning_steps: n, the number of planning updates a step, 0 or more.
+            planning_steps: n, the number of planning updates a step, a whole number of 0 or more.
             planning_seconds: plan for so long at each step instead; the agent then runs interpreted.
             model: an exact model to plan with, instead of a learned one.
             memory: how many different transitions a learned model can hold; see `empty_model` for the default.
-            **settings: see the class, and `initial_value`.
+            **settings: the learning rate and what follows it above, and `initial_value`, by default 0.
 
         Raises:
             ValueError: a setting is unknown or out of range, or the environment does not fit a table.
         """
         known = empty_model(environment, memory) if model is None else given_model(environment, model)
-        return new(cls, environment, settings, {"model": known, "planning": budget(planning_steps, planning_seconds)})
+        planning = budget(whole_number("planning_steps", planning_steps, 0), planning_seconds)
+        return new(cls, environment, settings, {"model": known, "planning": planning})

@@ -33,7 +33,7 @@ class SARSA(NamedTuple):
     def learn(
         self, state: int, action: int, reward: float, next_state: int, next_action: int, terminated: bool
     ) -> None:
-        """Move Q(S, A) towards the reward and the value of what comes next."""
+        """Move Q(S, A) towards the target R + γ Q(S', A')."""
         target = one_step_target(reward, self.discount, self.Q[next_state, next_action], terminated)
         self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
 
@@ -47,7 +47,7 @@ class SARSA(NamedTuple):
 
     @classmethod
     def create(cls, environment: Any, **settings: Any) -> "SARSA":
-        """Create an agent with new tables; `environment` is an environment, or the shape of Q, (n_states, n_actions).
+        """Create an agent with a new table; `environment` is an environment, or the shape of Q, (n_states, n_actions).
 
         Settings: every field that has a default, and `initial_value`. Every entry of Q starts at `initial_value`, by
         default 0.

@@ -16,12 +16,13 @@ SWINGS = ("putt", "chip", "drive")
 DISTANCES = (1.0, 4.0, 10.0)
 """How far each swing aims, in cells."""
 LONGEST, MOST_HITS, WORST = 1_001, 1_000_000, 1_000
+"""The highest `length`, `max_hits` and `stochasticity_level`."""
 MOST_COLUMNS = 120
-"""How many characters wide the picture is at most."""
+"""The maximum width of the picture in a terminal, in characters."""
 
 
 class Ball(NamedTuple):
-    """Where the ball lies, in cells from the corner left of the tee, and how often it was hit."""
+    """The position of the ball, in cells from the near left corner of the course, and the number of hits."""
 
     x: float
     y: float
@@ -29,20 +30,20 @@ class Ball(NamedTuple):
 
 
 class Golf(NamedTuple):
-    """Get the ball on the green in few hits; the harder the hit, the less it goes where it should.
+    """Get the ball on the green in few hits; the harder the hit, the farther the ball may miss its aim.
 
     ## Description
     Challenge: stochastic dynamics. From the tee in the middle of the near end the ball must get onto the green around
     the flag. Every hit aims at the flag; the player chooses how hard. The ball misses its aim by Gaussian noise that
-    grows with the square of the distance hit, so a drive is fast and risky, and putts are slow and safe. Water
+    grows with the square of the swing's distance, so a drive is fast and risky, and putts are slow and safe. Water
     surrounds the course.
 
     ## Observation space
-    `MultiDiscrete([width, length])`: the cell of the ball, or the one nearest to a ball off the course; with
-    `observe_hits`, `MultiDiscrete([width, length, max_hits + 1])`: the hits so far as well.
+    `MultiDiscrete([width, length])`: the cell of the ball. If the ball is off the course, it is the nearest cell. With
+    `observe_hits`: `MultiDiscrete([width, length, max_hits + 1])`, the cell and the number of hits.
 
     ## Action space
-    `Discrete(3)`: 0 putt, 1 chip, 2 drive: 1, 4 and 10 cells.
+    `Discrete(3)`. 0: putt (1 cell), 1: chip (4 cells), 2: drive (10 cells).
 
     ## State
     The coordinates of the ball and the number of hits. The observation is not Markov: it rounds the coordinates down to
@@ -50,25 +51,27 @@ class Golf(NamedTuple):
 
     ## Dynamics
     ball += d u + N(0, s² I), with d the swing's distance, u the unit vector from the ball to the flag, and s =
-    `stochasticity_level` d². The tee is at (width/2, 0), the flag at (width/2, length - width/2).
+    `stochasticity_level` d². The tee is at (width/2, 0), the flag at (width/2, length - width/2). At the defaults s is
+    0.015, 0.24 and 1.5 cells for putt, chip and drive.
 
     ## Reward
     On the green (closer to the flag than `green_radius`): 1 - (hits - 1)/max_hits. Off the course, or not on the green
-    after `max_hits` hits: -1. Else 0. At the defaults the best return is about 0.87: a drive, then a chip or a putt
-    (discount 1).
+    after `max_hits` hits: -1. Else 0. At the defaults the best expected return is about 0.87 (discount 1): a drive,
+    then a chip or a putt.
 
     ## Initial state
     The ball on the tee.
 
     ## Episode end
-    Terminated on the green, off the course, or after `max_hits` hits, which is part of the task; never truncated.
+    Terminated on the green, off the course, or after `max_hits` hits. The limit on hits is part of the task; no episode
+    is truncated.
 
     ## Parameters
     - `width` (7): an odd number of cells, from 3 to 1001.
     - `length` (17): in cells, from `width` to 1001.
     - `green_radius` (2.1): greater than 0, and less than the distance from the tee to the flag.
     - `max_hits` (10): from 1 to 1 000 000.
-    - `stochasticity_level` (0.015): the skill of the player, from 0 (perfect) to 1000.
+    - `stochasticity_level` (0.015): the size of the noise, from 0 (a perfect player) to 1000.
     - `observe_hits` (False): whether the agent sees the number of hits.
 
     ## Info
@@ -76,13 +79,13 @@ class Golf(NamedTuple):
     - `hits`: how often it was hit.
 
     ## Choices
-    - The noise is the same in all directions, as in the paper's main text; its appendix speaks of the transverse
-      direction only. It squares the action, which is the swing's distance here.
-    - The paper gives no sizes: those of the course and of the green, where the flag stands, how far each swing goes and
-      how many hits are allowed are choices. So is the formula of the reward, for which it only says that it is
-      proportional to the hits. Its main text speaks of the hole; as in its appendix, the green ends the game.
+    - The noise is the same in all directions, as in the main text of the paper. In the appendix it acts only across
+      the shot. The paper squares the action; here we square the swing's distance.
+    - The paper gives no sizes. Those of the course and of the green, the place of the flag, the distance of each swing
+      and the number of hits are our choices. So is the formula of the reward: the paper only says that the reward is
+      proportional to the hits. In its main text the hole ends the game; here the green does, as in the appendix.
     - A ball that is off the course is lost, also where the green would reach beyond the edge.
-    - Without noise, parameters with which no straight hits end on the green are refused.
+    - Without noise, `create` refuses parameters with which no straight hits end on the green.
 
     ## Algorithms
     The paper compares Q-learning with risk-sensitive Q-learning, both with a table.
@@ -116,7 +119,7 @@ class Golf(NamedTuple):
         return state.x + d * to_flag_x / distance, state.y + d * to_flag_y / distance
 
     def reward(self, state: Ball, action: int, next_state: Ball, rng: Random) -> float:
-        """On the green 1, and 1 / max_hits less for each hit after the first; -1 off course or out of hits; else 0."""
+        """1 - (hits - 1) / max_hits on the green; -1 off the course or out of hits; else 0."""
         if self.off_course(next_state):
             return -1.0
         if self.on_green(next_state):
@@ -138,7 +141,7 @@ class Golf(NamedTuple):
         return state.x < 0.0 or state.x >= self.width or state.y < 0.0 or state.y >= self.length
 
     def observation(self, state: Ball, rng: Random) -> tuple[int, ...]:
-        """The cell of the ball; of one that has left the course, the nearest."""
+        """The cell of the ball, or the nearest cell if the ball is off the course."""
         x = math.floor(min(max(state.x, 0.0), self.width - 1.0))
         y = math.floor(min(max(state.y, 0.0), self.length - 1.0))
         return x, y
@@ -187,14 +190,14 @@ class Golf(NamedTuple):
         golf = kind(width, length, green_radius, max_hits, float(stochasticity_level))
         if stochasticity_level == 0 and not _reachable(golf):
             raise ValueError(
-                f"green_radius must be larger or max_hits higher: without noise no {max_hits!r} hits end on a green "
-                f"of radius {green_radius!r}"
+                f"green_radius must be larger (or max_hits, if the flag is far away), but is {green_radius!r}: without "
+                f"noise, no straight hits end on such a green while max_hits is {max_hits!r}"
             )
         return golf
 
     @property
     def reward_threshold(self) -> float | None:
-        """At the defaults a little less than the best return; None for other parameters."""
+        """At the defaults a little less than the best expected return, with or without `observe_hits`; else None."""
         return 0.85 if tuple(self) == tuple(Golf.create()) else None
 
     @property
@@ -233,7 +236,7 @@ class Golf(NamedTuple):
                 shapes.append(Circle(*aim, spread, fill=None, outline=WHITE))
             text = f"hit {ball.hits}: {name}"
         mood: Mood = "happy" if golf.on_green(ball) else "sad" if golf.off_course(ball) else "flat"
-        far = golf.width + golf.length  # a lost ball is not drawn farther away than this, which no one sees
+        far = golf.width + golf.length  # draw a lost ball no farther away than this: it is outside the picture anyway
         x, y = at(min(max(ball.x, -far), far), min(max(ball.y, -far), far))
         shapes.append(Circle(x, y, 0.22, fill=WHITE, glyph="o"))
         shapes += smiley(min(max(x - 0.9, 0.6), golf.width + 2 * margin - 0.6), min(y, height - 0.6), 0.5, mood)

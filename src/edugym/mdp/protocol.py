@@ -1,8 +1,8 @@
 """The interfaces of MDPs and agents.
 
-An MDP is an immutable value. An agent is one too, and changes only the arrays in its fields. You do not inherit from
-these protocols: every `typing.NamedTuple` with the right methods is an MDP or an agent, also in a notebook cell. The
-protocols are there for type checkers and readers.
+An MDP is immutable. The fields of an agent are fixed too, but `act` and `learn` may change the numbers in its arrays.
+You do not inherit from these protocols: every `typing.NamedTuple` with the right methods is an MDP or an agent, also in
+a notebook cell (README shows one of each). The protocols are there for type checkers and readers.
 """
 
 import inspect
@@ -27,11 +27,12 @@ Observation_contra = TypeVar("Observation_contra", contravariant=True)
 class MDP(Protocol[State, Observation_co]):
     """A Markov decision process (S, A, p, r), and the observation that the agent gets of a state.
 
-    Where the observation does not tell the state, it is partially observable (a POMDP). Actions are usually 0, 1, ...
-    Methods have no side effects except on `rng`, the only source of randomness. They never modify `state`. An MDP may
-    also have
+    If the observation does not determine the state, the problem is partially observable (a POMDP). Actions are usually
+    0, 1, ... Methods have no side effects except on `rng`, the only source of randomness. They never modify `state`.
+    The discount belongs to the agent. An MDP may also have
 
-    * `max_steps`: the step limit; without it, an episode ends only in a terminal state;
+    * `max_steps`: the step limit; without it, a training episode ends only in a terminal state, and an evaluation
+      episode after 1000 steps at the latest;
     * `reward_threshold`: the mean return at which the task counts as solved, or None where it is not known;
     * `action_names`: the names of the actions 0, 1, ..., or a dictionary from names to actions;
     * `scene(state, ...)`: its picture (see `edugym.rendering`);
@@ -40,8 +41,9 @@ class MDP(Protocol[State, Observation_co]):
       the vector environment then allocates no array for each copy;
     * `create(**parameters)`, a class method: check the parameters, draw the layout and return the MDP.
 
-    After the state, `scene` and `info` may take any of `last_state`, `last_action`, `actions` (all of this episode, in
-    order) and `steps`. These are passed by name; at the start of an episode the first two are None.
+    `scene` and `info` may also have the parameters `last_state`, `last_action`, `actions` (all of this episode, in
+    order) and `steps` (how many these are). EduGym passes them by name. At the start of an episode `last_state` and
+    `last_action` are None.
     """
 
     @property
@@ -59,10 +61,10 @@ class MDP(Protocol[State, Observation_co]):
         """Draw the next state from the dynamics p(s'|s, a)."""
 
     def reward(self, state: State, action: int, next_state: State, rng: Random) -> float:
-        """Draw the reward of a transition, r(s, a, s')."""
+        """Draw the reward of a transition; its mean is r(s, a, s')."""
 
     def terminal(self, state: State) -> bool:
-        """Whether the task ends in this state (a step limit is not an end of the task: it truncates)."""
+        """Whether `state` is terminal. A step limit truncates an episode; it does not make a state terminal."""
 
     def observation(self, state: State, rng: Random) -> Observation_co:
         """Draw what the agent sees in this state."""
@@ -72,7 +74,11 @@ class Actor(Protocol[Observation_contra]):
     """A policy: it chooses actions."""
 
     def act(self, state: Observation_contra, rng: Random) -> int:
-        """Choose an action. `state` is the observation, which the agent treats as the state."""
+        """Choose an action. `state` is the observation, which the agent treats as the state.
+
+        Where the observation consists of several whole numbers, the agent gets one: the row of its table that belongs
+        to them. An agent with the attribute `tabular = False` gets the observation as it is.
+        """
 
 
 class Agent(Actor[Observation_contra], Protocol[Observation_contra]):
@@ -84,14 +90,18 @@ class Agent(Actor[Observation_contra], Protocol[Observation_contra]):
     * `terminated`: whether `next_state` is terminal;
     * `truncated`: whether a step limit has ended the episode; the agent still bootstraps from `next_state`;
     * `next_action`: the next action, for on-policy agents such as SARSA. If `learn` has this parameter, the next action
-      is chosen before learning; if not, after learning, as in Q-learning.
+      is chosen before learning; if not, after learning, as in Q-learning. It is not taken where an episode ends, and
+      after a terminal state it has no meaning.
 
     Optional: `greedy(state, rng)` returns the greedy action, for evaluation. Without it, `act` is used.
     """
 
     @property
     def learn(self) -> Callable[..., None]:
-        """Learn from the last step; a property here, since agents differ in the parameters that they need."""
+        """Learn from the last step.
+
+        Write an ordinary method: it is a property here only because its parameters differ from agent to agent.
+        """
 
 
 def step_limit(mdp: MDP[Any, Any]) -> int | None:
@@ -114,16 +124,16 @@ def step_limit(mdp: MDP[Any, Any]) -> int | None:
 
 
 def _defines(mdp: Any, name: str) -> bool:
-    """Whether the class of an MDP, or of one that it wraps, has such a member."""
+    """Whether the class of `mdp`, or of an MDP inside it, defines `name`."""
     inner = getattr(mdp, "mdp", None)
     return hasattr(type(mdp), name) or (inner is not None and _defines(inner, name))
 
 
 def coerced(value: Any) -> Any:
-    """A copy of an MDP or agent in which fields declared `float` or `int` have exactly that type: 1 becomes 1.0.
+    """The same MDP or agent; whole numbers in `float` fields become floats, and NumPy's in `int` fields Python's.
 
-    Numba compiles once for each combination of types, so without this `learning_rate=1` and `learning_rate=0.1` would
-    be compiled twice. Small integer types of NumPy, such as int8, could overflow.
+    Without this, Numba would compile an agent once for `learning_rate=1` and again for `learning_rate=0.1`. Small
+    integer types of NumPy, such as int8, could overflow. Arrays are shared.
     """
     if not (isinstance(value, tuple) and hasattr(value, "_fields")):
         return value
