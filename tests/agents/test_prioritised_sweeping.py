@@ -130,6 +130,7 @@ def test_planning_faster_ends_worse() -> None:
     [
         ("planning_steps", -1, "0 or more"),
         ("planning_steps", 2.5, "a whole number"),
+        ("planning_steps", 2**70, "at most 4611686018427387904"),
         ("planning_seconds", -1.0, "greater than 0"),
         ("threshold", -1, "0 or more"),
         ("memory", 0, "1 or more"),
@@ -140,3 +141,18 @@ def test_settings_out_of_range_are_refused(setting: str, value: Any, allowed: st
     """The message names the parameter, its value and what is allowed."""
     with pytest.raises(ValueError, match=rf"{setting} must be .*{allowed}.*, but is {value!r}"):
         PrioritisedSweeping.create((4, 2), **{setting: value})
+
+
+@pytest.mark.parametrize("settings", [{"expected_updates": False}, {"threshold": 0, "learning_rate": 0.5}])
+def test_planning_without_an_end_is_refused(settings: Any) -> None:
+    """Where the queue never becomes empty: with noisy updates, or with ever smaller ones."""
+    PrioritisedSweeping.create((4, 2), planning_steps=np.inf, threshold=0, learning_rate=1)
+    with pytest.raises(ValueError, match=r"planning_steps must be finite if updates are sampled, .* but is inf"):
+        PrioritisedSweeping.create((4, 2), planning_steps=np.inf, **settings)
+
+
+def test_a_model_that_is_given_needs_no_memory() -> None:
+    """It does not learn."""
+    wall = make_mdp("Boulder", height=3)
+    with pytest.raises(ValueError, match=r"memory must be left out where a model is given, .* but is 9"):
+        PrioritisedSweeping.create(wall, model=finite_model(wall), memory=9)

@@ -2,9 +2,12 @@
 
 from typing import Annotated, Any, NamedTuple
 
+import numpy as np
 import pytest
 
+from edugym import UCB, NStepSARSA, PrioritisedSweeping, QLearning
 from edugym.agents.settings import Range, check, new, settings_of
+from edugym.envs.boulder import Boulder
 
 
 class Limited(NamedTuple):
@@ -43,3 +46,31 @@ def test_what_is_given_out_may_be_changed() -> None:
     settings_of(Limited).clear()
     assert settings_of(Limited) == {"rate": 0.5}
     assert new(Limited, None, {"rate": 1}) == Limited(1.0)
+
+
+@pytest.mark.parametrize(
+    ("environment", "message"),
+    [
+        (None, "environment must be an MDP, a Gymnasium environment or a shape, but is None"),
+        (Boulder, r"environment must be a value, but is the class Boulder: make one with Boulder.create\(...\)"),
+        ((4, 0), r"two whole numbers of 1 or more, but is \(4, 0\)"),
+    ],
+)
+def test_what_is_no_environment_is_refused(environment: Any, message: str) -> None:
+    """Whatever agent is made for it, and the strategy too."""
+    makers: tuple[Any, ...] = (QLearning.create, NStepSARSA.create, PrioritisedSweeping.create, UCB.create)
+    for make in makers:
+        with pytest.raises(ValueError, match=message):
+            make(environment)
+
+
+def test_a_shape_may_come_from_spaces() -> None:
+    """`space.n` is a whole number of NumPy's."""
+    assert QLearning.create((np.int64(3), np.int64(2))).Q.shape == (3, 2)
+
+
+def test_an_unknown_setting_is_answered_with_all_that_there_are() -> None:
+    """Those that `create` itself takes are among them."""
+    known = "planning_steps, planning_seconds, model, memory, learning_rate"
+    with pytest.raises(ValueError, match=f"PrioritisedSweeping has no setting 'planing_steps'; it has {known}"):
+        PrioritisedSweeping.create((2, 2), planing_steps=3)

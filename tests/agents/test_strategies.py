@@ -270,6 +270,8 @@ def test_strategies_draw_nothing_they_do_not_need(seed: int) -> None:
         (EpsilonGreedy(-0.1), "epsilon must be from 0 to 1, but is -0.1"),
         (Softmax(0.0), "temperature must be greater than 0, but is 0.0"),
         (0.1, "exploration must be a strategy such as EpsilonGreedy\\(0.1\\), but is 0.1"),
+        (UCB.create((3, 2)), "UCB was made for 3 states, but the agent has 2"),
+        (UCB.create((2, 5)), "UCB was made for 5 actions, but the agent has 2"),
     ],
 )
 def test_agents_refuse_strategies_that_make_no_sense(exploration: Any, message: str) -> None:
@@ -287,7 +289,7 @@ def test_agents_refuse_strategies_that_make_no_sense(exploration: Any, message: 
         (LinearDecay(1.0, 0.1, 0), "steps must be 1 or more, but is 0"),
         (ExponentialDecay(1.0, -0.1, 0.9), "end must be from 0 to 1, but is -0.1"),
         (ExponentialDecay(1.0, 0.1, 0.0), "rate must be greater than 0 and at most 1, but is 0.0"),
-        (0.1, "schedule must be a value with a method value, but is 0.1"),
+        (0.1, r"schedule must have a method value\(step\), as LinearDecay\(1.0, 0.1, 1000\) has, but is 0.1"),
     ],
 )
 def test_schedules_that_make_no_sense_are_refused(schedule: Any, message: str) -> None:

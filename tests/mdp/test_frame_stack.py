@@ -112,9 +112,10 @@ def test_the_longest_stack_that_fits() -> None:
     """31 frames of four observations take 62 bits, and their rows are right; one more is refused."""
     task: Any = FrameStack.create(Digits((3,) * 40, 4, 3), 31)
     assert rows(task, [0] * 39)[-1] == 4**31 - 1
-    refused: tuple[tuple[Any, bool, str], ...] = (
-        (32, False, r"k must be at most 31 for 4 observations, since a longer stack has 2\^63 rows or more, but is 32"),
-        (19, True, "k must be at most 18 for 4 observations and 3 actions, .* but is 19"),
+    refused: tuple[tuple[Any, Any, str], ...] = (
+        (32, False, r"k must be at most 31, but is 32: for 4 observations a longer window has 2\^63 rows or more"),
+        (19, True, "k must be at most 18, but is 19: for 4 observations and 3 actions"),
+        (2, 1, "actions must be True or False, but is 1"),
         (0, False, "k must be a whole number, 1 or more|k must be 1 or more"),
         (2.0, False, "k must be a whole number"),
     )

@@ -246,10 +246,15 @@ def test_what_is_no_environment_is_refused(thing: Any) -> None:
         table_size(thing)
 
 
-def test_an_observation_outside_the_space_is_an_error() -> None:
-    """Rather than a wrong row."""
-    env = TabularObservation(Shows(spaces.MultiDiscrete([2, 2]), [np.array([0, 2])]))
-    with pytest.raises(ValueError, match=r"observation array\(\[0, 2\]\) is not in the observation space"):
+@pytest.mark.parametrize(
+    "outside",
+    [np.array([0, 2]), np.array([0.5, 1.0]), (1,), np.array([[0, 1], [1, 1]]), 10**30, np.inf, None, "01", {"a": 1}],
+    ids=str,
+)
+def test_an_observation_outside_the_space_is_an_error(outside: Any) -> None:
+    """Rather than a wrong row, or an error of NumPy's."""
+    env = TabularObservation(Shows(spaces.MultiDiscrete([2, 2]), [outside]))
+    with pytest.raises(ValueError, match=r"observation .* is not in the observation space MultiDiscrete\(\[2 2\]\)"):
         env.reset()
 
 
@@ -268,3 +273,11 @@ def test_the_wrapped_mdp_is_a_value() -> None:
     assert isinstance(wrapped, Tabular)
     assert wrapped.mdp == make_mdp("Golf")
     assert (wrapped.sizes.tolist(), wrapped.lows.tolist()) == ([7, 17], [0, 0])
+
+
+def test_a_table_that_is_too_large_is_refused() -> None:
+    """In words, for a Gymnasium environment as for an MDP."""
+    space = spaces.MultiDiscrete([2**31] * 3)
+    for refuse in (lambda: TabularObservation(Shows(space, [])), lambda: tabular(seen(space))):
+        with pytest.raises(ValueError, match=r"the rows of a table over .* observations do not fit 63 bits"):
+            refuse()

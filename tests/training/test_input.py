@@ -100,6 +100,30 @@ def test_what_cannot_be_trained_is_refused(environment: Any, agent: Any, message
         train(environment, agent, 10)
 
 
+@pytest.mark.parametrize(
+    ("settings", "message"),
+    [
+        (
+            {"stop": threading.Event},
+            r"stop must be a threading.Event or None, but is the class Event: add brackets, \(\)",
+        ),
+        ({"max_steps": 2**70}, r"max_steps must be at most 4611686018427387904, but is 1180591620717411303424"),
+        ({"seed": -1}, "seed must be 0 or more, but is -1"),
+    ],
+)
+def test_settings_of_train_are_checked(settings: Any, message: str) -> None:
+    """The error names the argument, its value and what is allowed."""
+    with pytest.raises(ValueError, match=message):
+        train(WALL, QLearning.create(WALL), 10, **settings)
+
+
+def test_small_whole_numbers_of_numpy_do_not_overflow() -> None:
+    """They become Python's."""
+    n_steps: Any = np.int8(100)
+    run = train(WALL, QLearning.create(WALL), n_steps, evaluate_every=1_000)
+    assert run.steps.tolist() == [0, 100]
+
+
 def test_agents_of_repeat_have_labels() -> None:
     """The obvious slip is named."""
     slip: Any = QLearning.create

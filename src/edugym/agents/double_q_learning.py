@@ -15,8 +15,8 @@ class DoubleQLearning(NamedTuple):
         with probability 1/2:  Q₁(S, A) <- Q₁(S, A) + α [R + γ Q₂(S', argmax_a Q₁(S', a)) - Q₁(S, A)]
         otherwise:             Q₂(S, A) <- Q₂(S, A) + α [R + γ Q₁(S', argmax_a Q₂(S', a)) - Q₂(S, A)]
 
-    It acts on the mean of both (the book's sum has the same order). Where several actions are best, the mean over them
-    counts. The coin for the next update is tossed when the agent acts, where it has random numbers.
+    It acts on the mean of both (the book has the sum, which is the same for ε-greedy). Where several actions are best,
+    the mean over them counts. The coin for the next update is tossed when the agent acts, where it has random numbers.
 
     Attributes:
         Q: shape (n_states, n_actions): the mean of the two tables.

@@ -7,7 +7,7 @@ from edugym.agents.planning import Planning, budget
 from edugym.agents.settings import ActionValues, Discount, LearningRate, Range, new, shows_settings
 from edugym.agents.strategies import EpsilonGreedy, Exploration
 from edugym.agents.tables import best_value, greedy_action, one_step_target, random_action
-from edugym.agents.tabular_model import TabularModel, empty_model, given_model
+from edugym.agents.tabular_model import TabularModel, model_of
 from edugym.checks import whole_number
 from edugym.exact.tables import FiniteModel
 from edugym.mdp.protocol import Random
@@ -27,7 +27,8 @@ class DynaQ(NamedTuple):
     outcomes instead of one sample (section 8.5). An `exploration_bonus` κ makes it Dyna-Q+ (section 8.3): an imagined R
     becomes R + κ √τ, where τ is the number of steps since the action was last taken in that state, or since the start
     of learning. Planning then also imagines actions that were never taken there: they lead back to the same state, with
-    reward 0 and the bonus.
+    reward 0 and the bonus. The model never forgets an outcome: when the environment changes, it adapts only as fast as
+    the counts shift, where the model of the box, which keeps the latest outcome, adapts at once.
 
     `act` plans first and then chooses. The box plans at the end of a step, so the order of the updates is the same;
     with a given model, the agent also plans before its first step.
@@ -117,8 +118,8 @@ class DynaQ(NamedTuple):
             **settings: the learning rate and what follows it above, and `initial_value`, by default 0.
 
         Raises:
-            ValueError: a setting is unknown or out of range, or the environment does not fit a table.
+            ValueError: a setting is unknown or out of range, or the environment does not fit a table or the model.
         """
-        known = empty_model(environment, memory) if model is None else given_model(environment, model)
+        known = model_of(environment, model, memory)
         planning = budget(whole_number("planning_steps", planning_steps, 0), planning_seconds)
         return new(cls, environment, settings, {"model": known, "planning": planning})

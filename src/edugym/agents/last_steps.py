@@ -26,7 +26,7 @@ class LastSteps(NamedTuple):
         n = len(self.actions)
         t = int(self.t[0])
         if self.states[t % (n + 1)] != state:
-            t = 0  # training was stopped within an episode, and this is another one
+            t = 0  # training stopped within an episode, and this is another one (unless it began in the same state)
         self.states[t % (n + 1)] = state
         self.actions[t % n] = action
         self.rewards[t % n] = reward

@@ -7,7 +7,7 @@ from edugym.agents.last_steps import LastSteps
 from edugym.agents.settings import ActionValues, Discount, LearningRate, Range, Table, new, shows_settings
 from edugym.agents.strategies import EpsilonGreedy, Exploration
 from edugym.agents.tables import greedy_action
-from edugym.checks import whole_number
+from edugym.checks import number_of_steps, whole_number
 from edugym.mdp.protocol import Random, Reals
 
 
@@ -18,17 +18,17 @@ class NStepSARSA(NamedTuple):
         G = R_τ+1 + γ R_τ+2 + ... + γⁿ⁻¹ R_τ+n + γⁿ Q(S_τ+n, A_τ+n)
         Q(S_τ, A_τ) <- Q(S_τ, A_τ) + α [G - Q(S_τ, A_τ)]                with τ = t - n + 1
 
-    Every step updates the pair of n steps before. When the episode ends, the last n pairs are updated in their order,
-    with the rewards that there are. After a terminal state nothing is added to these; where a step limit has cut the
-    episode off, the value of the next state and action is (the one before these last updates). With n = `math.inf`
-    nothing is learned before the end of the episode (or the step number `longest`), which makes it Monte Carlo (every
-    visit, constant α).
+    At time t the agent updates the pair of n - 1 steps ago; in the first n - 1 steps it updates nothing. When the
+    episode ends, it updates the remaining pairs, oldest first; their targets have fewer rewards. After termination a
+    target does not bootstrap. After truncation it bootstraps from Q(S_t+1, A_t+1), read before these last updates. With
+    n = `math.inf` the agent learns only at the end of an episode (if it is no longer than `longest`). For episodes that
+    terminate this is Monte Carlo control (every visit, constant α).
 
     Attributes:
         Q: shape (n_states, n_actions): the action values.
-        steps: the steps that are still needed.
-        returns: shape (n,): the return of each, from its reward to the last.
-        n: how many rewards, a whole number of 1 or more, or infinity.
+        steps: a ring buffer with the last n transitions.
+        returns: the target G of each transition in the buffer; there are `longest` of both where n is larger.
+        n: how many rewards, a whole number of 1 or more, or infinity. The length of the buffer is what counts.
         learning_rate: α, greater than 0 and up to 1.
         discount: γ, from 0 to 1.
         exploration: how actions are chosen.
@@ -85,13 +85,13 @@ class NStepSARSA(NamedTuple):
         Args:
             environment: an MDP or Gymnasium environment, or the shape (n_states, n_actions).
             n: how many rewards the target has: a whole number of 1 or more, or `math.inf` for Monte Carlo.
-            longest: how many steps are remembered at most, 1 or more: an n above this acts as this one.
-            **settings: see the class, and `initial_value`.
+            longest: the largest size of the buffer, 1 or more. A larger n acts as n = `longest`.
+            **settings: the learning rate and what follows it above, and `initial_value`, by default 0.
 
         Raises:
             ValueError: a setting is unknown or out of range, or the environment does not fit a table.
         """
         most = whole_number("longest", longest, 1)
         if n != math.inf:
-            most = min(most, whole_number("n", n, 1))
+            most = min(most, number_of_steps("n", int(n) if isinstance(n, float) and n.is_integer() else n))
         return new(cls, environment, {**settings, "n": n}, **{"n": most, "n + 1": most + 1})

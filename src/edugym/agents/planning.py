@@ -5,7 +5,7 @@ import time
 from typing import Annotated, Any, NamedTuple, Protocol
 
 from edugym.agents.settings import Part
-from edugym.checks import above, whole_number
+from edugym.checks import above, number_of_steps, whole_number
 
 
 class Budget(Protocol):
@@ -60,14 +60,14 @@ Planning = Annotated[Budget, Part()]
 
 
 def budget(planning_steps: float, planning_seconds: float | None) -> Any:
-    """The budget of these settings; seconds, if given, count instead of the steps.
+    """The planning budget; if seconds are given, they count instead of the steps.
 
     Raises:
         ValueError: the steps are no whole number of 0 or more (or infinity), or the seconds not greater than 0.
     """
+    if planning_steps != math.inf and whole_number("planning_steps", planning_steps, 0) > 0:
+        number_of_steps("planning_steps", planning_steps)
     if planning_seconds is not None:
         above("planning_seconds", planning_seconds, 0)
         return Seconds(float(planning_seconds))
-    if planning_steps != math.inf:
-        whole_number("planning_steps", planning_steps, 0)
     return Updates(float(planning_steps))

@@ -1,5 +1,6 @@
 """Prioritised sweeping: planning backwards from where values change."""
 
+import math
 from typing import Annotated, Any, NamedTuple
 
 from edugym.agents.heap import Heap
@@ -7,39 +8,42 @@ from edugym.agents.planning import Planning, budget
 from edugym.agents.settings import ActionValues, Discount, LearningRate, Range, new, shows_settings
 from edugym.agents.strategies import EpsilonGreedy, Exploration
 from edugym.agents.tables import greedy_action, table_size
-from edugym.agents.tabular_model import TabularModel, empty_model, given_model
+from edugym.agents.tabular_model import TabularModel, model_of
 from edugym.exact.tables import FiniteModel
 from edugym.mdp.protocol import Random
 
 
 @shows_settings
 class PrioritisedSweeping(NamedTuple):
-    """Plan first where an update changes most, and then for what leads there.
+    """Update the pair with the largest error first; then check the pairs that lead to its state.
 
         Model(S, A) <- R, S'
         P = |R + γ max_a Q(S', a) - Q(S, A)|;  if P > θ, put (S, A) into the queue with priority P
         and n times, while the queue is not empty:
             S, A <- the first of the queue;  R, S' <- Model(S, A)
             Q(S, A) <- Q(S, A) + α [R + γ max_a Q(S', a) - Q(S, A)]
-            for all that lead to S, as far as known: the same P, and the same queue
+            for all pairs that the model says lead to S: compute their P, and queue them if P > θ
 
-    All learning is by planning. Where an action has had several outcomes, P and the update are those of their mean
-    (the box is for one outcome, and its section says so for several). With `expected_updates` off, the update samples
-    one, and P is of the outcome that was met or that leads to S.
+    All learning is by planning: `learn` changes the model and the queue, and Q changes at the next `act`, which plans
+    first and then chooses. The box plans at the end of a step, so the order of the updates is the same. With a given
+    model, `create` computes P for all pairs and fills the queue.
 
-    Planning takes place when the agent acts, before it chooses; that is the order of the box. With a given model all
-    pairs are looked at first.
+    If an action has had several outcomes, P and the update use the expected target. (The box assumes a deterministic
+    environment; the text of section 8.4 has expected updates otherwise.) With `expected_updates` off, an update samples
+    one outcome, and P uses the single outcome that was observed, or that leads to S. A pair that was updated with α < 1
+    returns to the queue only when it, or its next state, is visited or changes again: in a deterministic environment
+    use `learning_rate=1`.
 
     Attributes:
         Q: shape (n_states, n_actions): the action values.
         model: what follows on each action in each state.
-        queue: the pairs to update; (s, a) is the number s n_actions + a.
-        planning: n, or the time there is.
+        queue: the pairs to update, each as the number s * n_actions + a.
+        planning: how much to plan at each step: n updates, or a number of seconds.
         learning_rate: α, greater than 0 and up to 1.
         discount: γ, from 0 to 1.
         exploration: how actions are chosen.
         threshold: θ, 0 or more.
-        expected_updates: whether planning uses the probabilities of the model (descriptive) or samples (generative).
+        expected_updates: whether planning uses expected updates, from the model's probabilities, or sample updates.
             `DynaQ` samples by default, like its box; where chance matters, compare the two with the same setting.
 
     References: Moore and Atkeson (1993); Peng and Williams (1993); Sutton and Barto, 2nd edition, the box of section
@@ -115,20 +119,27 @@ class PrioritisedSweeping(NamedTuple):
 
         Args:
             environment: an MDP or Gymnasium environment, or the shape (n_states, n_actions).
-            planning_steps: n, the number of planning updates a step, 0 or more; `math.inf` for all in the queue.
+            planning_steps: n, the number of planning updates a step, 0 or more; `math.inf` to plan until the queue is
+                empty. (With discount 1 this may never happen; where it surely does not, infinity is refused.)
             planning_seconds: plan for so long at each step instead; the agent then runs interpreted.
             model: an exact model to plan with, instead of a learned one.
             memory: how many different transitions a learned model can hold; see `empty_model` for the default.
-            **settings: see the class, and `initial_value`.
+            **settings: the learning rate and what follows it above, and `initial_value`, by default 0.
 
         Raises:
-            ValueError: a setting is unknown or out of range, or the environment does not fit a table.
+            ValueError: a setting is unknown or out of range, or the environment does not fit a table or the model.
         """
-        known = empty_model(environment, memory) if model is None else given_model(environment, model)
+        known = model_of(environment, model, memory)
         n_states, n_actions = table_size(environment)
         pairs = n_states * n_actions
         parts = {"model": known, "planning": budget(planning_steps, planning_seconds)}
         agent = new(cls, environment, settings, parts, **{"items": pairs, "items + 1": pairs + 1})
+        endless = not agent.expected_updates or (agent.threshold == 0 and agent.learning_rate < 1)
+        if endless and planning_seconds is None and planning_steps == math.inf:
+            raise ValueError(
+                "planning_steps must be finite if updates are sampled, or if threshold is 0 and learning_rate below 1,"
+                " since the queue may then never be empty, but is inf"
+            )
         if model is not None:
             for outcome in range(int(known.n_outcomes[0])):
                 agent.consider(outcome)

@@ -20,7 +20,8 @@ class QLambda(NamedTuple):
 
     A' is the action that will be taken next. When it explores, what follows says nothing about the greedy policy, and
     all traces are cut; so with much exploration there is little to gain from them. As with SARSA(λ), Dutch traces come
-    with the true online terms. With λ = 0 it is Q-learning (that chooses its next action before it learns).
+    with the true online terms; for Q(λ) this is our own combination. With λ = 0 it is Q-learning (that chooses its next
+    action before it learns).
 
     All traces end with the episode, by the end of the task or by a step limit (which bootstraps).
 

@@ -1,4 +1,4 @@
-"""R-max: planning that wants to know."""
+"""R-max: optimistic planning that explores."""
 
 from typing import Annotated, Any, NamedTuple
 
@@ -7,7 +7,7 @@ import numpy as np
 from edugym.agents.planning import Planning, budget
 from edugym.agents.settings import Counter, Discount, Range, Table, new, shows_settings
 from edugym.agents.tables import greedy_action, table_size
-from edugym.agents.tabular_model import TabularModel, empty_model, given_model
+from edugym.agents.tabular_model import TabularModel, model_of
 from edugym.exact.tables import FiniteModel
 from edugym.mdp.protocol import Integers, Random, Reals
 
@@ -18,11 +18,11 @@ class Sweep(NamedTuple):
     """The pairs that are known, and how far the sweep over them has come.
 
     Attributes:
-        pairs: shape (n_states * n_actions,): the known pairs, (s, a) as s n_actions + a, in the order of their becoming
-            known.
+        pairs: shape (n_states * n_actions,): the known pairs, each as s * n_actions + a, in the order in which they
+            became known.
         n: shape (1,): how many.
         next: shape (1,): the index of the pair to update next.
-        settled: shape (1,): how many updates in a row have changed next to nothing.
+        settled: shape (1,): how many updates in a row have changed no value by more than θ.
     """
 
     pairs: Annotated[Integers, Table(("pairs",))]
@@ -33,34 +33,37 @@ class Sweep(NamedTuple):
 
 @shows_settings
 class RMax(NamedTuple):
-    """Plan with a model in which all that is unknown is wonderful: the agent goes and sees.
+    """Plan with a model that gives every unknown action a very high value, so that the agent tries it.
 
-        Q(s, a) = Σ_s' p(s'|s, a) [r(s, a, s') + γ max_a' Q(s', a')]        if (s, a) is known
-        Q(s, a) = U                                                         otherwise
+        optimistic(s, a) = Σ_s' p(s'|s, a) [r(s, a, s') + γ max_a' optimistic(s', a')]        if (s, a) is known
+        optimistic(s, a) = U                                                                  otherwise
 
-    A pair is known when it has been tried m times; its p and r are the shares and means of these, and stay so. The
-    values are those of value iteration, one known pair after the other, until a whole sweep changes none by more than
-    θ or the budget is spent; the sweep goes on at the next step. The agent always takes the best action by these
-    values: it explores because it plans to. They say nothing of how to use what is known, so it keeps a second table,
-    with a pessimistic L in the place of U, by which it is evaluated (`greedy`).
+    A pair is known after m tries; its p and r are then estimated from these m tries and no longer change. (Pairs that
+    find no room in `memory` never become known, and are tried again and again.) The values are those of value
+    iteration, one known pair after the other, until a whole sweep changes none by more than θ or the budget is spent;
+    the sweep goes on at the next step. The agent always takes the best action by these values: it explores because it
+    plans to, and needs no ε. Evaluation needs values without optimism: `Q` has the same equations with a pessimistic L
+    in place of U, and `greedy` uses it.
 
     Attributes:
-        Q: shape (n_states, n_actions): the values of what is known, pessimistic elsewhere.
+        Q: shape (n_states, n_actions): the pessimistic values, by which it is evaluated.
         optimistic: shape (n_states, n_actions): the values by which it acts.
         model: what follows on each action in each state.
         sweep: the known pairs.
-        planning: how many updates a step, or how much time.
+        planning: how much to plan at each step: a number of updates, or of seconds.
         discount: γ, from 0 to 1.
-        highest_return: U, what an unknown action is hoped to be worth: no less than the best return from any state, or
-            it may never be tried. max(R_max, 0)/(1 - γ), for the highest reward R_max, is always enough.
-        lowest_return: L, what it is feared to be worth: no more than the worst return.
+        highest_return: U, the optimistic value of an unknown action, a finite number. It should be at least the best
+            possible return from any state; otherwise some actions may never be tried. max(R_max, 0)/(1 - γ), for the
+            highest reward R_max, is always enough if γ < 1; the default is that for rewards up to 1 at γ = 0.99.
+        lowest_return: L, the pessimistic value of an unknown action, at most U. It should be at most the worst possible
+            return.
         known_after: m, 1 or more: 1 is right where nothing is left to chance.
-        threshold: θ, 0 or more.
+        threshold: θ, 0 or more. Values may err by θγ/(1 - γ), which is 0.1 by default: choose θ well below (1 - γ)
+            times the smallest return that matters. With γ = 1, every step must cost something.
 
     References: Brafman and Tennenholtz (2002), R-max; Sutton and Barto, 2nd edition, section 4.5 (asynchronous dynamic
-    programming). The paper adds a state in which all is wonderful, to which unknown actions lead; U is its value. It
-    has one table only, which is enough once all that matters is known, and maximises the average reward over a given
-    number of steps; here future rewards are discounted.
+    programming). In the paper, unknown actions lead to a fictitious state of maximal reward; U is its value. The paper
+    has one table, and maximises the average reward over a fixed number of steps; here are two, and we discount.
     """
 
     Q: Annotated[Reals, Table(("states", "actions"), fill="lowest_return")]
@@ -127,19 +130,25 @@ class RMax(NamedTuple):
 
         Args:
             environment: an MDP or Gymnasium environment, or the shape (n_states, n_actions).
-            planning_steps: the number of planning updates a step, 0 or more; `math.inf` to plan until all is settled.
+            planning_steps: the number of planning updates a step, 0 or more; `math.inf` to plan until no value changes
+                by more than θ (with discount 1 this may never happen).
             planning_seconds: plan for so long at each step instead; the agent then runs interpreted.
             model: an exact model to plan with, in which all is known.
             memory: how many different transitions a learned model can hold; see `empty_model` for the default.
-            **settings: see the class.
+            **settings: the discount and what follows it above.
 
         Raises:
-            ValueError: a setting is unknown or out of range, or the environment does not fit a table.
+            ValueError: a setting is unknown or out of range, or the environment does not fit a table or the model.
         """
-        known = empty_model(environment, memory) if model is None else given_model(environment, model)
+        known = model_of(environment, model, memory)
         n_states, n_actions = table_size(environment)
         parts = {"model": known, "planning": budget(planning_steps, planning_seconds)}
         agent = new(cls, environment, settings, parts, pairs=n_states * n_actions)
+        if agent.lowest_return > agent.highest_return:
+            raise ValueError(
+                f"lowest_return must be at most {agent.highest_return!r}, the highest_return, but is"
+                f" {agent.lowest_return!r}"
+            )
         if model is not None:
             for s, a in np.argwhere(known.visits).tolist():
                 agent.becomes_known(s, a)

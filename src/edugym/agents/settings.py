@@ -11,6 +11,7 @@ raises ValueError for a value that is not allowed.
 """
 
 import inspect
+import math
 import weakref
 from collections.abc import Mapping
 from types import MappingProxyType
@@ -31,7 +32,7 @@ class Range(NamedTuple):
 
     Attributes:
         low: the lowest.
-        high: the highest; with None any finite number is allowed, with `math.inf` infinity too.
+        high: the highest; with None any finite number is allowed, with `math.inf` infinity as well.
         open: whether `low` itself is excluded.
     """
 
@@ -46,12 +47,13 @@ class Range(NamedTuple):
             ValueError: the value is outside the range or is not a number.
         """
         if self.open:
-            above(name, value, self.low, self.high)
+            above(name, value, self.low, None if self.high == math.inf else self.high)
         elif self.high is None:
             at_least(name, value, self.low)
-            a_number(name, value)
         else:
             between(name, value, self.low, self.high)
+        if self.high is None:
+            a_number(name, value)
 
 
 class Table(NamedTuple):
@@ -93,7 +95,7 @@ def new(
     Args:
         kind: its class, a NamedTuple whose fields are annotated as in this file.
         environment: an MDP or Gymnasium environment whose actions and observations are whole numbers (or tuples of
-            them), or the shape (n_states, n_actions) of a table; None if no table depends on it.
+            them), or the shape (n_states, n_actions) of a table; None only if no table depends on it.
         settings: values for the fields that are not tables, and `initial_value`; the others keep their defaults.
         parts: values for the fields that the caller has made, by name.
         **sizes: lengths of axes that do not follow from the environment, by name.
@@ -101,12 +103,17 @@ def new(
     Raises:
         ValueError: a setting is unknown, or a value is not allowed.
     """
-    if environment is not None:
+    tables = (_mark(hint, Table) for name, hint in _hints(kind).items() if name not in parts)
+    needed = {axis for table in tables if table is not None for axis in table.axes}
+    if environment is not None or (needed & {"states", "actions"}) - sizes.keys():
         sizes["states"], sizes["actions"] = table_size(environment)
     allowed = settings_of(kind)
     for name in settings:
         if name not in allowed:
-            raise ValueError(f"{kind.__name__} has no setting {name!r}; it has {', '.join(allowed)}")
+            create = getattr(kind, "create", None)  # which may take more than these
+            known = inspect.signature(create).parameters if create is not None else allowed
+            listed = ", ".join(setting for setting in known if setting != "environment")
+            raise ValueError(f"{kind.__name__} has no setting {name!r}; it has {listed}")
     for name, default in allowed.items():
         if default is inspect.Parameter.empty and name not in settings:
             raise ValueError(f"{kind.__name__} needs the setting {name!r}")
@@ -116,7 +123,28 @@ def new(
     missing = {name: hint for name, hint in _hints(kind).items() if name not in parts}
     made = kind(**{name: _field(name, hint, values, sizes) for name, hint in missing.items()}, **parts)
     check(made)
+    _check_sizes(made, sizes)
     return made
+
+
+def _check_sizes(value: Any, sizes: Mapping[str, int]) -> None:
+    """Refuse a strategy with tables that were made for another environment.
+
+    Raises:
+        ValueError: a table inside `value` has another size.
+    """
+    for part in value:
+        if not hasattr(part, "_fields") or isinstance(part, type):
+            continue
+        for name, hint in _hints(type(part)).items():
+            table, array = _mark(hint, Table), getattr(part, name)
+            for axis, length in enumerate(table.axes if table is not None else ()):
+                if sizes.get(str(length), array.shape[axis]) != array.shape[axis]:
+                    raise ValueError(
+                        f"{type(part).__name__} was made for {array.shape[axis]} {length}, but the agent has"
+                        f" {sizes[str(length)]}: give each environment its own"
+                    )
+        _check_sizes(part, sizes)
 
 
 def settings_of(kind: type) -> dict[str, Any]:

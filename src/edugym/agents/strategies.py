@@ -1,11 +1,13 @@
 """Exploration strategies: how an agent chooses between what looks best and what it does not know yet.
 
-A strategy is a value. An agent holds one, `QLearning(..., exploration=EpsilonGreedy(0.1))`, and asks it to choose:
+A strategy is a NamedTuple that an agent holds, as in `QLearning.create(env, exploration=EpsilonGreedy(0.1))`. `create`
+checks its settings. The agent asks it to choose:
 
     action = exploration.choose(Q, state, rng)
 
-`Q` is the whole table, of shape (n_states, n_actions), and `state` its row. A strategy whose probabilities are known
-also has `probability(Q, state, action)` and `expected_value(Q, state)`, for expected SARSA and tree backup.
+`Q` is the whole table, of shape (n_states, n_actions), and `state` is the index of a row. `UCB` and
+`ScheduledEpsilonGreedy` count, so they are made by `create`, one for each agent. A strategy whose probabilities are
+known also has `probability(Q, state, action)` and `expected_value(Q, state)`, for expected SARSA and tree backup.
 
 References: Sutton and Barto, Reinforcement Learning, 2nd edition, sections 2.2 (ε-greedy) and 2.7 (UCB).
 """
@@ -21,6 +23,7 @@ from edugym.agents.tables import (
     epsilon_greedy_value,
     greedy_action,
 )
+from edugym.checks import between, in_short
 from edugym.mdp.protocol import Integers, Random, Reals
 
 
@@ -48,9 +51,10 @@ def check_policy(name: str, strategy: Any) -> None:
         ValueError: it has no `probability` or no `expected_value`.
     """
     if isinstance(strategy, type) or not (hasattr(strategy, "probability") and hasattr(strategy, "expected_value")):
+        given = f"the class {strategy.__name__}" if isinstance(strategy, type) else type(strategy).__name__
         raise ValueError(
-            f"{name} must be a strategy that knows the probability of each action (Greedy, EpsilonGreedy,"
-            f" ScheduledEpsilonGreedy or Softmax), but is {getattr(strategy, '__name__', type(strategy).__name__)}"
+            f"{name} must be a strategy that knows the probability of each action, such as EpsilonGreedy(0.1) (or"
+            f" Greedy, ScheduledEpsilonGreedy or Softmax), but is {given}"
         )
 
 
@@ -62,7 +66,7 @@ class Greedy(NamedTuple):
         return greedy_action(Q, state, rng)
 
     def probability(self, Q: Reals, state: int, action: int) -> float:
-        """The best actions share 1."""
+        """1/k for each of the k best actions, 0 for the others."""
         return epsilon_greedy_probability(Q, state, action, 0.0)
 
     def expected_value(self, Q: Reals, state: int) -> float:
@@ -84,7 +88,7 @@ class EpsilonGreedy(NamedTuple):
         return epsilon_greedy_action(Q, state, self.epsilon, rng)
 
     def probability(self, Q: Reals, state: int, action: int) -> float:
-        """ε/n, and the best actions share 1 - ε."""
+        """ε/n for each of the n actions; the best ones share a further 1 - ε equally."""
         return epsilon_greedy_probability(Q, state, action, self.epsilon)
 
     def expected_value(self, Q: Reals, state: int) -> float:
@@ -114,7 +118,7 @@ class ExponentialDecay(NamedTuple):
     """A number that is multiplied by the same factor at every step, down to a lowest value: a schedule for ε.
 
     Attributes:
-        start: its value at step 0, from 0 to 1.
+        start: its value at step 0 (if it is not below `end`), from 0 to 1.
         end: its lowest value, from 0 to 1.
         rate: the factor, above 0 and up to 1.
     """
@@ -131,8 +135,10 @@ class ExponentialDecay(NamedTuple):
 class ScheduledEpsilonGreedy(NamedTuple):
     """ε-greedy with an ε that changes with the number of actions chosen.
 
+    Make one with, for example, `ScheduledEpsilonGreedy.create(LinearDecay(1.0, 0.1, 10_000))`.
+
     Attributes:
-        schedule: gives ε after so many actions: `LinearDecay`, `ExponentialDecay`, or any value with `value(step)`.
+        schedule: gives ε after so many actions: `LinearDecay`, `ExponentialDecay`, or anything with `value(step)`.
         step: shape (1,): how many actions have been chosen.
     """
 
@@ -158,11 +164,16 @@ class ScheduledEpsilonGreedy(NamedTuple):
         """A strategy at step 0 of its schedule.
 
         Raises:
-            ValueError: the schedule has no `value(step)`, or its settings are not as its class says.
+            ValueError: the schedule has no `value(step)`, its settings are not as its class says, or its first value is
+                not from 0 to 1.
         """
-        if isinstance(schedule, type) or not hasattr(schedule, "value"):
-            raise ValueError(f"schedule must be a value with a method value, but is {schedule!r}")
+        if isinstance(schedule, type) or not callable(getattr(schedule, "value", None)):
+            raise ValueError(
+                "schedule must have a method value(step), as LinearDecay(1.0, 0.1, 1000) has, but is"
+                f" {in_short(schedule)}"
+            )
         check(schedule)
+        between("schedule.value(0)", schedule.value(0), 0, 1)
         return new(cls, None, {"schedule": schedule})
 
 
@@ -172,13 +183,13 @@ class Softmax(NamedTuple):
     Compare the softmax over preferences of equations 2.11 and 13.2, which has no temperature.
 
     Attributes:
-        temperature: τ, greater than 0: near 0 it is greedy, and the higher, the more random.
+        temperature: τ, greater than 0: near 0 it is greedy, and the higher, the more random; infinity is uniform.
     """
 
-    temperature: Annotated[float, Range(0, open=True)] = 1.0
+    temperature: Annotated[float, Range(0, math.inf, open=True)] = 1.0
 
     def choose(self, Q: Reals, state: int, rng: Random) -> int:
-        """An action drawn by its share of the sum of exp(Q/τ), from which the highest value is subtracted first."""
+        """An action drawn with probability proportional to exp((Q - max Q)/τ); the subtraction avoids overflow."""
         highest = best_value(Q, state)
         total = 0.0
         for action in range(Q.shape[1]):
@@ -191,7 +202,7 @@ class Softmax(NamedTuple):
         return Q.shape[1] - 1
 
     def probability(self, Q: Reals, state: int, action: int) -> float:
-        """The share of an action in the sum of exp(Q/τ)."""
+        """exp(Q(s, a)/τ), divided by the sum over all actions."""
         highest = best_value(Q, state)
         total = 0.0
         for other in range(Q.shape[1]):
@@ -199,7 +210,7 @@ class Softmax(NamedTuple):
         return math.exp((float(Q[state, action]) - highest) / self.temperature) / total
 
     def expected_value(self, Q: Reals, state: int) -> float:
-        """Every value by its share."""
+        """Σ_a π(a|s) Q(s, a)."""
         highest = best_value(Q, state)
         total = 0.0
         weighted = 0.0
@@ -213,13 +224,13 @@ class Softmax(NamedTuple):
 class UCB(NamedTuple):
     """Optimism in the face of uncertainty: the action with the highest Q(s, a) + c √(ln t / N(s, a)), equation 2.10.
 
-    An action that was never chosen in a state comes first. Equation 2.10 is for bandits; here every state counts for
-    itself: t is the number of choices made there, the present one included.
+    An action that was never chosen in a state comes first. Equation 2.10 is for bandits; here each state has
+    its own counts: t is the number of choices made there, the present one included.
 
     Attributes:
         counts: shape (n_states, n_actions): N(s, a), how often each action was chosen in each state.
         bounds: shape (1, n_actions): the upper bounds in the present state.
-        c: how much uncertainty is worth, 0 or more.
+        c: how much uncertainty is worth, a finite number of 0 or more.
     """
 
     counts: Annotated[Integers, Table(("states", "actions"))]
@@ -227,7 +238,7 @@ class UCB(NamedTuple):
     c: Annotated[float, Range(0)] = 1.0
 
     def choose(self, Q: Reals, state: int, rng: Random) -> int:
-        """The action with the highest upper bound, ties broken at random, and count it."""
+        """Choose the action with the highest upper bound (ties at random), and count it."""
         t = 1
         for action in range(Q.shape[1]):
             t += self.counts[state, action]
@@ -243,6 +254,6 @@ class UCB(NamedTuple):
         """A strategy that has chosen nothing yet, for an environment (or the shape of its table).
 
         Raises:
-            ValueError: c is negative, or the environment does not fit a table.
+            ValueError: c is not as above, or the environment does not fit a table.
         """
         return new(cls, environment, {"c": c})

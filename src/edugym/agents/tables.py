@@ -6,8 +6,10 @@ The loops run over single entries instead of slicing a row: compiled, that is fi
 import math
 from typing import Any
 
+import numpy as np
 from gymnasium import spaces
 
+from edugym.checks import in_short
 from edugym.mdp.protocol import Random, Reals
 from edugym.mdp.tabular import table_sizes
 
@@ -104,8 +106,14 @@ def table_size(environment: Any) -> tuple[int, int]:
     """
     if isinstance(environment, tuple) and not hasattr(environment, "_fields"):
         return check_shape(environment, "(n_states, n_actions)")
+    if isinstance(environment, type):
+        name = environment.__name__
+        made = f"{name}.create(...)" if hasattr(environment, "create") else f"{name}(...)"
+        raise ValueError(f"environment must be a value, but is the class {name}: make one with {made}")
     if not hasattr(environment, "action_space"):
-        raise ValueError(f"environment must be an MDP, a Gymnasium environment or a shape, but is {environment!r}")
+        raise ValueError(
+            f"environment must be an MDP, a Gymnasium environment or a shape, but is {in_short(environment)}"
+        )
     actions = environment.action_space
     if not isinstance(actions, spaces.Discrete) or actions.start != 0:
         raise ValueError(f"a table needs the actions 0, 1, ..., but the action space is {actions}")
@@ -123,9 +131,9 @@ def check_shape(shape: tuple[Any, ...], name: str) -> tuple[int, int]:
     Raises:
         ValueError: it is something else.
     """
-    if len(shape) != 2 or not all(isinstance(size, int) and size >= 1 for size in shape):
+    if len(shape) != 2 or not all(isinstance(size, int | np.integer) and size >= 1 for size in shape):
         raise ValueError(
             f"environment must be an environment or the shape {name} of a table, two whole numbers of 1 or more, but is"
             f" {shape!r}"
         )
-    return shape
+    return int(shape[0]), int(shape[1])

@@ -174,6 +174,24 @@ def empty_model(environment: Any, memory: int | None = None) -> TabularModel:
     return new(TabularModel, environment, {}, memory=memory)
 
 
+def model_of(environment: Any, model: FiniteModel | None, memory: int | None) -> TabularModel:
+    """The model of a new agent: the given one, or an empty one that learns.
+
+    Args:
+        environment: an MDP, an environment or a shape.
+        model: the exact model to plan with, or None.
+        memory: how many different transitions a learned model can hold, or None for the default of `empty_model`.
+
+    Raises:
+        ValueError: as `given_model` or `empty_model`, or there is a model and a memory.
+    """
+    if model is None:
+        return empty_model(environment, memory)
+    if memory is not None:
+        raise ValueError(f"memory must be left out where a model is given, which does not learn, but is {memory!r}")
+    return given_model(environment, model)
+
+
 def given_model(environment: Any, model: FiniteModel) -> TabularModel:
     """An exact model (which may have noise) in the form in which agents plan.
 

@@ -47,7 +47,7 @@ class Replacing(NamedTuple):
 
 
 class Dutch(NamedTuple):
-    """In between, and exact: Z(S, A) <- (1 - α) Z(S, A) + 1 (equation 12.11).
+    """In between; exact in true online SARSA(λ): Z(S, A) <- (1 - α) Z(S, A) + 1 (equation 12.11).
 
     With it the update has the two more terms of the true online box of section 12.7.
     """

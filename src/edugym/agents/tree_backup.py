@@ -22,13 +22,14 @@ class TreeBackup(NamedTuple):
     π is the target policy, by default the greedy one: with n = 1 that is Q-learning, and with more steps it looks as
     far as the actions were greedy. With a target like the exploration and n = 1 it is expected SARSA.
 
-    Every step updates the pair of n steps before, and the end of an episode all that are left, in their order. After a
-    terminal state nothing is added; where a step limit has cut the episode off, the mean value of the next state is.
-    The box chooses the next action before the update; here it is chosen after it, as in Q-learning.
+    At time t the agent updates the pair of n - 1 steps ago; when the episode ends, it updates the remaining pairs,
+    oldest first. After termination a target does not bootstrap; after truncation it bootstraps from Σ_a π(a|S_t+1)
+    Q(S_t+1, a). The box chooses the next action before the update; here it is chosen after it, as in Q-learning. (A
+    `ScheduledEpsilonGreedy` as target policy advances only if it is the exploration as well.)
 
     Attributes:
         Q: shape (n_states, n_actions): the action values.
-        steps: the steps that are still needed.
+        steps: a ring buffer with the last n transitions.
         n: how many steps, 1 or more.
         learning_rate: α, greater than 0 and up to 1.
         discount: γ, from 0 to 1.

@@ -186,7 +186,7 @@ class Golf(NamedTuple):
         between("stochasticity_level", stochasticity_level, 0, WORST)
         if not isinstance(observe_hits, bool):
             raise ValueError(f"observe_hits must be True or False, but is {in_short(observe_hits)}")
-        kind = GolfWithHits if observe_hits else Golf
+        kind = GolfWithHits if observe_hits else cls
         golf = kind(width, length, green_radius, max_hits, float(stochasticity_level))
         if stochasticity_level == 0 and not _reachable(golf):
             raise ValueError(

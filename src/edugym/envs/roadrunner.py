@@ -166,7 +166,7 @@ class Roadrunner(NamedTuple):
         between("negative_reward", negative_reward, -1_000_000, 0)
         stop_zone = whole_number("stop_zone", stop_zone, 0, size - 2)
         max_steps = number_of_steps("max_steps", 5 * size if max_steps is None else max_steps)
-        return Roadrunner(size, max_speed, float(negative_reward), stop_zone, max_steps)
+        return cls(size, max_speed, float(negative_reward), stop_zone, max_steps)
 
     @property
     def reward_threshold(self) -> float | None:

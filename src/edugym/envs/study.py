@@ -187,7 +187,7 @@ class Study(NamedTuple):
         lectures[rng.permutation(total_days - 1)[:lecture_days]] = 1
         rewards = rng.uniform(-action_reward_noise_mean, 0.0, n_actions)
         sigma = float(action_reward_noise_sigma)
-        return Study(total_days, lectures, lectures_needed, energy_needed, rewards, sigma)
+        return cls(total_days, lectures, lectures_needed, energy_needed, rewards, sigma)
 
     @property
     def reward_threshold(self) -> float:

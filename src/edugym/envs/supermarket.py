@@ -36,22 +36,24 @@ class Supermarket(NamedTuple):
 
     ## Description
     Challenge: model-based reinforcement learning. A shopper walks through a supermarket, collects three items, each for
-    a reward, and leaves by the exit. Steps in the real world take time (`step_timeout`); meanwhile an agent can plan
-    with a model, one that it learned or the one that is given here, whose rewards may be wrong (`noise`):
-    `env.unwrapped.descriptive_model(state, action)` gives all that can happen with its probabilities,
-    `generative_model(state, action)` draws one of them, and `model(state, action, kind)` is the paper's short form.
-    They take no time. The model has the 428 states that can be reached, `finite_model.states`.
+    a reward, and leaves by the exit. A real step can take time (`step_timeout`). Meanwhile the agent can plan with a
+    model: one that it learned, or the one that is given here, whose rewards can be wrong (`noise`).
+    `env.unwrapped.descriptive_model(state, action)` returns every outcome with its probability,
+    `generative_model(state, action)` samples one outcome, and `model(state, action, kind)` is the paper's short form of
+    both. (Here every action has one outcome.) These calls never wait, and do not change the episode. The model has the
+    428 states that can be reached, `finite_model.states`.
 
     ## Observation space
-    `Discrete(800)`: (y, x, item 1, item 2, item 3) as one number, their index in a table of (10, 10, 2, 2, 2), as
-    `np.ravel_multi_index` gives it. y counts rows from the top, and an item is 1 when it has been collected.
+    `Discrete(800)`: one number that encodes (y, x, item 1, item 2, item 3), as
+    `np.ravel_multi_index((y, x, item_1, item_2, item_3), (10, 10, 2, 2, 2))` does. y counts rows from the top, and an
+    item is 1 when it has been collected.
 
     ## Action space
     `Discrete(4)`: 0 up, 1 down, 2 left, 3 right.
 
     ## State
-    The number that is observed. The steps of the episode are counted outside it, and are not observed, so near the step
-    limit the observation is not Markov (an agent that bootstraps at truncation need not mind).
+    The observed number. The steps of the episode are not part of it, so near the step limit the observation is not
+    Markov. (That does no harm to an agent that bootstraps at truncation.)
 
     ## Dynamics
     One cell in the direction of the action; a wall leaves the shopper in place. One cannot leave through the entrance.
@@ -68,20 +70,21 @@ class Supermarket(NamedTuple):
     Terminated at the exit, (y, x) = (9, 8), whatever has been collected; truncated after `max_steps` steps.
 
     ## Parameters
-    - `step_timeout` (0.0): `step` blocks until so many seconds after the previous `reset` or `step` returned; from 0 to
-      3600. `env.unwrapped.time_until_step()` says how long that will be.
-    - `noise` (0.0): the standard deviation of a zero-centred Gaussian error on the rewards of the model; from 0 to 1
-      000 000.
-    - `max_steps` (500): 1 or more.
-    - `layout_seed` (0): from which the errors of the model are drawn; 0 or more.
+    - `step_timeout` (0.0): the minimum time in seconds between the end of one `reset` or `step` and the next step, from
+      0 to 3600. `step` waits if necessary; `env.unwrapped.time_until_step()` says how long.
+    - `noise` (0.0): the standard deviation of a zero-mean Gaussian error on the rewards of the model, from 0 to one
+      million.
+    - `max_steps` (500): from 1 to 2^62.
+    - `layout_seed` (0): the seed of the model's reward errors, 0 or more. The map is always the same.
 
     ## Info
     - `position`: the shopper's cell, (y, x).
     - `items`: whether items 1, 2 and 3 have been collected.
 
     ## Choices
-    - `noise` gives every state and action one error, drawn once: what a planner that trusts a wrong model has to live
-      with. It is in `finite_model`, `descriptive_model`, `generative_model` and `model`, and never in `step`.
+    - With `noise` every state and action has one fixed error, so planning longer cannot average it out. The errors are
+      in the environment's `finite_model`, `descriptive_model`, `generative_model` and `model`, never in `step`. The
+      function `edugym.finite_model(mdp)` stays exact.
     - `step` waits before it acts, so that an agent can plan between two calls; the paper says both "between calls" and
       "after each call". The time from `reset` on counts as well.
     - The clock belongs to this Gymnasium environment, not to its MDP: the copies of `gymnasium.make_vec` do not wait.
@@ -119,7 +122,7 @@ class Supermarket(NamedTuple):
             x -= 1
         else:
             x += 1
-        if y < 0 or self.cells[y, x] == WALL:  # the one way out of the map, above the entrance, is shut
+        if y < 0 or self.cells[y, x] == WALL:  # above the entrance is outside the map; the exit is terminal
             return state
         return 80 * y + 8 * x + (items | int(self.cells[y, x]))
 
@@ -200,7 +203,7 @@ class Supermarket(NamedTuple):
             Rectangle(0.0, 0.0, 10.0, 10.0, fill=PAPER, outline=None),
             *(Line(((0.0, k), (10.0, k)), colour=SHADE) for k in range(1, 10)),
             *(Line(((k, 0.0), (k, 10.0)), colour=SHADE) for k in range(1, 10)),
-            *(Rectangle(*wall, 1.0, 1.0, outline_width=0.15) for wall in walls),  # the bricks cover all but outlines
+            *(Rectangle(*wall, 1.0, 1.0, outline_width=0.15) for wall in walls),  # bricks leave only their outlines
             Text(10.7, 0.75, "to get", size=0.55, anchor="start"),
         ]
         for wall in walls:
@@ -221,12 +224,14 @@ class Supermarket(NamedTuple):
 
 
 class Countdown:
-    """Waits until some seconds after it was started, to well under a millisecond: asleep, but for the last 0.3 ms.
+    """Waits until `seconds` after `start`, accurate to well under a millisecond.
+
+    It sleeps, except in the last 0.3 ms, when it polls the clock.
 
     Args:
-        seconds: how long, 0 or more.
-        clock: what tells the time, in seconds.
-        sleep: what sleeps for some seconds, or somewhat longer, as operating systems do.
+        seconds: how long, a finite number of 0 or more.
+        clock: a function that returns the time in seconds.
+        sleep: a function that sleeps for a number of seconds; it may oversleep, as operating systems do.
     """
 
     def __init__(
@@ -247,20 +252,20 @@ class Countdown:
         """How many seconds are left; 0 when it is over or was never started."""
         if self._end is None:
             return 0.0
-        # Never more than all of it, also when it was pickled where the clock started at another time.
+        # At most `seconds`: after unpickling on another machine the clock may have another zero.
         return min(max(self._end - self._clock(), 0.0), self.seconds)
 
     def wait(self) -> None:
         """Return when it is over."""
         while (left := self.left()) > 0.0:
             if left > 0.0003:
-                self._sleep(0.8 * left)  # it may oversleep by some of the rest, and sleep again for what remains
+                self._sleep(0.8 * left)  # so oversleeping does no harm; the loop handles the rest
 
 
 class SupermarketEnv(MDPEnv[Supermarket]):
     """Supermarket in real time: `step` blocks until `step_timeout` seconds after the previous call returned.
 
-    The other parameters are those of `Supermarket.create`.
+    The other parameters are those of `Supermarket.create`, and `render_mode` is that of `MDPEnv`.
     """
 
     def __init__(
@@ -271,7 +276,7 @@ class SupermarketEnv(MDPEnv[Supermarket]):
         layout_seed: int = 0,
         render_mode: str | None = None,
     ) -> None:
-        """See `Supermarket` for the parameters.
+        """See `Supermarket` for the parameters, and `MDPEnv` for `render_mode`.
 
         Raises:
             ValueError: a parameter is not as it says there.
@@ -282,7 +287,7 @@ class SupermarketEnv(MDPEnv[Supermarket]):
 
     @property
     def only_plays_its_mdp(self) -> bool:
-        """Whether no step has to wait."""
+        """True if `step_timeout` is 0: then the MDP alone gives the same episodes, and training can be compiled."""
         return self.countdown.seconds == 0.0
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
@@ -292,9 +297,9 @@ class SupermarketEnv(MDPEnv[Supermarket]):
         return result
 
     def step(self, action: Any) -> tuple[Any, Any, bool, bool, dict[str, Any]]:
-        """Take one step, as `MDPEnv.step` does, `step_timeout` seconds after the one before returned."""
+        """Take one step, as `MDPEnv.step` does, no earlier than `step_timeout` seconds after the last call returned."""
         if not self._over:
-            action = self._checked(action)  # what is not allowed need not wait
+            action = self._checked(action)  # an invalid action is refused at once
             self.countdown.wait()
         result = super().step(action)
         self.countdown.start()

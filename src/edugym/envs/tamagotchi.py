@@ -23,13 +23,13 @@ Variables = tuple[int, int, int, int]
 
 
 class Toy(NamedTuple):
-    """How the toy is (hidden), and what it shows and says.
+    """The state: hidden variables, hit points, the wanted action (hidden) and the message.
 
     Attributes:
-        variables: v, how well it is off for play, sleep, food and cleanness, each from 0 to 100.
+        variables: v, how well each of its four needs (play, sleep, food, cleanness) is satisfied, from 0 to 100.
         hp: its hit points, from 0 to 100.
-        wanted: the action that it wants next.
-        message: its words as one number, the digits of base `vocab_size`, the first word first.
+        wanted: the action that it wants next; action i satisfies need i.
+        message: its words as the digits of one number in base `vocab_size`; the first word is the leading digit.
     """
 
     variables: Variables
@@ -39,7 +39,7 @@ class Toy(NamedTuple):
 
 
 class Tamagotchi(NamedTuple):
-    """Keep a toy happy whose needs show only in what it says, which may be noisy.
+    """Keep a toy happy. What it needs shows only in its messages, which may be noisy.
 
     ## Description
     Challenge: the amount of state signal (and language). A toy needs to play, to sleep, to be fed and to be cleaned;
@@ -59,7 +59,7 @@ class Tamagotchi(NamedTuple):
     ## State
     The four variables v, whole numbers from 0 to 100; the hit points, a whole number from 0 to 100; the action that the
     toy wants; the message; and the number of steps of this episode. The agent sees the hit points and the message only,
-    so the observation is not Markov. At `tau` = 0 with four words or more it still tells the best action.
+    so the observation is not Markov. At `tau` = 0 and with `vocab_size` >= 4, the message still names the best action.
 
     ## Dynamics
     1. The action's own variable grows by 30, the others fall by 5. If the action is not the wanted one, all four fall
@@ -73,7 +73,7 @@ class Tamagotchi(NamedTuple):
        H, so that a word can mean several needs.
 
     ## Reward
-    The happiness after the action: above -200 and at most 70.6. At the defaults doing what the toy says returns 6 707
+    The happiness after the action: from -174.6 to 70.6. At the defaults doing what the toy says returns 6 707
     (discount 1); exact planning with the whole state finds nothing better.
 
     ## Initial state
@@ -84,10 +84,10 @@ class Tamagotchi(NamedTuple):
 
     ## Parameters
     - `tau` (0.0): the temperature, which is the noise of the message; 0 or more, may be infinite.
-    - `max_msg_length` (1): how many words a message has; 1 or more, at most 56, and no more than make 2^56 different
-      messages (28 with four words).
+    - `max_msg_length` (1): how many words a message has, from 1 to 56. There are at most 2^56 different messages,
+      `vocab_size` ** `max_msg_length` (so at most 28 words if `vocab_size` is 4).
     - `vocab_size` (4): H, how many words there are; from 1 to 2^31.
-    - `steps_per_episode` (100): 1 or more.
+    - `steps_per_episode` (100): from 1 to 2^62.
 
     ## Info
     - `variables`: how well the toy is off for each of the four needs.
@@ -96,13 +96,13 @@ class Tamagotchi(NamedTuple):
     ## Choices
     - The paper gives 100 values to the hit points, and lets them start at 100; here they are 0, ..., 100.
     - The paper does not say how the hit points follow from the variables, how urgency and happiness are computed, nor
-      what the words mean. Everything under Dynamics that it does not say is a choice, and so is that a tie in the
-      message falls to the wanted action.
-    - A message always has `max_msg_length` words. At `tau` = 0 it names the wanted action, and does not tell the four
-      variables, of which the paper calls it a perfect description.
-    - That all variables start at 100 is a choice. The paper gives the reward's upper end, 73.6, as 75.
-    - The end at 0 hit points carries no penalty of its own. An early death loses the rewards that a longer life could
-      have brought; the hit points that are lost before it show in the return.
+      what the words mean. Everything under Dynamics that it does not say is our choice. So is the tie-break in the
+      message, in favour of the wanted action.
+    - A message always has `max_msg_length` words. At `tau` = 0 it names the wanted action only (if `vocab_size` >= 4);
+      the paper calls it a perfect description of the four variables.
+    - That all variables start at 100 is our choice. The paper gives the happiness a maximum of 75; it is 73.6.
+    - The end at 0 hit points carries no penalty of its own. For a good player an early death loses rewards; for a bad
+      one it ends negative rewards.
 
     ## Algorithms
     The paper runs Q-learning with a table, with more and less noise.
@@ -117,7 +117,7 @@ class Tamagotchi(NamedTuple):
     steps_per_episode: int
 
     def initial(self, rng: Random) -> Toy:
-        """All variables and the hit points at 100."""
+        """All variables and the hit points are 100; the want and the message are drawn."""
         return self.settled((100, 100, 100, 100), 100, rng)
 
     def transition(self, state: Toy, action: int, rng: Random) -> Toy:
@@ -139,7 +139,7 @@ class Tamagotchi(NamedTuple):
         return min(max(state.variables[need] + change, 0), 100)
 
     def settled(self, variables: Variables, hp: int, rng: Random) -> Toy:
-        """The toy decides what it wants, the most urgent (among equals, one at random), and says so."""
+        """The toy wants what is most urgent (among equals, one at random), and its message is drawn."""
         wanted = 0
         ties = 1
         for need in range(1, 4):
@@ -168,7 +168,7 @@ class Tamagotchi(NamedTuple):
         return 3
 
     def weight(self, variables: Variables, need: int, wanted: int) -> float:
-        """exp(u_i / τ) of a need, as a share of that of the wanted one, which is the greatest."""
+        """exp(u_i / τ) of a need divided by that of the wanted one (with the tie-break): at most 1."""
         if need == wanted:
             return 1.0
         if self.tau == 0.0:
@@ -176,14 +176,14 @@ class Tamagotchi(NamedTuple):
         return math.exp((urgency(variables[need]) - urgency(variables[wanted]) - TIE_BREAK) / self.tau)
 
     def word(self, need: int, rng: Random) -> int:
-        """A word for need i: any of i, i + 4, i + 8, ... (synonyms); of fewer than four words, i mod H (ambiguous)."""
+        """A word for need i: one of i, i + 4, i + 8, ... (synonyms); if H < 4, the word i mod H (ambiguous)."""
         if self.vocab_size < 4:
             return need % self.vocab_size
         synonyms = (self.vocab_size - need + 3) // 4
         return need + 4 * int(rng.random() * synonyms)
 
     def reward(self, state: Toy, action: int, next_state: Toy, rng: Random) -> float:
-        """The happiness, in which what is low weighs most."""
+        """The happiness after the action; low variables weigh most."""
         return happiness(next_state.variables)
 
     def terminal(self, state: Toy) -> bool:
@@ -206,7 +206,7 @@ class Tamagotchi(NamedTuple):
 
     @property
     def max_steps(self) -> int:
-        """`steps_per_episode`, the paper's name for it."""
+        """The step limit, which the paper calls `steps_per_episode`."""
         return self.steps_per_episode
 
     @property
@@ -234,14 +234,18 @@ class Tamagotchi(NamedTuple):
         """
         at_least("tau", tau, 0)
         vocab_size = whole_number("vocab_size", vocab_size, 1, 2**31)
-        longest = max(length for length in range(1, 57) if vocab_size**length <= 2**56)
-        max_msg_length = whole_number("max_msg_length", max_msg_length, 1, longest)
+        max_msg_length = whole_number("max_msg_length", max_msg_length, 1, 56)
+        if vocab_size**max_msg_length > 2**56:
+            longest = max(length for length in range(1, 57) if vocab_size**length <= 2**56)
+            raise ValueError(
+                f"max_msg_length must be from 1 to {longest} where vocab_size is {vocab_size}, but is {max_msg_length}"
+            )
         steps_per_episode = number_of_steps("steps_per_episode", steps_per_episode)
-        return Tamagotchi(float(tau), max_msg_length, vocab_size, steps_per_episode)
+        return cls(float(tau), max_msg_length, vocab_size, steps_per_episode)
 
     @property
     def reward_threshold(self) -> float | None:
-        """At the defaults a little less than doing what it says returns; None for other parameters."""
+        """At the defaults a little less than the return of obeying the messages, 6707; otherwise None."""
         return 6_600.0 if self == Tamagotchi.create() else None
 
     @property

@@ -1,4 +1,4 @@
-"""Value iteration: the optimum that every learning curve is drawn against."""
+"""Value iteration: the optimum of a task with a finite model."""
 
 from edugym.checks import between
 from edugym.exact.tables import FiniteModel
@@ -15,7 +15,7 @@ def value_iteration(
     tolerance: float = 1e-10,
     max_sweeps: int = 100_000,
 ) -> Values:
-    """The best values there are: sweep over all states until nothing changes.
+    """Optimal values: sweep over all states until no value changes by `tolerance` or more.
 
         Q(s, a) <- Σ_s' p(s'|s, a) [r(s, a, s') + γ V(s')]
         V(s)    <- (1 - ε) max_a Q(s, a) + ε mean_a Q(s, a)
@@ -30,12 +30,16 @@ def value_iteration(
         horizon: with a number, the values of an episode that is cut off after so many steps (those of
             `finite_horizon`); the policy may then depend on the steps that are left. Without one, episodes last until
             the task ends.
-        tolerance: stop when no value changes by more; greater than 0.
-        max_sweeps: give up after so many sweeps, 1 or more.
+        tolerance: stop when every change is smaller; a finite number greater than 0.
+        max_sweeps: without a horizon, give up after so many sweeps, 1 or more.
+
+    Returns:
+        The values `V` and `Q`, and `start`, the expected return from the start of an episode. `finite_model(mdp)` makes
+        the model.
 
     Raises:
-        ValueError: a parameter is not as above, or the values do not settle: at discount 1, some episodes may never end
-            and gather reward without limit (give a horizon).
+        ValueError: a parameter is not as above, or the values do not settle. At discount 1, episodes that never end may
+            gather reward without limit: give a horizon.
 
     References: Sutton and Barto, 2nd edition, equation 4.10 and the box of section 4.4; section 5.4 for ε-soft
     policies.
@@ -44,7 +48,7 @@ def value_iteration(
 
 
 def best_values(epsilon: float) -> StateValues:
-    """The values of states where the best action is taken, but a random one with probability ε.
+    """Return a function from Q to V for the policy that is random with probability ε, else greedy.
 
     Raises:
         ValueError: ε is not from 0 to 1.

@@ -103,7 +103,9 @@ def sweep_until_settled(
         if horizon is None and sweep == max_sweeps:
             break
         before = V
-    raise ValueError(f"values do not settle in {max_sweeps} sweeps at discount {discount!r}: give a horizon")
+    remedy = "give a horizon, for some episodes may never end" if discount == 1 else "give a larger max_sweeps"
+    in_sweeps = f"in {max_sweeps} sweep{'' if max_sweeps == 1 else 's'}"
+    raise ValueError(f"values do not settle {in_sweeps} at discount {discount!r}: {remedy}")
 
 
 def expected_return(model: FiniteModel, V: Reals) -> float:

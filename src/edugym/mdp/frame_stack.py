@@ -1,11 +1,11 @@
-"""The last few observations as one: a window of memory for tasks that hide their state."""
+"""The last few observations as one number: short-term memory for partially observable tasks."""
 
 import math
 from typing import Any, NamedTuple
 
 from gymnasium import spaces
 
-from edugym.checks import whole_number
+from edugym.checks import in_short, whole_number
 from edugym.mdp.checking import require_mdp
 from edugym.mdp.protocol import Random
 from edugym.mdp.tabular import MOST_ROWS, table_sizes, tabular_mdp
@@ -17,7 +17,7 @@ class Stacked(NamedTuple):
 
     Attributes:
         inner: the state of the task.
-        row: the last k observations (and the actions between them), as digits of one whole number, the latest last.
+        row: the last k observations (and the actions between them) as the digits of one number; the newest is last.
     """
 
     inner: Any
@@ -28,17 +28,18 @@ class Stacked(NamedTuple):
 class FrameStack(NamedTuple):
     """An MDP that shows its last k observations, and the actions between them if wanted, as the number of a table row.
 
-    With n observations and m actions the table has n^k rows, and with actions n^k m^(k-1). An episode starts with k
-    copies of its first observation (and action 0 between them).
+    For n observations and m actions the table has n^k rows, or n^k m^(k-1) if the actions are shown. An episode starts
+    with k copies of its first observation (and action 0 between them). If n = 4, the observations 2, 2 are row 10.
 
-    Make one with `FrameStack.create(mdp, k, actions=False)`.
+    Make one with, for example, `FrameStack.create(edugym.make_mdp("MemoryCorridor"), 3)`. (For a Gymnasium environment
+    of this package, `env.unwrapped.mdp` is the MDP.) What is not defined here, `@wrapper` takes from the inner MDP.
 
     Attributes:
         mdp: the task, which observes 0, 1, ..., n - 1.
         k: how many observations are shown, 1 or more.
         n_observations: n.
         n_actions: m, or 1 where actions are not shown.
-        n_recent: how many rows there would be without the oldest observation (and the action after it).
+        n_recent: the number of rows of a window of k - 1 observations: `row % n_recent` drops the oldest.
 
     References: Sutton and Barto, 2nd edition, section 17.3 (there called a kth-order history).
     """
@@ -96,40 +97,44 @@ class FrameStack(NamedTuple):
         Args:
             mdp: the task.
             k: how many observations to show, 1 or more.
-            actions: whether to show the actions between them as well.
+            actions: whether to show the actions between them as well; the action space must then be Discrete.
 
         Raises:
-            ValueError: `k` is below 1; the task observes something else; its actions are whole numbers that do not
-                start at 0, or are to be shown and are no whole numbers; or there are 2^63 different stacks or more.
+            ValueError: a parameter is not as above; `mdp` is not an MDP, its observations are not whole numbers, or its
+                actions do not start at 0; or the table would have 2^63 rows or more.
         """
         require_mdp(mdp)
         k = whole_number("k", k, 1)
+        if not isinstance(actions, bool):
+            raise ValueError(f"actions must be True or False, but is {in_short(actions)}")
         mdp = tabular_mdp(mdp)
         n_actions, n = 1, math.prod(table_sizes(mdp.observation_space))
         if actions and k > 1:
             if not isinstance(mdp.action_space, spaces.Discrete):
-                raise ValueError(f"actions must be False for a task without the actions 0, 1, ...: {mdp.action_space}")
+                raise ValueError(
+                    f"actions must be False, since the action space is not Discrete but {mdp.action_space}"
+                )
             n_actions = int(mdp.action_space.n)
         most = longest_stack(n, n_actions)
         if most is not None and k > most:
             shown = f"{n} observations" if n_actions == 1 else f"{n} observations and {n_actions} actions"
             raise ValueError(
-                f"k must be at most {most} for {shown}, since a longer stack has 2^63 rows or more, but is {k}"
+                f"k must be at most {most}, but is {in_short(k)}: for {shown} a longer window has 2^63 rows or more"
             )
         return cls(mdp, k, n, n_actions, stack_size(n, k - 1, n_actions) if k > 1 else 1)
 
 
 def stack_size(n_observations: int, k: int, n_actions: int = 1) -> int:
-    """How many different stacks of k observations there are, with the actions between them: n^k m^(k-1).
+    """How many different windows of k observations there are, with the actions between them: n^k m^(k-1).
 
-    It is computed with Python's whole numbers, so `k` may be as large as you like.
+    It is computed with Python's whole numbers, so `k`, 1 or more, may be as large as you like.
     """
     size: int = n_observations**k * n_actions ** (k - 1)
     return size
 
 
 def longest_stack(n_observations: int, n_actions: int = 1) -> int | None:
-    """The largest k for which a stack has fewer than 2^63 rows; None if there is no such limit."""
+    """The largest k for which a window has fewer than 2^63 rows; None if there is no such limit."""
     if n_observations * n_actions == 1:
         return None
     k = 0

@@ -55,12 +55,23 @@ class Tabular(NamedTuple):
         parts = space.spaces if isinstance(space, spaces.Tuple) else ()
         if not all(isinstance(part, spaces.Discrete) for part in parts) or len(space.shape or ()) > 1:
             raise ValueError(f"observation_space of an MDP must be flat for a table, but is {space}")
-        if math.prod(sizes) > MOST_ROWS:
-            raise ValueError(
-                f"the rows of a table over {in_digits(math.prod(sizes))} observations do not fit 63 bits: give rows"
-                " only to those that occur (edugym.Hashed)"
-            )
+        number_of_rows(sizes)
         return cls(mdp, np.array(sizes), np.array(table_lows(space)))
+
+
+def number_of_rows(sizes: Sequence[int]) -> int:
+    """The number of rows of a table for several numbers, which take so many values each.
+
+    Raises:
+        ValueError: there are 2^63 rows or more.
+    """
+    rows = math.prod(sizes)
+    if rows > MOST_ROWS:
+        raise ValueError(
+            f"the rows of a table over {in_digits(rows)} observations do not fit 63 bits: give rows only to those that"
+            " occur (edugym.Hashed)"
+        )
+    return rows
 
 
 def tabular_mdp(mdp: MDP[Any, Any]) -> Any:

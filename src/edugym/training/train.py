@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from edugym.checks import whole_number
+from edugym.checks import number_of_steps, whole_number
 from edugym.interrupts import Interrupted, Stopped, Work
 from edugym.mdp.checking import end_at_students_line
 from edugym.mdp.protocol import Integers, Reals
@@ -23,13 +23,14 @@ class Run:
 
     Attributes:
         steps: shape (n_points,): the training steps before each point of the curve; the first is 0.
-        returns: shape (n_points,): the mean undiscounted return of the evaluation episodes, played without exploring.
+        returns: shape (n_points,): the mean undiscounted return of the evaluation episodes, played with `greedy` if the
+            agent has this method, else with `act`.
         training_returns: shape (n_points,): the mean undiscounted return of the training episodes that ended since the
-            point before, exploring steps included; NaN where none ended.
-        episodes: shape (n_points,): the number of training episodes that ended since the point before.
-        agent: the agent that was given; training changed its tables in place.
+            previous point, exploring steps included; NaN where none ended.
+        episodes: shape (n_points,): the number of training episodes that ended since the previous point.
+        agent: the trained agent. Its tables are those of the agent that was given, changed in place.
         seed: the seed from which every random stream of this run comes.
-        seconds: the time it took.
+        seconds: the time it took, with compiling and evaluating.
         complete: False if it was stopped before its last point.
     """
 
@@ -57,40 +58,46 @@ def train(
 ) -> Run:
     """Train `agent` in `environment` for `n_steps` steps and measure its learning curve.
 
-    Long runs of an MDP or of an EduGym environment run as machine code; other Gymnasium environments run in a plain
-    loop (both are in `edugym.training.loops` and `gymnasium_loops`).
+    Long runs of an MDP or of an EduGym environment run as machine code (the loops are in `edugym.training.loops`).
+    Other Gymnasium environments, and EduGym's in a wrapper that changes them or with a `step_timeout`, run in a plain
+    loop (in `edugym.training.gymnasium_loops`).
 
-    Ctrl-C ends the run within a fifth of a second. The agent keeps what it has learned, and the curve so far is in the
-    `Interrupted` that is raised: `sys.last_value.partial` in a notebook or at the prompt.
+    Ctrl-C ends the run within a fifth of a second. The agent keeps what it has learned, and `train` raises
+    `Interrupted`, whose attribute `partial` is the `Run` so far: in a notebook or at the prompt,
+    `sys.last_value.partial`.
 
     Args:
         environment: an MDP, a Gymnasium environment, or the name or id of one.
         agent: an agent for it; its tables are changed in place.
         n_steps: the number of training steps, 1 or more.
-        max_steps: the step at which an episode is truncated; by default the environment's own limit, if it has one.
-        evaluate_every: the steps between two points of the curve; by default a hundredth of `n_steps`.
-        evaluation_episodes: the number of episodes that each point averages. They are played with `agent.greedy` (or
-            `act` without one) on random streams of their own, so that evaluating changes nothing in the training.
-        seed: the seed of all random streams: the same one gives the same run, bit for bit.
+        max_steps: the step at which an episode is truncated; by default the environment's own limit, if it has one. In
+            the plain loop an environment's own limit counts as well.
+        evaluate_every: the steps between two points of the curve; by default `n_steps // 100`, at least 1.
+        evaluation_episodes: the number of episodes that each point averages. They are played with `agent.greedy` (an
+            agent without this method plays with `act`, so it explores), on random streams of their own: evaluating
+            changes nothing in the training. Without a step limit they end after 1000 steps at the latest.
+        seed: the seed of all random streams. The same seed and a new agent give the same run, bit for bit.
         progress: whether to show a progress bar.
-        stop: a `threading.Event`. When it is set, the run ends and what is done is returned.
+        stop: a `threading.Event`. When it is set, `train` stops and returns the `Run` so far, with `complete=False`.
+
+    Warns:
+        UserWarning: the curve suggests a mistake, for example when no episode has ended.
 
     Raises:
         ValueError: a parameter is not as above, or the observations or actions do not fit a table.
         Interrupted: Ctrl-C was pressed. Its `partial` is the `Run` so far.
     """
-    whole_number("n_steps", n_steps, 1)
-    every = max(1, n_steps // 100) if evaluate_every is None else evaluate_every
-    whole_number("evaluate_every", every, 1)
-    whole_number("evaluation_episodes", evaluation_episodes, 1)
-    whole_number("seed", seed, 0)
+    n_steps = number_of_steps("n_steps", n_steps)
+    every = max(1, n_steps // 100) if evaluate_every is None else whole_number("evaluate_every", evaluate_every, 1)
+    evaluation_episodes = whole_number("evaluation_episodes", evaluation_episodes, 1)
+    seed = whole_number("seed", seed, 0)
     if max_steps is not None:
-        whole_number("max_steps", max_steps, 1)
+        max_steps = number_of_steps("max_steps", max_steps)
     check_stop(stop)
     began, done, curve, interrupted = time.perf_counter(), 0, _Curve(), False
     try:
         with Work(stop) as work, progress_bar(n_steps, "steps", shown=progress) as bar:
-            expected = 0 if stop is not None and stop.is_set() else n_steps  # nothing to compile for
+            expected = 0 if stop is not None and stop.is_set() else n_steps  # no steps to come: do not compile
             training = trainer(environment, agent, seed, max_steps, expected)
             agent = training.agent
             work.hold(training.is_compiled)
@@ -119,7 +126,9 @@ def train(
 
 
 def check_stop(stop: Any) -> None:
-    """Refuse what is no event."""
+    """Refuse what is neither an event nor None."""
+    if isinstance(stop, type):
+        raise ValueError(f"stop must be a threading.Event or None, but is the class {stop.__name__}: add brackets, ()")
     if stop is not None and not (hasattr(stop, "is_set") and hasattr(stop, "set")):
         raise ValueError(f"stop must be a threading.Event or None, but is {stop!r}")
 
@@ -136,7 +145,7 @@ class _Curve:
         return self._points[-1][0] if self._points else -1
 
     def measure(self, steps: int, training: Trainer, n_episodes: int, stopped: Callable[[], bool]) -> None:
-        """Evaluate the agent over some episodes, and add a point to the curve unless the run is stopped meanwhile."""
+        """Evaluate the agent over some episodes, and add a point to the curve unless the run stops before the last."""
         returns = training.play_episodes(n_episodes)
         while len(returns) < n_episodes:
             if stopped():
@@ -145,7 +154,7 @@ class _Curve:
         log = training.log
         ended = int(log.episodes[0])
         mean = log.returns[0] / ended if ended else math.nan
-        self._points.append((steps, float(np.mean(returns)), mean, ended))  # at once: Ctrl-C leaves no half of a point
+        self._points.append((steps, float(np.mean(returns)), mean, ended))  # one call: Ctrl-C leaves no half point
         log.returns[0] = log.episodes[0] = 0
 
     def columns(self) -> tuple[Integers, Reals, Reals, Integers]:
