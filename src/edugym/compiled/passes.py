@@ -112,8 +112,9 @@ def _replace_called(func_ir: Any, block: Any, statement: Any) -> None:
         before = []
         if definition.value is round and len(call.args) + len(call.kws) > 1:
             _refuse("it rounds to decimals", statement.loc)
-        if definition.value is int and not call.args:
-            return
+        given = ir_utils.guard(ir_utils.get_definition, func_ir, call.args[0]) if call.args else None
+        if not call.args or (isinstance(given, ir.Const) and isinstance(given.value, str)):
+            return  # int(), float("inf")
     else:
         return
     name = ir.Var(block.scope, ir_utils.mk_unique_var("$checked"), statement.loc)
