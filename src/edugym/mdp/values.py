@@ -68,6 +68,26 @@ def kept(state: Any) -> Any:
     return state if isinstance(state, int | float | str | None) else copy.deepcopy(state)
 
 
+def own_copy(value: Any, why: str) -> Any:
+    """A copy that shares nothing with a value.
+
+    Args:
+        value: an agent or an environment.
+        why: what the copy is for, and what to do where there can be none.
+
+    Raises:
+        ValueError: something in it cannot be copied.
+    """
+    try:
+        return copy.deepcopy(value)
+    except TypeError as error:
+        if "cannot pickle" not in str(error):
+            raise
+        held = str(error).removeprefix("cannot pickle ").removesuffix(" object").strip("'")
+        name = type(getattr(value, "unwrapped", value)).__name__
+        raise ValueError(f"{name} holds a {held}, which cannot be copied, but {why}") from None
+
+
 def same(one: Any, other: Any) -> bool:
     """Whether two values are the same, whatever they are made of; NaN is the same as NaN."""
     if one is other:

@@ -5,6 +5,7 @@ silently: actions, rewards and observations that may not be. The checks change n
 each method is called as often as without them. The package's own classes are not checked here; the tests cover them.
 """
 
+import inspect
 import math
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -186,6 +187,29 @@ class CheckedAgent:
                     f" observations and {actions.n} actions"
                 )
         return ""
+
+
+def require_env(env: gymnasium.Env[Any, Any]) -> None:
+    """Refuse an environment, or a wrapper in it, whose `reset` or `step` is missing or takes something else.
+
+    Raises:
+        ValueError: one of them is not as Gymnasium calls it.
+    """
+    name = type(env).__name__
+    for method, takes, given, named in (
+        ("reset", "(self, *, seed=None, options=None)", (), {"seed": None, "options": None}),
+        ("step", "(self, action)", ("action",), {}),
+    ):
+        if getattr(type(env), method) is getattr(gymnasium.Env, method):
+            raise ValueError(f"{name} must have a method {method}{takes}")
+        signature = inspect.signature(getattr(env, method))
+        try:
+            signature.bind(*given, **named)
+        except TypeError:
+            taken = ", ".join(["self", *map(str, signature.parameters.values())])
+            raise ValueError(f"{method} of {name} must take {takes}, but takes ({taken})") from None
+    if isinstance(env, gymnasium.Wrapper):
+        require_env(env.env)
 
 
 @contextmanager

@@ -4,7 +4,6 @@
 form of everything.
 """
 
-import copy
 import math
 import time
 from collections.abc import Callable, Iterator
@@ -24,10 +23,10 @@ from edugym.compiled.execution import executable
 from edugym.interrupts import held
 from edugym.mdp.checking import CHECKED_STEPS, is_own, require_mdp, require_spaces
 from edugym.mdp.protocol import coerced, step_limit
-from edugym.mdp.values import shown
+from edugym.mdp.values import own_copy, shown
 from edugym.registration import full_id
 from edugym.training import gymnasium_loops, loops
-from edugym.training.checking import checked_agent, checked_env, checked_mdp, doubts
+from edugym.training.checking import checked_agent, checked_env, checked_mdp, doubts, require_env
 from edugym.training.contract import actor, is_on_policy, learner, learns_from, tables_of
 from edugym.training.guarded import guarded
 from edugym.training.loops import Log
@@ -213,7 +212,7 @@ class GymnasiumTrainer:
         """See `trainer`; the limit is None where it is not known."""
         self.agent, self.log, self._pace, self._expected = agent, new_log(), Pace(), expected
         environment_rng, self._agent_rng, self._evaluation_rng, self._actor_rng = streams(seed)
-        self._evaluated = copy.deepcopy(env)  # before it draws anything that cannot be copied
+        self._evaluated = own_copy(env, "evaluation plays a copy: make it in reset")  # before anything is drawn
         self._env, self._limit = env, limit
         self._learner: Any = checked_agent(learner(agent), env)
         self._actor: Any = None
@@ -306,6 +305,7 @@ def _task(environment: Any, agent: Any) -> Any:
         raise ValueError(f"environment must be an MDP, a Gymnasium environment or a name, but is {shown(environment)}")
     if isinstance(environment, gymnasium.Env):
         require_spaces(environment)
+        require_env(environment)
     elif not is_own(environment):
         require_mdp(environment, "environment")
     learns_from(agent)  # refuses what is no agent
