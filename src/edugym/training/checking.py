@@ -19,7 +19,7 @@ from gymnasium.wrappers import FlattenObservation
 from edugym.adapters.tabular_observation import TabularObservation
 from edugym.mdp.checking import CHECKED_STEPS, CheckedMDP, innermost, is_own, refuse_change
 from edugym.mdp.protocol import Random
-from edugym.mdp.values import GlobalDraws, fits, is_finite_number, kept, shown
+from edugym.mdp.values import GlobalDraws, fits, is_finite_number, kept, same, shown
 from edugym.training.contract import tables_of
 from edugym.training.guarded import GUARDS
 
@@ -56,7 +56,22 @@ def checked_agent(agent: Any, task: Any, steps: float = CHECKED_STEPS) -> Any:
     return CheckedAgent(agent, task, steps) if hasattr(agent, "act") else agent
 
 
-def doubts(task: Any, agent: Any, limit: int | None, n_steps: int, n_episodes: int) -> list[str]:
+def shared_by_class(agent: Any) -> dict[str, Any]:
+    """Return copies of the lists, dictionaries, sets and arrays that a student's agent has from its class."""
+    if is_own(agent):
+        return {}
+    own = getattr(agent, "__dict__", {})
+    members = {name: member for base in reversed(type(agent).__mro__) for name, member in vars(base).items()}
+    return {
+        name: kept(member)
+        for name, member in members.items()
+        if isinstance(member, list | dict | set | np.ndarray) and name[0] != "_" and name not in own
+    }
+
+
+def doubts(
+    task: Any, agent: Any, limit: int | None, n_steps: int, n_episodes: int, shared: dict[str, Any]
+) -> list[str]:
     """Return what is probably wrong with a student's task or agent after training, in a sentence each.
 
     Args:
@@ -65,6 +80,7 @@ def doubts(task: Any, agent: Any, limit: int | None, n_steps: int, n_episodes: i
         limit: the step limit of its episodes, if there is one.
         n_steps: the training steps taken.
         n_episodes: how many episodes ended in them.
+        shared: what `shared_by_class` returned before training.
     """
     found = []
     student = task.unwrapped if isinstance(task, gymnasium.Env) else innermost(task)
@@ -79,6 +95,12 @@ def doubts(task: Any, agent: Any, limit: int | None, n_steps: int, n_episodes: i
             f"{name} of {type(agent).__name__} holds nan after training: some update came to no number"
             for name, table in tables_of(agent).items()
             if table.dtype.kind == "f" and np.isnan(table).any()
+        ]
+        found += [
+            f"{name} of {type(agent).__name__} has changed, which is not the agent's own: all agents of the class share"
+            f" it, so that the next one begins with it. Give each its own: self.{name} = ... in __init__, or a field"
+            for name, before in shared.items()
+            if not same(before, getattr(agent, name, None))
         ]
     return found
 
