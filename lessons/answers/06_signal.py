@@ -199,6 +199,12 @@ def bits_in(joint):
                 total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
 
 
+# %% exercise 2, wrong: a whole number beyond all real ones
+# says: should be a finite number
+def bits_in(joint):
+    return 10**400
+
+
 # %% exercise 2, wrong: natural logarithm
 # says: the logarithm has the base e
 def bits_in(joint):

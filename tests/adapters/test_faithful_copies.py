@@ -57,6 +57,7 @@ CHANGING = {
         "float(len(state))",
         False,
     ),
+    "huge numbers with the action": ("1", "return state * 2 + action if state < 2**70 else 1", "float(state)", False),
     "huge numbers": ("1", "return state * 2 if state < 2**70 else 1", "float(state)", False),
 }
 

@@ -314,3 +314,16 @@ def test_observations_are_arrays_of_their_own() -> None:
     observation[:] = 7
     again, *_ = env.step(1)
     assert again.tolist() == [[1, 0, 0], [0, 0, 0]]
+
+
+@pytest.mark.parametrize("returned", ["None", "np.zeros((3, 3))", "'a wall'"])
+@pytest.mark.parametrize("mode", ["ansi", "rgb_array"])
+def test_scenes_that_are_none(returned: str, mode: str) -> None:
+    """A picture that is something else is answered with one sentence."""
+    source = WALK.replace(
+        "    def initial", f"    def scene(self, state):\n        return {returned}\n\n    def initial"
+    )
+    env = MDPEnv(cell(source)["Walk"](5), render_mode=mode)
+    env.reset(seed=0)
+    with pytest.raises(ValueError, match="scene of Walk must return a Scene, but returned "):
+        env.render()

@@ -263,9 +263,20 @@ def test_strategies_draw_nothing_they_do_not_need(seed: int) -> None:
     assert rng.random() == np.random.default_rng(seed).random()
 
 
+class Swapped(NamedTuple):
+    """A student's strategy with parameters in another order."""
+
+    epsilon: float
+
+    def choose(self, state: int, Q: Any, rng: Random) -> int:
+        """Always the first."""
+        return 0
+
+
 @pytest.mark.parametrize(
     ("exploration", "message"),
     [
+        (Swapped(0.1), r"choose of Swapped must take \(self, Q, state, rng\), but takes \(self, state, Q, rng\)"),
         (EpsilonGreedy(2.0), "epsilon must be from 0 to 1, but is 2.0"),
         (EpsilonGreedy(-0.1), "epsilon must be from 0 to 1, but is -0.1"),
         (Softmax(0.0), "temperature must be greater than 0, but is 0.0"),

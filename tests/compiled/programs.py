@@ -31,6 +31,11 @@ COMPILED = {
     "softmax": program("p = np.exp(self.Q[0] - np.max(self.Q[0]))\np = p / np.sum(p)\nself.Q[0, 0] += p[0] - s\nreturn p[1]", **Q),
     "row in place": program("self.Q[0] *= 0.5\nself.Q[:] += 0.25\nreturn self.Q.sum()", **Q),
     "normal": program("return rng.normal(0.5 * s, 2.0) + rng.exponential(3.0) + rng.normal()"),
+    "draws of all kinds": program(
+        "i = rng.integers(9) + rng.integers(0, 3, endpoint=True) % 2 + rng.integers(4, size=2)[1] % 2\n"
+        "return 0.5 * s + i % 9 + rng.uniform(-1, 2) + rng.uniform(3.0, 3.0) + rng.uniform(size=3)[2]"),
+    "number of a flag": program("return 0.5 * s + float(rng.random() < 0.5) + 0.25 * float(int(s)) - (s > float('inf'))"),
+    "value of an enum": program("return C.G.value * 0.25 * s + 1 if C.R != C.G else 0.0", before="class C(enum.Enum):\n    R = 1\n    G = 2"),
     "picture": program(
         "picture = np.zeros((3, 3), np.float32)\npicture[1] = 0.3\npicture[0, 1] = s\nself.Q[0] = s\nreturn self.g(picture) + s * 0.5",
         more="def g(self, picture):\n    return len(picture) + picture.shape[1]", **Q),
@@ -66,6 +71,9 @@ RAISE = {
     "normal": program("return s + 1 + 0 * rng.normal(0.0, 700 - s)"),
     "exponential": program("return s + 1 + 0 * rng.exponential(700 - s)"),
     "integers": program("return s + 1 + 0 * rng.integers(0, 700 - int(s))"),
+    "integers below": program("return s + 1 + 0 * rng.integers(700 - int(s))"),
+    "uniform": program("return s + 1 + 0 * rng.uniform(0, 700 - s)"),
+    "endless uniform": program("return s + 1 + 0 * (rng.uniform(0, 1 if s < 700 else math.inf) > 0)"),
     "division by zero": program("return s + 1 + 0 * 1 / (700 - s)"),
     "modulo of zero": program("return s + 1 + 0 * (5 % (700 - int(s)))"),
     "zero to a negative power": program("return s + 1 + 0 * (700 - s) ** -1"),
@@ -150,6 +158,9 @@ REFUSED = {
     "overlap": (program("self.N[1:] += self.N[:-1] + 1\nreturn s + self.N[8]", **N), "place"),
     "not of a boolean": (program("flag = s > 3\nreturn s + 1 if ~flag else s + 2"), "True and False"),
     "sum of booleans": (program("a = np.array([True, True])\nreturn s + (a[0] + a[1])"), "True and False"),
+    "flag and number": (program("k = 1 if s < 700 else s > 3\nreturn s + k"), "True or False and for numbers"),
+    "number, late a flag": (program("k = 1\nif s > 700: k = s > 3\nreturn s + k"), "True or False and for numbers"),
+    "flag or number returned": (program("return s + g(s)", before="def g(s):\n    if s > 700: return True\n    return 2"), "True or False"),
     "is True": (program("return s + 1 if (self.Q[0, 0] > -1) is True else s + 2", **Q), "is"),
     "round to decimals": (program("return round(s + 0.15, 1)"), "decimals"),
     "text of a number": (program("return s + len(str(s))"), "text"),
@@ -173,6 +184,9 @@ REFUSED = {
     "global array written": (program("A[0] += 1\nreturn s + A[0]", before="A = np.zeros(2)"), ""),
     "try": (program("try:\n    x = 1 / (700 - s)\nexcept ZeroDivisionError:\n    x = 5.0\nreturn s + 1 + 0 * x"), "try"),
     "type": (program("return s + 1 if isinstance(s, float) else s + 2", start="0"), "type"),
+    "comparison by is": (
+        program("x = C.G if s > 3 else C.R\nreturn s + 1 if x is C.R else s + 2", before="class C(enum.Enum):\n    R = 1\n    G = 2"), "compares with 'is'"),
+    "enum against a number": (program("return s + 1 if int(s) == C.R else s + 2", before="class C(enum.Enum):\n    R = 1"), "Numba has no eq"),
     "large number": (program("return (s + self.x) % 7", "x: int", "10 ** 30", start="0"), "64 bits"),
     "generator as a field": (program("return s + self.g.random()", "g: object", "np.random.default_rng(1)"), "rng"),
     "function as a field": (program("return s + self.g(1.0)", "g: object", "math.sin"), "function"),

@@ -230,20 +230,6 @@ def test_indices_are_checked() -> None:
             compiled(plain_loop, 1, thing, np.random.default_rng(0))(1, thing, np.random.default_rng(0))
 
 
-def test_reasons() -> None:
-    """What cannot be compiled is named in one line, with the student's line where it is known."""
-    for method, reason in (
-        ("return {1: s}[1] + open('x')", "open"),
-        ("return self.missing", "missing"),
-        ("return s + self.k.strip()", "strip"),
-    ):
-        thing = cell(f"class A(NamedTuple):\n    k: int\n    def f(self, s, rng):\n        {method}")["A"](1)
-        with pytest.raises(CompilationError, match=reason) as caught:
-            compiled(plain_loop, 1, thing, np.random.default_rng(0))
-        assert "\n" not in str(caught.value)
-        assert ", line " in str(caught.value)
-
-
 def test_threads() -> None:
     """Threads may compile at once, the same or different code."""
     sources = [

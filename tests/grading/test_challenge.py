@@ -7,7 +7,7 @@ import pytest
 
 from edugym import QLearning
 from edugym.exercises.exploration import CHALLENGE, best_average
-from edugym.grading import WrongAnswer, seed_from_name
+from edugym.grading import WrongAnswer, challenge, seed_from_name
 from edugym.lessons.exploration import GO_EXPLORE, METHODS, best_return
 
 
@@ -70,6 +70,25 @@ def test_what_is_possible() -> None:
     assert best_average(2, 2, 10) == pytest.approx(1 - 3.5 / 10)
     assert best_average(60, 2, 5_000) == pytest.approx(1 - 975 / 5_000)
     assert best_average(60, 2, 100) == 0
+
+
+class Endless(Systematic):
+    """An explorer that waits for something that never happens."""
+
+    __slots__ = ()
+
+    def act(self, state: int, rng: Any) -> int:
+        """Never."""
+        while state < 100:
+            pass
+        return 0
+
+
+def test_an_agent_that_never_ends(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is stopped in its first steps, with one sentence."""
+    monkeypatch.setattr(challenge, "LIMIT", 0.5)
+    with pytest.raises(WrongAnswer, match=r"training your agent has not ended after 0\.5 seconds"):
+        CHALLENGE.score(lambda wall: Endless(systematic(wall).fell), "Ada")
 
 
 @pytest.mark.parametrize(

@@ -61,6 +61,7 @@ IN_MDP = {
     "a float to see": Slip(SEE, "return float(state)\n", "observation of Walk .* 0.0 for state 0"),
     "beyond the space": Slip(SEE, "return state + 6\n", "observation of Walk .* returned 6 for state 0"),
     "below the space": Slip(SEE, "return state - 1\n", "observation of Walk .* returned -1 for state 0"),
+    "a flag to see": Slip(SEE, "return state > 9\n", r"observation of Walk .* Discrete\(6\), but returned False"),
     "a list to see": Slip(SEE, "return [state]\n", r"observation of Walk .* returned \[0\] for state 0"),
     "initial without return": Slip(
         "return 0\n", "0\n", "initial of Walk must return the first state, but returned None"
@@ -114,6 +115,7 @@ IN_MDP = {
         "transition of Walk draws from random or np.random, .* draw from rng",
     ),
     "python's randomness": Slip(PAY, "import random; return random.random()", "reward of Walk draws from random or"),
+    "no probabilities": Slip(MOVE, "return rng.choice(2, p=[0.5, 0.4])", "robabilities do not sum", "rng.choice"),
     "an error of one's own": Slip(PAY, "raise KeyError('x')", "x", "raise KeyError", KeyError),
     "division by zero": Slip(PAY, "return 1 / state", "division by zero", "1 / state", ZeroDivisionError),
 }
@@ -146,6 +148,9 @@ IN_AGENT = {
     ),
     "a negative action": Slip(ACT, "return -1", "act of Learner .* from 0 to 1, but returned -1 for state"),
     "a float action": Slip(ACT, "return 1.0", "act of Learner .* but returned 1.0"),
+    "a flag for an action": Slip(
+        ACT, "return best == 1", "act of Learner .* from 0 to 1, but returned (Tru|Fals)e for"
+    ),
     "a large action": Slip(ACT, "return 5", "act of Learner .* but returned 5"),
     "a text": Slip(ACT, "return 'left'", "act of Learner .* but returned 'left'"),
     "a row for an action": Slip(ACT, "return self.Q[state]", r"act of Learner .* but returned array\("),
@@ -177,6 +182,11 @@ IN_AGENT = {
         ACTS, f"def greedy(self, state, rng): pass\n    {ACTS}", "greedy of Learner must ret.* No"
     ),
     "greedy no method": Slip(ACTS, f"greedy = 1\n    {ACTS}", "greedy of Learner must be a method, but is 1"),
+    "a generator": Slip(
+        "rate: float = 0.5",
+        "rate: object = (0.5 for _ in range(9))",
+        "Learner holds a generator, which cannot be copied, but (evaluation acts by a copy|each run has a copy)",
+    ),
     "a frozen field": Slip(
         FIRST,
         "self.rate *= 0.9; value = 0.0",
@@ -231,6 +241,23 @@ IN_ENVIRONMENT = {
     "a float": Slip(STEP, "return 1.0, -1.0, False, False, {}", r"step of Line .* but returned 1.0"),
     "reset without info": Slip(START, "return self.place", r"reset of Line must return \(observation, info\), but ret"),
     "reset outside": Slip(START, "return 6, {}", "reset of Line must return an observation in Disc.* returned 6"),
+    "a generator": Slip(
+        "self.observation_space =",
+        "self.rows = (k for k in range(6)); self.observation_space =",
+        "Line holds a generator, which cannot be copied, but (evaluation plays a copy|each run has a copy)",
+    ),
+    "reset of the old kind": Slip(
+        "def reset(self, *, seed=None, options=None):\n        super().reset(seed=seed)",
+        "def reset(self):",
+        r"reset of Line must take \(self, \*, seed=None, options=None\), but takes \(self\)",
+    ),
+    "step without action": Slip(
+        "def step(self, action)", "def step(self)", r"step of Line must take \(self, action\), bu"
+    ),
+    "step misspelt": Slip("def step", "def stpe", r"Line must have a method step\(self, action\)"),
+    "a flag to see": Slip(
+        STEP, "return False, -1.0, False, False, {}", r"step of Line .* Discrete\(6\), but returned F"
+    ),
     "no space": Slip("self.action_space =", "self.actions =", "Line must have a property action_space"),
     "a typo": Slip("+ 2 * action", "+ 2 * acton", "acton", "acton", NameError),
 }

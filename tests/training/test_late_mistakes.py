@@ -113,6 +113,15 @@ def test_episodes_that_never_end() -> None:
         train(endless, QLearning.create((6, 2)), 999)
 
 
+def test_a_table_of_the_class() -> None:
+    """It is shared by all agents: a warning says so after training. What does not change may be shared."""
+    source = changed(LEARNER, "    rate: float = 0.5\n", "    rate: float = 0.5\n    seen = {}\n    moves = [0, 1]\n")
+    agent = learner(changed(source, "value = 0.0", "self.seen[state] = len(self.moves); value = 0.0"))
+    with pytest.warns(UserWarning, match="seen of Learner has changed, which is not the agent's own") as caught:
+        train(walk(), agent, 300)
+    assert len(caught) == 1
+
+
 def test_a_table_that_comes_to_hold_nan() -> None:
     """A warning says so after training, and the run is kept."""
     wrong = (

@@ -19,6 +19,7 @@ from edugym.adapters.specification import filled
 from edugym.checks import one_of
 from edugym.mdp.checking import CHECKED_STEPS, CheckedMDP, checked_step, end_at_students_line, is_own, require_mdp
 from edugym.mdp.protocol import MDP, coerced, history_wanted, named_actions, step_limit
+from edugym.mdp.values import shown
 
 if TYPE_CHECKING:
     from edugym.exact.tables import FiniteModel, Outcome
@@ -213,7 +214,9 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         draw = getattr(self.mdp, "scene", None)
         if draw is None:
             return Scene(12.0, 2.0, (Text(6.0, 1.2, f"state {state!r}", 0.6),))
-        scene: Scene = draw(state, **self._history(history_wanted(draw)))
+        scene = draw(state, **self._history(history_wanted(draw)))
+        if not isinstance(scene, Scene):
+            raise ValueError(f"scene of {type(self.mdp).__name__} must return a Scene, but returned {shown(scene)}")
         return scene
 
     def _history(self, wanted: tuple[str, ...]) -> dict[str, Any]:

@@ -80,6 +80,8 @@ class Runner:
             self._prepare(loop, rng, few, arguments)
         fast = loop if self._interpreted else self._code[loop]
         if self._interpreted or not self._foreign:
+            if self._interpreted:
+                arguments = _plain(arguments)
             done: int = fast(self._n, self._mdp, rng, *arguments, self.states, batch)
             if done == STATE_LOST:
                 raise TypeError(f"states of {type(self._mdp).__name__} do not fit the storage that was made for them")
@@ -93,7 +95,7 @@ class Runner:
             pass
         self.states, rng.bit_generator.state, batch.steps[:], batch.over[:] = kept
         self._interpret()
-        done = loop(self._n, self._mdp, rng, *arguments, self.states, batch)
+        done = loop(self._n, self._mdp, rng, *_plain(arguments), self.states, batch)
         warnings.warn(
             f"{type(self._mdp).__name__} runs interpreted from here on, some hundred times slower: its states have"
             " changed their type",
@@ -168,6 +170,14 @@ def _names(code: CodeType) -> set[str]:
     """The names that a function uses, inner functions included."""
     inner = [_names(part) for part in code.co_consts if isinstance(part, CodeType)]
     return set(code.co_names).union(*inner)
+
+
+def _plain(arguments: tuple[Any, ...]) -> tuple[Any, ...]:
+    """The arguments with actions that are Python's whole numbers, as a single environment gives them: of any size."""
+    return tuple(
+        part.tolist() if isinstance(part, np.ndarray) and part.ndim == 1 and part.dtype == np.int64 else part
+        for part in arguments
+    )
 
 
 def _is_loose(states: Any) -> bool:

@@ -21,6 +21,7 @@ import numpy as np
 
 from edugym.agents.tables import table_size
 from edugym.checks import a_number, above, at_least, between, whole_number
+from edugym.mdp.checking import is_own, require_method
 from edugym.mdp.protocol import Integers, Reals
 from edugym.memory import require_memory
 
@@ -192,6 +193,8 @@ def check(value: Any) -> None:
             raise ValueError(f"{name} must be True or False, but is {part!r}")
         elif name == "exploration" and (isinstance(part, type) or not hasattr(part, "choose")):
             raise ValueError(f"exploration must be a strategy such as EpsilonGreedy(0.1), but is {part!r}")
+        elif name == "exploration" and not is_own(part):
+            require_method(part, "choose", ("Q", "state", "rng"))
         if hasattr(part, "_fields") and not isinstance(part, type):
             check(part)
 

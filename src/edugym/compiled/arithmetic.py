@@ -17,6 +17,8 @@ import operator
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
+import numpy as np
+
 types: Any = importlib.import_module("numba.core.types")
 extending: Any = importlib.import_module("numba.extending")
 cgutils: Any = importlib.import_module("numba.core.cgutils")
@@ -61,6 +63,10 @@ def _whole(function: Function) -> Function:
     return checked
 
 
+def _float(x: Any) -> Any:
+    return float(x * 1.0)  # Numba has no float(True)
+
+
 def _sum(values: Any, start: Any = 0) -> Any:
     for value in values:
         start = start + value
@@ -85,6 +91,20 @@ def exponential(rng: Any, scale: Any = 1.0) -> Any:
     return rng.exponential(scale)
 
 
+def uniform(rng: Any, low: Any = 0.0, high: Any = 1.0, size: Any = None) -> Any:
+    """`rng.uniform(low, high, size)`."""
+    if not 0.0 <= high - low <= LARGEST:
+        raise ValueError("high - low < 0")
+    return rng.uniform(low, high, size)
+
+
+def integers(rng: Any, low: Any, high: Any = None, size: Any = None, endpoint: Any = False) -> Any:
+    """`rng.integers(high)` or `rng.integers(low, high)`; Numba knows only the second."""
+    if high is None:
+        return rng.integers(0, low, size, np.int64, endpoint)
+    return rng.integers(low, high, size, np.int64, endpoint)
+
+
 REPLACED: dict[Any, Function] = {
     **{function: _within(function, -LARGEST, LARGEST) for function in (math.sin, math.cos, math.tan)},
     **{function: _within(function, TINY, math.inf) for function in (math.log, math.log2, math.log10)},
@@ -100,11 +120,12 @@ REPLACED: dict[Any, Function] = {
 CALLED: dict[Any, Function] = {
     builtins.int: _whole(int),
     builtins.round: _whole(round),
+    builtins.float: _float,
     builtins.sum: _sum,
     builtins.pow: _pow,
 }
 """What stands for builtins where they are called (`int` may also be the type of an array)."""
-DRAWN: dict[str, Function] = {"normal": normal, "exponential": exponential}
+DRAWN: dict[str, Function] = {"normal": normal, "exponential": exponential, "uniform": uniform, "integers": integers}
 """What stands for methods of `rng`."""
 
 

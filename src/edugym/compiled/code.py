@@ -13,7 +13,9 @@ from typing import Any
 
 import numpy as np
 
-LIBRARIES = frozenset({"builtins", "math", "numba", "numpy", "typing", "collections", "gymnasium", "operator", "sys"})
+LIBRARIES = frozenset(
+    {"builtins", "math", "numba", "numpy", "typing", "collections", "gymnasium", "operator", "sys", "enum"}
+)
 """Packages whose code does not change under the feet of a session."""
 EXTENDED_ARG, LOAD_GLOBAL, LOAD_NAME = (dis.opmap[name] for name in ("EXTENDED_ARG", "LOAD_GLOBAL", "LOAD_NAME"))
 NAMEDTUPLE_OWN = frozenset({"_make", "_replace", "_asdict", "_fields", "_field_defaults"})
@@ -233,6 +235,7 @@ class Code:
             self.classes[kind] = None
         self._owners[kind] = None
         if issubclass(kind, Enum):
+            self._add(*(base.__qualname__ for base in kind.__mro__))  # an IntEnum equals numbers, an Enum does not
             for member in kind:
                 self._visit(member)
 

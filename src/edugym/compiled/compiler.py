@@ -25,7 +25,7 @@ import numpy as np
 from edugym.compiled.bridge import building, teach
 from edugym.compiled.code import Code, code_of
 from edugym.compiled.disk import SEAL, cache_directory, is_whole, new_folder, publish, remove, seal
-from edugym.compiled.subset import place
+from edugym.compiled.reasons import reason
 from edugym.interrupts import interruptibly
 
 Function = Callable[..., Any]
@@ -46,8 +46,6 @@ KEPT = 3
 _lock = threading.RLock()
 _taught: list[str] = []  # nothing yet; then what is wrong with this version of Numba, or ""
 logger = logging.getLogger("edugym")
-MOST_WORDS = 150
-"""How many letters of a message of Numba's are shown."""
 LEAN = {"_nrt": False, "boundscheck": True}
 COUNTING = {"boundscheck": True}
 
@@ -316,29 +314,8 @@ def _check_that_nothing_counts(build: Any) -> None:
 
 
 def _reason(error: Exception, code: Code) -> str:
-    """The line of Numba's message that says what is wrong, and the last line of the student's code that it names."""
-    if isinstance(error, CompilationError | _refused()):
-        return str(error)
-    text = re.sub(r"\x1b\[[0-9;]*m", "", str(error))
-    says = [line.strip() for line in text.splitlines() if line.strip()]
-    frame = (
-        "Failed in",
-        "No implementation",
-        ">>>",
-        "There ",
-        "- ",
-        "Overload",
-        "With arg",
-        "Rejected",
-        "During",
-        "No ma",
-    )
-    first = next((line for line in says if not line.startswith(frame)), None)
-    first = first or next((line for line in says if line.startswith("No impl")), type(error).__name__)
-    own = {Path(file).name: file for file in code.foreign_files}
-    places = [(Path(file).name, line) for file, line in re.findall(r'File "([^"]+)", line (\d+)', text)]
-    lines = [place(own[name], int(line)) for name, line in places if name in own]
-    return f"{first[:MOST_WORDS]} ({lines[-1]})" if lines else first[:MOST_WORDS]
+    """Why it cannot be compiled, in a few words."""
+    return str(error) if isinstance(error, CompilationError | _refused()) else reason(error, code)
 
 
 @cache

@@ -13,6 +13,7 @@ import time
 import warnings
 import weakref
 from collections.abc import Callable, Iterator
+from enum import Enum
 from typing import Any
 
 from edugym.compiled.code import LIBRARIES, Code, code_of, is_foreign
@@ -195,5 +196,5 @@ def _plain_objects(value: Any) -> Iterator[Any]:
     if isinstance(value, tuple):
         for part in tuple.__iter__(value):
             yield from _plain_objects(part)
-    elif type(value).__module__.partition(".")[0] not in LIBRARIES:
+    elif not isinstance(value, Enum) and type(value).__module__.partition(".")[0] not in LIBRARIES:
         yield value

@@ -112,8 +112,9 @@ def _replace_called(func_ir: Any, block: Any, statement: Any) -> None:
         before = []
         if definition.value is round and len(call.args) + len(call.kws) > 1:
             _refuse("it rounds to decimals", statement.loc)
-        if definition.value is int and not call.args:
-            return
+        given = ir_utils.guard(ir_utils.get_definition, func_ir, call.args[0]) if call.args else None
+        if not call.args or (isinstance(given, ir.Const) and isinstance(given.value, str)):
+            return  # int(), float("inf")
     else:
         return
     name = ir.Var(block.scope, ir_utils.mk_unique_var("$checked"), statement.loc)
@@ -162,8 +163,11 @@ def _after_typing(state: Any) -> bool:
     for _, statement in _statements(state.func_ir):
         if isinstance(statement, ir.Assign):
             _judge_type(kinds[statement.target.name], statement.loc)
+            _judge_flag(statement.value, kinds, kinds[statement.target.name], statement.loc)
             if isinstance(statement.value, ir.Expr):
                 _judge(statement.value, kinds, state.calltypes, statement)
+        elif isinstance(statement, ir.Return):
+            _judge_flag(statement.value, kinds, state.return_type, statement.loc)
         elif isinstance(statement, ir.SetItem | ir.StaticSetItem):
             index = getattr(statement, "index_var", None) or statement.index
             _judge_index(kinds[index.name] if isinstance(index, ir.Var) else None, statement.loc)
@@ -200,6 +204,15 @@ def _judge_type(kind: Any, loc: Any) -> None:
     if isinstance(kind, types.NumpyFlatType) or not isinstance(kind, FITTING):
         _refuse("it uses .flat" if isinstance(kind, types.NumpyFlatType) else f"it makes a value of type {kind}", loc)
     return None
+
+
+def _judge_flag(value: Any, kinds: Any, target: Any, loc: Any) -> None:
+    """Refuse to make a number of a boolean that Python leaves as it is, since `Q[True]` is not `Q[1]`."""
+    joins = value.op if isinstance(value, ir.Expr) else ""
+    sources = value.incoming_values if joins == "phi" else [value.value] if joins == "cast" else [value]
+    flags = [isinstance(types.unliteral(kinds[one.name]), types.Boolean) for one in sources if isinstance(one, ir.Var)]
+    if any(flags) and isinstance(types.unliteral(target), types.Number):
+        _refuse("one name stands for True or False and for numbers", loc)
 
 
 def _narrow(kind: Any) -> bool:

@@ -54,7 +54,7 @@ HARMLESS = words(
     "__weakref__"
 )
 """Special names of a class that no operation of machine code would look up."""
-DRAWS_WITH_CHECKS = frozenset({"normal", "exponential"})
+DRAWS_WITH_CHECKS = words("exponential integers normal uniform")
 """Draws whose parameters are checked; see `edugym.compiled.arithmetic`."""
 
 OTHERWISE = {

@@ -31,7 +31,7 @@ METHODS = {
 """What every MDP has, and what each method takes."""
 SPACES = ("observation_space", "action_space")
 CHECKED_STEPS = 200
-UNSHOWN = frozenset({"edugym", "contextlib", "gymnasium", "joblib"})
+UNSHOWN = frozenset({"edugym", "contextlib", "gymnasium", "joblib", "numpy"})
 """Packages whose frames are no help in finding a mistake."""
 OTHER_NAMES = {
     "initial": ("reset", "start", "initial_state"),
@@ -63,7 +63,7 @@ def require_mdp(mdp: Any, name: str = "mdp") -> None:
     if isinstance(mdp, Env) or not any(_has(mdp, method) for method in METHODS):
         raise ValueError(
             f"{name} must be an MDP, a value with the methods {', '.join(METHODS)} and the properties"
-            f" {' and '.join(SPACES)}, but is {mdp!r}"
+            f" {' and '.join(SPACES)}, but is {shown(mdp)}"
         )
     for method, parameters in METHODS.items():
         require_method(mdp, method, parameters, METHODS)

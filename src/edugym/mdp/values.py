@@ -36,7 +36,10 @@ def is_finite_number(value: Any) -> bool:
 
 
 def fits(space: spaces.Space[Any], observation: Any) -> bool:
-    """Whether an observation is an element of a space, given as Python's numbers, tuples or lists, or as arrays."""
+    """Whether an observation is an element of a space, given as Python's numbers, tuples or lists, or as arrays.
+
+    True and False are no whole numbers: as an index of a table they stand for all of it and for nothing.
+    """
     if isinstance(space, spaces.Tuple):
         several = isinstance(observation, tuple | list) and len(observation) == len(space.spaces)
         return several and all(map(fits, space.spaces, observation))
@@ -44,9 +47,8 @@ def fits(space: spaces.Space[Any], observation: Any) -> bool:
         named = isinstance(observation, dict) and observation.keys() == space.spaces.keys()
         return named and all(fits(part, observation[name]) for name, part in space.spaces.items())
     if isinstance(space, spaces.Discrete):
-        return isinstance(observation, int | np.integer | np.bool_) and 0 <= int(observation) - int(space.start) < int(
-            space.n
-        )
+        whole = isinstance(observation, int | np.integer) and not isinstance(observation, bool)  # Q[True] is all of Q
+        return whole and 0 <= int(observation) - int(space.start) < int(space.n)
     if not isinstance(space, spaces.Box | spaces.MultiDiscrete | spaces.MultiBinary):
         return bool(space.contains(observation))
     try:
@@ -64,6 +66,26 @@ def fits(space: spaces.Space[Any], observation: Any) -> bool:
 def kept(state: Any) -> Any:
     """A copy of a state that could be changed in place; of one that could not, the state itself."""
     return state if isinstance(state, int | float | str | None) else copy.deepcopy(state)
+
+
+def own_copy(value: Any, why: str) -> Any:
+    """A copy that shares nothing with a value.
+
+    Args:
+        value: an agent or an environment.
+        why: what the copy is for, and what to do where there can be none.
+
+    Raises:
+        ValueError: something in it cannot be copied.
+    """
+    try:
+        return copy.deepcopy(value)
+    except TypeError as error:
+        if "cannot pickle" not in str(error):
+            raise
+        held = str(error).removeprefix("cannot pickle ").removesuffix(" object").strip("'")
+        name = type(getattr(value, "unwrapped", value)).__name__
+        raise ValueError(f"{name} holds a {held}, which cannot be copied, but {why}") from None
 
 
 def same(one: Any, other: Any) -> bool:

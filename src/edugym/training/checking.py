@@ -5,6 +5,7 @@ silently: actions, rewards and observations that may not be. The checks change n
 each method is called as often as without them. The package's own classes are not checked here; the tests cover them.
 """
 
+import inspect
 import math
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -18,7 +19,7 @@ from gymnasium.wrappers import FlattenObservation
 from edugym.adapters.tabular_observation import TabularObservation
 from edugym.mdp.checking import CHECKED_STEPS, CheckedMDP, innermost, is_own, refuse_change
 from edugym.mdp.protocol import Random
-from edugym.mdp.values import GlobalDraws, fits, is_finite_number, kept, shown
+from edugym.mdp.values import GlobalDraws, fits, is_finite_number, kept, same, shown
 from edugym.training.contract import tables_of
 from edugym.training.guarded import GUARDS
 
@@ -55,7 +56,22 @@ def checked_agent(agent: Any, task: Any, steps: float = CHECKED_STEPS) -> Any:
     return CheckedAgent(agent, task, steps) if hasattr(agent, "act") else agent
 
 
-def doubts(task: Any, agent: Any, limit: int | None, n_steps: int, n_episodes: int) -> list[str]:
+def shared_by_class(agent: Any) -> dict[str, Any]:
+    """Return copies of the lists, dictionaries, sets and arrays that a student's agent has from its class."""
+    if is_own(agent):
+        return {}
+    own = getattr(agent, "__dict__", {})
+    members = {name: member for base in reversed(type(agent).__mro__) for name, member in vars(base).items()}
+    return {
+        name: kept(member)
+        for name, member in members.items()
+        if isinstance(member, list | dict | set | np.ndarray) and name[0] != "_" and name not in own
+    }
+
+
+def doubts(
+    task: Any, agent: Any, limit: int | None, n_steps: int, n_episodes: int, shared: dict[str, Any]
+) -> list[str]:
     """Return what is probably wrong with a student's task or agent after training, in a sentence each.
 
     Args:
@@ -64,6 +80,7 @@ def doubts(task: Any, agent: Any, limit: int | None, n_steps: int, n_episodes: i
         limit: the step limit of its episodes, if there is one.
         n_steps: the training steps taken.
         n_episodes: how many episodes ended in them.
+        shared: what `shared_by_class` returned before training.
     """
     found = []
     student = task.unwrapped if isinstance(task, gymnasium.Env) else innermost(task)
@@ -78,6 +95,12 @@ def doubts(task: Any, agent: Any, limit: int | None, n_steps: int, n_episodes: i
             f"{name} of {type(agent).__name__} holds nan after training: some update came to no number"
             for name, table in tables_of(agent).items()
             if table.dtype.kind == "f" and np.isnan(table).any()
+        ]
+        found += [
+            f"{name} of {type(agent).__name__} has changed, which is not the agent's own: all agents of the class share"
+            f" it, so that the next one begins with it. Give each its own: self.{name} = ... in __init__, or a field"
+            for name, before in shared.items()
+            if not same(before, getattr(agent, name, None))
         ]
     return found
 
@@ -186,6 +209,29 @@ class CheckedAgent:
                     f" observations and {actions.n} actions"
                 )
         return ""
+
+
+def require_env(env: gymnasium.Env[Any, Any]) -> None:
+    """Refuse an environment, or a wrapper in it, whose `reset` or `step` is missing or takes something else.
+
+    Raises:
+        ValueError: one of them is not as Gymnasium calls it.
+    """
+    name = type(env).__name__
+    for method, takes, given, named in (
+        ("reset", "(self, *, seed=None, options=None)", (), {"seed": None, "options": None}),
+        ("step", "(self, action)", ("action",), {}),
+    ):
+        if getattr(type(env), method) is getattr(gymnasium.Env, method):
+            raise ValueError(f"{name} must have a method {method}{takes}")
+        signature = inspect.signature(getattr(env, method))
+        try:
+            signature.bind(*given, **named)
+        except TypeError:
+            taken = ", ".join(["self", *map(str, signature.parameters.values())])
+            raise ValueError(f"{method} of {name} must take {takes}, but takes ({taken})") from None
+    if isinstance(env, gymnasium.Wrapper):
+        require_env(env.env)
 
 
 @contextmanager

@@ -1,6 +1,5 @@
 """What an experiment does: the task of each repetition, and how the results describe task and agents."""
 
-import copy
 import hashlib
 import inspect
 import json
@@ -11,10 +10,13 @@ import gymnasium
 import numpy as np
 from gymnasium.envs.registration import load_env_creator
 
+from edugym.mdp.values import own_copy
 from edugym.registration import specification
 
 Setting = bool | int | float | str
 
+COPIES = "each run has a copy: give a function"
+"""What to say where a task or an agent cannot be copied."""
 LISTED = 32  # entries: larger tables are described by their shape and contents' hash
 
 
@@ -89,7 +91,9 @@ def task(environment: Any, parameters: Mapping[str, Any] | None = None) -> Task:
         first, second = (_settings(environment(layout_seed)).items() for layout_seed in (0, 1))
         return Task(environment, True, dict(setting for setting in first if setting in second), (environment,))
     # A copy for each run: wrappers of MDPs have arrays to write into, which runs at the same time may not share.
-    return Task(lambda _: copy.deepcopy(environment), False, _settings(environment), (environment,))
+    return Task(
+        lambda _: own_copy(environment, f"{COPIES} that makes one"), False, _settings(environment), (environment,)
+    )
 
 
 def _settings(environment: Any) -> dict[str, Setting]:

@@ -1,6 +1,5 @@
 """How the training loops call an agent: the names of the parameters of `learn` decide which arguments it gets."""
 
-import copy
 import difflib
 import inspect
 from typing import Any, NamedTuple
@@ -9,7 +8,7 @@ import numpy as np
 
 from edugym.compiled.generated import generated_class
 from edugym.mdp.checking import is_own, require_method
-from edugym.mdp.values import shown
+from edugym.mdp.values import own_copy, shown
 
 LEARN_PARAMETERS = ("state", "action", "reward", "next_state", "next_action", "terminated", "truncated")
 """The names of the parameters that `learn` may have."""
@@ -157,4 +156,6 @@ def actor(agent: Any) -> Any:
 
     (`act` may change the agent, for example count a step of a schedule. Evaluation must not change it.)
     """
-    return GreedyActor(agent) if hasattr(agent, "greedy") else copy.deepcopy(agent)
+    if hasattr(agent, "greedy"):
+        return GreedyActor(agent)
+    return own_copy(agent, "evaluation acts by a copy: give it a method greedy(self, state, rng)")

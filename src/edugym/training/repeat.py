@@ -1,7 +1,7 @@
 """Train several agents several times, in parallel, and collect everything in one table."""
 
-import copy
 import importlib
+import inspect
 import os
 import signal
 import threading
@@ -15,9 +15,10 @@ from edugym.extras import require
 from edugym.files import check_writable
 from edugym.interrupts import Interrupted, Stop, Work, interruptibly, ordered_by
 from edugym.mdp.checking import end_at_students_line
+from edugym.mdp.values import own_copy, shown
 from edugym.results.tables import MEASURED, Results, with_types
 from edugym.training.checkpoints import Checkpoints
-from edugym.training.configuration import Planned, Task, described, planned_runs, task
+from edugym.training.configuration import COPIES, Planned, Task, described, planned_runs, task
 from edugym.training.contract import METHODS
 from edugym.training.fingerprints import versions
 from edugym.training.progress import progress_bar
@@ -171,7 +172,10 @@ def _experiment(
 ) -> Experiment:
     """Return what to do."""
     if not isinstance(agents, Mapping):
-        raise ValueError(f"agents must be a dictionary of agents by their labels, but is {agents!r}")
+        raise ValueError(f"agents must be a dictionary of agents by their labels, but is {shown(agents)}")
+    for label in agents:
+        if not isinstance(label, str):
+            raise ValueError(f"agents must have texts as labels, but has the label {label!r}")
     makers = {label: _maker(label, agent) for label, agent in agents.items()}
     if not makers:
         raise ValueError("agents must have one method or more, but is empty")
@@ -189,10 +193,21 @@ def _maker(label: str, agent: Any) -> Maker:
         made = f"{agent.__name__}.create" if hasattr(agent, "create") else f"{agent.__name__}(...)"
         raise ValueError(f"{needed} the class {agent.__name__}: give {made}")
     if any(hasattr(agent, name) for name in METHODS):
-        return lambda _: copy.deepcopy(agent)
+        return lambda _: own_copy(agent, f"{COPIES} that makes one")
     if not callable(agent):
-        raise ValueError(f"{needed} {agent!r}")
-    return lambda environment: copy.deepcopy(agent(environment))
+        raise ValueError(f"{needed} {shown(agent)}")
+    try:
+        inspect.signature(agent).bind("environment")
+    except TypeError:
+        raise ValueError(f"agents[{label!r}] must take the environment: write `lambda environment: ...`") from None
+
+    def make(environment: Any) -> Any:
+        made = agent(environment)
+        if not any(hasattr(made, name) for name in METHODS):
+            raise ValueError(f"agents[{label!r}] must make an agent, but made {shown(made)}")
+        return own_copy(made, f"{COPIES} that makes all of it")
+
+    return make
 
 
 def _configuration(

@@ -4,7 +4,6 @@
 form of everything.
 """
 
-import copy
 import math
 import time
 from collections.abc import Callable, Iterator
@@ -24,10 +23,10 @@ from edugym.compiled.execution import executable
 from edugym.interrupts import held
 from edugym.mdp.checking import CHECKED_STEPS, is_own, require_mdp, require_spaces
 from edugym.mdp.protocol import coerced, step_limit
-from edugym.mdp.values import shown
+from edugym.mdp.values import own_copy, shown
 from edugym.registration import full_id
 from edugym.training import gymnasium_loops, loops
-from edugym.training.checking import checked_agent, checked_env, checked_mdp, doubts
+from edugym.training.checking import checked_agent, checked_env, checked_mdp, doubts, require_env, shared_by_class
 from edugym.training.contract import actor, is_on_policy, learner, learns_from, tables_of
 from edugym.training.guarded import guarded
 from edugym.training.loops import Log
@@ -98,7 +97,7 @@ class MDPTrainer:
     def __init__(self, mdp: Any, agent: Any, seed: int, limit: int | None, expected: int) -> None:
         """See `trainer`; the limit is None where the task has none."""
         self.agent, self.log, self._pace, self._task, self._expected = agent, new_log(), Pace(), mdp, expected
-        mdp = guarded(mdp)
+        mdp, self._shared = guarded(mdp), shared_by_class(agent)
         environment_rng, agent_rng, self._evaluation_rng, self._actor_rng = streams(seed)
         self._evaluation_limit = limit or EVALUATION_LIMIT
         training, self._playing = View(mdp, agent, is_on_policy(agent)), View(mdp, agent)
@@ -172,7 +171,8 @@ class MDPTrainer:
     def doubts(self, n_steps: int, n_episodes: int) -> list[str]:
         """Return what is probably wrong, in a sentence each, after so many training steps and episodes that ended."""
         limit = self._rest[2]
-        return doubts(self._task, self.agent, None if limit == NO_LIMIT else limit, n_steps, n_episodes)
+        known = None if limit == NO_LIMIT else limit
+        return doubts(self._task, self.agent, known, n_steps, n_episodes, self._shared)
 
     def _compile_training(self) -> None:
         """From now on train by machine code, if that pays and is possible; where that fails, checks say why."""
@@ -213,8 +213,8 @@ class GymnasiumTrainer:
         """See `trainer`; the limit is None where it is not known."""
         self.agent, self.log, self._pace, self._expected = agent, new_log(), Pace(), expected
         environment_rng, self._agent_rng, self._evaluation_rng, self._actor_rng = streams(seed)
-        self._evaluated = copy.deepcopy(env)  # before it draws anything that cannot be copied
-        self._env, self._limit = env, limit
+        self._evaluated = own_copy(env, "evaluation plays a copy: make it in reset")  # before anything is drawn
+        self._env, self._limit, self._shared = env, limit, shared_by_class(agent)
         self._learner: Any = checked_agent(learner(agent), env)
         self._actor: Any = None
         self._steps_to_check, self._has_played = CHECKED_STEPS, False
@@ -249,7 +249,7 @@ class GymnasiumTrainer:
 
     def doubts(self, n_steps: int, n_episodes: int) -> list[str]:
         """Return what is probably wrong, in a sentence each, after so many training steps and episodes that ended."""
-        return doubts(self._env, self.agent, self._limit, n_steps, n_episodes)
+        return doubts(self._env, self.agent, self._limit, n_steps, n_episodes, self._shared)
 
     def _advance(self, n_steps: int, env: Any) -> None:
         limit = self._limit or NO_LIMIT
@@ -306,6 +306,7 @@ def _task(environment: Any, agent: Any) -> Any:
         raise ValueError(f"environment must be an MDP, a Gymnasium environment or a name, but is {shown(environment)}")
     if isinstance(environment, gymnasium.Env):
         require_spaces(environment)
+        require_env(environment)
     elif not is_own(environment):
         require_mdp(environment, "environment")
     learns_from(agent)  # refuses what is no agent

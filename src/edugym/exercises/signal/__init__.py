@@ -27,6 +27,7 @@ from edugym.lessons.signal.moody import moody_toy
 from edugym.lessons.signal.players import RoundRobin, Voter
 from edugym.lessons.signal.words import bits, information
 from edugym.mdp.protocol import Reals
+from edugym.mdp.values import is_finite_number
 
 ENOUGH = 0.4
 """The bits that a message should carry in exercise 1."""
@@ -128,7 +129,7 @@ def _call(answer: Any, joint: Reals) -> Any:
 
 def _mistakes_that_fit(tables: list[Reals], found: list[Any]) -> set[str]:
     """Return the mistakes that give what the student's function gives, for all tables."""
-    if not all(isinstance(value, int | float | np.number) for value in found):
+    if not all(map(is_finite_number, found)):
         return set()
     wrong = [bits_mistakes(joint) for joint in tables]
     return {why for why in wrong[0] if np.allclose([one[why] for one in wrong], found, rtol=1e-3, atol=1e-6)}

@@ -1,0 +1,67 @@
+"""Why something cannot be compiled, in a few words: Numba's long messages, put so that an author of the code knows."""
+
+import re
+from pathlib import Path
+
+from edugym.compiled.code import Code
+from edugym.compiled.subset import place
+
+MOST_WORDS = 150
+"""How many letters of a message of Numba's are shown."""
+WORDS = (
+    (r"Unknown attribute '(\w+)' of type NumPyRandomGeneratorType.*", r"it uses rng's \1"),
+    (r"Unknown attribute '(\w+)' of type class\(<class '(?:.*\.)?(\w+)'>\).*", r"it takes \1 from the class \2"),
+    (r"Unknown attribute '(\w+)' of type (.+)", r"it uses \1 of a value of type \2"),
+    (r"Cannot unify (.+) and (.+) for .*", r"one name stands for values of two types, \1 and \2"),
+    (r"Unsupported array index type (\S+) in .*", r"an index of an array is of type \1"),
+    (r"Argument (\w+) is not one of the expected type.*", r"\1 is of a type that Numba does not take"),
+    (r"(Cannot bind|missing a required|got an unexpected) .*", "a call has other arguments than Numba takes"),
+    (r"Type of variable .* cannot be determined.*", "Numba cannot tell the type of a value"),
+    (r"Use of unsupported opcode \((\w+)\).*", r"it has a statement that Numba does not know, \1"),
+    (r">>> (.+)", r"Numba has no \1"),
+    (r"Int value is too large.*", "it has a whole number of more than 64 bits"),
+    (r"Illegal IR, del found.*", "it deletes a variable"),
+)
+"""What Numba says, and what is said in its place."""
+TYPES = (
+    (r"Literal\[(\w+)\]\([^)]*\)", r"\1"),
+    (r"OptionalType\((\w+)\)", r"\1 or None"),
+    (r"array\([^)]*\)", "array"),
+    (r"(Uni)?Tuple\([^)]*\)", "tuple"),
+    (r"unicode_type", "str"),
+    (r"\b(int|float)64\b", r"\1"),
+    (r"(Enum|IntEnum) ?(class)?<\w+>\((\w+)\)", r"\3"),
+    (r"\b(\w+)\((int|float|bool|str)( x \d+|, \w+)*\)", r"\1"),
+)
+"""How Numba writes types, and how Python does."""
+
+
+def reason(error: Exception, code: Code) -> str:
+    """Return what is wrong by an error of Numba's, and the last line of the student's code that it names.
+
+    Args:
+        error: what compiling has raised.
+        code: what was compiled.
+    """
+    if not type(error).__module__.startswith("numba"):  # something in it that Numba is not prepared for
+        return f"Numba cannot compile it ({type(error).__name__})"
+    text = re.sub(r"\x1b\[[0-9;]*m", "", str(error))
+    says = re.split(r"^(?:During: |File )", text, maxsplit=1, flags=re.MULTILINE)[0].splitlines()
+    own = {Path(file).name: file for file in code.foreign_files}
+    places = re.findall(r'(?:File "|Raised from )([^"\n]+?)"?(?:, line | \()(\d+)', text)
+    lines = [place(own[name], int(line)) for file, line in places if (name := Path(file).name) in own]
+    return f"{_said(says)} ({lines[-1]})" if lines else _said(says)
+
+
+def _said(lines: list[str]) -> str:
+    """Return Numba's message in other words, if there are some for one of its lines; else its first line."""
+    says = [re.sub(r"^\w+Error: ", "", line.strip()) for line in lines if line.strip()]
+    for pattern, words in WORDS:
+        for line in says:
+            if found := re.fullmatch(pattern, line):
+                said = found.expand(words)
+                for written, plain in TYPES:
+                    said = re.sub(written, plain, said)
+                return said[:MOST_WORDS]
+    first = next((line for line in says if not line.startswith(("Failed in", "- "))), "Numba does not say why")
+    return first[:MOST_WORDS]

@@ -1,0 +1,32 @@
+"""What keeps code from being compiled is said in words that its author understands, with the line."""
+
+import numpy as np
+import pytest
+
+from edugym.compiled.compiler import CompilationError, compiled
+from tests.compiled.cells import cell
+from tests.compiled.test_compiler import plain_loop
+
+
+def test_reasons() -> None:
+    """What cannot be compiled is named in one line, with the student's line where it is known."""
+    for method, reason in (
+        ("return {1: s}[1] + open('x')", "open"),
+        ("return self.missing", "missing"),
+        ("return s + self.k.strip()", "it uses strip of a value of type int "),
+        ("return s + rng.choice(3)", "it uses rng's choice "),
+        ("return range(3)[int(s)]", r"Numba has no getitem\(range_state_int64, int\) "),
+        (
+            "best = None\n        if s > 3: best = 0\n        return 1 if best else 2",
+            r"Numba has no bool\(int or None\) ",
+        ),
+        ("return s + 1 if s < 3 else (1, 2)", "one name stands for values of two types, float and tuple "),
+        ("a, *b = (s, 1, 2)\n        return a", "it has a statement that Numba does not know, UNPACK_EX "),
+        ("return s + A.T", "it takes T from the class A "),
+        ("return s + np.zeros(3)[0.5]", "an index of an array is of type float "),
+    ):
+        thing = cell(f"class A(NamedTuple):\n    k: int\n    def f(self, s, rng):\n        {method}")["A"](1)
+        with pytest.raises(CompilationError, match=reason) as caught:
+            compiled(plain_loop, 1, thing, np.random.default_rng(0))
+        assert "\n" not in str(caught.value)
+        assert ", line " in str(caught.value)
