@@ -1,19 +1,17 @@
 """DQN: its network against differences and torch's, its memory and targets by hand, and Catch."""
 
-import itertools
 import math
 from typing import Any
 
 import gymnasium
 import numpy as np
 import pytest
-from gymnasium import spaces
-from gymnasium.wrappers import TransformObservation
 
 from edugym import DQN, EpsilonGreedy, LinearDecay, ScheduledEpsilonGreedy, make_mdp, train
 from edugym.agents.dqn import adam, backward, forward, slope_of_loss
 from edugym.mdp.protocol import Reals
 from tests.agents.case import Case, same
+from tests.agents.fourier import fourier
 
 
 def small(environment: Any, **settings: Any) -> DQN:
@@ -203,16 +201,6 @@ def test_it_learns_cart_pole() -> None:
         for seed in range(2)
     ]
     assert min(run.returns.max() for run in runs) > 400
-
-
-def fourier(env: gymnasium.Env[Any, Any], order: int = 3) -> gymnasium.Env[Any, Any]:
-    """Show a Fourier basis of the observation, cos(π c·s) with s from 0 to 1 (Sutton and Barto, section 9.5.2)."""
-    box: Any = env.observation_space
-    c = np.array(list(itertools.product(range(order + 1), repeat=len(box.low))))
-    space = spaces.Box(-1, 1, (len(c),), np.float32)
-    return TransformObservation(
-        env, lambda s: np.cos(np.pi * c @ ((s - box.low) / (box.high - box.low))).astype(np.float32), space
-    )
 
 
 def mountain_car(env: gymnasium.Env[Any, Any], seed: int) -> float:
