@@ -13,6 +13,7 @@ from benchmarks.catch import absent
 from benchmarks.comparisons import comparisons
 from benchmarks.imports import MODULES, TARGET, import_times
 from benchmarks.measure import Measured, Spread, measure, number
+from benchmarks.solving import OURS, SEEDS, TASKS, Solved, times_to_solve
 
 LINE = "{:45} {:>8} {:>19} {:>10} {:>15}   {}"
 
@@ -35,10 +36,17 @@ def main(arguments: list[str] | None = None) -> None:
             measured = measure(comparison, rounds, seconds)
             print("\n".join(table(measured)), flush=True)
             results.append(measured)
+    solved = []
+    for task in () if "stable_baselines3" in absent() else TASKS:
+        if options.only in task.name:
+            short = task._replace(n_steps=1) if options.quick else task
+            solved.append(times_to_solve(short, 1 if options.quick else SEEDS))
+            print("\n".join(solving_table(solved[-1])), flush=True)
     imports = import_times(rounds) if options.only in "import" else {}
     print("\n".join(import_table(imports)))
     if options.json:
-        options.json.write_text(json.dumps(as_data(about, results, imports), indent=2, ensure_ascii=False) + "\n")
+        data = as_data(about, results, solved, imports)
+        options.json.write_text(json.dumps(data, indent=2, ensure_ascii=False) + "\n")
 
 
 def parser() -> argparse.ArgumentParser:
@@ -85,6 +93,18 @@ def table(measured: Measured) -> Iterator[str]:
         ).rstrip()
 
 
+def solving_table(solved: Solved) -> Iterator[str]:
+    """The lines for the time until a task is solved."""
+    yield f"{solved.task.name} (seconds)"
+    for name, seconds in solved.seconds.items():
+        taken, shown = solved.times.get(name), None if name == OURS else solved.ratio
+        columns = ("", "") if taken is None else (f"{taken.median:.3g}", f"{taken.low:.3g} - {taken.high:.3g}")
+        times = ("", "") if shown is None else (f"{shown.median:.3g} x", f"{shown.low:.3g} - {shown.high:.3g}")
+        unsolved = ", ".join(map(str, solved.unsolved(name)))
+        remark = f"not solved: {unsolved} of seeds 0 to {len(seconds) - 1}" if unsolved else ""
+        yield LINE.format(f"  {name}", *columns, *times, remark).rstrip()
+
+
 def import_table(imports: dict[str, Spread]) -> Iterator[str]:
     """The lines for imports."""
     if imports:
@@ -94,7 +114,9 @@ def import_table(imports: dict[str, Spread]) -> Iterator[str]:
         yield LINE.format(f"  {module}", f"{taken.median:.3f}", f"{taken.low:.3f} - {taken.high:.3f}", "", "", met)
 
 
-def as_data(about: dict[str, str], results: list[Measured], imports: dict[str, Spread]) -> dict[str, Any]:
+def as_data(
+    about: dict[str, str], results: list[Measured], solved: list[Solved], imports: dict[str, Spread]
+) -> dict[str, Any]:
     """Everything, for a file."""
     return {
         "machine": about,
@@ -107,6 +129,14 @@ def as_data(about: dict[str, str], results: list[Measured], imports: dict[str, S
                 "targets": measured.targets(),
             }
             for measured in results
+        ],
+        "times_to_solve": [
+            {
+                "name": one.task.name,
+                "seconds_by_seed": one.seconds,
+                "edugym_is_times_as_fast": one.ratio and one.ratio._asdict(),
+            }
+            for one in solved
         ],
         "import_seconds": {module: taken._asdict() for module, taken in imports.items()},
     }

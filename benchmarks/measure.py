@@ -90,7 +90,7 @@ def measure(comparison: Comparison, rounds: int, seconds: float) -> Measured:
         seconds: about how long a turn lasts.
     """
     contenders = (comparison.ours, *comparison.others)
-    with _on_one_core():  # from the start, since threads stay on the cores of whoever began them
+    with on_one_core():  # from the start, since threads stay on the cores of whoever began them
         works = {contender.name: contender.prepare() for contender in contenders}
         amounts = {name: _amount(work, seconds) for name, work in works.items()}
         turns = [{name: _rate(work, amounts[name]) for name, work in works.items()} for _ in range(rounds)]
@@ -138,7 +138,7 @@ def _spread(values: list[float]) -> Spread:
 
 
 @contextmanager
-def _on_one_core() -> Iterator[None]:
+def on_one_core() -> Iterator[None]:
     """Stay on one processor core, where the operating system lets us choose."""
     if not hasattr(os, "sched_setaffinity"):
         yield
