@@ -170,7 +170,7 @@ REFUSED = {
     "count in a class": (program("T.k += 1\nreturn s + T.k", more="k = 0"), "attribute k"),
     "list of a class": (program("self.h.append(s)\nreturn s + len(self.h)", more="h = []"), "a list"),
     "list as default": (program("return self.g(s)", more="def g(self, s, h=[]):\n    h.append(s)\n    return s + len(h)"), "a list"),
-    "global array written": (program("A[0] += 1\nreturn s + A[0]", before="A = np.zeros(2)"), ""),
+    "global array written": (program("A[0] += 1\nreturn s + A[0]", before="A = np.zeros(2)"), "an array that is not its own"),
     "try": (program("try:\n    x = 1 / (700 - s)\nexcept ZeroDivisionError:\n    x = 5.0\nreturn s + 1 + 0 * x"), "try"),
     "type": (program("return s + 1 if isinstance(s, float) else s + 2", start="0"), "type"),
     "large number": (program("return (s + self.x) % 7", "x: int", "10 ** 30", start="0"), "64 bits"),
@@ -180,7 +180,7 @@ REFUSED = {
     "count in an outer function": (
         program("return g(s)", before="def make(k):\n    def g(x):\n        nonlocal k\n        k += 1\n        return x + k\n    return g\ng = make(0)"), "around"),
     "array of an outer function": (
-        program("return g(s)", before="def make(h):\n    def g(x):\n        h[0] += 1\n        return x + h[0]\n    return g\ng = make(np.zeros(1))"), ""),
+        program("return g(s)", before="def make(h):\n    def g(x):\n        h[0] += 1\n        return x + h[0]\n    return g\ng = make(np.zeros(1))"), "an array that is not its own"),
     "plain object": (program("return s + self.o.k", "o: object", "O()", before="class O:\n    k = 1\n    def __eq__(self, other): return True"), "NamedTuple"),
     "real in an array of whole numbers": (program("self.N[0] += 0.5\nreturn s + self.N[0]", **N), "whole"),
     "set made": (program("return s + len({1, 2, int(s)})"), "set"),
