@@ -20,6 +20,7 @@ COMPILED = {
     "table": program("i = int(rng.random() * 9)\nself.Q[i, 0] += 0.1 * (s - self.Q[i, 0])\nreturn self.Q[i, 0] + 1", **Q),
     "power of a number below one": program("return self.x * 0.999 ** int(s) + s", values="0.5"),
     "whole power": program("return s + 3 ** int(rng.random() * 30) % 7"),
+    "largest whole power": program("return s + 9223372036854775807 ** int(rng.random() * 2) % 7"),
     "cube": program("return self.x * (s - 0.4375) ** 3 % 10 - 4.5"),
     "square": program("return (s + 1.25) ** 2 % 10"),
     "fine domain": program("return math.sqrt(abs(s)) + math.log(1 + abs(s)) + math.exp(-abs(s)) + math.floor(s)"),
