@@ -20,6 +20,7 @@ COMPILED = {
     "table": program("i = int(rng.random() * 9)\nself.Q[i, 0] += 0.1 * (s - self.Q[i, 0])\nreturn self.Q[i, 0] + 1", **Q),
     "power of a number below one": program("return self.x * 0.999 ** int(s) + s", values="0.5"),
     "whole power": program("return s + 3 ** int(rng.random() * 30) % 7"),
+    "largest whole power": program("return s + 9223372036854775807 ** int(rng.random() * 2) % 7"),
     "cube": program("return self.x * (s - 0.4375) ** 3 % 10 - 4.5"),
     "square": program("return (s + 1.25) ** 2 % 10"),
     "fine domain": program("return math.sqrt(abs(s)) + math.log(1 + abs(s)) + math.exp(-abs(s)) + math.floor(s)"),
@@ -181,7 +182,7 @@ REFUSED = {
     "count in a class": (program("T.k += 1\nreturn s + T.k", more="k = 0"), "attribute k"),
     "list of a class": (program("self.h.append(s)\nreturn s + len(self.h)", more="h = []"), "a list"),
     "list as default": (program("return self.g(s)", more="def g(self, s, h=[]):\n    h.append(s)\n    return s + len(h)"), "a list"),
-    "global array written": (program("A[0] += 1\nreturn s + A[0]", before="A = np.zeros(2)"), ""),
+    "global array written": (program("A[0] += 1\nreturn s + A[0]", before="A = np.zeros(2)"), "an array that is not its own"),
     "try": (program("try:\n    x = 1 / (700 - s)\nexcept ZeroDivisionError:\n    x = 5.0\nreturn s + 1 + 0 * x"), "try"),
     "type": (program("return s + 1 if isinstance(s, float) else s + 2", start="0"), "type"),
     "comparison by is": (
@@ -194,7 +195,7 @@ REFUSED = {
     "count in an outer function": (
         program("return g(s)", before="def make(k):\n    def g(x):\n        nonlocal k\n        k += 1\n        return x + k\n    return g\ng = make(0)"), "around"),
     "array of an outer function": (
-        program("return g(s)", before="def make(h):\n    def g(x):\n        h[0] += 1\n        return x + h[0]\n    return g\ng = make(np.zeros(1))"), ""),
+        program("return g(s)", before="def make(h):\n    def g(x):\n        h[0] += 1\n        return x + h[0]\n    return g\ng = make(np.zeros(1))"), "an array that is not its own"),
     "plain object": (program("return s + self.o.k", "o: object", "O()", before="class O:\n    k = 1\n    def __eq__(self, other): return True"), "NamedTuple"),
     "real in an array of whole numbers": (program("self.N[0] += 0.5\nreturn s + self.N[0]", **N), "whole"),
     "set made": (program("return s + len({1, 2, int(s)})"), "set"),

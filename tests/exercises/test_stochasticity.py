@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from itertools import combinations
+from typing import Any
 
 import numpy as np
 import pytest
@@ -9,6 +10,7 @@ import pytest
 from edugym import QLearning
 from edugym.exercises import stochasticity as exercises
 from edugym.grading.one_step import Q_LEARNING
+from edugym.grading.updates import Transition
 from edugym.lessons.stochasticity.exact import crossing, optimum
 
 
@@ -34,6 +36,52 @@ def test_bad_surprises_weigh_more() -> None:
     for case, one, other in zip(cases, plain, averse, strict=True):
         change, mine = one[0]["Q"] - case.tables["Q"], other[0]["Q"] - case.tables["Q"]
         np.testing.assert_allclose(mine, np.where(change > 0, 0.5, 1.5) * change, atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("how", "good", "bad"),
+    [
+        ({}, -0.4, 2.4),
+        ({"weigh": "inverted"}, 1.4, 3.6),
+        ({"weigh": "reward"}, 1.4, 3.6),
+        ({"weigh": "target"}, -0.4, 3.6),
+        ({"weigh": "value"}, 1.4, 3.6),
+        ({"weigh": "none"}, 0.5, 3.0),
+        ({"weigh": "always good"}, -0.4, 3.6),
+        ({"weigh": "always bad"}, 1.4, 2.4),
+        ({"weigh": "good only"}, -0.4, 3.0),
+        ({"weigh": "bad only"}, 0.5, 2.4),
+        ({"weigh": "κ and -κ"}, -1.9, 3.4),
+        ({"weigh": "κ alone"}, -0.1, 3.4),
+        ({"weigh": "2σ"}, -1 + 3 / (1 + np.exp(1.8)), 4 - 2 / (1 + np.exp(-1.2))),
+        ({"weigh": "2σ inverted"}, -1 + 3 / (1 + np.exp(-1.8)), 4 - 2 / (1 + np.exp(1.2))),
+        ({"weigh": "halves"}, -0.7, 3.2),
+        ({"weigh": "squared"}, -0.76, 1.44),
+        ({"weigh": "only bad"}, -1.0, 2.4),
+        ({"weigh": "only good"}, -0.4, 4.0),
+        ({"weigh": "on the target"}, -0.1, 3.6),  # the brackets are 0.4 * 2 + 1 and 1.6 * 2 - 4
+        ({"step": "minus", "weigh": "inverted"}, -3.4, 4.4),
+        ({"step": "no old"}, -0.6, 5.6),  # the target is 2 in both steps
+        ({"step": "only"}, 0.4, 1.6),
+        ({"step": "only difference"}, 0.6, -1.6),
+    ],
+)
+def test_weights_by_hand(how: dict[str, str], good: float, bad: float) -> None:
+    """A δ of 3 is added to -1, and one of -2 to 4: with a weight w they become -1 + 1.5 w and 4 - w."""
+    for old, reward, value, new in ((-1.0, -2.0, 8.0, good), (4.0, 1.0, 2.0, bad)):
+        Q = np.array([(0.0, old), (value, -3.0)])
+        now = Transition(0, 1, reward, 1, 0, terminated=False, truncated=False)
+        settings: dict[str, Any] = {"learning_rate": 0.5, "discount": 0.5, "kappa": 0.6, **how}
+        exercises.two_weights_update({"Q": Q}, now, **settings)
+        assert Q[0, 1] == pytest.approx(new)
+
+
+def test_the_weight_of_a_step_that_changes_the_wrong_row() -> None:
+    """It is that of the surprise in this row: Q(S', A) goes 0.4 * 0.5 of the way from -3 to the target, 2."""
+    Q = np.array([(0.0, 9.0), (8.0, -3.0)])
+    now = Transition(0, 1, -2.0, 1, 0, terminated=False, truncated=False)
+    exercises.two_weights_update({"Q": Q}, now, learning_rate=0.5, discount=0.5, kappa=0.6, step="next row")
+    assert Q.tolist() == [[0.0, 9.0], [8.0, pytest.approx(-2.0)]]
 
 
 @pytest.mark.parametrize("seed", range(5))

@@ -9,7 +9,8 @@ from gymnasium import spaces
 
 from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.adapters.vector_env import MDPVectorEnv
-from edugym.mdp.checking import check_mdp, is_own, require_mdp
+from edugym.envs.catch import CatchGrid, Fall
+from edugym.mdp.checking import CheckedMDP, check_mdp, is_own, require_mdp
 from edugym.mdp.protocol import step_limit
 from edugym.registration import ENVIRONMENTS
 from tests.compiled.cells import WALK, cell
@@ -134,6 +135,26 @@ def test_states_changed_in_place() -> None:
             check_mdp(task)
     fine = cell(CHANGES.format(transition="state = state.copy(); state[action] += 1; return state", reward="pass"))
     assert len(check_mdp(fine["Board"](2), 7)) == 8
+
+
+class Written(CatchGrid):
+    """A student's board, which is written into an array."""
+
+    __slots__ = ()
+
+    def observe_into(self, state: Any, rng: Any, board: Any) -> None:
+        """As bright as there are rows, so that only a board of one row is in the observation space."""
+        super().observe_into(state, rng, board)
+        board[:] *= self.rows
+
+
+def test_observations_that_are_written() -> None:
+    """What is there before does not stay, and what comes is checked."""
+    board = np.full((1, 3), 0.5, np.float32)
+    CheckedMDP(Written(1, 3)).observe_into(Fall(0, 0, 2), np.random.default_rng(0), board)
+    assert board.tolist() == [[1.0, 0.0, 1.0]]
+    with pytest.raises(ValueError, match="observation of Written must return an element of Box"):
+        CheckedMDP(Written(2, 3)).observe_into(Fall(0, 0, 2), np.random.default_rng(0), np.zeros((2, 3), np.float32))
 
 
 def test_what_is_right_passes() -> None:

@@ -252,7 +252,7 @@ def two_weights_update(tables: Tables, now: Transition, *, kappa: float, weigh: 
     Q[entry] = base + weight * (new - base)
 
 
-SIMPLE = ("difference", "minus", "no old", "only", "only difference", "next row")
+SIMPLE = ("difference", "minus", "no old", "only", "only difference")
 """Steps with one factor, which the weight multiplies."""
 WEIGHT_MISTAKES: Mapping[str, Mapping[str, Any]] = {
     "δ has the wrong sign: it is the target less Q(S, A), not Q(S, A) less the target": {
