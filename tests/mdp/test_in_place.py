@@ -8,7 +8,8 @@ from gymnasium import spaces
 
 from edugym import make_mdp
 from edugym.envs.catch import CatchGrid
-from edugym.mdp.in_place import blank, in_place, writes_in_place
+from edugym.mdp.in_place import blank, in_place
+from edugym.mdp.protocol import writes_in_place
 
 TASKS: list[tuple[Any, Any]] = [
     (make_mdp("Boulder"), np.int64),

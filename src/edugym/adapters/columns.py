@@ -9,7 +9,7 @@ from typing import Any, NamedTuple, Protocol
 import numpy as np
 
 from edugym.compiled.generated import generated_class
-from edugym.mdp.protocol import MDP, Random
+from edugym.mdp.protocol import MDP, Random, writes_in_place
 
 
 class Storage(Protocol):
@@ -169,8 +169,7 @@ def observation_rows(mdp: MDP[Any, Any], sample: Any) -> Callable[[np.ndarray[An
             self.rows[i, 0] = value[0]
             self.rows[i, 1] = value[1]
     """
-    observers = {"observation", "observe_into"}  # a subclass that overrides the first alone must not inherit the second
-    if "observe_into" in next((vars(kind) for kind in type(mdp).__mro__ if observers & vars(kind).keys()), {}):
+    if writes_in_place(mdp):
         return RowsInPlace
     if not isinstance(sample, tuple):
         return WholeRows

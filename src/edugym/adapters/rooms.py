@@ -147,11 +147,13 @@ class OneHotRows(NamedTuple):
 
     Attributes:
         rows: shape (2, n): n is the sum of the sizes.
+        seen: one row of shape (n_numbers,), for the numbers themselves (see `edugym.adapters.columns`).
         sizes: shape (n_numbers,): how many values each takes.
         lows: shape (n_numbers,): the lowest value of each.
     """
 
     rows: Reals
+    seen: Any
     sizes: Integers
     lows: Integers
 
@@ -159,10 +161,10 @@ class OneHotRows(NamedTuple):
         """Observe a state, and write what is seen into the i-th row."""
         for k in range(self.rows.shape[1]):
             self.rows[i, k] = 0.0
-        parts = mdp.observation(state, rng)
+        self.seen.put(0, mdp, state, rng)
         first = 0
         for k in range(len(self.sizes)):
-            self.rows[i, first + int(parts[k]) - self.lows[k]] = 1.0
+            self.rows[i, first + int(self.seen.rows[0, k]) - self.lows[k]] = 1.0
             first += self.sizes[k]
 
 
@@ -250,4 +252,5 @@ def _vector_rows(mdp: Any) -> Any:
         return observation_rows(mdp, sample)(np.zeros((2, *(space.shape or (1,))), space.dtype))
     if isinstance(space, spaces.Discrete):
         return OneHotRow(np.zeros((2, n)), int(space.start))
-    return OneHotRows(np.zeros((2, n)), np.array(table_sizes(space)), np.array(table_lows(space)))
+    seen = observation_rows(mdp, sample)(np.zeros((1, *shape), np.int64))
+    return OneHotRows(np.zeros((2, n)), seen, np.array(table_sizes(space)), np.array(table_lows(space)))

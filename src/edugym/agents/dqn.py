@@ -236,7 +236,7 @@ class DQN(NamedTuple):
 def forward(weights: Layers, x: Reals, h: Reals, Q: Reals) -> None:
     """Compute the hidden units, h = max(0, W₁ x + b₁), and the action values, Q = W₂ h + b₂, of shape (1, n_actions).
 
-    An input, or a hidden unit, that is 0 adds nothing, and so costs nothing.
+    An input that is 0 adds nothing, and so costs nothing.
     """
     first, second = weights.first, weights.second
     for j in range(len(h)):
@@ -245,13 +245,13 @@ def forward(weights: Layers, x: Reals, h: Reals, Q: Reals) -> None:
         if x[i] != 0.0:
             for j in range(len(h)):
                 h[j] += x[i] * first[i, j]
-    for a in range(Q.shape[1]):
-        Q[0, a] = second[len(h), a]
     for j in range(len(h)):
         h[j] = max(0.0, h[j])
-        if h[j] > 0.0:
-            for a in range(Q.shape[1]):
-                Q[0, a] += h[j] * second[j, a]
+    for a in range(Q.shape[1]):
+        total = second[len(h), a]
+        for j in range(len(h)):
+            total += h[j] * second[j, a]
+        Q[0, a] = total
 
 
 def slope_of_loss(error: float) -> float:
@@ -277,8 +277,8 @@ def backward(weights: Layers, gradient: Layers, x: Reals, h: Reals, dQ: Reals, d
             gradient.second[len(h), a] += dQ[a]
             for j in range(len(h)):
                 gradient.second[j, a] += h[j] * dQ[a]
-                if h[j] > 0.0:  # max(0, ·) is flat where it gives 0
-                    dh[j] += weights.second[j, a] * dQ[a]
+                slope = weights.second[j, a] * dQ[a]
+                dh[j] += slope if h[j] > 0.0 else 0.0  # max(0, ·) is flat where it gives 0
     for j in range(len(h)):
         gradient.first[len(x), j] += dh[j]
     for i in range(len(x)):
@@ -290,13 +290,14 @@ def backward(weights: Layers, gradient: Layers, x: Reals, h: Reals, dQ: Reals, d
 def adam(weights: Reals, gradient: Reals, mean: Reals, square: Reals, rate: float) -> None:
     """Take one step of Adam down the gradient, then set the gradient to 0; all arrays have the same shape.
 
-    (In the form of section 2 of the paper, whose ε is not corrected for the start.)
+    (In the form of section 2 of the paper, whose ε is not corrected for the start. `np.divide` does not look for a
+    divisor of 0, which there never is: so machine code takes several steps at once.)
     """
     for i in range(weights.shape[0]):
         for j in range(weights.shape[1]):
             mean[i, j] += 0.1 * (gradient[i, j] - mean[i, j])  # m <- 0.9 m + 0.1 g
             square[i, j] += 0.001 * (gradient[i, j] * gradient[i, j] - square[i, j])  # v <- 0.999 v + 0.001 g²
-            weights[i, j] -= rate * mean[i, j] / (math.sqrt(square[i, j]) + 1e-8)
+            weights[i, j] -= np.divide(rate * mean[i, j], math.sqrt(square[i, j]) + 1e-8)
             gradient[i, j] = 0.0
 
 

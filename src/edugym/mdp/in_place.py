@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
-from edugym.mdp.protocol import MDP, Random
+from edugym.mdp.protocol import MDP, Random, writes_in_place
 from edugym.mdp.tabular import tabular_mdp
 from edugym.mdp.wrapper import wrapper
 
@@ -66,12 +66,6 @@ def in_place(mdp: MDP[Any, Any]) -> Any:
     if np.ndim(sample) == 0:
         return OneNumber(mdp)
     return WholeArray(mdp) if isinstance(sample, np.ndarray) else SeveralNumbers(mdp)
-
-
-def writes_in_place(mdp: MDP[Any, Any]) -> bool:
-    """Whether an MDP has `observe_into`: a subclass that overrides only `observation` must not inherit it."""
-    observers = {"observation", "observe_into"}
-    return "observe_into" in next((vars(kind) for kind in type(mdp).__mro__ if observers & vars(kind).keys()), {})
 
 
 def blank(mdp: MDP[Any, Any]) -> Any:

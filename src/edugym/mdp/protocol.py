@@ -167,3 +167,9 @@ def named_actions(mdp: MDP[Any, Any]) -> dict[str, Any]:
     """A dictionary from names to actions; empty if the actions have no names."""
     names = getattr(mdp, "action_names", ())
     return dict(names) if isinstance(names, Mapping) else {name: action for action, name in enumerate(names)}
+
+
+def writes_in_place(mdp: Any) -> bool:
+    """Whether an MDP has `observe_into`: a subclass that overrides only `observation` must not inherit it."""
+    observers = {"observation", "observe_into"}
+    return "observe_into" in next((vars(kind) for kind in type(mdp).__mro__ if observers & vars(kind).keys()), {})

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
-from edugym.mdp.protocol import MDP, Integers, Random
+from edugym.mdp.protocol import MDP, Integers, Random, writes_in_place
 from edugym.mdp.wrapper import wrapper
 from edugym.memory import in_digits
 
@@ -23,11 +23,13 @@ class Tabular(NamedTuple):
         mdp: the task, which observes a tuple of whole numbers.
         sizes: shape (n,): how many values each of them takes.
         lows: shape (n,): the lowest value of each.
+        seen: shape (n,): room for the present observation, where the task writes it in place.
     """
 
     mdp: Any
     sizes: Integers
     lows: Integers
+    seen: Integers
 
     @property
     def observation_space(self) -> spaces.Discrete:
@@ -36,7 +38,10 @@ class Tabular(NamedTuple):
 
     def observation(self, state: Any, rng: Random) -> int:
         """The row of the table for the observation of the task."""
-        parts = self.mdp.observation(state, rng)
+        return self.row(self.mdp.observation(state, rng))
+
+    def row(self, parts: Any) -> int:
+        """The row of the table for several numbers."""
         row = 0
         for k in range(len(self.sizes)):
             row = row * int(self.sizes[k]) + int(parts[k]) - int(self.lows[k])
@@ -56,7 +61,19 @@ class Tabular(NamedTuple):
         if not all(isinstance(part, spaces.Discrete) for part in parts) or len(space.shape or ()) > 1:
             raise ValueError(f"observation_space of an MDP must be flat for a table, but is {space}")
         number_of_rows(sizes)
-        return cls(mdp, np.array(sizes), np.array(table_lows(space)))
+        kind = TabularInPlace if writes_in_place(mdp) else cls
+        return kind(mdp, np.array(sizes), np.array(table_lows(space)), np.zeros(len(sizes), np.int64))
+
+
+class TabularInPlace(Tabular):
+    """The same for an MDP that writes its observation into an array: no step makes a new one."""
+
+    __slots__ = ()
+
+    def observation(self, state: Any, rng: Random) -> int:
+        """The row of the table for the observation of the task."""
+        self.mdp.observe_into(state, rng, self.seen)
+        return self.row(self.seen)
 
 
 def number_of_rows(sizes: Sequence[int]) -> int:

@@ -11,8 +11,7 @@ from typing import Any, NamedTuple
 from gymnasium import spaces
 
 from edugym.mdp.checking import is_own
-from edugym.mdp.in_place import writes_in_place
-from edugym.mdp.protocol import Random
+from edugym.mdp.protocol import Random, writes_in_place
 from edugym.mdp.wrapper import wrapper
 
 

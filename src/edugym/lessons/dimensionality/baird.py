@@ -90,11 +90,12 @@ def weights_of_solid(
     state = mdp.initial(rng)
     x = mdp.observation(state, rng)
     action = agent.act(x, rng)
+    on_policy = is_on_policy(agent)
     for _ in range(n_steps):
         state = mdp.transition(state, action, rng)
         next_x = mdp.observation(state, rng)
         next_action = agent.act(next_x, rng)
-        arrived: tuple[Any, ...] = (next_x, next_action) if is_on_policy(agent) else (next_x,)
+        arrived: tuple[Any, ...] = (next_x, next_action) if on_policy else (next_x,)
         agent.learn(x, action, 0.0, *arrived, False)
         x, action = next_x, next_action
         weights.append(agent.weights[:8, SOLID].copy())
