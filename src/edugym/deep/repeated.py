@@ -42,8 +42,8 @@ def repeat_deep(
     Args:
         trainers: by label, functions that train an agent and return its `Run`. They must be pickled, so none is defined
             inside another function.
-        n_steps: the training steps of each run. Algorithms that play whole rounds may take a few more or fewer; the last
-            point of each curve counts as `n_steps` in the table.
+        n_steps: the training steps of each run. Algorithms that play whole rounds may take a few more or fewer; the
+            last point of each curve counts as `n_steps` in the table.
         repetitions: the number of runs of each method, 1 or more.
         seed: the number from which the seeds of all repetitions are spawned, 0 or more; the same for every method.
         jobs: the number of processes, 1 or more; -1 is one for each core.
@@ -88,8 +88,8 @@ def _do(trainer: Trainer, n_steps: int, planned: Planned) -> tuple[Planned, Run]
     taken = int(run.steps[-1])
     if run.complete and abs(taken - n_steps) > TOLERANCE * n_steps:
         raise ValueError(
-            f"n_steps must be about as many steps as a run takes, but is {n_steps}, and a run of {planned.method!r} took"
-            f" {taken}: choose a multiple of the steps of one round, those that all copies take between two updates"
+            f"n_steps must be about as many steps as a run takes, but is {n_steps}, and a run of {planned.method!r}"
+            f" took {taken}: choose a multiple of the steps of one round, which all copies take between two updates"
         )
     return planned, dataclasses.replace(run, agent=None)
 
