@@ -29,6 +29,15 @@ def test_they_are_current(module: str) -> None:
     assert found.path.stat().st_size < 100_000
 
 
+@pytest.mark.parametrize("module", MODULES)
+def test_steps_increase(module: str) -> None:
+    """In every run, up to the number of steps that was asked for."""
+    table = stored_in(module).load().table
+    for _, run in table.groupby(["method", "repetition"]):
+        assert (run["step"].diff().dropna() > 0).all()
+        assert run["step"].iloc[-1] == run["n_steps"].iloc[-1]
+
+
 def test_changed_code_is_noticed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Another number is other code; another docstring or comment is not, nor a claim on the results."""
     path = tmp_path / "lesson.py"

@@ -1,5 +1,6 @@
 """DQN: its network against differences and torch's, its memory and targets by hand, and Catch."""
 
+import copy
 import math
 from typing import Any
 
@@ -9,6 +10,7 @@ import pytest
 
 from edugym import DQN, EpsilonGreedy, LinearDecay, ScheduledEpsilonGreedy, make_mdp, train
 from edugym.agents.dqn import adam, backward, forward, slope_of_loss
+from edugym.agents.vectors import input_scale
 from edugym.mdp.protocol import Reals
 from tests.agents.case import Case, same
 from tests.agents.fourier import fourier
@@ -161,12 +163,37 @@ def test_every_seed_has_its_own_first_weights() -> None:
     assert not same(first[0], first[2])
 
 
+def test_weights_that_were_put_in_stay() -> None:
+    """And the target is a copy of them; two calls of `act` before the first step draw one network, not two."""
+    agent, rng = small((2, 2)), np.random.default_rng(0)
+    agent.act(np.ones(2), rng)
+    drawn = copy.deepcopy(agent.weights)
+    agent.act(np.ones(2), rng)
+    assert same(agent.weights, drawn)
+    agent.weights.first[:], agent.weights.second[:] = 0.0, 3.0
+    agent.act(np.ones(2), rng)
+    assert (agent.weights.second == 3).all()
+    assert same(agent.weights, agent.target)
+
+
+def test_a_board_is_refused() -> None:
+    """In a loop of one's own; `train` flattens it."""
+    board = gymnasium.make("edugym/Catch-v0")
+    agent, (observation, _) = DQN.create(board), board.reset(seed=0)
+    assert observation.shape == (10, 5)
+    with pytest.raises(ValueError, match="state must be a flat vector with a number for each input of DQN: flatten"):
+        agent.act(observation, np.random.default_rng(0))
+    train(gymnasium.make("edugym/Catch-v0"), agent, 20)
+
+
 def test_inputs_are_scaled_by_the_bounds_of_the_observation_space() -> None:
     """Colours by 255, CartPole's position by 4.8 and its speeds, which have no bounds, not at all."""
     assert pytest.approx(1 / 255) == DQN.create(make_mdp("Catch", observation_type="rgb")).scale
     scale = DQN.create(gymnasium.make("CartPole-v1")).scale
     assert scale == pytest.approx([1 / 4.8, 1, 1 / 0.41887903, 1])
     assert (DQN.create(make_mdp("Boulder")).scale == 1).all()
+    largest = float(np.finfo(np.float32).max)
+    assert input_scale([-largest, -1e9, -2, 0, -np.inf], [largest, 0, 1, 0, 5]).tolist() == [1, 1, 0.5, 1, 1]
 
 
 @pytest.mark.parametrize("setting", ["hidden", "memory_size", "batch_size", "learn_every", "learn_from", "copy_every"])

@@ -83,6 +83,7 @@ def test_nearer_states_share_more_tiles() -> None:
         ({"low": [0.0]}, "low must have 7 numbers, as an observation has"),
         ({"high": [-1.0] * 7}, "low and high must be the bounds .* number 0 is from -1.0 to -1.0"),
         ({"high": [math.inf] * 7}, r"number 0 is from -1.0 to inf: give low=\[...\] and high=\[...\]"),
+        ({"low": [-3.4e38] * 7, "high": [3.4e38] * 7}, "less than a billion apart, but number 0 is from -3.4e"),
         ({"tiles": 9}, r"tiles must make 10,000,000 tiles at most, but make 8e\+07: leave numbers out by 1"),
         ({"tiles": "8"}, "tiles must be a whole number, 1 or more, but is '8'"),
         ({"tiles": 8.0}, "tiles must be a whole number, 1 or more, but is 8.0"),

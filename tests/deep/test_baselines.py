@@ -47,6 +47,8 @@ def test_what_is_wrong_is_refused() -> None:
         stable_baselines3_run("Catch", "SAC", 100)
     with pytest.raises(ValueError, match="n_steps must be 1 or more, but is 0"):
         stable_baselines3_run("Catch", "PPO", 0)
+    with pytest.raises(ValueError, match="evaluate_every must be 1 or more, but is 0"):
+        stable_baselines3_run("Catch", "PPO", 100, evaluate_every=0)
 
 
 def test_it_learns_catch() -> None:

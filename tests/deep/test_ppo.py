@@ -158,8 +158,11 @@ def test_what_it_sees() -> None:
     assert ActorCritic(spaces.Discrete(3, start=5), discrete, 4).numbers(np.array([6])).tolist() == [[0, 1, 0]]
     image = ActorCritic(spaces.Box(0, 255, (1, 2), np.uint8), discrete, 4)
     assert image.numbers(np.array([[[255, 51]]], np.uint8)).tolist() == [pytest.approx([1.0, 0.2])]
-    wide = ActorCritic(spaces.Box(-np.inf, np.inf, (1,), np.float32), discrete, 4)
-    assert wide.numbers(np.array([[3.0]], np.float32)).tolist() == [[3.0]]
+    for bound in (np.inf, np.finfo(np.float32).max):
+        wide = ActorCritic(spaces.Box(-bound, bound, (1,), np.float32), discrete, 4)
+        assert wide.numbers(np.array([[3.0]], np.float32)).tolist() == [[3.0]]
+    signed = ActorCritic(spaces.Box(-128, 127, (1,), np.int8), discrete, 4)
+    assert signed.numbers(np.array([[-64]], np.int8)).tolist() == [[-0.5]]
 
 
 @pytest.mark.parametrize(
@@ -193,7 +196,8 @@ def test_actions_of_another_kind_are_refused() -> None:
 
 def test_a_truncated_episode_is_worth_its_last_state() -> None:
     """Boulder is cut off after 3 steps: their advantages are those of going on, since V of the last state is added."""
-    ppo = PPO.create("Boulder", {"height": 30, "max_steps": 3}, num_envs=2, length=3, discount=0.5, trace_decay=0.0)
+    ppo = PPO.create("Boulder", {"height": 30, "max_steps": 3}, num_envs=2, length=3, minibatches=1, discount=0.5)
+    ppo = ppo._replace(trace_decay=0.0)
     from edugym.deep.curves import Curve, copies
 
     env = copies("Boulder", 2, ppo.parameters)
@@ -236,10 +240,37 @@ def test_other_wrong_arguments_are_refused() -> None:
     """Too few steps for an update, and no environment."""
     with pytest.raises(ValueError, match="n_steps must be 2048 or more, but is 100"):
         PPO.create("Catch").train(100)
+    with pytest.raises(ValueError, match="evaluate_every must be 1 or more, but is 0"):
+        PPO.create("Catch").train(2_048, evaluate_every=0)
+    with pytest.raises(ValueError, match="minibatches must be from 1 to 3, but is 4"):
+        PPO.create("Catch", num_envs=2, length=3)
     with pytest.raises(ValueError, match="environment must be"):
         PPO.create(None)
     with pytest.raises(ValueError, match="has no parameter 'colour'"):
         PPO.create("Catch", {"colour": "red"})
+
+
+def test_torchs_own_random_stream_is_as_before() -> None:
+    """A run leaves no trace in what the caller draws next."""
+    torch.manual_seed(5)
+    expected = torch.rand(3)
+    torch.manual_seed(5)
+    PPO.create("Catch", num_envs=2, length=8).train(32, seed=1, evaluation_episodes=1)
+    assert torch.equal(torch.rand(3), expected)
+
+
+def test_there_are_as_many_minibatches_as_asked_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Ten steps in four parts: 3, 3, 2 and 2, where chunks of three would leave one alone."""
+    parts: list[int] = []
+    gradient = PPO.gradient
+
+    def counted(self: PPO, net: ActorCritic, x: Tensor, *data: Tensor) -> Tensor:
+        parts.append(len(x))
+        return gradient(self, net, x, *data)
+
+    monkeypatch.setattr(PPO, "gradient", counted)
+    PPO.create("Catch", num_envs=2, length=5, epochs=1).train(10, evaluation_episodes=1)
+    assert parts == [3, 3, 2, 2]
 
 
 def test_it_learns_catch() -> None:

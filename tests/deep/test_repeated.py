@@ -34,6 +34,43 @@ def test_the_table() -> None:
     assert "torch" in results.table["versions"].iloc[0]
 
 
+def rounds(n_steps: int, *, seed: int, complete: bool = True) -> Run:
+    """A run with points after steps of its own, whatever it is asked for."""
+    steps, returns = np.array([0, 60, 105, 108]), np.array([0.0, 1.0, 2.0, 3.0])
+    training_returns, episodes = np.array([np.nan, 1.0, 5.0, 2.0]), np.array([0, 2, 1, 2])
+    return Run(steps, returns, training_returns, episodes, object(), seed, 0.1, complete)
+
+
+def test_steps_increase() -> None:
+    """A point above the number of steps is not the last but one: it is part of the last, (1·5 + 2·2) / 3 = 3."""
+    results = repeat_deep({"one": rounds}, 100, repetitions=1, jobs=1)
+    assert results.curves("one").index.tolist() == [0, 60, 100]
+    assert results.curves("one")[0].tolist() == [0, 1, 3]
+    assert results.curves("one", "training_return")[0].tolist()[1:] == [1, 3]
+    assert results.table["episodes"].tolist() == [0, 2, 3]
+    assert results.average("one")[0] == pytest.approx((60 * 0.5 + 40 * 2) / 100)
+
+
+def test_a_run_that_was_stopped_keeps_its_steps() -> None:
+    """Its last point is where it stopped."""
+    results = repeat_deep({"one": partial(rounds, complete=False)}, 10_000, repetitions=1, jobs=1)
+    assert results.table["step"].tolist() == [0, 60, 105, 108]
+
+
+@pytest.mark.parametrize("n_steps", [98, 121])
+def test_many_more_or_fewer_steps_are_refused(n_steps: int) -> None:
+    """The sentence says how to choose their number."""
+    with pytest.raises(ValueError, match=f"n_steps must be .* but is {n_steps}, and a run of 'one' took 108: choose"):
+        repeat_deep({"one": rounds}, n_steps, repetitions=1, jobs=1)
+
+
+def test_ppo_that_takes_half_the_steps_is_refused() -> None:
+    """One round of PPO is 64 times 32 steps; 4000 have room for one."""
+    ppo = partial(PPO.create("Catch", epochs=1).train, evaluation_episodes=1)
+    with pytest.raises(ValueError, match="a run of 'PPO' took 2048: choose a multiple"):
+        repeat_deep({"PPO": ppo}, 4_000, repetitions=1, jobs=1)
+
+
 def test_saved_and_loaded(tmp_path: Path) -> None:
     """As any table of results."""
     results = repeat_deep({"one": pretend}, 100, repetitions=2, jobs=1)

@@ -3,12 +3,10 @@
 import math
 from typing import Annotated, Any, NamedTuple
 
-import numpy as np
-
 from edugym.agents.settings import Counter, Discount, LearningRate, Range, Table, new, shows_settings
 from edugym.agents.strategies import EpsilonGreedy, Exploration
 from edugym.agents.tables import best_value, greedy_action, one_step_target
-from edugym.agents.vectors import vector_bounds, vector_size
+from edugym.agents.vectors import input_scale, vector_bounds, vector_size
 from edugym.checks import whole_number
 from edugym.mdp.protocol import Integers, Random, Reals
 
@@ -54,6 +52,11 @@ class DQN(NamedTuple):
     and now and then θ⁻ <- θ. The loss L(δ) is δ²/2 up to |δ| = 1, and |δ| - 1/2 beyond.
 
     The weights are drawn when the agent acts for the first time, from its random stream: so every seed has its own.
+    Before that they are 0, unless you have put others in, and all actions are worth the same: the first point of a
+    learning curve is random play. In a loop of your own, call `act` before each `learn`: it also draws the batch.
+
+    A state is a flat vector. `train` flattens boards and images, and makes whole numbers ones among zeros; in a loop of
+    your own Gymnasium's `FlattenObservation` does.
 
     Attributes:
         weights: θ.
@@ -63,7 +66,7 @@ class DQN(NamedTuple):
         square: Adam's v, that of its square.
         memory: the latest transitions.
         scale: shape (n_inputs,): what inputs are multiplied by: 1 over the largest value that the observation space
-            allows, 1 where it has no bounds.
+            allows, 1 where it has no bounds, or such from a billion on.
         x: shape (n_inputs,): the inputs of the network.
         h: shape (n_hidden,): its hidden units.
         Q: shape (1, n_actions): its action values.
@@ -80,7 +83,8 @@ class DQN(NamedTuple):
         copy_every: updates between two copies of θ to θ⁻, 1 or more.
 
     Deviations from Mnih et al.: one fully connected hidden layer on the whole observation instead of convolutions on
-    four frames; Adam instead of RMSProp; rewards are not clipped; ε is constant by default (for theirs, see
+    four frames; inputs are scaled by their bounds; first weights as He et al. draw them for such a layer; Adam instead
+    of RMSProp; rewards are not clipped; ε is constant by default (for theirs, see
     `ScheduledEpsilonGreedy` with `LinearDecay`), also before step `learn_from`, where theirs act uniformly at random;
     the memory is a hundredth of theirs, `learn_from` a fiftieth and `copy_every` a fortieth, and the learning rate four
     times theirs; actions are not repeated, and episodes do not start with idle steps; evaluation is greedy, theirs has
@@ -155,7 +159,15 @@ class DQN(NamedTuple):
         return greedy_action(self.Q, 0, rng)
 
     def write_values(self, state: Any) -> None:
-        """Compute Q(s, ·; θ)."""
+        """Compute Q(s, ·; θ).
+
+        Raises:
+            ValueError: the state is no vector with a number for each input.
+        """
+        if len(state) != len(self.x):
+            raise ValueError(
+                "state must be a flat vector with a number for each input of DQN: flatten boards and images"
+            )
         for i in range(len(self.x)):
             self.x[i] = float(state[i]) * self.scale[i]
         forward(self.weights, self.x, self.h, self.Q)
@@ -182,13 +194,17 @@ class DQN(NamedTuple):
         return self.learning_rate * math.sqrt(1.0 - math.pow(0.999, t)) / (1.0 - math.pow(0.9, t))
 
     def draw_weights(self, rng: Random) -> None:
-        """Draw the weights evenly from ±√(6/n) for n inputs of a unit; biases stay 0. The target network is a copy."""
-        for layer in (self.weights.first, self.weights.second):
-            n_inputs = layer.shape[0] - 1
-            bound = math.sqrt(6.0 / n_inputs)
-            for i in range(n_inputs):
-                for j in range(layer.shape[1]):
-                    layer[i, j] = bound * (2.0 * rng.random() - 1.0)
+        """Draw the weights evenly from ±√(6/n) for n inputs of a unit; biases stay 0. The target network is a copy.
+
+        Where there are weights, they stay.
+        """
+        if not self.weights.first.any() and not self.weights.second.any():
+            for layer in (self.weights.first, self.weights.second):
+                n_inputs = layer.shape[0] - 1
+                bound = math.sqrt(6.0 / n_inputs)
+                for i in range(n_inputs):
+                    for j in range(layer.shape[1]):
+                        layer[i, j] = bound * (2.0 * rng.random() - 1.0)
         copy(self.weights, self.target)
 
     @property
@@ -228,8 +244,7 @@ class DQN(NamedTuple):
         sizes = {"inputs": n_inputs, "hidden": hidden, "actions": n_actions, "memory": memory_size, "batch": batch_size}
         sizes |= {"inputs + 1": n_inputs + 1, "hidden + 1": hidden + 1}
         agent = new(cls, None, settings, **sizes)
-        largest = np.maximum(*np.abs(vector_bounds(environment)))
-        agent.scale[:] = np.where((largest > 0) & np.isfinite(largest), 1.0 / np.maximum(largest, 1e-300), 1.0)
+        agent.scale[:] = input_scale(*vector_bounds(environment))
         return agent
 
 

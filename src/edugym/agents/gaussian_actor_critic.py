@@ -34,13 +34,13 @@ class GaussianActorCritic(NamedTuple):
         high: shape (n_actions,): the upper bounds.
         features: x(s): tile coding of the whole observation by default, whose 8 tilings suit one or two numbers; see
             `TileCoding`.
-        learning_rate: α^θ times the number of tilings, greater than 0 and up to 1.
+        learning_rate: α^θ times `features.at_once`, greater than 0 and up to 1.
         value_learning_rate: α^w times the same, likewise.
         discount: γ, from 0 to 1.
         spread: σ, greater than 0.
 
     Deviations from the book: σ is given, not learned; the factor γ^t of the policy gradient theorem is left out, as is
-    usual.
+    usual; at a truncation the agent bootstraps.
 
     Reference: Sutton and Barto, 2nd edition, the box "One-step Actor-Critic (episodic)" of section 13.5, and section
     13.7 with exercise 13.4 for the Gaussian policy.

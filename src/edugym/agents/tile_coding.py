@@ -8,7 +8,7 @@ import numpy as np
 from gymnasium import spaces
 
 from edugym.agents.settings import Table, check
-from edugym.agents.vectors import vector_bounds, vector_size
+from edugym.agents.vectors import UNBOUNDED, vector_bounds, vector_size
 from edugym.checks import whole_number
 from edugym.mdp.protocol import Integers, Reals
 
@@ -99,7 +99,8 @@ class TileCoding(NamedTuple):
                 numbers that are not left out. (The grids are displaced by 1, 3, 5, ... steps in the first, second,
                 third, ... number. With 3 tilings, for example, nothing would be displaced in the second number.)
             low: the lowest value that each number takes; by default that of the observation space.
-            high: the highest, likewise. Both must be given where the observation space has no bounds.
+            high: the highest, likewise. Both must be given where the observation space has no bounds, or such that are
+                a billion or more apart.
 
         Raises:
             ValueError: a parameter is not as above, or there would be more than ten million tiles.
@@ -116,10 +117,11 @@ class TileCoding(NamedTuple):
             whole_number("tiles", count, 1)
         whole_number("tilings", tilings, 1)
         for i in range(n_inputs):
-            if counts[i] > 1 and not -math.inf < lows[i] < highs[i] < math.inf:
+            if counts[i] > 1 and not (lows[i] < highs[i] and highs[i] - lows[i] < UNBOUNDED):
                 raise ValueError(
-                    f"low and high must be the bounds of the observation, the lower first, but number {i} is from"
-                    f" {lows[i]} to {highs[i]}: give low=[...] and high=[...], or leave it out by 1 in tiles"
+                    "low and high must be the bounds of the observation, the lower first and less than a billion apart,"
+                    f" but number {i} is from {lows[i]} to {highs[i]}: give low=[...] and high=[...], or"
+                    " leave it out by 1 in tiles"
                 )
         n_tiles = tilings * math.prod(count + 1 for count in counts if count > 1)
         if n_tiles > MOST_FEATURES:

@@ -14,6 +14,9 @@ from edugym.agents.tables import check_shape
 from edugym.mdp.protocol import Reals
 from edugym.mdp.tabular import table_sizes
 
+UNBOUNDED = 1e9
+"""A bound of an observation from here on is none: many environments give the largest float32 for infinity."""
+
 
 def vector_size(environment: Any, actions: type[spaces.Space[Any]] = spaces.Discrete) -> tuple[int, int]:
     """How many numbers an agent sees in an environment, and how many actions (or, of reals, numbers in one) it has.
@@ -67,3 +70,14 @@ def vector_bounds(environment: Any) -> tuple[Reals, Reals]:
         return np.ravel(space.low).astype(float), np.ravel(space.high).astype(float)
     n_inputs = environment[0] if isinstance(environment, tuple) and space is None else vector_length(space)
     return np.zeros(n_inputs), np.ones(n_inputs)
+
+
+def input_scale(low: Any, high: Any) -> Reals:
+    """What the inputs of a network are multiplied by, given their bounds as vectors: 1 over the largest number allowed.
+
+    Where there are no bounds, or nothing but 0 is allowed, it is 1.
+    """
+    largest = np.maximum(np.abs(np.asarray(low, float)), np.abs(np.asarray(high, float)))
+    bounded = (largest > 0) & (largest < UNBOUNDED)
+    scale: Reals = 1 / np.where(bounded, largest, 1.0)
+    return scale

@@ -41,9 +41,10 @@ def stable_baselines3_run(
         num_envs: how many copies play, 1 or more.
         policy: by default "MlpPolicy", or "MlpLstmPolicy" for "RecurrentPPO".
         parameters: those of an environment that is given by name.
-        evaluate_every: steps between two points of the curve; by default a tenth of `n_steps`.
+        evaluate_every: steps between two points of the curve, 1 or more; by default a tenth of `n_steps`.
         evaluation_episodes: how many episodes each point averages, played by the likeliest actions.
-        seed: the same seed gives the same run.
+        seed: the same seed gives the same run. Stable-Baselines3 seeds the global random streams of Python, NumPy and
+            torch with it.
         **settings: those of the algorithm.
 
     Returns:
@@ -62,7 +63,7 @@ def stable_baselines3_run(
         model = _class(algorithm)(
             policy or ("MlpLstmPolicy" if recurrent else "MlpPolicy"), envs, seed=seed, device="cpu", **settings
         )
-        every = evaluate_every or max(1, n_steps // 10)
+        every = max(1, n_steps // 10) if evaluate_every is None else evaluate_every
         curve = Curve(
             environment, parameters or {}, lambda: _policy(model, recurrent), every, evaluation_episodes, seed
         )

@@ -14,6 +14,7 @@ from gymnasium.vector import AutoresetMode, VectorEnv
 from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.checks import whole_number
+from edugym.mdp.protocol import step_limit
 from edugym.registration import ENVIRONMENTS, full_id, make_environment
 from edugym.training.train import Run
 from edugym.training.trainers import EVALUATION_LIMIT
@@ -112,7 +113,7 @@ class Curve:
         n, policy = self._env.num_envs, self._policy()
         observations, _ = self._env.reset(seed=int(self._rng.integers(2**31)))
         first, going_on, returns = np.ones(n, np.bool_), np.ones(n, np.bool_), np.zeros(n)
-        for _ in range(EVALUATION_LIMIT):
+        for _ in range(_step_limit(self._env) or EVALUATION_LIMIT):
             observations, rewards, terminated, truncated, _ = self._env.step(policy(observations, first))
             returns += going_on * rewards
             first = terminated | truncated
@@ -120,6 +121,14 @@ class Curve:
             if not going_on.any():
                 break
         return float(returns.mean())
+
+
+def _step_limit(env: Any) -> int | None:
+    """The step limit of the task, or None where it has none."""
+    if isinstance(env, MDPVectorEnv):
+        return step_limit(env.mdp)
+    limit: int | None = env.get_attr("spec")[0].max_episode_steps
+    return limit
 
 
 @contextmanager

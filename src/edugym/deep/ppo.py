@@ -9,9 +9,10 @@ import torch
 from gymnasium import spaces
 from torch import Tensor, nn
 from torch.nn import functional
+from torch.random import fork_rng
 
 from edugym.agents.settings import Discount, LearningRate, Probability, Range, new, shows_settings
-from edugym.agents.vectors import vector_length
+from edugym.agents.vectors import input_scale, vector_length
 from edugym.checks import whole_number
 from edugym.deep.curves import Curve, copies, one_thread
 from edugym.mdp.tabular import table_lows, table_sizes
@@ -34,7 +35,7 @@ class PPO(NamedTuple):
         num_envs: how many copies play, 1 or more.
         length: steps that each copy plays between two updates, 1 or more.
         epochs: how many times each step is learned from, 1 or more.
-        minibatches: into how many parts the steps are divided for learning, 1 or more.
+        minibatches: into how many parts the steps are divided for learning, 1 or more; each has two steps or more.
         hidden: units in each of the two hidden layers of each network, 1 or more.
         learning_rate: of Adam, greater than 0 and up to 1; it falls evenly to 0.
         discount: γ, from 0 to 1.
@@ -42,12 +43,13 @@ class PPO(NamedTuple):
         clip: ε, greater than 0.
         entropy_bonus: c, 0 or more.
 
-    Choices where Schulman et al. (2017) leave them open, or deviations: policy and value function are two networks, and
-    the coefficient of the value loss is 1; advantages are normalised in each minibatch, and values are not clipped; the
-    gradient of both networks together is clipped to a norm of 0.5; ε of Adam is 1e-5; weights are orthogonal, and small
-    in the last layer of the policy; inputs are divided by their bounds, and rewards are not scaled; σ of real actions
-    starts at e^-0.5 and does not depend on the state, and actions are cut off at the bounds of the space; a terminal
-    state is worth 0, and a truncated episode V of its last state.
+    Choices where Schulman et al. (2017) leave them open, or deviations: policy and value function are two networks; the
+    value loss has a factor 1/2, which is c₁ = 1/2 in their equation 9; advantages are normalised in each minibatch, and
+    values are not clipped; the gradient of both networks together is clipped to a norm of 0.5; ε of Adam is 1e-5;
+    weights are orthogonal, and small in the last layer of the policy; inputs are divided by their bounds, and rewards
+    are not scaled; σ of real actions starts at e^-0.5 and does not depend on the state; the environment gets actions
+    cut off at the bounds of the space, and the policy learns from those that were drawn; a terminal state is worth 0,
+    and a truncated episode V of its last state.
 
     References: Schulman et al. (2017), Proximal policy optimization algorithms, equations 7, 9, 11 and 12 and algorithm
     1; Schulman et al. (2016) for Â; Huang et al. (2022), The 37 implementation details of proximal policy
@@ -74,9 +76,9 @@ class PPO(NamedTuple):
 
         Args:
             n_steps: how many steps, `num_envs` times `length` or more.
-            evaluate_every: steps between two points of the curve; by default a tenth of `n_steps`.
+            evaluate_every: steps between two points of the curve, 1 or more; by default a tenth of `n_steps`.
             evaluation_episodes: how many episodes each point averages, played by the likeliest actions.
-            seed: the same seed gives the same run.
+            seed: the same seed gives the same run; torch's own random stream is afterwards as it was before.
 
         Returns:
             As `edugym.train`; its `agent` is the `ActorCritic`.
@@ -85,12 +87,13 @@ class PPO(NamedTuple):
             ValueError: a parameter is not as above.
         """
         updates = whole_number("n_steps", n_steps, self.num_envs * self.length) // (self.num_envs * self.length)
-        with one_thread(), torch.inference_mode():  # the gradient is written out below
-            torch.manual_seed(whole_number("seed", seed, 0))
+        whole_number("seed", seed, 0)
+        with one_thread(), fork_rng(devices=[]), torch.inference_mode():  # the gradient is written out below
+            torch.manual_seed(seed)
             env = copies(self.environment, self.num_envs, self.parameters)
             net = ActorCritic(env.single_observation_space, env.single_action_space, self.hidden)
             optimizer = torch.optim.Adam([net.weights], self.learning_rate, eps=1e-5, fused=True)
-            every = evaluate_every or max(1, n_steps // 10)
+            every = max(1, n_steps // 10) if evaluate_every is None else evaluate_every
             curve = Curve(self.environment, self.parameters, lambda: net.greedy, every, evaluation_episodes, seed)
             curve.measure(0)
             observations, _ = env.reset(seed=seed)
@@ -128,7 +131,8 @@ class PPO(NamedTuple):
         """Take steps up the objective, from each action `epochs` times."""
         for _ in range(self.epochs):
             order = torch.randperm(len(data[0]))
-            for part in zip(*(column.index_select(0, order).chunk(self.minibatches) for column in data), strict=True):
+            columns = (column.index_select(0, order).tensor_split(self.minibatches) for column in data)
+            for part in zip(*columns, strict=True):
                 gradient = self.gradient(net, *part)
                 net.weights.grad = -gradient * (0.5 / gradient.norm()).clamp(max=1)  # Adam goes downhill
                 optimizer.step()
@@ -156,7 +160,9 @@ class PPO(NamedTuple):
             ValueError: a setting is not as the class says, or there is no such environment.
         """
         copies(environment, 1, parameters or {})
-        return new(cls, None, {"environment": environment, "parameters": dict(parameters or {}), **settings})
+        made = new(cls, None, {"environment": environment, "parameters": dict(parameters or {}), **settings})
+        whole_number("minibatches", made.minibatches, 1, made.num_envs * made.length // 2)
+        return made
 
 
 def advantages_of(rewards: Tensor, going_on: Tensor, V: Tensor, discount: float, trace_decay: float) -> Tensor:
@@ -219,8 +225,7 @@ class ActorCritic:
         learned = [view.view(part.shape) for view, part in zip(views, learned, strict=True)]
         self.actor, self.critic, self.log_std = Network(learned[:6]), Network(learned[6:12]), learned[12]
         if isinstance(observations, spaces.Box):
-            largest = np.maximum(*np.abs((observations.low.ravel(), observations.high.ravel()))).astype(float)
-            scale = np.where((largest > 0) & (largest < 1e9), 1 / np.maximum(largest, 1e-9), 1)
+            scale = input_scale(observations.low.ravel(), observations.high.ravel())
             self.scale = torch.as_tensor(scale, dtype=torch.float32)
 
     def numbers(self, observations: Any) -> Tensor:

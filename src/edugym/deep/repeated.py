@@ -3,6 +3,7 @@
 import dataclasses
 import functools
 import json
+import math
 import os
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -18,6 +19,8 @@ from edugym.training.configuration import Planned, planned_runs
 from edugym.training.fingerprints import versions
 from edugym.training.train import Run
 
+TOLERANCE = 0.1
+"""A run may take so much more or less than `n_steps`, as a share."""
 Trainer = Callable[..., Run]
 """What trains an agent: it is called with the number of steps and `seed`."""
 
@@ -39,8 +42,8 @@ def repeat_deep(
     Args:
         trainers: by label, functions that train an agent and return its `Run`. They must be pickled, so none is defined
             inside another function.
-        n_steps: the training steps of each run. Algorithms that play whole rounds may take a few more, which count as
-            `n_steps` in the table.
+        n_steps: the training steps of each run. Algorithms that play whole rounds may take a few more or fewer; the
+            last point of each curve counts as `n_steps` in the table.
         repetitions: the number of runs of each method, 1 or more.
         seed: the number from which the seeds of all repetitions are spawned, 0 or more; the same for every method.
         jobs: the number of processes, 1 or more; -1 is one for each core.
@@ -50,7 +53,7 @@ def repeat_deep(
         The table of `edugym.repeat`, with the settings of each method, and no agents.
 
     Raises:
-        ValueError: an argument is not as above.
+        ValueError: an argument is not as above, or a run took over a tenth more or fewer steps than `n_steps`.
         gymnasium.error.DependencyNotInstalled: pandas or joblib is missing.
     """
     require("experiments", "joblib", "pandas")
@@ -76,9 +79,36 @@ def repeat_deep(
 
 
 def _do(trainer: Trainer, n_steps: int, planned: Planned) -> tuple[Planned, Run]:
-    """Do one run; the agent stays in its process."""
+    """Do one run; the agent stays in its process.
+
+    Raises:
+        ValueError: it took far more or fewer steps than asked for.
+    """
     run = trainer(n_steps, seed=planned.repetition.seed)
+    taken = int(run.steps[-1])
+    if run.complete and abs(taken - n_steps) > TOLERANCE * n_steps:
+        raise ValueError(
+            f"n_steps must be about as many steps as a run takes, but is {n_steps}, and a run of {planned.method!r}"
+            f" took {taken}: choose a multiple of the steps of one round, which all copies take between two updates"
+        )
     return planned, dataclasses.replace(run, agent=None)
+
+
+def _to(n_steps: int, run: Run) -> Run:
+    """Return a complete run with its last point at `n_steps`, where points from there on before it are part of it."""
+    if not run.complete:
+        return run
+    last = run.steps >= n_steps
+    last[-1] = True
+    n, returns = run.episodes[last], run.training_returns[last]
+    mean = float(np.average(returns[n > 0], weights=n[n > 0])) if n.any() else math.nan
+    return dataclasses.replace(
+        run,
+        steps=np.append(run.steps[~last], n_steps),
+        returns=np.append(run.returns[~last], run.returns[-1]),
+        training_returns=np.append(run.training_returns[~last], mean),
+        episodes=np.append(run.episodes[~last], n.sum()),
+    )
 
 
 def _collected(
@@ -88,13 +118,13 @@ def _collected(
 
     parts = []
     for planned in plan:
-        run = runs[planned]
+        run = _to(n_steps, runs[planned])
         columns = {
             "method": planned.method,
             "repetition": planned.repetition.number,
             "seed": planned.repetition.seed,
             "layout_seed": None,
-            "step": np.append(run.steps[:-1], n_steps),
+            "step": run.steps,
             "return": run.returns,
             "training_return": run.training_returns,
             "episodes": run.episodes,

@@ -1,4 +1,8 @@
-"""Baird's counterexample (Sutton and Barto, section 11.2): off-policy, the weights of linear features grow for ever."""
+"""Baird's counterexample (Sutton and Barto, section 11.2): off-policy, the weights of linear features grow for ever.
+
+The book's example is prediction: one vector of weights, importance ratios and α = 0.01. This is its form for
+Q-learning, which the section mentions: each action has weights of its own, there are no ratios, and α = 0.05.
+"""
 
 from typing import Any, NamedTuple
 
