@@ -17,7 +17,7 @@ NAMED = spaces.Dict(place=NEGATIVE, picture=PIXELS)
 @pytest.mark.parametrize(
     ("space", "inside", "outside"),
     [
-        (NEGATIVE, [-1, 1, np.int8(0), True], [-2, 2, 0.0, [0], None, "0"]),
+        (NEGATIVE, [-1, 1, np.int8(0)], [-2, 2, 0.0, [0], None, "0", True]),
         (
             PIXELS,
             [[0, 255], (7, 7.0), np.array([1, 2])],

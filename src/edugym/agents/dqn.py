@@ -3,6 +3,8 @@
 import math
 from typing import Annotated, Any, NamedTuple
 
+import numpy as np
+
 from edugym.agents.settings import Counter, Discount, LearningRate, Range, Table, new, shows_settings
 from edugym.agents.strategies import EpsilonGreedy, Exploration
 from edugym.agents.tables import best_value, greedy_action, one_step_target
