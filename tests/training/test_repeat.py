@@ -1,6 +1,7 @@
 """Repeated training: pairs, layouts and seeds, the same whatever runs in parallel, and tables that can be saved."""
 
 import copy
+import threading
 from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -125,8 +126,18 @@ def test_any_gymnasium_environment() -> None:
         ({"n_steps": 0}, "n_steps must be 1 or more, but is 0"),
         ({"repetitions": 0}, "repetitions must be 1 or more, but is 0"),
         ({"seed": -1}, "seed must be 0 or more, but is -1"),
-        ({"jobs": 0}, "jobs must be from 1 to 1000, but is 0"),
-        ({"jobs": 10**8}, "jobs must be from 1 to 1000, but is 100000000"),
+        ({"jobs": 0}, "jobs must be a whole number from 1 to 1000, -1 or None, but is 0"),
+        ({"jobs": 10**8}, "jobs must be a whole number from 1 to 1000, -1 or None, but is 100000000"),
+        ({"save_to": 5}, "save_to must be a path, but is 5"),
+        ({"checkpoints": ""}, "checkpoints must be a path, but is ''"),
+        ({"parameters": [1]}, r"parameters must be a dictionary from names to values, but is \[1\]"),
+        ({"environment": None}, "environment must be an MDP, a Gymnasium environment or a name, but is None"),
+        ({"environment": lambda: None}, r"environment must be a function of layout_seed, .*, but takes \(\)"),
+        (
+            {"environment": lambda layout_seed: None},
+            r"environment that the function makes must .* is None",
+        ),
+        ({"stop": threading.Event}, "stop must be a threading.Event or None, but is the class Event"),
         ({"stop": "x"}, r"stop must be a threading.Event or None, but is 'x'"),
         ({"environment": Boulder}, "environment must be an environment or a function that makes one"),
         ({"evaluate_every": 0}, "evaluate_every must be 1 or more, but is 0"),
@@ -360,3 +371,12 @@ def test_missing_libraries_are_named() -> None:
     """With what installs them."""
     with pytest.raises(DependencyNotInstalled, match=r'no_such is not installed, run `pip install "edugym\[plot\]"`'):
         require("plot", "numpy", "no_such")
+
+
+def test_a_function_with_other_parameters_gets_the_layout_by_name() -> None:
+    """Such as `create` itself: its first parameter is the height."""
+    results = repeat(Boulder.create, AGENTS, 100, repetitions=2, jobs=1)
+    layouts = results.table.groupby("repetition", observed=True)["layout_seed"].first()
+    for repetition, agent in results.complete_agents(next(iter(AGENTS))).items():
+        assert agent.Q.shape == (11, 2), repetition
+    assert layouts.nunique() == 2

@@ -46,7 +46,7 @@ def _ctrl_c_interrupts() -> None:
 def test_what_is_done_comes_back(tmp_path: Path) -> None:
     """Two runs are complete, the third is in part, the fourth has not begun; and the same call goes on from there."""
     path = tmp_path / "results.csv"
-    said = "of 4 runs 2 are complete, and 1 are in part; the same call goes on from there"
+    said = "2 of 4 runs are complete, 1 are unfinished; the same call goes on from there"
     with pytest.raises(Interrupted, match=said) as raised:
         repeat("Boulder", {"Q": stopping(3, interrupt)}, 200, repetitions=4, jobs=1, save_to=path)
     results = raised.value.partial
@@ -75,7 +75,7 @@ def test_a_run_that_does_not_listen_is_left() -> None:
         interrupt()
         threading.Event().wait(60)
 
-    with pytest.raises(Interrupted, match="of 2 runs 0 are complete"):
+    with pytest.raises(Interrupted, match="0 of 2 runs are complete"):
         repeat("Boulder", {"Q": stopping(1, stuck)}, 200, repetitions=2, jobs=1)
     go_on = threading.Event()
     described = False
@@ -89,7 +89,7 @@ def test_a_run_that_does_not_listen_is_left() -> None:
         return QLearning.create(environment)
 
     try:
-        with pytest.raises(Interrupted, match="of 4 runs 0 are complete"):
+        with pytest.raises(Interrupted, match="0 of 4 runs are complete"):
             repeat("Boulder", {"Q": stuck_in_threads}, 200, repetitions=4, jobs=2)
     finally:
         go_on.set()
@@ -98,7 +98,7 @@ def test_a_run_that_does_not_listen_is_left() -> None:
 def test_before_the_first_step(tmp_path: Path) -> None:
     """Nothing is done yet, and that comes back: results without a row, and no file."""
     path = tmp_path / "results.csv"
-    with pytest.raises(Interrupted, match="of 3 runs 0 are complete, and 1 are in part") as raised:
+    with pytest.raises(Interrupted, match="0 of 3 runs are complete, 1 are unfinished") as raised:
         repeat("Boulder", {"Q": stopping(1, interrupt)}, 200, repetitions=3, jobs=1, save_to=path)
     results = raised.value.partial
     assert not path.exists()
@@ -112,7 +112,7 @@ def test_before_the_first_step(tmp_path: Path) -> None:
 def test_an_event_stops_too() -> None:
     """From another thread, such as that of a button; and what comes after it is left out without a warning."""
     stop = threading.Event()
-    with pytest.warns(UserWarning, match="stopped: of 3 runs 1 are complete"):
+    with pytest.warns(UserWarning, match="stopped: 1 of 3 runs are complete"):
         repeat("Boulder", {"Q": stopping(2, stop.set)}, 200, repetitions=3, jobs=1, stop=stop)
     assert stop.is_set()
     assert repeat("Boulder", {"Q": QLearning.create}, 200, repetitions=3, stop=stop).table.empty
@@ -217,7 +217,7 @@ def test_ctrl_c_in_the_middle(tmp_path: Path, environment: str, backend: str, jo
             child.kill()
     found = json.loads(lines.splitlines()[-1])
     assert found["warned"] == []
-    assert found["said"] == f"of {runs} runs 0 are complete, and {begun} are in part"
+    assert found["said"] == f"0 of {runs} runs are complete, {begun} are unfinished"
     assert len(found["steps"]) == begun
     assert all(0 < steps < HOURS for steps in found["steps"])
     assert found["done"] == 0

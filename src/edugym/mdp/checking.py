@@ -351,6 +351,16 @@ def require_method(owner: Any, name: str, parameters: tuple[str, ...], others: I
         raise ValueError(f"{name} of {_name(owner)} must take {wanted[len(name) :]}, but takes ({takes})")
 
 
+def require_environment(name: str, environment: Any) -> None:
+    """Refuse what has nothing of an MDP or a Gymnasium environment.
+
+    Raises:
+        ValueError: it is something else, such as None.
+    """
+    if not any(hasattr(environment, part) for part in ("observation_space", "transition", "step")):
+        raise ValueError(f"{name} must be an MDP, a Gymnasium environment or a name, but is {shown(environment)}")
+
+
 def require_spaces(task: Any) -> None:
     """Refuse an MDP or an environment without its two spaces.
 

@@ -10,7 +10,8 @@ import gymnasium
 import numpy as np
 from gymnasium.envs.registration import load_env_creator
 
-from edugym.mdp.values import own_copy
+from edugym.mdp.checking import require_environment
+from edugym.mdp.values import own_copy, shown
 from edugym.registration import specification
 
 Setting = bool | int | float | str
@@ -71,13 +72,15 @@ def task(environment: Any, parameters: Mapping[str, Any] | None = None) -> Task:
 
     Args:
         environment: the name of an environment of this package ("Boulder"), an id that Gymnasium knows, an MDP, a
-            Gymnasium environment, or a function that makes one of these for a `layout_seed`.
+            Gymnasium environment, or a function that makes an MDP or an environment for a `layout_seed`.
         parameters: those of a name or id. With `layout_seed` among them, or none to choose, every repetition has one
             layout.
 
     Raises:
         ValueError: there is no such environment, it has no such parameter, or it is made already and takes none.
     """
+    if parameters is not None and not isinstance(parameters, Mapping):
+        raise ValueError(f"parameters must be a dictionary from names to values, but is {shown(parameters)}")
     if isinstance(environment, str):
         return _registered(environment, dict(parameters or {}))
     if parameters:
@@ -88,12 +91,38 @@ def task(environment: Any, parameters: Mapping[str, Any] | None = None) -> Task:
         raise ValueError(f"environment must be an environment or a function that makes one, but is {environment!r}")
     if callable(environment) and not hasattr(environment, "action_space"):
         # The settings that layouts have in common: what differs, such as the grips of a wall, comes from the seed.
-        first, second = (_settings(environment(layout_seed)).items() for layout_seed in (0, 1))
-        return Task(environment, True, dict(setting for setting in first if setting in second), (environment,))
+        make = _by_layout(environment)
+        first, second = (_settings(make(layout_seed)).items() for layout_seed in (0, 1))
+        return Task(make, True, dict(setting for setting in first if setting in second), (environment,))
+    require_environment("environment", environment)
     # A copy for each run: wrappers of MDPs have arrays to write into, which runs at the same time may not share.
     return Task(
         lambda _: own_copy(environment, f"{COPIES} that makes one"), False, _settings(environment), (environment,)
     )
+
+
+def _by_layout(function: Callable[..., Any]) -> Callable[[int], Any]:
+    """Return a function that makes the environment for a `layout_seed`, passed by name where there is that parameter.
+
+    Raises:
+        ValueError: the function does not take one argument.
+    """
+    parameters = inspect.signature(function).parameters
+    by_name = "layout_seed" in parameters
+    try:
+        inspect.signature(function).bind(layout_seed=0) if by_name else inspect.signature(function).bind(0)
+    except TypeError:
+        raise ValueError(
+            "environment must be a function of layout_seed, such as lambda layout_seed: ..., but takes"
+            f" ({', '.join(map(str, parameters.values()))})"
+        ) from None
+
+    def make(layout_seed: int) -> Any:
+        made = function(layout_seed=layout_seed) if by_name else function(layout_seed)
+        require_environment("the environment that the function makes", made)
+        return made
+
+    return make
 
 
 def _settings(environment: Any) -> dict[str, Setting]:

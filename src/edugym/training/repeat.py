@@ -35,9 +35,9 @@ class Experiment(NamedTuple):
 
     Attributes:
         task: the task of each repetition.
-        makers: by label, functions that make the agent of a run for an environment.
+        makers: for each label, a function from an environment to a new agent.
         plan: the runs, in order.
-        configuration: by label, what the results say about a method: task, agent, arguments, versions.
+        configuration: for each label, what the results say about the method: task, agent, arguments, versions.
     """
 
     task: Task
@@ -68,25 +68,26 @@ def repeat(
 ) -> Results:
     """Train every agent `repetitions` times in an environment, and collect the learning curves.
 
-    Repetition i has the same seed for every method and, in a task with a layout (a parameter `layout_seed` that
-    `parameters` does not fix, or a function of one), the same layout, which differs from those of other repetitions:
-    methods are compared in pairs. The first repetitions of a longer experiment are those of a shorter one. Results do
-    not depend on `jobs`.
+    In repetition i all methods get the same seed and the same layout, so they can be compared in pairs. Each repetition
+    has another seed. It also has another layout if `environment` is a name with a parameter `layout_seed` that
+    `parameters` does not fix, or a function of `layout_seed`; an MDP or an environment has one layout. With more
+    `repetitions`, the first ones stay the same. Results do not depend on `jobs`.
 
-    With `save_to`, every finished run is kept on the disk as soon as it is done. Whatever ends the work (Ctrl-C, a
-    crash, a full disk), the same call goes on from there, and comes to the same results. Runs with other settings,
-    seeds or code are never taken for these.
+    With `save_to`, every finished run is kept on the disk as soon as it is done (if its agent can be pickled; otherwise
+    there is a warning). After any interruption (Ctrl-C, a crash, a full disk), repeat the same call: it loads the
+    finished runs and does the others, and the results are the same. It never loads a run that was made with other
+    settings, seeds or code.
 
-    Ctrl-C ends the work within a fifth of a second. What is done, half-finished runs included, is in the `Interrupted`
-    that is raised: `sys.last_value.partial` in a notebook or at the prompt.
+    Ctrl-C ends the work within a fifth of a second. `repeat` then raises `Interrupted`, whose attribute `partial` has
+    what is done, half-finished runs included: in a notebook or at the prompt, `sys.last_value.partial`.
 
     Args:
         environment: the name of an environment of this package ("Boulder"), an id that Gymnasium knows, an MDP or a
-            Gymnasium environment (each run gets a copy), or a function that makes one of these for a `layout_seed`,
-            such as `lambda layout_seed: Boulder.create(height=10, layout_seed=layout_seed)`.
-        agents: by label, the methods: agents, or functions that make one for an environment, such as
-            `lambda environment: QLearning.create(environment, discount=0.9)`. Each run gets a copy, so that runs share
-            nothing.
+            Gymnasium environment (each run gets a copy), or a function that makes an MDP or an environment for a
+            `layout_seed`, such as `lambda layout_seed: Boulder.create(height=10, layout_seed=layout_seed)`.
+        agents: a dictionary from labels to methods. A method is an agent, or a function that makes an agent for an
+            environment, such as `lambda environment: QLearning.create(environment, discount=0.9)`. Each run gets a
+            copy, so that runs share nothing.
         n_steps: the training steps of each run, 1 or more.
         repetitions: the number of runs of each method, 1 or more.
         seed: the number from which the seeds of all repetitions are spawned, 0 or more.
@@ -94,17 +95,19 @@ def repeat(
         max_steps: the step at which an episode is truncated, as in `train`.
         evaluate_every: the steps between two points of the curve, as in `train`.
         evaluation_episodes: the episodes of each point, as in `train`.
-        jobs: the number of runs at a time, 1 to 1000, in threads, which machine code keeps busy; -1 is one for each
-            core, and None is what `joblib.parallel_config` says. That function also chooses other back ends: processes
-            for tasks that run in the interpreter, `joblib.parallel_config(backend="loky")`, or a cluster: see
-            docs/clusters.md.
+        jobs: the number of runs at a time, 1 to 1000; -1 is one for each core, and None what `joblib.parallel_config`
+            says. The runs are threads of one process, which is fast for machine code. For code that is not compiled use
+            processes, `joblib.parallel_config(backend="loky")`; for a cluster see docs/clusters.md.
         progress: whether to show a progress bar, which moves when a run is done.
         save_to: a CSV file for the results. It is written, with a JSON file beside it (see `Results.save`), when all
-            runs are complete; until then finished runs are kept in a folder `<save_to>.unfinished`. That it can be
-            written is checked before the work starts.
-        checkpoints: another folder for finished runs, in which they stay when the results are complete.
-        stop: an event that, when set, ends the work: what is done is returned, with a warning. With an event that is
-            set already nothing is done, and there is no warning.
+            runs are complete; until then finished runs are kept in a folder `<save_to>.unfinished`. `repeat` first
+            checks that it can write the file.
+        checkpoints: a folder for finished runs. Unlike `<save_to>.unfinished`, it is not deleted at the end.
+        stop: an event that, when set, ends the work: `repeat` returns what is done, with a warning. If the event is
+            already set, it trains nothing and does not warn.
+
+    Returns:
+        The learning curves of all runs, with their settings, and the trained agents.
 
     Raises:
         ValueError: an argument is not as above, or an environment or agent refuses its parameters.
@@ -116,10 +119,13 @@ def repeat(
     whole_number("n_steps", n_steps, 1)
     whole_number("repetitions", repetitions, 1)
     whole_number("seed", seed, 0)
-    if jobs is not None and jobs != -1:
-        whole_number("jobs", jobs, 1, MOST_JOBS)
+    if jobs is not None and (isinstance(jobs, bool) or jobs not in (-1, *range(1, MOST_JOBS + 1))):
+        raise ValueError(f"jobs must be a whole number from 1 to {MOST_JOBS}, -1 or None, but is {shown(jobs)}")
     check_stop(stop)
     stop = stop or threading.Event()
+    for name, path in (("save_to", save_to), ("checkpoints", checkpoints)):
+        if path is not None and (not isinstance(path, str | os.PathLike) or path == ""):
+            raise ValueError(f"{name} must be a path, but is {shown(path)}")
     if save_to is not None:
         save_to = check_writable(save_to)
     curve = {"max_steps": max_steps, "evaluate_every": evaluate_every, "evaluation_episodes": evaluation_episodes}
@@ -133,7 +139,7 @@ def repeat(
     stopped_before, runs = stop.is_set(), Runs()
     try:
         with Work() as work:
-            for library in ("joblib", "pandas"):  # an import that is cut off would leave half of a library
+            for library in ("joblib", "pandas"):  # Ctrl-C during an import would leave half a library
                 interruptibly(importlib.import_module, library)
             store = _checkpoints(checkpoints, save_to, experiment.task, agents, training)
             if not stop.is_set():
@@ -159,7 +165,7 @@ def repeat(
 
 def _so_far(plan: list[Planned], runs: Runs) -> str:
     complete = sum(run.complete for run in runs.values())
-    return f"of {len(plan)} runs {complete} are complete, and {len(runs) - complete} are in part"
+    return f"{complete} of {len(plan)} runs are complete, {len(runs) - complete} are unfinished"
 
 
 def _experiment(
@@ -227,7 +233,7 @@ def _checkpoints(
     agents: Mapping[str, Any],
     training: dict[str, Any],
 ) -> Checkpoints:
-    """Return where finished runs are kept: in the folder, or else beside the file, unless that is a device."""
+    """Return where finished runs are kept: in the folder, or else beside the file; nowhere if that is a device."""
     if folder is None and save_to is not None and (Path(save_to).is_file() or not Path(save_to).exists()):
         folder = f"{os.fspath(save_to)}.unfinished"
     store = Checkpoints(None if folder is None else Path(folder))
@@ -284,7 +290,7 @@ def _do(
     """Do one run of one method; return an error rather than raise it, so that its traceback shows no joblib."""
     in_other_process = os.getpid() != stop.process
     if in_other_process and threading.current_thread() is threading.main_thread():
-        signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches the workers too; the file is what stops them
+        signal.signal(signal.SIGINT, signal.SIG_IGN)  # what ends a worker is the file that `stop` creates
     try:
         environment = task.make(planned.repetition.layout_seed)
         return planned, train(environment, maker(environment), **training, seed=planned.repetition.seed, stop=stop)

@@ -21,9 +21,9 @@ from edugym.adapters.tabular_observation import tabular
 from edugym.agents.tables import table_size
 from edugym.compiled.execution import executable
 from edugym.interrupts import held
-from edugym.mdp.checking import CHECKED_STEPS, is_own, require_mdp, require_spaces
+from edugym.mdp.checking import CHECKED_STEPS, is_own, require_environment, require_mdp, require_spaces
 from edugym.mdp.protocol import coerced, step_limit
-from edugym.mdp.values import own_copy, shown
+from edugym.mdp.values import own_copy
 from edugym.registration import full_id
 from edugym.training import gymnasium_loops, loops
 from edugym.training.checking import checked_agent, checked_env, checked_mdp, doubts, require_env, shared_by_class
@@ -302,8 +302,7 @@ def _task(environment: Any, agent: Any) -> Any:
         environment = gymnasium.make(full_id(environment))
     if isinstance(environment, type):
         require_mdp(environment, "environment")  # says how to make a value
-    if not any(hasattr(environment, name) for name in ("observation_space", "transition", "step")):
-        raise ValueError(f"environment must be an MDP, a Gymnasium environment or a name, but is {shown(environment)}")
+    require_environment("environment", environment)
     if isinstance(environment, gymnasium.Env):
         require_spaces(environment)
         require_env(environment)
