@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from edugym.agents.dqn import DQN
+from edugym.deep import baselines
 from edugym.envs.catch import Catch, Fall
 from edugym.lessons.dimensionality import (
     COLUMN,
@@ -55,7 +56,19 @@ from edugym.lessons.dimensionality import (
 )
 from edugym.lessons.dimensionality.baird import Baird, weights_of_solid
 from edugym.lessons.dimensionality.boards import Offset
+from edugym.lessons.dimensionality.layers import SmallCNN
 from edugym.lessons.dimensionality.methods import catch_numbers, play_on
+from edugym.lessons.dimensionality.networks import (
+    CNN_SETTINGS,
+    DQN_GRID,
+    DQN_IMAGE,
+    DQN_SETTINGS,
+    PPO_DARK,
+    PPO_GRID,
+    PPO_SETTINGS,
+    with_cnn,
+)
+from edugym.mdp.brightness import Brightness
 
 
 def test_rows_of_tables() -> None:
@@ -192,6 +205,31 @@ def test_stored_networks_share_over_columns() -> None:
     small, column = (shared_by_column(label)[[*WITHHELD]].mean() for label in (SMALL, COLUMN))
     assert column > 0.7
     assert small < 0.2
+
+
+@pytest.mark.parametrize(
+    ("label", "algorithm", "shape", "is_dark", "settings"),
+    [
+        (DQN_GRID, "DQN", (ROWS, COLUMNS), False, DQN_SETTINGS),
+        (PPO_GRID, "PPO", (ROWS, COLUMNS), False, PPO_SETTINGS),
+        (DQN_IMAGE, "DQN", (ROWS, COLUMNS, 3), False, {**DQN_SETTINGS, **with_cnn(SmallCNN)}),
+        (PPO_IMAGE, "PPO", (ROWS, COLUMNS, 3), False, {**CNN_SETTINGS, **with_cnn(SmallCNN)}),
+        (PPO_DARK, "PPO", (ROWS, COLUMNS, 3), True, {**CNN_SETTINGS, **with_cnn(SmallCNN)}),
+    ],
+)
+def test_what_each_label_stands_for(
+    label: str, algorithm: str, shape: tuple[int, ...], is_dark: bool, settings: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The algorithm, what it sees and its settings are what the label says."""
+
+    def run(environment: Any, algorithm: str, n_steps: int, /, **how: Any) -> Any:
+        is_dark = isinstance(environment.mdp, Brightness)
+        return algorithm, environment.observation_space.shape, is_dark, n_steps, how
+
+    monkeypatch.setattr(baselines, "stable_baselines3_run", run)
+    how = {**settings, "evaluate_every": 7, "seed": 3}
+    asked: Any = train_network(label, 9, evaluate_every=7, seed=3)
+    assert asked == (algorithm, shape, is_dark, 9, how)
 
 
 def test_figures() -> None:
