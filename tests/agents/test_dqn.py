@@ -196,6 +196,16 @@ def test_inputs_are_scaled_by_the_bounds_of_the_observation_space() -> None:
     assert input_scale([-largest, -1e9, -2, 0, -np.inf], [largest, 0, 1, 0, 5]).tolist() == [1, 1, 0.5, 1, 1]
 
 
+def test_defaults_are_the_stated_shares_of_the_papers() -> None:
+    """Extended data table 1 of Mnih et al.: 10^6 transitions, a start after 50 000, a copy every 10 000, 0.00025."""
+    agent = DQN.create((4, 2))
+    assert len(agent.memory.actions) == 1_000_000 / 100
+    assert agent.learn_from == 50_000 / 50
+    assert agent.copy_every == 10_000 / 40
+    assert agent.learning_rate == 4 * 0.00025
+    assert (len(agent.batch), agent.learn_every, agent.discount) == (32, 4, 0.99)
+
+
 @pytest.mark.parametrize("setting", ["hidden", "memory_size", "batch_size", "learn_every", "learn_from", "copy_every"])
 def test_sizes_and_times_out_of_range_are_refused(setting: str) -> None:
     """They are whole numbers of 1 or more."""

@@ -228,8 +228,8 @@ def test_what_each_label_stands_for(
 
     monkeypatch.setattr(baselines, "stable_baselines3_run", run)
     how = {**settings, "evaluate_every": 7, "seed": 3}
-    found: Any = train_network(label, 9, evaluate_every=7, seed=3)
-    assert found == (algorithm, shape, is_dark, 9, how)
+    asked: Any = train_network(label, 9, evaluate_every=7, seed=3)
+    assert asked == (algorithm, shape, is_dark, 9, how)
 
 
 def test_figures() -> None:

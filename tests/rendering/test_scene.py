@@ -107,6 +107,27 @@ def test_every_figure_is_drawn(figure: tuple[Shape, ...]) -> None:
     assert to_text(picture).strip()
 
 
+def test_a_flag_flies_above_its_foot() -> None:
+    """Its pole is as high as it says, and the cloth hangs at the top of it."""
+    cloth, pole, *_ = icons.flag(5, 8, 4)
+    assert isinstance(cloth, Polygon)
+    assert isinstance(pole, Line)
+    assert pole.points == ((5, 8), (5, 4))
+    assert min(y for _, y in cloth.points) == 4
+    assert max(y for _, y in cloth.points) < 6
+
+
+@pytest.mark.parametrize("tip", [(-9.0, 9.0), (4.0, 9.0), (99.0, 9.0), (4.0, -9.0)])
+def test_the_tail_of_a_speech_bubble_leaves_its_edge(tip: tuple[float, float]) -> None:
+    """It begins between the corners of the nearer edge, wherever it points, and ends there."""
+    tail = icons.speech_bubble(1, 2, 6, 2, "hello", tip)[0]
+    assert isinstance(tail, Polygon)
+    (left, y), end, (right, other_y) = tail.points
+    assert 1 < left < right < 7
+    assert y == other_y == (4 if tip[1] > 0 else 2)
+    assert end == pytest.approx(tip)
+
+
 def test_empty_gauge_is_empty() -> None:
     """A gauge shows as many full characters as its fraction says, and none for nothing."""
     for fraction, full in ((-1.0, 0), (0.0, 0), (0.5, 8), (1.0, 16), (2.0, 16)):

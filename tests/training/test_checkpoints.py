@@ -4,6 +4,7 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
 from typing import Any
@@ -107,6 +108,19 @@ def test_an_agent_that_cannot_be_kept_is_said(tmp_path: Path) -> None:
         return Local(*QLearning.create(task))
 
     with pytest.warns(UserWarning, match="finished runs of 'Q' cannot be kept on the disk"):
+        assert small(tmp_path, agents={"Q": make}).complete
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_what_cannot_be_taken_apart_is_said(tmp_path: Path) -> None:
+    """The function that makes an agent holds a lock, which cannot be told from another one."""
+    lock = threading.Lock()
+
+    def make(task: Any) -> Any:
+        with lock:
+            return QLearning.create(task)
+
+    with pytest.warns(UserWarning, match=r"runs of 'Q' cannot be kept on the disk, so an .* loses them: .*lock"):
         assert small(tmp_path, agents={"Q": make}).complete
     assert list(tmp_path.iterdir()) == []
 
