@@ -88,5 +88,6 @@ def test_an_episode_that_training_left_is_not_continued() -> None:
     assert agent.weight[0] == 0.25
     agent.learn(2, 0, 0.0, 0, False, False)
     assert agent.weight[0] == 0.125
-    agent.learn(3, 0, 0.0, 0, False, False)
+    agent.forget_episode()
+    agent.learn(0, 0, 0.0, 0, False, False)
     assert agent.weight[0] == 0.5

@@ -101,9 +101,10 @@ def test_an_episode_longer_than_the_memory_is_learned_with_what_there_is() -> No
 
 
 def test_an_episode_that_was_broken_off_is_forgotten() -> None:
-    """A second `train` starts in another state: the rewards there are not credited to what was done before."""
+    """The rewards of another run are not credited to what was done before, also where it begins in the same state."""
     agent = NStepSARSA.create((4, 1), n=3, learning_rate=1, discount=1)
-    agent.learn(2, 0, 5.0, 3, 0, False, False)
+    agent.learn(2, 0, 5.0, 0, 0, False, False)
+    agent.forget_episode()
     agent.learn(0, 0, 1.0, 1, 0, True, False)
     assert agent.Q[:, 0].tolist() == [1, 0, 0, 0]
 

@@ -53,6 +53,7 @@ def test_an_episode_that_training_left_is_not_continued() -> None:
         agents[0].learn(0, 0, 100.0, 1, False, False)
         agents[0].learn(1, 0, 100.0, 2, False, False)
         for agent in agents:  # a new run starts in state 3
+            agent.forget_episode()
             agent.learn(3, 1, 1.0, 0, False, False)
             agent.learn(0, 1, 1.0, 3, True, False)
         assert np.array_equal(agents[0].preferences, agents[1].preferences)

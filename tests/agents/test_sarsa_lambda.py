@@ -97,9 +97,10 @@ def test_without_lambda_it_is_sarsa(traces: Any) -> None:
 
 
 def test_an_episode_that_was_broken_off_is_forgotten() -> None:
-    """A second `train` starts in another state: what happens there is not credited to what was done before."""
+    """What happens in another run is not credited to what was done before, also where it begins in the same state."""
     agent = SARSALambda.create((4, 1), learning_rate=1, discount=1)
-    agent.learn(2, 0, 0.0, 3, 0, False, False)
+    agent.learn(2, 0, 0.0, 0, 0, False, False)
+    agent.forget_episode()
     agent.learn(0, 0, 1.0, 1, 0, True, False)
     assert agent.Q[:, 0].tolist() == [1, 0, 0, 0]
 

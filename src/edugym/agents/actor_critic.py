@@ -2,7 +2,7 @@
 
 from typing import Annotated, Any, NamedTuple
 
-from edugym.agents.settings import Counter, Discount, LearningRate, Table, new, shows_settings
+from edugym.agents.settings import Discount, LearningRate, Table, new, shows_settings
 from edugym.agents.softmax import draw_action, follow_log_gradient, softmax
 from edugym.agents.tables import greedy_action, one_step_target
 from edugym.mdp.protocol import Random, Reals
@@ -22,7 +22,6 @@ class ActorCritic(NamedTuple):
         V: shape (n_states,): the critic.
         probabilities: shape (n_actions,): π(·|s) of the state seen last.
         weight: shape (1,): I, γ to the power of the steps of this episode.
-        next_state: shape (1,): the state in which the episode goes on.
         learning_rate: α^θ, of the actor, greater than 0 and up to 1.
         value_learning_rate: α^w, of the critic, likewise.
         discount: γ, from 0 to 1.
@@ -34,22 +33,22 @@ class ActorCritic(NamedTuple):
     V: Annotated[Reals, Table(("states",))]
     probabilities: Annotated[Reals, Table(("actions",))]
     weight: Annotated[Reals, Table((1,), fill=1.0)]
-    next_state: Counter
     learning_rate: LearningRate = 0.1
     value_learning_rate: LearningRate = 0.1
     discount: Discount = 0.99
 
     def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool, truncated: bool) -> None:
         """Judge the step, and make its action more or less likely."""
-        if self.next_state[0] != state:
-            self.weight[0] = 1.0  # training was stopped within an episode, and this is another one
         error = one_step_target(reward, self.discount, self.V[next_state], terminated) - self.V[state]
         self.V[state] += self.value_learning_rate * error
         softmax(self.preferences, state, self.probabilities)
         size = self.learning_rate * self.weight[0] * error
         follow_log_gradient(self.preferences, state, action, self.probabilities, size)
         self.weight[0] = 1.0 if terminated or truncated else self.discount * self.weight[0]
-        self.next_state[0] = next_state
+
+    def forget_episode(self) -> None:
+        """Forget the steps of an episode that was not played to its end."""
+        self.weight[0] = 1.0
 
     def act(self, state: int, rng: Random) -> int:
         """Draw an action from π(·|s)."""

@@ -94,6 +94,10 @@ class GoExplore(NamedTuple):
                 self.learn_to_reach(self.now.next_states[last], last)
             self.now.length[0] = 0
 
+    def forget_episode(self) -> None:
+        """Forget the attempt in an episode that was not played to its end."""
+        self.now.length[0] = 0
+
     def learn_to_reach(self, goal: int, last: int) -> None:
         """Apply the Q-learning update for one goal to the steps `last`, `last - 1`, ..., 0."""
         for step in range(last, -1, -1):

@@ -25,8 +25,6 @@ class LastSteps(NamedTuple):
         """Store a step, and return its number in the episode."""
         n = len(self.actions)
         t = int(self.t[0])
-        if self.states[t % (n + 1)] != state:
-            t = 0  # training stopped within an episode, and this is another one (unless it began in the same state)
         self.states[t % (n + 1)] = state
         self.actions[t % n] = action
         self.rewards[t % n] = reward

@@ -70,6 +70,10 @@ class NStepSARSA(NamedTuple):
         if ended:
             self.steps.forget()
 
+    def forget_episode(self) -> None:
+        """Forget the steps of an episode that was not played to its end."""
+        self.steps.forget()
+
     def act(self, state: int, rng: Random) -> int:
         """Choose an action by the exploration strategy."""
         return self.exploration.choose(self.Q, state, rng)

@@ -57,8 +57,6 @@ class QLambda(NamedTuple):
         truncated: bool,
     ) -> None:
         """Move all pairs that have a trace by the TD error."""
-        if self.Z.next_state[0] != state:
-            self.Z.clear()  # training was stopped within an episode, and this is another one
         value = float(self.Q[state, action])
         next_value = best_value(self.Q, next_state)
         next_is_greedy = self.Q[next_state, next_action] == next_value
@@ -70,10 +68,14 @@ class QLambda(NamedTuple):
             self.Q[s, a] += self.learning_rate * (delta + change) * self.Z.values[k]
         self.Q[state, action] -= self.learning_rate * change
         self.Z.fade(self.discount * self.trace_decay)
-        self.Z.next_state[0] = next_state
         self.Z.next_value[0] = next_value
         if terminated or truncated or not next_is_greedy:
             self.Z.clear()
+
+    def forget_episode(self) -> None:
+        """Forget the traces of an episode that was not played to its end."""
+        self.Z.clear()
+        self.Z.next_value[0] = 0.0
 
     def act(self, state: int, rng: Random) -> int:
         """Choose an action by the exploration strategy."""

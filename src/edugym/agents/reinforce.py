@@ -63,8 +63,6 @@ class REINFORCE(NamedTuple):
     def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool, truncated: bool) -> None:
         """Note the step; at the end of the episode (or where there is no more room), learn from it."""
         t = self.episode.length[0]
-        if self.episode.states[t] != state:
-            t = 0  # training was stopped within an episode, and this is another one
         self.episode.states[t] = state
         self.episode.actions[t] = action
         self.episode.rewards[t] = reward
@@ -90,6 +88,10 @@ class REINFORCE(NamedTuple):
             follow_log_gradient(self.preferences, state, episode.actions[t], self.probabilities, size)
             power *= self.discount
         episode.length[0] = 0
+
+    def forget_episode(self) -> None:
+        """Forget the steps of an episode that was not played to its end."""
+        self.episode.length[0] = 0
 
     def act(self, state: int, rng: Random) -> int:
         """Draw an action from π(·|s)."""

@@ -81,8 +81,7 @@ class Traces(NamedTuple):
         actions: shape (n_states * n_actions,): its action.
         values: shape (n_states * n_actions,): its trace Z.
         places: shape (n_states, n_actions): 1 + the index of a pair in these, 0 for one without a trace.
-        next_state: shape (1,): where the episode goes on.
-        next_value: shape (1,): the value that was expected there.
+        next_value: shape (1,): the value that was expected where the episode goes on.
     """
 
     n: Counter
@@ -90,7 +89,6 @@ class Traces(NamedTuple):
     actions: Annotated[Integers, Table(("pairs",))]
     values: Annotated[Reals, Table(("pairs",))]
     places: Annotated[Integers, Table(("states", "actions"))]
-    next_state: Counter
     next_value: Annotated[Reals, Table((1,))]
 
     def value(self, state: int, action: int) -> float:

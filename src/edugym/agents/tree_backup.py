@@ -68,6 +68,10 @@ class TreeBackup(NamedTuple):
                 s, a = self.steps.states[tau % (self.n + 1)], self.steps.actions[tau % self.n]
                 self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
 
+    def forget_episode(self) -> None:
+        """Forget the steps of an episode that was not played to its end."""
+        self.steps.forget()
+
     def act(self, state: int, rng: Random) -> int:
         """Choose an action by the exploration strategy."""
         return self.exploration.choose(self.Q, state, rng)

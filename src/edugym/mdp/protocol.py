@@ -93,7 +93,12 @@ class Agent(Actor[Observation_contra], Protocol[Observation_contra]):
       is chosen before learning; if not, after learning, as in Q-learning. It is not taken where an episode ends, and
       after a terminal state it has no meaning.
 
-    Optional: `greedy(state, rng)` returns the greedy action, for evaluation. Without it, `act` is used.
+    Optional:
+
+    * `greedy(state, rng)` returns the greedy action, for evaluation. Without it, `act` is used.
+    * `forget_episode()` is for agents that remember steps of the episode under way, such as traces. `train` calls it
+      once, before the first step: an earlier run may have been stopped within an episode. An episode that ends tells
+      itself, by `terminated` or `truncated`. If a loop of your own leaves an episode before its end, call it there.
     """
 
     @property

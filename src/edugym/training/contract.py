@@ -151,6 +151,12 @@ def learner(agent: Any) -> Any:
     return generated_class("Learner", lines, {})(agent)
 
 
+def forget_episode(agent: Any) -> None:
+    """Tell an agent that a run begins: what it remembers of an episode that was stopped has no end (see `Agent`)."""
+    if hasattr(agent, "forget_episode"):
+        agent.forget_episode()
+
+
 def actor(agent: Any) -> Any:
     """The policy of an agent in evaluation: `greedy` if the agent has it, else `act` of a copy.
 

@@ -27,7 +27,7 @@ from edugym.mdp.values import own_copy
 from edugym.registration import full_id
 from edugym.training import gymnasium_loops, loops
 from edugym.training.checking import checked_agent, checked_env, checked_mdp, doubts, require_env, shared_by_class
-from edugym.training.contract import actor, is_on_policy, learner, learns_from, tables_of
+from edugym.training.contract import actor, forget_episode, is_on_policy, learner, learns_from, tables_of
 from edugym.training.guarded import guarded
 from edugym.training.loops import Log
 from edugym.training.machine_agent import MachineAgent
@@ -83,6 +83,7 @@ def trainer(environment: Any, agent: Any, seed: int, max_steps: int | None, expe
     """
     agent = coerced(agent)
     task = coerced(_task(environment, agent))
+    forget_episode(agent)
     kind = GymnasiumTrainer if isinstance(task, gymnasium.Env) else MDPTrainer
     return kind(task, agent, seed, max_steps or _step_limit(task), expected)
 

@@ -7,7 +7,7 @@ import numpy as np
 from edugym.agents.tables import table_size
 from edugym.checks import whole_number
 from edugym.mdp.protocol import Integers, Random
-from edugym.training.contract import actor, is_on_policy, learner
+from edugym.training.contract import actor, forget_episode, is_on_policy, learner
 
 
 class VisitRecorder(NamedTuple):
@@ -51,6 +51,10 @@ class VisitRecorder(NamedTuple):
         """Count, and let the agent learn."""
         self.record(state, next_state, terminated)
         self.learner.learn(state, action, reward, next_state, terminated, truncated)
+
+    def forget_episode(self) -> None:
+        """Let the agent forget an episode that was not played to its end."""
+        forget_episode(self.agent)
 
     def record(self, state: int, next_state: int, terminated: bool) -> None:
         """Count a step that was taken in `state`, and where it led if that is an end."""
@@ -98,6 +102,10 @@ class OnPolicyVisitRecorder(NamedTuple):
         """Count, and let the agent learn."""
         self.recorder.record(state, next_state, terminated)
         self.recorder.learner.learn(state, action, reward, next_state, next_action, terminated, truncated)
+
+    def forget_episode(self) -> None:
+        """Let the agent forget an episode that was not played to its end."""
+        self.recorder.forget_episode()
 
 
 def record_visits(

@@ -12,7 +12,7 @@ from edugym.plotting import Lines
 from edugym.results.claims import Claim, Within
 from edugym.results.statistics import mean_interval
 from edugym.results.tables import Results
-from edugym.training.contract import learner
+from edugym.training.contract import forget_episode, learner
 from edugym.training.repeat import repeat
 
 SHOWN = 10
@@ -61,6 +61,10 @@ class FrontierRecorder(NamedTuple):
                 self.frontier[0] = next_state
                 self.seen[0] = 0
         self.learner.learn(state, action, reward, next_state, terminated, truncated)
+
+    def forget_episode(self) -> None:
+        """Let the agent forget an episode that was not played to its end."""
+        forget_episode(self.agent)
 
 
 def record_frontier(make: Maker, environment: Any) -> FrontierRecorder:

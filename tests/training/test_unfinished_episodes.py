@@ -1,0 +1,134 @@
+"""A run that stops within an episode leaves nothing of it to the next run, wherever that begins."""
+
+import copy
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+from gymnasium import spaces
+
+from edugym import (
+    REINFORCE,
+    ActorCritic,
+    GoExplore,
+    NStepSARSA,
+    QLambda,
+    QLearning,
+    SARSALambda,
+    TreeBackup,
+    record_visits,
+    train,
+)
+from edugym.mdp.protocol import Random
+from tests.agents.case import Case, same
+from tests.agents.cases import AGENTS
+
+MEMORIES: dict[Any, str] = {
+    ActorCritic: "weight",
+    GoExplore: "now",
+    NStepSARSA: "steps",
+    QLambda: "Z",
+    REINFORCE: "episode",
+    SARSALambda: "Z",
+    TreeBackup: "steps",
+}
+"""The field in which an agent keeps the episode under way."""
+remembering = pytest.mark.parametrize(
+    "case", [pytest.param(case, id=label) for label, case in AGENTS.items() if case.kind in MEMORIES]
+)
+
+
+class Ring(NamedTuple):
+    """Two states that follow each other; every step pays 1, and an episode has five."""
+
+    max_steps: int = 5
+
+    def initial(self, rng: Random) -> int:
+        """The first."""
+        return 0
+
+    def transition(self, state: int, action: int, rng: Random) -> int:
+        """The other one."""
+        return 1 - state
+
+    def reward(self, state: int, action: int, next_state: int, rng: Random) -> float:
+        """Always 1."""
+        return 1.0
+
+    def terminal(self, state: int) -> bool:
+        """Never."""
+        return False
+
+    def observation(self, state: int, rng: Random) -> int:
+        """The state."""
+        return state
+
+    @property
+    def observation_space(self) -> spaces.Discrete:
+        """Both states."""
+        return spaces.Discrete(2)
+
+    @property
+    def action_space(self) -> spaces.Discrete:
+        """Two, of the same effect."""
+        return spaces.Discrete(2)
+
+
+def test_every_agent_that_remembers_an_episode_can_forget_it() -> None:
+    """No agent of the package has the method without being tested here."""
+    assert {case.kind for case in AGENTS.values() if hasattr(case.kind, "forget_episode")} == set(MEMORIES)
+
+
+@remembering
+def test_a_run_that_was_stopped_leaves_nothing(case: Case) -> None:
+    """After two steps the ring is back in its first state, where the next run begins: as for a fresh agent."""
+    agent = case.create(Ring())
+    train(Ring(), agent, 2)
+    tables = [name for name in agent._fields if name != MEMORIES[case.kind]]
+    fresh = case.create(Ring())._replace(**{name: copy.deepcopy(getattr(agent, name)) for name in tables})
+    for one in (agent, fresh):
+        train(Ring(), one, 18, seed=1)
+    assert all(same(getattr(agent, name), getattr(fresh, name)) for name in tables)
+
+
+@remembering
+def test_what_records_an_agent_passes_it_on(case: Case) -> None:
+    """With counts of its visits, the agent learns the same in two runs as without."""
+    plain, watched = case.create(Ring()), case.create(Ring())
+    recorder = record_visits(watched, Ring(), 20)
+    for n_steps in (2, 18):
+        train(Ring(), plain, n_steps)
+        train(Ring(), recorder, n_steps)
+    assert same(plain, watched)
+
+
+class Student(NamedTuple):
+    """An agent of a student's own that counts the steps of the episode under way."""
+
+    length: Any
+    longest: Any
+
+    def act(self, state: int, rng: Random) -> int:
+        """Always the same."""
+        return 0
+
+    def learn(self, state: int, terminated: bool, truncated: bool) -> None:
+        """Count."""
+        self.length[0] += 1
+        self.longest[0] = max(self.longest[0], self.length[0])
+        if terminated or truncated:
+            self.length[0] = 0
+
+    def forget_episode(self) -> None:
+        """Begin to count again."""
+        self.length[0] = 0
+
+
+def test_an_agent_of_ones_own() -> None:
+    """It is told in an MDP and in a Gymnasium environment; agents without the method are not asked."""
+    for environment in (Ring(), "FrozenLake-v1"):
+        agent = Student(np.zeros(1, np.int64), np.zeros(1, np.int64))
+        agent.length[0] = 1_000
+        train(environment, agent, 4)
+        assert 1 <= agent.longest[0] <= 4
+    train(Ring(), QLearning.create(Ring()), 4)
