@@ -18,6 +18,7 @@ from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.adapters.tabular_observation import tabular
 from edugym.compiled.compiler import compiled
 from edugym.mdp.protocol import MDP, Random
+from tests.compiled.cells import WALK, cell
 
 
 class Clock(NamedTuple):
@@ -268,3 +269,9 @@ def test_the_wrapped_mdp_is_a_value() -> None:
     assert isinstance(wrapped, Tabular)
     assert wrapped.mdp == make_mdp("Golf")
     assert (wrapped.sizes.tolist(), wrapped.lows.tolist()) == ([7, 17], [0, 0])
+
+
+def test_one_number_needs_no_table() -> None:
+    """What is a row already is refused, with a word on what to do."""
+    with pytest.raises(ValueError, match=r"mdp observes one whole number already, an element of Discrete\(6\)"):
+        Tabular.create(cell(WALK)["Walk"](5))
