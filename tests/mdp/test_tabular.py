@@ -18,6 +18,7 @@ from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.adapters.tabular_observation import tabular
 from edugym.compiled.compiler import compiled
 from edugym.mdp.protocol import MDP, Random
+from tests.compiled.cells import WALK, cell
 
 
 class Clock(NamedTuple):
@@ -281,3 +282,9 @@ def test_a_table_that_is_too_large_is_refused() -> None:
     for refuse in (lambda: TabularObservation(Shows(space, [])), lambda: tabular(seen(space))):
         with pytest.raises(ValueError, match=r"the rows of a table over .* observations do not fit 63 bits"):
             refuse()
+
+
+def test_one_number_needs_no_table() -> None:
+    """What is a row already is refused, with a word on what to do."""
+    with pytest.raises(ValueError, match=r"mdp observes one whole number already, an element of Discrete\(6\)"):
+        Tabular.create(cell(WALK)["Walk"](5))

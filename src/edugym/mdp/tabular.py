@@ -56,6 +56,8 @@ class Tabular(NamedTuple):
                 observations or more.
         """
         space = mdp.observation_space
+        if isinstance(space, spaces.Discrete):
+            raise ValueError(f"mdp observes one whole number already, an element of {space}: it needs no Tabular")
         sizes = table_sizes(space)
         parts = space.spaces if isinstance(space, spaces.Tuple) else ()
         if not all(isinstance(part, spaces.Discrete) for part in parts) or len(space.shape or ()) > 1:
