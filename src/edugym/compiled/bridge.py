@@ -5,9 +5,10 @@ class, so a class from a notebook cell works as the package's own do, and plain 
 """
 
 import importlib
+import importlib.util
 import inspect
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import cache
 from types import FunctionType
 from typing import Any
@@ -39,6 +40,25 @@ def _member(kind: Any, name: str) -> Any:
     if name in kind.fields or name in NAMEDTUPLE_OWN:
         return None
     return inspect.getattr_static(kind.instance_class, name, None)
+
+
+def take_scipy_for_granted() -> None:
+    """Let Numba believe that linear algebra works where SciPy is installed.
+
+    To see it for itself it would import scipy.linalg, a sixth of the time to the first result. Code that needs linear
+    algebra still imports it when it is compiled.
+    """
+    if importlib.util.find_spec("scipy") is None:
+        return
+    with suppress(AttributeError, ImportError):  # another Numba, which sees to that in another way
+        linalg: Any = importlib.import_module("numba.np.linalg")
+        look = linalg.ensure_blas
+        try:
+            linalg.ensure_blas = lambda: None
+            arraymath: Any = importlib.import_module("numba.np.arraymath")
+            arraymath.ensure_blas = look
+        finally:
+            linalg.ensure_blas = look
 
 
 def teach(numba: Any, passes: Any) -> None:

@@ -22,7 +22,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from edugym.compiled.bridge import building, teach
+from edugym.compiled.bridge import building, take_scipy_for_granted, teach
 from edugym.compiled.code import Code, code_of
 from edugym.compiled.disk import SEAL, cache_directory, is_whole, new_folder, publish, remove, seal
 from edugym.compiled.reasons import reason
@@ -334,6 +334,7 @@ def _load_numba() -> Any:
             raise NoCompiler("Numba is switched off by NUMBA_DISABLE_JIT")
         if not _taught:
             try:
+                take_scipy_for_granted()
                 teach(numba, importlib.import_module("edugym.compiled.passes"))
                 _processor()
             except Exception as error:  # what may be missing, and how that shows, is Numba's business
