@@ -151,7 +151,7 @@ class MemoryCorridor(NamedTuple):
             ValueError: a parameter is not as the class says.
         """
         num_doors = whole_number("num_doors", num_doors, 2, MOST_DOORS)
-        return MemoryCorridor(num_doors, number_of_steps("max_steps", max_steps))
+        return cls(num_doors, number_of_steps("max_steps", max_steps))
 
     @property
     def reward_threshold(self) -> float:
