@@ -57,8 +57,8 @@ class DQN(NamedTuple):
     Before that they are 0, unless you have put others in, and all actions are worth the same: the first point of a
     learning curve is random play. In a loop of your own, call `act` before each `learn`: it also draws the batch.
 
-    A state is a flat vector. `train` flattens boards and images, and makes whole numbers ones among zeros; in a loop of
-    your own Gymnasium's `FlattenObservation` does.
+    A state is a flat vector. `train` flattens boards and images, and encodes whole numbers one-hot; in a loop of your
+    own, Gymnasium's `FlattenObservation` does both.
 
     Attributes:
         weights: θ.
@@ -68,7 +68,7 @@ class DQN(NamedTuple):
         square: Adam's v, that of its square.
         memory: the latest transitions.
         scale: shape (n_inputs,): what inputs are multiplied by: 1 over the largest value that the observation space
-            allows, 1 where it has no bounds, or such from a billion on.
+            allows, 1 where it has no bounds, or bounds of a billion or more.
         x: shape (n_inputs,): the inputs of the network.
         h: shape (n_hidden,): its hidden units.
         Q: shape (1, n_actions): its action values.
@@ -307,8 +307,8 @@ def backward(weights: Layers, gradient: Layers, x: Reals, h: Reals, dQ: Reals, d
 def adam(weights: Reals, gradient: Reals, mean: Reals, square: Reals, rate: float) -> None:
     """Take one step of Adam down the gradient, then set the gradient to 0; all arrays have the same shape.
 
-    (In the form of section 2 of the paper, whose ε is not corrected for the start. `np.divide` does not look for a
-    divisor of 0, which there never is: so machine code takes several steps at once.)
+    (In the form of section 2 of the paper, whose ε is not corrected for the start. The divisor is never 0: `np.divide`
+    does not test for that, so machine code is faster.)
     """
     for i in range(weights.shape[0]):
         for j in range(weights.shape[1]):
