@@ -1,57 +1,20 @@
 """Learning curves of deep agents: how long an evaluation episode may take."""
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import pytest
-from gymnasium import spaces
 
 pytest.importorskip("torch")
 
 from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.deep.curves import Curve
-from edugym.mdp.protocol import Random
-
-
-class Endless(NamedTuple):
-    """One state, and a reward of 1 for every step."""
-
-    max_steps: int | None
-
-    def initial(self, rng: Random) -> int:
-        """The one state."""
-        return 0
-
-    def transition(self, state: int, action: int, rng: Random) -> int:
-        """Back to it."""
-        return 0
-
-    def reward(self, state: int, action: int, next_state: int, rng: Random) -> float:
-        """Always 1."""
-        return 1.0
-
-    def terminal(self, state: int) -> bool:
-        """Never."""
-        return False
-
-    def observation(self, state: int, rng: Random) -> int:
-        """The state."""
-        return state
-
-    @property
-    def observation_space(self) -> spaces.Discrete:
-        """One."""
-        return spaces.Discrete(1)
-
-    @property
-    def action_space(self) -> spaces.Discrete:
-        """Two, of no effect."""
-        return spaces.Discrete(2)
+from tests.training.tasks import Ring
 
 
 @pytest.mark.parametrize(
     ("environment", "steps"),
-    [(MDPEnv(Endless(1_200)), 1_200), (MDPEnv(Endless(7)), 7), (MDPEnv(Endless(None)), 1_000)],
+    [(MDPEnv(Ring(1_200)), 1_200), (MDPEnv(Ring(7)), 7), (MDPEnv(Ring(None)), 1_000)],
 )
 def test_an_episode_lasts_as_long_as_the_task(environment: Any, steps: int) -> None:
     """And 1000 steps where it has no limit, as in `edugym.train`."""

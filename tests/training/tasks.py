@@ -43,6 +43,42 @@ class Stairs(NamedTuple):
         return spaces.Discrete(2)
 
 
+class Ring(NamedTuple):
+    """Two states that follow each other; every step pays 1, and an episode has five, or as many as is said."""
+
+    max_steps: int | None = 5
+
+    def initial(self, rng: Random) -> int:
+        """The first."""
+        return 0
+
+    def transition(self, state: int, action: int, rng: Random) -> int:
+        """The other one."""
+        return 1 - state
+
+    def reward(self, state: int, action: int, next_state: int, rng: Random) -> float:
+        """Always 1."""
+        return 1.0
+
+    def terminal(self, state: int) -> bool:
+        """Never."""
+        return False
+
+    def observation(self, state: int, rng: Random) -> int:
+        """The state."""
+        return state
+
+    @property
+    def observation_space(self) -> spaces.Discrete:
+        """Both states."""
+        return spaces.Discrete(2)
+
+    @property
+    def action_space(self) -> spaces.Discrete:
+        """Two, of the same effect."""
+        return spaces.Discrete(2)
+
+
 class SlipperyWalk(Stairs):
     """Left or right between 0 and 6, slipping to the other side one time in five; 6 pays 1, and 0 costs 1."""
 

@@ -5,7 +5,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
-from gymnasium import spaces
 
 from edugym import (
     REINFORCE,
@@ -22,6 +21,7 @@ from edugym import (
 from edugym.mdp.protocol import Random
 from tests.agents.case import Case, same
 from tests.agents.cases import AGENTS
+from tests.training.tasks import Ring
 
 MEMORIES: dict[Any, str] = {
     ActorCritic: "weight",
@@ -36,42 +36,6 @@ MEMORIES: dict[Any, str] = {
 remembering = pytest.mark.parametrize(
     "case", [pytest.param(case, id=label) for label, case in AGENTS.items() if case.kind in MEMORIES]
 )
-
-
-class Ring(NamedTuple):
-    """Two states that follow each other; every step pays 1, and an episode has five."""
-
-    max_steps: int = 5
-
-    def initial(self, rng: Random) -> int:
-        """The first."""
-        return 0
-
-    def transition(self, state: int, action: int, rng: Random) -> int:
-        """The other one."""
-        return 1 - state
-
-    def reward(self, state: int, action: int, next_state: int, rng: Random) -> float:
-        """Always 1."""
-        return 1.0
-
-    def terminal(self, state: int) -> bool:
-        """Never."""
-        return False
-
-    def observation(self, state: int, rng: Random) -> int:
-        """The state."""
-        return state
-
-    @property
-    def observation_space(self) -> spaces.Discrete:
-        """Both states."""
-        return spaces.Discrete(2)
-
-    @property
-    def action_space(self) -> spaces.Discrete:
-        """Two, of the same effect."""
-        return spaces.Discrete(2)
 
 
 def test_every_agent_that_remembers_an_episode_can_forget_it() -> None:
