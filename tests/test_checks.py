@@ -1,6 +1,7 @@
 """Parameters are refused with a message that names them, their value and what is allowed."""
 
 import math
+import sys
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
@@ -98,3 +99,11 @@ def test_step_limits() -> None:
     """The limit is the task's `max_steps`; without one there is none."""
     assert step_limit(make_mdp("Boulder", max_steps=np.int64(7))) == 7
     assert step_limit(make_mdp("Golf")) is None
+
+
+def test_the_largest_whole_number_that_is_a_real_one() -> None:
+    """It can be computed with; the next one cannot."""
+    largest = int(sys.float_info.max)
+    at_least("x", largest, 0)
+    with pytest.raises(ValueError, match="x must be 0 or more"):
+        at_least("x", largest + 1, 0)
