@@ -1,5 +1,6 @@
 """The settings of a class are looked up once, and again when its annotations have changed."""
 
+import inspect
 from typing import Annotated, Any, NamedTuple
 
 import numpy as np
@@ -8,6 +9,7 @@ import pytest
 from edugym import UCB, NStepSARSA, PrioritisedSweeping, QLearning
 from edugym.agents.settings import Range, check, new, settings_of
 from edugym.envs.boulder import Boulder
+from tests.agents.cases import AGENTS
 
 
 class Limited(NamedTuple):
@@ -74,3 +76,9 @@ def test_an_unknown_setting_is_answered_with_all_that_there_are() -> None:
     known = "planning_steps, planning_seconds, model, memory, learning_rate"
     with pytest.raises(ValueError, match=f"PrioritisedSweeping has no setting 'planing_steps'; it has {known}"):
         PrioritisedSweeping.create((2, 2), planing_steps=3)
+
+
+@pytest.mark.parametrize("kind", sorted({case.kind for case in AGENTS.values()}, key=lambda kind: str(kind.__name__)))
+def test_an_environment_is_all_that_create_needs(kind: Any) -> None:
+    """And its signature says so, which help shows and `repeat` looks at."""
+    inspect.signature(kind.create).bind("environment")

@@ -108,7 +108,9 @@ class GaussianActorCritic(NamedTuple):
         return len(self.drawn)
 
     @classmethod
-    def create(cls, environment: Any, initial_value: float = 0.0, **settings: Any) -> "GaussianActorCritic":
+    def create(
+        cls, environment: Any, initial_value: float = 0.0, *, features: Any = None, **settings: Any
+    ) -> "GaussianActorCritic":
         """A new agent for an environment (or (n_inputs, n_actions), with actions from -1 to 1).
 
         Args:
@@ -116,19 +118,19 @@ class GaussianActorCritic(NamedTuple):
             initial_value: what the critic expects of every state at first. If that is too much, every action
                 disappoints, and the agent tries others (Sutton and Barto, section 2.6). Only for features of which
                 the same number is 1 in every state and the others are 0, as in tile coding.
+            features: as the class says; None is tile coding with its defaults.
             **settings: see the class.
 
         Raises:
             ValueError: a setting is not as the class says, or the environment does not fit.
         """
         n_inputs, n_actions = vector_size(environment, spaces.Box)
-        features = settings.setdefault("features", None)
-        if features is None:
-            settings["features"] = features = TileCoding.create(environment)
+        features = TileCoding.create(environment) if features is None else features
         check_features(features, n_inputs)
         a_number("initial_value", initial_value)
         if initial_value != 0 and isinstance(features, Identity):
             raise ValueError(f"initial_value must be 0 for the features Identity, but is {initial_value!r}")
+        settings = {**settings, "features": features}
         agent = new(cls, None, settings, features=features.n_features, actions=n_actions)
         agent.value_weights[:] = initial_value / features.at_once
         space = getattr(environment, "action_space", None)

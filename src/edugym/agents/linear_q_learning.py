@@ -81,13 +81,18 @@ class LinearQLearning(NamedTuple):
         return self.weights.shape[1]
 
     @classmethod
-    def create(cls, environment: Any, **settings: Any) -> "LinearQLearning":
-        """A new agent for an environment (or the shape (n_inputs, n_actions)); settings: see the class.
+    def create(cls, environment: Any, *, features: Any = None, **settings: Any) -> "LinearQLearning":
+        """A new agent for an environment (or the shape (n_inputs, n_actions)).
+
+        Args:
+            environment: an MDP or Gymnasium environment, or the shape.
+            features: as the class says; None is the inputs themselves.
+            **settings: see the class.
 
         Raises:
             ValueError: a setting is not as the class says, or the environment does not fit.
         """
         n_inputs, n_actions = vector_size(environment)
-        features = settings.setdefault("features", Identity.create((n_inputs, n_actions)))
+        features = Identity.create((n_inputs, n_actions)) if features is None else features
         check_features(features, n_inputs)
-        return new(cls, None, settings, features=features.n_features, actions=n_actions)
+        return new(cls, None, {**settings, "features": features}, features=features.n_features, actions=n_actions)

@@ -203,7 +203,7 @@ def _maker(label: str, agent: Any) -> Maker:
     if not callable(agent):
         raise ValueError(f"{needed} {shown(agent)}")
     try:
-        inspect.signature(agent).bind("environment")
+        inspect.signature(agent).bind_partial("environment")
     except TypeError:
         raise ValueError(f"agents[{label!r}] must take the environment: write `lambda environment: ...`") from None
 
