@@ -78,7 +78,7 @@ def test_an_unknown_setting_is_answered_with_all_that_there_are() -> None:
         PrioritisedSweeping.create((2, 2), planing_steps=3)
 
 
-@pytest.mark.parametrize("kind", sorted({case.kind for case in AGENTS.values()}, key=lambda kind: str(kind.__name__)))
+@pytest.mark.parametrize("kind", sorted({case.kind for case in AGENTS.values()}, key=str))
 def test_an_environment_is_all_that_create_needs(kind: Any) -> None:
     """And its signature says so, which help shows and `repeat` looks at."""
     inspect.signature(kind.create).bind("environment")
