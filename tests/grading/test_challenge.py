@@ -46,6 +46,15 @@ def test_seeds_from_names() -> None:
             seed_from_name(name)
 
 
+def test_an_agent_that_is_there_already_is_not_trained(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The first steps, by which code that never ends is found, leave nothing in its table."""
+    agent = systematic(CHALLENGE._task(0))
+    monkeypatch.setattr(challenge, "repeat", lambda *arguments, **how: (_ for _ in ()).throw(WrongAnswer("enough")))
+    with pytest.raises(WrongAnswer, match="enough"):
+        CHALLENGE.score(lambda wall: agent, "Ada")
+    assert not agent.fell.any()
+
+
 @pytest.mark.slow
 def test_scores() -> None:
     """A systematic explorer gets nearly all points, a random one none, and what is possible is above all others."""

@@ -26,7 +26,7 @@ NAMED = spaces.Dict(place=NEGATIVE, picture=PIXELS)
         (spaces.Box(-1.0, 1.0, (1,)), [[0.3], [1], [True]], [0.3, [1.5], [np.nan], [1j], [None]]),
         (spaces.MultiDiscrete([2, 3]), [(1, 2), [0.0, 2.0]], [(2, 0), (0, 0.5), (0,), (-1, 0), (0, np.inf)]),
         (spaces.MultiBinary(2), [(0, 1), [True, False]], [(0, 2), (1,), (10**30, 0)]),
-        (BOTH, [(-1, [0, 0]), [1, (0, 0)]], [(2, [0, 0]), (0, [0]), (0,), (0, [0, 0], 0), 0]),
+        (BOTH, [(-1, [0, 0]), [1, (0, 0)], (True, [0, 0])], [(2, [0, 0]), (0, [0]), (0,), (0, [0, 0], 0), 0]),
         (NAMED, [{"picture": [0, 0], "place": 0}], [{"place": 0}, {"place": 2, "picture": [0, 0]}, (0, [0, 0])]),
         (spaces.Text(3, charset="ab"), ["aba"], ["abc", 3]),
     ],

@@ -183,3 +183,38 @@ def test_what_does_not_fit_a_table_is_refused() -> None:
     """Before anything is trained."""
     with pytest.raises(ValueError, match="a table needs observations that are whole numbers"):
         train("CartPole-v1", QLearning.create((2, 2)), 10)
+
+
+class Lamp(gymnasium.Env[Any, Any]):
+    """On or off, as a flag; alone, or beside a number."""
+
+    action_space = gymnasium.spaces.Discrete(2)
+
+    def __init__(self, in_pair: bool) -> None:
+        """Show the flag alone, or in a pair."""
+        lamp = gymnasium.spaces.Discrete(2)
+        self.observation_space: Any = gymnasium.spaces.Tuple((lamp, lamp)) if in_pair else lamp
+        self.in_pair, self.is_on = in_pair, False
+
+    def reset(self, *, seed: int | None = None, options: Any = None) -> tuple[Any, dict[str, Any]]:
+        """Off."""
+        super().reset(seed=seed)
+        self.is_on = False
+        return self._seen(), {}
+
+    def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
+        """Action 1 switches; every step with the lamp on pays 1."""
+        self.is_on = self.is_on != bool(action == 1)
+        return self._seen(), float(self.is_on), False, False, {}
+
+    def _seen(self) -> Any:
+        return (self.is_on, 1) if self.in_pair else self.is_on
+
+
+@pytest.mark.parametrize(("in_pair", "off", "on"), [(False, 0, 1), (True, 1, 3)])
+def test_a_flag_is_a_number_of_an_environment(in_pair: bool, off: int, on: int) -> None:
+    """Gymnasium counts True as an element of Discrete(2); the agent gets the number of a row, and learns the switch."""
+    env = Lamp(in_pair)
+    agent = train(env, QLearning.create(env, discount=0.5), 2_000, max_steps=10).agent
+    assert agent.Q[off, 1] > agent.Q[off, 0]
+    assert agent.Q[on, 0] > agent.Q[on, 1]

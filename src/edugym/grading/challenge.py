@@ -1,5 +1,6 @@
 """An open challenge: an agent of the student's own, on tasks that belong to a name, against baselines."""
 
+import copy
 import hashlib
 import math
 import unicodedata
@@ -148,7 +149,7 @@ class Challenge:
         sizes = Sizes(mdp.observation_space, mdp.action_space)
         maker = self._maker(agent, sizes)
         with running("training your agent", limit=LIMIT):  # what never ends is found here, where it can be stopped
-            train(mdp, maker(mdp), FIRST_STEPS, evaluate_every=FIRST_STEPS)
+            train(mdp, copy.deepcopy(maker(mdp)), FIRST_STEPS, evaluate_every=FIRST_STEPS)
         with running("training your agent", limit=math.inf):
             results = repeat(
                 self.environment,

@@ -38,11 +38,12 @@ def is_finite_number(value: Any) -> bool:
 def fits(space: spaces.Space[Any], observation: Any) -> bool:
     """Whether an observation is an element of a space, given as Python's numbers, tuples or lists, or as arrays.
 
-    True and False are no whole numbers: as an index of a table they stand for all of it and for nothing.
+    True and False are no whole numbers: as an index of a table they stand for all of it and for nothing. Among several
+    numbers they are, since these are made one number first.
     """
     if isinstance(space, spaces.Tuple):
         several = isinstance(observation, tuple | list) and len(observation) == len(space.spaces)
-        return several and all(map(fits, space.spaces, observation))
+        return several and all(map(fits, space.spaces, map(without_flag, observation)))
     if isinstance(space, spaces.Dict):
         named = isinstance(observation, dict) and observation.keys() == space.spaces.keys()
         return named and all(fits(part, observation[name]) for name, part in space.spaces.items())
@@ -61,6 +62,11 @@ def fits(space: spaces.Space[Any], observation: Any) -> bool:
         return False
     unchanged = space.dtype is None or space.dtype.kind == "f" or bool((cast == given).all())
     return unchanged and bool(space.contains(cast))
+
+
+def without_flag(value: Any) -> Any:
+    """1 and 0 for True and False, and any other value as it is."""
+    return int(value) if isinstance(value, bool | np.bool_) else value
 
 
 def kept(state: Any) -> Any:

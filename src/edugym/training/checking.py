@@ -19,7 +19,7 @@ from gymnasium.wrappers import FlattenObservation
 from edugym.adapters.tabular_observation import TabularObservation
 from edugym.mdp.checking import CHECKED_STEPS, CheckedMDP, innermost, is_own, refuse_change
 from edugym.mdp.protocol import Random
-from edugym.mdp.values import GlobalDraws, fits, is_finite_number, kept, same, shown
+from edugym.mdp.values import GlobalDraws, fits, is_finite_number, kept, same, shown, without_flag
 from edugym.training.contract import tables_of
 from edugym.training.guarded import GUARDS
 
@@ -314,7 +314,7 @@ class CheckedEnv(gymnasium.Wrapper[Any, Any, Any, Any]):
         return returned
 
     def _require_observation(self, method: str, observation: Any) -> None:
-        if not fits(self.env.observation_space, observation):
+        if not fits(self.env.observation_space, without_flag(observation)):
             raise ValueError(
                 f"{method} of {self._of} must return an observation in {self.env.observation_space}, but returned"
                 f" {shown(observation)}"
