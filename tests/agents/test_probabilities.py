@@ -61,6 +61,6 @@ def test_what_has_no_probabilities_is_refused(exploration: Any) -> None:
 
 def test_the_message_says_what_will_do() -> None:
     """Not the arrays of the one that does not."""
-    message = r"exploration must be a strategy that knows .*EpsilonGreedy, .*or Softmax\), but is UCB$"
+    message = r"exploration must be a strategy that knows .*EpsilonGreedy\(0\.1\) \(.*or Softmax\), but is UCB$"
     with pytest.raises(ValueError, match=message):
         ExpectedSARSA.create((4, 2), exploration=UCB.create((4, 2)))

@@ -39,11 +39,11 @@ def fits(space: spaces.Space[Any], observation: Any) -> bool:
     """Whether an observation is an element of a space, given as Python's numbers, tuples or lists, or as arrays.
 
     True and False are no whole numbers: as an index of a table they stand for all of it and for nothing. Among several
-    numbers they are, since these are made one number first.
+    numbers they may stand for one of two, since these are made one number first.
     """
     if isinstance(space, spaces.Tuple):
         several = isinstance(observation, tuple | list) and len(observation) == len(space.spaces)
-        return several and all(map(fits, space.spaces, map(without_flag, observation)))
+        return several and all(map(fits, space.spaces, map(without_flag, space.spaces, observation)))
     if isinstance(space, spaces.Dict):
         named = isinstance(observation, dict) and observation.keys() == space.spaces.keys()
         return named and all(fits(part, observation[name]) for name, part in space.spaces.items())
@@ -64,9 +64,10 @@ def fits(space: spaces.Space[Any], observation: Any) -> bool:
     return unchanged and bool(space.contains(cast))
 
 
-def without_flag(value: Any) -> Any:
-    """1 and 0 for True and False, and any other value as it is."""
-    return int(value) if isinstance(value, bool | np.bool_) else value
+def without_flag(space: spaces.Space[Any], value: Any) -> Any:
+    """1 and 0 for True and False where a space has two numbers; any other value as it is."""
+    is_flag = isinstance(value, bool | np.bool_) and isinstance(space, spaces.Discrete) and space.n == 2
+    return int(value) if is_flag else value
 
 
 def kept(state: Any) -> Any:

@@ -314,7 +314,8 @@ class CheckedEnv(gymnasium.Wrapper[Any, Any, Any, Any]):
         return returned
 
     def _require_observation(self, method: str, observation: Any) -> None:
-        if not fits(self.env.observation_space, without_flag(observation)):
+        space = self.env.observation_space
+        if not fits(space, without_flag(space, observation)):
             raise ValueError(
                 f"{method} of {self._of} must return an observation in {self.env.observation_space}, but returned"
                 f" {shown(observation)}"
