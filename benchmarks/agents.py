@@ -119,6 +119,20 @@ def ppo(name: str) -> Work:
     return work
 
 
+def settings_for_baselines(ours: Any) -> dict[str, Any]:
+    """The settings of our PPO by their names in Stable-Baselines3. Those that are not here are equal by default."""
+    return {
+        "n_steps": ours.length,
+        "batch_size": ours.num_envs * ours.length // ours.minibatches,
+        "n_epochs": ours.epochs,
+        "gamma": ours.discount,
+        "gae_lambda": ours.trace_decay,
+        "clip_range": ours.clip,
+        "ent_coef": ours.entropy_bonus,
+        "policy_kwargs": {"net_arch": {"pi": [ours.hidden] * 2, "vf": [ours.hidden] * 2}},
+    }
+
+
 def baselines_ppo(name: str) -> Work:
     """Stable-Baselines3's PPO with the settings of ours."""
     from stable_baselines3 import PPO as BaselinesPPO
@@ -131,11 +145,8 @@ def baselines_ppo(name: str) -> Work:
         "MlpPolicy",
         stable_baselines3_env(name, ours.num_envs),
         learning_rate=ours.learning_rate,
-        n_steps=ours.length,
-        batch_size=ours.num_envs * ours.length // ours.minibatches,
-        n_epochs=ours.epochs,
-        policy_kwargs={"net_arch": {"pi": [ours.hidden] * 2, "vf": [ours.hidden] * 2}},
         device="cpu",
+        **settings_for_baselines(ours),
     )
 
     def work(n: int) -> int:

@@ -97,8 +97,8 @@ def measure(comparison: Comparison, rounds: int, seconds: float) -> Measured:
     ours = comparison.ours.name
     return Measured(
         comparison,
-        {name: _spread([turn[name] for turn in turns]) for name in works},
-        {name: _spread([turn[ours] / turn[name] for turn in turns]) for name in works if name != ours},
+        {name: spread_of([turn[name] for turn in turns]) for name in works},
+        {name: spread_of([turn[ours] / turn[name] for turn in turns]) for name in works if name != ours},
     )
 
 
@@ -133,7 +133,8 @@ def _rate(work: Work, amount: int) -> float:
     return done / max(took, 1e-9)
 
 
-def _spread(values: list[float]) -> Spread:
+def spread_of(values: list[float]) -> Spread:
+    """The median, and the lowest and the highest value."""
     return Spread(statistics.median(values), min(values), max(values))
 
 

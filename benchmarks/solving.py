@@ -5,14 +5,14 @@ evaluations left out. Both take turns, seed after seed; a ratio is taken within 
 median over these seeds is reported. Seeds are runs of their own: what a seed draws differs between the two.
 """
 
-import statistics
 import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any, NamedTuple, TypeAlias
 from unittest.mock import patch
 
-from benchmarks.measure import Spread, on_one_core
+from benchmarks.agents import settings_for_baselines
+from benchmarks.measure import Spread, on_one_core, spread_of
 
 SEEDS = 5
 OURS, THEIRS = "EduGym's PPO", "Stable-Baselines3's PPO"
@@ -142,31 +142,21 @@ def our_ppo(task: Task) -> Train:
 
 
 def their_ppo(task: Task) -> Train:
-    """Stable-Baselines3's PPO with the settings of ours; what is not here is as it comes, and is the same in same."""
+    """Stable-Baselines3's PPO with the settings of ours."""
     from edugym.deep import stable_baselines3_run
 
     same = ours(task)
     a_round = same.num_envs * same.length
-    settings: dict[str, Any] = {
+    settings = {
+        **settings_for_baselines(same),
         "num_envs": same.num_envs,
-        "batch_size": a_round // same.minibatches,
-        "n_epochs": same.epochs,
         "learning_rate": lambda left: left * same.learning_rate,  # it falls evenly to 0
-        "gamma": same.discount,
-        "gae_lambda": same.trace_decay,
-        "clip_range": same.clip,
-        "ent_coef": same.entropy_bonus,
-        "policy_kwargs": {"net_arch": {"pi": [same.hidden] * 2, "vf": [same.hidden] * 2}},
     }
+    n_steps_a_round = settings.pop("n_steps")
 
     def train(n_steps: int, seed: int) -> Any:
         how: dict[str, Any] = {"evaluate_every": a_round, "evaluation_episodes": task.episodes, "seed": seed}
-        how |= {"parameters": task.parameters, "n_steps": same.length}
+        how |= {"parameters": task.parameters, "n_steps": n_steps_a_round}
         return stable_baselines3_run(task.environment, "PPO", n_steps, **how, **settings)
 
     return train
-
-
-def spread_of(values: list[float]) -> Spread:
-    """The median, and the lowest and the highest value."""
-    return Spread(statistics.median(values), min(values), max(values))

@@ -9,9 +9,9 @@ from joblib.externals.loky.process_executor import _RemoteTraceback
 import edugym
 from edugym import QLearning
 from edugym.envs.trashbot import Trashbot
-from edugym.mdp.checking import end_at_students_line
 from edugym.mdp.discretised import DiscreteActions, Discretised
 from edugym.mdp.protocol import Random
+from edugym.mdp.tracebacks import end_at_students_line
 from tests.training.experiments import same, small
 
 

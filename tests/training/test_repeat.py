@@ -126,6 +126,8 @@ def test_any_gymnasium_environment() -> None:
         ({"n_steps": 0}, "n_steps must be 1 or more, but is 0"),
         ({"repetitions": 0}, "repetitions must be 1 or more, but is 0"),
         ({"seed": -1}, "seed must be 0 or more, but is -1"),
+        ({"jobs": 1.0}, "jobs must be a whole number from 1 to 1000, -1 or None, but is 1.0"),
+        ({"jobs": True}, "jobs must be a whole number from 1 to 1000, -1 or None, but is True"),
         ({"jobs": 0}, "jobs must be a whole number from 1 to 1000, -1 or None, but is 0"),
         ({"jobs": 10**8}, "jobs must be a whole number from 1 to 1000, -1 or None, but is 100000000"),
         ({"save_to": 5}, "save_to must be a path, but is 5"),
@@ -135,7 +137,7 @@ def test_any_gymnasium_environment() -> None:
         ({"environment": lambda: None}, r"environment must be a function of layout_seed, .*, but takes \(\)"),
         (
             {"environment": lambda layout_seed: None},
-            r"environment that the function makes must .* is None",
+            r"environment that the function makes must be an MDP or a Gymnasium environment, but is None",
         ),
         ({"stop": threading.Event}, "stop must be a threading.Event or None, but is the class Event"),
         ({"stop": "x"}, r"stop must be a threading.Event or None, but is 'x'"),

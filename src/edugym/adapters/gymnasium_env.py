@@ -17,8 +17,9 @@ from edugym.adapters import keys
 from edugym.adapters.actions import checked_action
 from edugym.adapters.specification import filled
 from edugym.checks import one_of
-from edugym.mdp.checking import CHECKED_STEPS, CheckedMDP, checked_step, end_at_students_line, is_own, require_mdp
+from edugym.mdp.checking import CHECKED_STEPS, CheckedMDP, checked_step, is_own, require_mdp
 from edugym.mdp.protocol import MDP, coerced, history_wanted, named_actions, step_limit
+from edugym.mdp.tracebacks import end_at_students_line
 from edugym.mdp.values import shown
 
 if TYPE_CHECKING:

@@ -17,8 +17,9 @@ from edugym.adapters.gymnasium_env import RENDERING, M, MDPEnv, environment_of
 from edugym.adapters.runner import Runner
 from edugym.adapters.specification import filled
 from edugym.checks import in_short, number_of_steps, one_of, whole_number
-from edugym.mdp.checking import check_mdp, end_at_students_line, is_own
+from edugym.mdp.checking import check_mdp, is_own
 from edugym.mdp.protocol import HISTORY, history_wanted, step_limit
+from edugym.mdp.tracebacks import end_at_students_line
 
 NO_LIMIT = 2**62
 NOTHING = np.empty(0, np.int64)

@@ -28,7 +28,7 @@ class DynaQ(NamedTuple):
     becomes R + κ √τ, where τ is the number of steps since the action was last taken in that state, or since the start
     of learning. Planning then also imagines actions that were never taken there: they lead back to the same state, with
     reward 0 and the bonus. The model never forgets an outcome: when the environment changes, it adapts only as fast as
-    the counts shift, where the model of the box, which keeps the latest outcome, adapts at once.
+    the counts shift. The model of the box keeps the latest outcome, and adapts at once.
 
     `act` plans first and then chooses. The box plans at the end of a step, so the order of the updates is the same;
     with a given model, the agent also plans before its first step.

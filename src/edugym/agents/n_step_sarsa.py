@@ -27,8 +27,8 @@ class NStepSARSA(NamedTuple):
     Attributes:
         Q: shape (n_states, n_actions): the action values.
         steps: a ring buffer with the last n transitions.
-        returns: the target G of each transition in the buffer; there are `longest` of both where n is larger.
-        n: how many rewards, a whole number of 1 or more, or infinity. The length of the buffer is what counts.
+        returns: shape (min(n, longest),): the target G of each transition in the buffer.
+        n: how many rewards, a whole number of 1 or more, or infinity. What counts is the length of the buffer.
         learning_rate: α, greater than 0 and up to 1.
         discount: γ, from 0 to 1.
         exploration: how actions are chosen.

@@ -63,7 +63,8 @@ class RMax(NamedTuple):
 
     References: Brafman and Tennenholtz (2002), R-max; Sutton and Barto, 2nd edition, section 4.5 (asynchronous dynamic
     programming). In the paper, unknown actions lead to a fictitious state of maximal reward; U is its value. The paper
-    has one table, and maximises the average reward over a fixed number of steps; here are two, and we discount.
+    has one table, and maximises the average reward over a fixed number of steps. Here there are two tables, and rewards
+    are discounted.
     """
 
     Q: Annotated[Reals, Table(("states", "actions"), fill="lowest_return")]

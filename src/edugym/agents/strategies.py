@@ -6,8 +6,9 @@ checks its settings. The agent asks it to choose:
     action = exploration.choose(Q, state, rng)
 
 `Q` is the whole table, of shape (n_states, n_actions), and `state` is the index of a row. `UCB` and
-`ScheduledEpsilonGreedy` count, so they are made by `create`, one for each agent. A strategy whose probabilities are
-known also has `probability(Q, state, action)` and `expected_value(Q, state)`, for expected SARSA and tree backup.
+`ScheduledEpsilonGreedy` count their choices: make one for each agent, with their `create`. A strategy whose
+probabilities are known also has `probability(Q, state, action)` and `expected_value(Q, state)`, for expected SARSA and
+tree backup.
 
 References: Sutton and Barto, Reinforcement Learning, 2nd edition, sections 2.2 (ε-greedy) and 2.7 (UCB).
 """

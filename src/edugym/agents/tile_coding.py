@@ -99,8 +99,8 @@ class TileCoding(NamedTuple):
                 numbers that are not left out. (The grids are displaced by 1, 3, 5, ... steps in the first, second,
                 third, ... number. With 3 tilings, for example, nothing would be displaced in the second number.)
             low: the lowest value that each number takes; by default that of the observation space.
-            high: the highest, likewise. Both must be given where the observation space has no bounds, or such that are
-                a billion or more apart.
+            high: the highest, likewise. Both must be given where the observation space has no bounds, or bounds that
+                are a billion or more apart.
 
         Raises:
             ValueError: a parameter is not as above, or there would be more than ten million tiles.

@@ -15,7 +15,7 @@ from edugym.mdp.protocol import Reals
 from edugym.mdp.tabular import table_sizes
 
 UNBOUNDED = 1e9
-"""A bound of an observation from here on is none: many environments give the largest float32 for infinity."""
+"""A bound of this size or more counts as none: many environments give the largest float32 for infinity."""
 
 
 def vector_size(environment: Any, actions: type[spaces.Space[Any]] = spaces.Discrete) -> tuple[int, int]:

@@ -6,13 +6,8 @@ a student's MDP are checked in this way; the package's own MDPs are covered by i
 
 import copy
 import difflib
-import dis
 import inspect
-import re
 from collections.abc import Iterable
-from importlib.util import find_spec
-from pathlib import Path
-from types import TracebackType
 from typing import Any
 
 import numpy as np
@@ -31,8 +26,6 @@ METHODS = {
 """What every MDP has, and what each method takes."""
 SPACES = ("observation_space", "action_space")
 CHECKED_STEPS = 200
-UNSHOWN = frozenset({"edugym", "contextlib", "gymnasium", "joblib", "numpy"})
-"""Packages whose frames are no help in finding a mistake."""
 OTHER_NAMES = {
     "initial": ("reset", "start", "initial_state"),
     "transition": ("step", "next_state", "dynamics"),
@@ -251,60 +244,6 @@ class CheckedMDP:
             raise ValueError(_sentence(self._mdp, "observation", observation, f"an element of {space}", state))
 
 
-def end_at_students_line(error: Exception) -> None:
-    """Let the traceback of an error, which is raised again, end at the student's line, with none of our frames.
-
-    An error about a frozen field says what to do instead.
-    """
-    frames, last = [], error.__traceback__
-    while last is not None:
-        if last.tb_frame.f_globals.get("__name__", "").partition(".")[0] not in UNSHOWN:
-            frames.append(last)
-        last = last.tb_next
-    traceback: TracebackType | None = None
-    for frame in reversed(frames):
-        traceback = TracebackType(traceback, frame.tb_frame, frame.tb_lasti, frame.tb_lineno)
-    if frames and isinstance(error, AttributeError):
-        _explain_frozen_field(error, frames[-1])
-    error.__traceback__ = traceback
-    _say_where_in_another_process(error)
-
-
-def _say_where_in_another_process(error: Exception) -> None:
-    """If the error comes from a process of joblib, note the student's line instead of the traceback of all frames."""
-    cause = error.__cause__
-    if type(cause).__name__ == "_RemoteTraceback":
-        error.__cause__ = None
-        frames = re.split(r'^  File (?=")', str(cause), flags=re.MULTILINE)[1:]
-        students = [frame for frame in frames if not _is_unshown(frame.split('"')[1])]
-        if students:
-            place, *code = students[-1].splitlines()[:2]
-            error.add_note("\n".join([f"In another process: {place}", *code]))
-
-
-def _is_unshown(file: str) -> bool:
-    """Whether a file belongs to one of the packages whose frames are not shown."""
-    found = [spec.origin for name in UNSHOWN if (spec := find_spec(name)) and spec.origin]
-    return any(
-        Path(file).is_relative_to(Path(one).parent) if one.endswith("__init__.py") else file == one for one in found
-    )
-
-
-def _explain_frozen_field(error: AttributeError, last: TracebackType) -> None:
-    """Say how to keep what changes, where the line assigns an attribute of a NamedTuple."""
-    frame = last.tb_frame
-    owner = frame.f_locals.get("self")
-    assigned = [one.argval for one in dis.get_instructions(frame.f_code) if one.offset == last.tb_lasti]
-    fails = [one.opname for one in dis.get_instructions(frame.f_code) if one.offset == last.tb_lasti]
-    if fails != ["STORE_ATTR"] or not isinstance(owner, tuple):
-        return
-    error.args = (
-        f"{frame.f_code.co_name} of {_name(owner)} assigns self.{assigned[0]}, but the fields of a NamedTuple never"
-        f" change: keep what changes in a field that is an array, {assigned[0]} = np.array([...]), and assign"
-        f" self.{assigned[0]}[0]",
-    )
-
-
 def innermost(mdp: Any) -> Any:
     """Return the MDP inside the package's wrappers."""
     return innermost(mdp.mdp) if type(mdp).__module__.startswith("edugym.") and hasattr(mdp, "mdp") else mdp
@@ -351,14 +290,19 @@ def require_method(owner: Any, name: str, parameters: tuple[str, ...], others: I
         raise ValueError(f"{name} of {_name(owner)} must take {wanted[len(name) :]}, but takes ({takes})")
 
 
-def require_environment(name: str, environment: Any) -> None:
+def require_environment(name: str, environment: Any, allowed: str = "an MDP or a Gymnasium environment") -> None:
     """Refuse what has nothing of an MDP or a Gymnasium environment.
+
+    Args:
+        name: of the parameter that it was given for.
+        environment: the value.
+        allowed: what it may be, for the message.
 
     Raises:
         ValueError: it is something else, such as None.
     """
     if not any(hasattr(environment, part) for part in ("observation_space", "transition", "step")):
-        raise ValueError(f"{name} must be an MDP, a Gymnasium environment or a name, but is {shown(environment)}")
+        raise ValueError(f"{name} must be {allowed}, but is {shown(environment)}")
 
 
 def require_spaces(task: Any) -> None:

@@ -97,8 +97,8 @@ class Agent(Actor[Observation_contra], Protocol[Observation_contra]):
 
     * `greedy(state, rng)` returns the greedy action, for evaluation. Without it, `act` is used.
     * `forget_episode()` is for agents that remember steps of the episode under way, such as traces. `train` calls it
-      once, before the first step: an earlier run may have been stopped within an episode. An episode that ends tells
-      itself, by `terminated` or `truncated`. If a loop of your own leaves an episode before its end, call it there.
+      once, before the first step: an earlier run may have been stopped within an episode. At the end of an
+      episode `terminated` or `truncated` tells the agent. If your own loop leaves an episode before its end, call it.
     """
 
     @property

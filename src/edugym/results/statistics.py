@@ -77,10 +77,10 @@ def mean_interval(values: ArrayLike, confidence: float = CONFIDENCE) -> Interval
     if len(known) < 2:
         return Interval(float(known[0]) if len(known) else math.nan, -math.inf, math.inf, len(known))
     require("experiments", "scipy")
-    from scipy.special import stdtrit  # scipy.stats has it too, but takes half a second to import
+    from scipy import stats
 
     mean = float(known.mean())
-    margin = float(stdtrit(len(known) - 1, (1 + confidence) / 2) * known.std(ddof=1) / math.sqrt(len(known)))
+    margin = float(stats.t.ppf((1 + confidence) / 2, len(known) - 1) * known.std(ddof=1) / math.sqrt(len(known)))
     return Interval(mean, mean - margin, mean + margin, len(known))
 
 
@@ -103,13 +103,10 @@ def proportion_interval(successes: int, n: int, confidence: float = CONFIDENCE) 
     if n == 0:
         return Interval(math.nan, 0.0, 1.0, 0)
     require("experiments", "scipy")
-    from scipy.special import ndtri
+    from scipy import stats
 
-    share, z = int(successes) / int(n), float(ndtri((1 + confidence) / 2))
-    centre, scale = (2 * n * share + z**2) / (2 * (n + z**2)), z / (2 * (n + z**2))
-    margin = scale * math.sqrt(4 * n * share * (1 - share) + z**2)
-    low, high = centre - margin if successes else 0.0, centre + margin if successes < n else 1.0
-    return Interval(share, low, high, int(n))
+    ends = stats.binomtest(int(successes), int(n)).proportion_ci(confidence, method="wilson")
+    return Interval(successes / n, float(ends.low), float(ends.high), int(n))
 
 
 def share_interval(values: ArrayLike, confidence: float = CONFIDENCE) -> Interval:

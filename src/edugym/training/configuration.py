@@ -94,7 +94,7 @@ def task(environment: Any, parameters: Mapping[str, Any] | None = None) -> Task:
         make = _by_layout(environment)
         first, second = (_settings(make(layout_seed)).items() for layout_seed in (0, 1))
         return Task(make, True, dict(setting for setting in first if setting in second), (environment,))
-    require_environment("environment", environment)
+    require_environment("environment", environment, "an MDP, a Gymnasium environment or a name")
     # A copy for each run: wrappers of MDPs have arrays to write into, which runs at the same time may not share.
     return Task(
         lambda _: own_copy(environment, f"{COPIES} that makes one"), False, _settings(environment), (environment,)

@@ -7,6 +7,7 @@ import signal
 import threading
 import warnings
 from collections.abc import Callable, Mapping
+from numbers import Integral
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -14,7 +15,7 @@ from edugym.checks import whole_number
 from edugym.extras import require
 from edugym.files import check_writable
 from edugym.interrupts import Interrupted, Stop, Work, interruptibly, ordered_by
-from edugym.mdp.checking import end_at_students_line
+from edugym.mdp.tracebacks import end_at_students_line
 from edugym.mdp.values import own_copy, shown
 from edugym.results.tables import MEASURED, Results, with_types
 from edugym.training.checkpoints import Checkpoints
@@ -119,7 +120,8 @@ def repeat(
     whole_number("n_steps", n_steps, 1)
     whole_number("repetitions", repetitions, 1)
     whole_number("seed", seed, 0)
-    if jobs is not None and (isinstance(jobs, bool) or jobs not in (-1, *range(1, MOST_JOBS + 1))):
+    is_number = isinstance(jobs, Integral) and not isinstance(jobs, bool)
+    if jobs is not None and not (is_number and (jobs == -1 or 1 <= jobs <= MOST_JOBS)):
         raise ValueError(f"jobs must be a whole number from 1 to {MOST_JOBS}, -1 or None, but is {shown(jobs)}")
     check_stop(stop)
     stop = stop or threading.Event()

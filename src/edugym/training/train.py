@@ -11,8 +11,8 @@ import numpy as np
 
 from edugym.checks import number_of_steps, whole_number
 from edugym.interrupts import Interrupted, Stopped, Work
-from edugym.mdp.checking import end_at_students_line
 from edugym.mdp.protocol import Integers, Reals
+from edugym.mdp.tracebacks import end_at_students_line
 from edugym.training.progress import progress_bar
 from edugym.training.trainers import Trainer, trainer
 

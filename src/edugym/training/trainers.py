@@ -303,7 +303,7 @@ def _task(environment: Any, agent: Any) -> Any:
         environment = gymnasium.make(full_id(environment))
     if isinstance(environment, type):
         require_mdp(environment, "environment")  # says how to make a value
-    require_environment("environment", environment)
+    require_environment("environment", environment, "an MDP, a Gymnasium environment or a name")
     if isinstance(environment, gymnasium.Env):
         require_spaces(environment)
         require_env(environment)
