@@ -6,13 +6,16 @@ Everything that takes long runs inside `with Work() as work`. A signal is then a
   errors in `__del__` and in weakref callbacks), it is raised again.
 * While machine code runs (`work.hold()`), the handler waits until `work.stopped()` is asked, between two chunks. When
   machine code returns a tuple, Numba does not expect an error, and a handler that raises would crash the process.
+* A long loop of machine code asks from time to time (`asked_to_stop`), and ends by raising `Stopped`.
 * While runs are under way in other threads and processes (`work.ordering()`), Ctrl-C orders them to stop, so that they
-  return what is done. After `PATIENCE` seconds, or with a second Ctrl-C, those that have not stopped are left alone.
+  return what is done. After `PATIENCE` seconds, or with a second Ctrl-C, nobody waits for those that have not stopped,
+  and `Stopped` is raised in the threads among them.
 
 What cannot be interrupted at all, such as LLVM or the import of a library, runs in a thread (`interruptibly`).
 """
 
 import _thread
+import ctypes
 import os
 import signal
 import sys
@@ -56,7 +59,7 @@ class Interrupted(KeyboardInterrupt):
 
 
 class Stopped(KeyboardInterrupt):
-    """The order to stop came while `interruptibly` waited."""
+    """The order to stop came while `interruptibly` waited, or in a long loop of machine code."""
 
 
 class Stop:
@@ -105,6 +108,7 @@ class Work:
         self._handlers: dict[int, Callable[[int, Any], Any]] = {}
         self._pending: list[tuple[int, Any]] = []
         self._raised: KeyboardInterrupt | None = None
+        self._error: BaseException | None = None  # what a handler raised while machine code ran
         self._order: Callable[[], None] | None = None
         self._lock = threading.Lock()
 
@@ -122,10 +126,16 @@ class Work:
             sys.unraisablehook = self._swallowed
             self._held = False
             self._deliver()
+        elif self._stop is not None:
+            _in_threads[self] = threading.get_ident()
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, traceback: Any) -> None:
         """Put the handlers back, and call those that still wait."""
+        if self._stop is not None and not self._handlers:
+            with _ending:
+                _in_threads.pop(self, None)
+                _raise_in(threading.get_ident(), None)  # an error that was to end this work ends nothing else
         _current.work = self._around
         self._held = True
         for number, handler in self._handlers.items():
@@ -135,6 +145,8 @@ class Work:
         if kind is not None:
             self._raised = None
         self._deliver()
+        if self._error is not None:
+            raise self._error
 
     def hold(self, machine_code: bool) -> None:
         """Let signals wait until `stopped` is asked, from now on and if machine code is to run."""
@@ -187,10 +199,13 @@ class Work:
             raise
 
     def _insist(self) -> None:
-        """Press Ctrl-C again where the order to stop was not enough."""
+        """Press Ctrl-C again where the order to stop was not enough, and end the threads that go on."""
         with self._lock:
             if self._order is not None:
                 _press_ctrl_c()
+        with _ending:
+            for work in [work for work in _in_threads if work._stop.is_set()]:
+                _raise_in(_in_threads.pop(work), Stopped)
 
     def _swallowed(self, unraisable: Any) -> None:
         """Press Ctrl-C again where Python ignored it."""
@@ -205,6 +220,13 @@ class Work:
 
 
 _current = threading.local()  # its `work` is the innermost one of a thread
+_in_threads: dict[Work, int] = {}  # the works of other threads than the main one, and the numbers of these
+_ending = threading.Lock()
+
+
+def _raise_in(ident: int, error: type[BaseException] | None) -> None:
+    """Raise an error in another thread as soon as it is in Python; None withdraws what was not raised yet."""
+    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(ident), error and ctypes.py_object(error))
 
 
 def _press_ctrl_c() -> None:
@@ -242,6 +264,18 @@ def held() -> Iterator[None]:
         yield
     finally:
         work.hold(before)
+
+
+def asked_to_stop() -> bool:
+    """Return whether machine code, which calls this, is to raise `Stopped`. The work raises then what a handler did."""
+    work: Work | None = getattr(_current, "work", None)
+    if work is None:
+        return False
+    try:
+        return work.stopped()
+    except BaseException as error:  # it cannot pass through machine code
+        work._error = error
+        return True
 
 
 def interruptibly(function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:

@@ -13,6 +13,7 @@ from edugym.adapters.columns import Listed, as_sampled, copy_of, head, loose
 from edugym.adapters.copies import STATE_LOST, Batch
 from edugym.compiled.code import Code, package
 from edugym.compiled.execution import executable
+from edugym.interrupts import Work
 
 Loop = Callable[..., Any]
 REHEARSED = 100  # copies
@@ -87,13 +88,18 @@ class Runner:
                 raise TypeError(f"states of {type(self._mdp).__name__} do not fit the storage that was made for them")
             return done
         kept = copy_of(self.states), rng.bit_generator.state, batch.steps.copy(), batch.over.copy()
-        try:
-            done = fast(self._n, self._mdp, rng, *arguments, self.states, batch)
-            if done != STATE_LOST:
-                return done
-        except Exception:  # the interpreter shows it, at the student's line
-            pass
-        self.states, rng.bit_generator.state, batch.steps[:], batch.over[:] = kept
+        done = STATE_LOST
+        with Work() as work:
+            work.hold(machine_code=True)
+            try:
+                done = fast(self._n, self._mdp, rng, *arguments, self.states, batch)
+                if done != STATE_LOST:
+                    return done
+            except Exception:  # the interpreter shows it, at the student's line
+                pass
+            finally:
+                if done == STATE_LOST:  # also after Ctrl-C
+                    self.states, rng.bit_generator.state, batch.steps[:], batch.over[:] = kept
         self._interpret()
         done = loop(self._n, self._mdp, rng, *_plain(arguments), self.states, batch)
         warnings.warn(

@@ -276,7 +276,7 @@ def _compile(
         made = numba.njit(cache=folder is not None, nogil=True, no_cfunc_wrapper=True, **options)(loop)
     finally:
         numba.config.CACHE_DIR = users_own
-    functions = {*code.functions, *_stand_ins()} if code.foreign else {*code.functions}
+    functions = {*code.functions, *_stand_ins()}
     with building(options, functions), warnings.catch_warnings():
         warnings.simplefilter("ignore", importlib.import_module("numba.core.errors").NumbaWarning)
         made.compile(signature)
@@ -355,6 +355,7 @@ def _refused() -> Any:
 
 @cache
 def _stand_ins() -> frozenset[FunctionType]:
-    """The checked functions that may stand in users' code for Python's own."""
+    """The functions that passes put into code: checked ones that stand for Python's own, and what counts turns."""
     arithmetic: Any = importlib.import_module("edugym.compiled.arithmetic")
-    return frozenset({*arithmetic.REPLACED.values(), *arithmetic.CALLED.values(), *arithmetic.DRAWN.values()})
+    turn: Any = importlib.import_module("edugym.compiled.turns").turn
+    return frozenset({*arithmetic.REPLACED.values(), *arithmetic.CALLED.values(), *arithmetic.DRAWN.values(), turn})

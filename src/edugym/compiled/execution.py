@@ -20,7 +20,7 @@ from edugym.compiled.code import LIBRARIES, Code, code_of, is_foreign
 from edugym.compiled.compiler import CompilationError, NoCompiler, check_compiler, compiled, is_built, is_on_disk
 from edugym.compiled.copies import Snapshot, copied, difference
 from edugym.compiled.subset import refusal
-from edugym.interrupts import held
+from edugym.interrupts import Stopped, held
 
 Loop = Callable[..., Any]
 
@@ -136,6 +136,9 @@ def _guarded(fast: Loop, loop: Loop, code: Code, rehearsed: int, replay: Loop) -
             cost, spent = taken - began, 0.0
         try:
             result = fast(*arguments)
+        except Stopped:
+            before.put_back()  # as if the call had not begun
+            raise
         except Exception as error:
             failure = error
         else:

@@ -15,6 +15,7 @@ from typing import Any
 
 from edugym.compiled.arithmetic import CALLED, CHECKED, DRAWN, REPLACED
 from edugym.compiled.subset import place, words
+from edugym.compiled.turns import count_turns
 
 ir: Any = importlib.import_module("numba.core.ir")
 types: Any = importlib.import_module("numba.core.types")
@@ -82,6 +83,13 @@ def _before_typing(state: Any) -> bool:
                 _replace_called(state.func_ir, block, statement)
         elif isinstance(value, ir.Global | ir.FreeVar):
             _stand_in(statement, value.value)
+    count_turns(state.func_ir, only_while=False)
+    return True
+
+
+def _own_before_typing(state: Any) -> bool:
+    """Let every `while` be stopped."""
+    count_turns(state.func_ir, only_while=True)
     return True
 
 
@@ -365,6 +373,7 @@ def _after_lowering(state: Any) -> bool:
 BEFORE_LOWERING = _pass("edugym_before_lowering", _before_lowering, "AnalysisPass")
 AFTER_LOWERING = _pass("edugym_after_lowering", _after_lowering, "AnalysisPass")
 BEFORE = _pass("edugym_before_typing", _before_typing)
+OWN_BEFORE = _pass("edugym_before_typing_of_own", _own_before_typing)
 AFTER = _pass("edugym_after_typing", _after_typing)
 
 
@@ -373,8 +382,8 @@ def _part(judged: bool) -> Any:
 
     def define_pipelines(self: Any) -> list[Any]:
         manager = compiler.DefaultPassBuilder.define_nopython_pipeline(self.state)
+        manager.add_pass_after(BEFORE if judged else OWN_BEFORE, untyped_passes.InlineClosureLikes)
         if judged:
-            manager.add_pass_after(BEFORE, untyped_passes.InlineClosureLikes)
             manager.add_pass_after(AFTER, typed_passes.NopythonTypeInference)
         manager.add_pass_after(BEFORE_LOWERING, typed_passes.AnnotateTypes)
         manager.add_pass_after(AFTER_LOWERING, typed_passes.NativeLowering)

@@ -1,0 +1,82 @@
+"""Machine code that can be stopped: its loops ask from time to time whether to go on.
+
+A `while` whose condition stays true never comes back to the interpreter, where Ctrl-C is answered. So every `while`
+counts its turns, and calls Python after each `BETWEEN`. In a student's function a `for` with a loop inside does so too.
+(Innermost `for` loops, such as one over the actions, would become slower, and end by themselves.)
+"""
+
+import ctypes
+import importlib
+from typing import Any
+
+from edugym.interrupts import Stopped, asked_to_stop
+
+ir: Any = importlib.import_module("numba.core.ir")
+ir_utils: Any = importlib.import_module("numba.core.ir_utils")
+analysis: Any = importlib.import_module("numba.core.analysis")
+types: Any = importlib.import_module("numba.core.types")
+extending: Any = importlib.import_module("numba.extending")
+cgutils: Any = importlib.import_module("numba.core.cgutils")
+llvm: Any = importlib.import_module("llvmlite.ir")
+binding: Any = importlib.import_module("llvmlite.binding")
+
+BETWEEN = 2**12
+"""Turns of a loop between two questions, a power of two. A question takes a microsecond, short turns a few in all."""
+SYMBOL = "edugym_asked_to_stop"
+_question = ctypes.CFUNCTYPE(ctypes.c_bool)(asked_to_stop)  # must live as long as machine code may call it
+binding.add_symbol(SYMBOL, ctypes.cast(_question, ctypes.c_void_p).value)
+
+
+def ask() -> None:
+    """Raise `Stopped` in machine code if it is to end."""
+    raise NotImplementedError
+
+
+def _ask(context: Any, builder: Any, signature: Any, values: Any) -> Any:
+    question = cgutils.get_or_insert_function(builder.module, llvm.FunctionType(llvm.IntType(8), []), SYMBOL)
+    with builder.if_then(cgutils.is_not_null(builder, builder.call(question, [])), likely=False):
+        context.call_conv.return_user_exc(builder, Stopped, ())
+    return context.get_dummy_value()
+
+
+extending.type_callable(ask)(lambda context: lambda: types.none)
+extending.lower_builtin(ask)(_ask)
+
+
+def turn(turns: int) -> int:
+    """Count one more turn of a loop."""
+    if turns & (BETWEEN - 1) == BETWEEN - 1:
+        ask()
+    return turns + 1
+
+
+def count_turns(func_ir: Any, only_while: bool) -> None:
+    """Let the loops of a function count their turns.
+
+    Args:
+        func_ir: the function, as Numba has it before types are known.
+        only_while: whether no `for` counts, not even one with a loop inside.
+    """
+    blocks = func_ir.blocks
+    graph = analysis.compute_cfg_from_blocks(blocks)
+    loops = graph.loops()
+    headers = [
+        label
+        for label, loop in loops.items()
+        if not _is_for(blocks[label]) or not (only_while or loop.body.isdisjoint(loops.keys() - {label}))
+    ]
+    if not headers:
+        return
+    first = blocks[graph.entry_point()]
+    turns = ir.Var(first.scope, ir_utils.mk_unique_var("turns"), func_ir.loc)
+    first.prepend(ir.Assign(ir.Const(0, func_ir.loc), turns, func_ir.loc))
+    for label in headers:
+        block, loc = blocks[label], blocks[label].loc
+        function = ir.Var(block.scope, ir_utils.mk_unique_var("$turn"), loc)
+        block.prepend(ir.Assign(ir.Expr.call(function, [turns], (), loc), turns, loc))
+        block.prepend(ir.Assign(ir.Global("turn", turn, loc), function, loc))
+    func_ir._definitions = ir_utils.build_definitions(blocks)
+
+
+def _is_for(block: Any) -> bool:
+    return any(isinstance(line, ir.Assign) and getattr(line.value, "op", "") == "iternext" for line in block.body)

@@ -1,0 +1,180 @@
+"""Programs that never end by themselves: `python -m tests.compiled.unending HOW` says how one of them was stopped."""
+
+import functools
+import os
+import signal
+import sys
+import threading
+import time
+import warnings
+from typing import Any, NamedTuple
+
+import numpy as np
+from gymnasium.spaces import Discrete
+
+import edugym
+from edugym.adapters.vector_env import MDPVectorEnv
+from edugym.interrupts import Interrupted
+
+PATIENT = 20_000  # steps before the first that does not end
+SOME_SECONDS = 3.0  # of processor time: compiling takes one or two
+BOULDER = "edugym/Boulder-v0"
+
+
+class Timeout(Exception):
+    """What the handler of another signal raises."""
+
+
+class Waiting(NamedTuple):
+    """An agent that waits for ever after some actions. `count` holds the actions, and whether it waits."""
+
+    count: Any
+
+    def act(self, state: int, rng: np.random.Generator) -> int:
+        """Choose at random."""
+        self.count[0] += 1
+        while self.count[0] > PATIENT:
+            self.count[1] = 1
+        return int(rng.integers(2))
+
+    def learn(self, state: int, action: int, reward: float, next_state: int) -> None:
+        """Nothing."""
+
+
+class Interpreted:
+    """The same, which cannot be compiled."""
+
+    def __init__(self) -> None:
+        """Count from 0."""
+        self.count = np.zeros(2)
+
+    act, learn = Waiting.act, Waiting.learn
+
+
+class Circle(NamedTuple):
+    """From one place to the other and back, without end.
+
+    Attributes:
+        last: the state from which a step does not end.
+        rich: the state from which every step has a reward.
+    """
+
+    last: int
+    rich: int
+
+    @property
+    def observation_space(self) -> Any:
+        """The two places."""
+        return Discrete(2)
+
+    @property
+    def action_space(self) -> Any:
+        """Two actions, which do the same."""
+        return Discrete(2)
+
+    def initial(self, rng: np.random.Generator) -> int:
+        """The state is the number of steps."""
+        return 0
+
+    def transition(self, state: int, action: int, rng: np.random.Generator) -> int:
+        """Go on."""
+        while state >= self.last:
+            action = 1 - action
+        return state + 1
+
+    def reward(self, state: int, action: int, next_state: int, rng: np.random.Generator) -> float:
+        """Nothing at first, then one for each step."""
+        return 1.0 if state >= self.rich else 0.0
+
+    def terminal(self, state: int) -> bool:
+        """Never."""
+        return False
+
+    def observation(self, state: int, rng: np.random.Generator) -> int:
+        """One of two places."""
+        return state % 2
+
+
+def stopped_by(error: type[BaseException], work: Any, press: Any, waits: Any = None) -> Any:
+    """Let it work, press when it waits (or after some seconds), and return the error that ends it."""
+
+    def when_it_waits() -> None:
+        began = time.process_time()
+        while not waits() if waits else time.process_time() - began < SOME_SECONDS:
+            time.sleep(0.05)
+        press()
+
+    threading.Thread(target=when_it_waits).start()
+    try:
+        return work()
+    except error as raised:
+        return raised
+
+
+def ctrl_c() -> None:
+    """Press Ctrl-C."""
+    os.kill(os.getpid(), signal.SIGINT)
+
+
+def train(agent: Any, task: Any = BOULDER, max_steps: int = 100, stop: Any = None) -> Any:
+    """Train it for ever, without evaluating it on the way."""
+    return edugym.train(task, agent, 10**9, evaluate_every=10**9, max_steps=max_steps, stop=stop)
+
+
+def training() -> None:
+    """Ctrl-C, another signal whose handler raises its own error, and the order to stop reach machine code.
+
+    The tables are then those of the last whole chunk of steps.
+    """
+
+    def expire(number: int, frame: Any) -> None:
+        raise Timeout
+
+    signal.signal(signal.SIGALRM, expire)
+    agent, stop = Waiting(np.zeros(2)), threading.Event()
+    alarm = functools.partial(os.kill, os.getpid(), signal.SIGALRM)
+    stopped = stopped_by(Interrupted, lambda: train(agent), ctrl_c, lambda: agent.count[1])
+    print(type(stopped).__name__, stopped.partial.complete, 0 < agent.count[0] <= PATIENT, agent.count[1])
+    print(type(stopped_by(Timeout, lambda: train(agent), alarm, lambda: agent.count[1])).__name__)
+    print(stopped_by(Interrupted, lambda: train(agent, stop=stop), stop.set, lambda: agent.count[1]).complete)
+
+
+def in_threads() -> None:
+    """After Ctrl-C no thread goes on."""
+    for agent in (Waiting(np.zeros(2)), Interpreted()):
+        stopped = stopped_by(
+            Interrupted,
+            lambda agent=agent: edugym.repeat(
+                BOULDER, {"waiting": agent}, n_steps=10**9, evaluate_every=10**9, repetitions=2, jobs=2
+            ),
+            ctrl_c,
+        )
+        time.sleep(1.0)
+        began = time.process_time()
+        time.sleep(0.5)
+        print(type(stopped).__name__, time.process_time() - began < 0.25)
+
+
+def vector() -> None:
+    """The copies are where they were before the step that does not end."""
+    circle: Any = Circle(last=300, rich=0)
+    copies: Any = MDPVectorEnv(circle, 100)
+    copies.reset(seed=0)
+    for _ in range(300):
+        copies.step(np.zeros(100, np.int64))
+    stopped = stopped_by(KeyboardInterrupt, lambda: copies.step(np.zeros(100, np.int64)), ctrl_c)
+    print(isinstance(stopped, KeyboardInterrupt), copies.state(0), copies.state(99))
+
+
+def planning() -> None:
+    """An agent of the package plans for ever where values grow without end."""
+    endless = edugym.PrioritisedSweeping.create((2, 2), discount=1.0, planning_steps=float("inf"))
+    print(
+        type(stopped_by(Interrupted, lambda: train(endless, Circle(last=10**12, rich=1000), PATIENT), ctrl_c)).__name__
+    )
+
+
+if __name__ == "__main__":
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    warnings.simplefilter("ignore")
+    globals()[sys.argv[1]]()
