@@ -10,6 +10,7 @@ EXPECTED = {
     "in_threads": ["Interrupted True", "Interrupted True"],
     "vector": ["True 300 300"],
     "planning": ["Interrupted"],
+    "evaluation": ["Interrupted 0"],
 }
 
 

@@ -174,6 +174,13 @@ def planning() -> None:
     )
 
 
+def evaluation() -> None:
+    """An evaluation episode of a task without end is one call of machine code."""
+    agent = edugym.QLearning.create((2, 2))
+    stopped = stopped_by(Interrupted, lambda: train(agent, Circle(last=10**12, rich=0), 10**12), ctrl_c)
+    print(type(stopped).__name__, stopped.partial.steps.size)
+
+
 if __name__ == "__main__":
     signal.signal(signal.SIGINT, signal.default_int_handler)
     warnings.simplefilter("ignore")

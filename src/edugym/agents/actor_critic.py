@@ -61,7 +61,7 @@ class ActorCritic(NamedTuple):
 
     @classmethod
     def create(cls, environment: Any, **settings: Any) -> "ActorCritic":
-        """Create an agent with new tables; `environment` is an environment, or their shape (n_states, n_actions).
+        """Create an agent with new tables for an MDP, a Gymnasium environment, or their shape (n_states, n_actions).
 
         Settings: every field that has a default.
 

@@ -59,10 +59,10 @@ class DoubleQLearning(NamedTuple):
 
     @classmethod
     def create(cls, environment: Any, **settings: Any) -> "DoubleQLearning":
-        """Create an agent with new tables; `environment` is an environment, or the shape of Q, (n_states, n_actions).
+        """Create an agent with new tables for an MDP, a Gymnasium environment, or a shape (n_states, n_actions) of Q.
 
-        Settings: every field that has a default, and `initial_value`. Every entry of Q starts at `initial_value`, by
-        default 0.
+        The settings are the fields that have a default, and `initial_value`: the first value of every entry of Q, 0 by
+        default.
 
         Raises:
             ValueError: a setting is unknown or out of range, or the environment does not fit a table.

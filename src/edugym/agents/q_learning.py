@@ -43,13 +43,13 @@ class QLearning(NamedTuple):
 
     @classmethod
     def create(cls, environment: Any, **settings: Any) -> "QLearning":
-        """Create an agent with new tables; `environment` is an environment, or the shape of Q, (n_states, n_actions).
+        """Create an agent with new tables for an MDP, a Gymnasium environment, or a shape (n_states, n_actions) of Q.
 
-        Settings: every field that has a default, and `initial_value`. Every entry of Q starts at `initial_value`, by
-        default 0.
+        The settings are the fields that have a default, and `initial_value`: the first value of every entry of Q, 0 by
+        default.
 
         Raises:
-            ValueError: a setting is unknown or out of range, or the environment does not fit a table, because its
-                observations are not whole numbers (or tuples of them) or its actions are not 0, 1, ...
+            ValueError: a setting is unknown or not allowed, or the environment does not fit a table. It fits if its
+                observations are whole numbers or tuples of whole numbers, and its actions are 0, 1, 2 and so on.
         """
         return new(cls, environment, settings)

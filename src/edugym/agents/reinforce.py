@@ -104,7 +104,7 @@ class REINFORCE(NamedTuple):
 
     @classmethod
     def create(cls, environment: Any, longest: int = 10_000, **settings: Any) -> "REINFORCE":
-        """Create an agent with new tables; `environment` is an environment, or their shape (n_states, n_actions).
+        """Create an agent with new tables for an MDP, a Gymnasium environment, or their shape (n_states, n_actions).
 
         Settings: every field that has a default.
 

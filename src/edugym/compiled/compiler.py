@@ -273,7 +273,9 @@ def _compile(
     users_own = numba.config.CACHE_DIR
     try:
         numba.config.CACHE_DIR = str(folder) if folder else users_own
-        made = numba.njit(cache=folder is not None, nogil=True, no_cfunc_wrapper=True, **options)(loop)
+        pipeline = importlib.import_module("edugym.compiled.passes").Whole
+        caching = {"cache": folder is not None, "nogil": True, "no_cfunc_wrapper": True}
+        made = numba.njit(pipeline_class=pipeline, **caching, **options)(loop)
     finally:
         numba.config.CACHE_DIR = users_own
     functions = {*code.functions, *_stand_ins()}

@@ -377,21 +377,22 @@ OWN_BEFORE = _pass("edugym_before_typing_of_own", _own_before_typing)
 AFTER = _pass("edugym_after_typing", _after_typing)
 
 
-def _part(judged: bool) -> Any:
-    """Numba's pipeline for a part of a build, a method or a helper."""
+def _pipeline(*, part: bool = True, judged: bool = False) -> Any:
+    """Numba's pipeline for a loop, or for a part of its build: a method or a helper."""
 
     def define_pipelines(self: Any) -> list[Any]:
         manager = compiler.DefaultPassBuilder.define_nopython_pipeline(self.state)
         manager.add_pass_after(BEFORE if judged else OWN_BEFORE, untyped_passes.InlineClosureLikes)
         if judged:
             manager.add_pass_after(AFTER, typed_passes.NopythonTypeInference)
-        manager.add_pass_after(BEFORE_LOWERING, typed_passes.AnnotateTypes)
-        manager.add_pass_after(AFTER_LOWERING, typed_passes.NativeLowering)
+        if part:
+            manager.add_pass_after(BEFORE_LOWERING, typed_passes.AnnotateTypes)
+            manager.add_pass_after(AFTER_LOWERING, typed_passes.NativeLowering)
         manager.finalize()
         return [manager]
 
-    return type("Part", (compiler.CompilerBase,), {"define_pipelines": define_pipelines})
+    return type("Pipeline", (compiler.CompilerBase,), {"define_pipelines": define_pipelines})
 
 
-Part, JudgedPart = _part(judged=False), _part(judged=True)
-"""The pipelines for the package's own functions, and for those of others."""
+Whole, Part, JudgedPart = _pipeline(part=False), _pipeline(), _pipeline(judged=True)
+"""The pipelines for a loop, for the package's own functions that it reaches, and for those of others."""

@@ -12,7 +12,7 @@ from edugym.rendering.palette import CRACK, GRASS, SKY, STONE, WALL
 from edugym.rendering.scene import Circle, Line, Rectangle, Scene, Shape, Text
 
 MOST_LEVELS, MOST_SHOWN = 12, 40
-"""How many heights and grips of a large wall the picture shows."""
+"""The picture shows at most so many levels of a wall, and so many grips at each."""
 HIGHEST, MOST_GRIPS = 1_000_000, 1_000
 
 
@@ -22,9 +22,9 @@ class Boulder(NamedTuple):
     ## Description
     Challenge: exploration under sparse reward. A climber stands before a wall. At every height there are `n_grips`
     grips; one holds, the others are cracked and send the climber back to the ground. Only the top is rewarded, so until
-    it has been reached once there is no reward to learn from. With N grips at each height and a wall of height H, a
-    climber who chooses grips at random needs (N^(H+1) - N)/(N - 1) steps on average to reach the top, if no step limit
-    ends the climb: 2 046 for two grips and height 10, and 2.5e30 for height 100.
+    it has been reached once there is no reward to learn from. Without a step limit, a climber who chooses grips at
+    random needs (N^(H+1) - N)/(N - 1) steps on average to reach the top of a wall of height H with N grips at each
+    height. With two grips that is 2046 steps for height 10, and 2.5e30 steps for height 100.
 
     ## Observation space
     `Discrete(height + 1)`: the position on the wall, from 0 (ground) to `height` (top).
@@ -34,15 +34,16 @@ class Boulder(NamedTuple):
 
     ## State
     The position. Strictly, the number of steps in this episode is part of the state too, because of the step limit.
-    The environment counts these steps, but the agent does not observe them, so near the limit the observation is not
-    Markov. (That is no problem for an agent that still uses the value of the next state when an episode is truncated.)
+    The Gymnasium environment counts these steps, but the agent does not observe the count. Near the limit the position
+    alone is therefore not Markov. (A step limit *truncates* an episode: it stops it in a state that is not terminal. An
+    agent that still uses the value of this state, as Q-learning does, learns correctly.)
 
     ## Dynamics
     The grip that holds moves the climber up by one. Any other sends it to the ground, without ending the episode.
 
     ## Reward
-    1 for reaching the top, else 0. The best return is 1, after `height` steps (discount 1); it is 0 if `max_steps` is
-    smaller than `height`.
+    1 for reaching the top, else 0. The best undiscounted return is 1, after `height` steps. If `max_steps` is smaller
+    than `height`, nobody gets to the top, and the best return is 0.
 
     ## Initial state
     The ground.
@@ -51,10 +52,10 @@ class Boulder(NamedTuple):
     Terminated at the top; truncated after `max_steps` steps.
 
     ## Parameters
-    - `height` (10): H, the height of the wall: the number of right grips in a row that lead to the top; from 1 to
-      one million.
+    - `height` (10): H, the height of the wall. To reach the top, the climber must choose the right grip H times
+      without a mistake; from 1 to one million.
     - `n_grips` (2): N, how many grips there are at every height; from 2 to 1000.
-    - `max_steps` (10 * height): 1 or more.
+    - `max_steps` (10 * height): the number of steps after which an episode is truncated; 1 or more.
     - `layout_seed` (0): the seed from which the right grips are drawn, uniformly; 0 or more.
 
     ## Info
@@ -147,7 +148,7 @@ class Boulder(NamedTuple):
     def scene(self, state: int) -> Scene:
         """A wall from the front. The grip that holds is grey; the others are black and cracked.
 
-        Of a large wall it shows the part where the climber is.
+        If the wall is large, the picture shows only the part around the climber.
         """
         height, n_grips, grips = self.height, min(self.n_grips, MOST_SHOWN), self.grips
         shown = min(height, MOST_LEVELS)

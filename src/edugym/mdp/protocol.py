@@ -25,24 +25,26 @@ Observation_contra = TypeVar("Observation_contra", contravariant=True)
 
 
 class MDP(Protocol[State, Observation_co]):
-    """A Markov decision process (S, A, p, r), and the observation that the agent gets of a state.
+    """A Markov decision process (S, A, p, r), and what the agent observes in each state.
 
     If the observation does not determine the state, the problem is partially observable (a POMDP). Actions are usually
-    0, 1, ... Methods have no side effects except on `rng`, the only source of randomness. They never modify `state`.
-    The discount belongs to the agent. An MDP may also have
+    the numbers 0, 1, 2 and so on. A method may draw from `rng`, the only source of randomness, but must not change
+    anything else, `state` included (`observe_into` writes into `out`). The discount belongs to the agent.
 
-    * `max_steps`: the step limit; without it, a training episode ends only in a terminal state, and an evaluation
-      episode after 1000 steps at the latest;
+    An MDP may also have
+
+    * `max_steps`: the step limit; without it (and without a `max_steps` for `train`), a training episode ends only in a
+      terminal state, and an evaluation episode after 1000 steps at the latest;
     * `reward_threshold`: the mean return at which the task counts as solved, or None where it is not known;
     * `action_names`: the names of the actions 0, 1, ..., or a dictionary from names to actions;
     * `scene(state, ...)`: its picture (see `edugym.rendering`);
     * `info(state, ...)`: a dictionary with extra information for plots; agents must not use it;
     * `observe_into(state, rng, out)`: for observations that are arrays, write into `out` what `observation` returns;
-      the vector environment then allocates no array for each copy;
+      the vector environment then writes all observations into one array;
     * `create(**parameters)`, a class method: check the parameters, draw the layout and return the MDP.
 
-    `scene` and `info` may also have the parameters `last_state`, `last_action`, `actions` (all of this episode, in
-    order) and `steps` (how many these are). EduGym passes them by name. At the start of an episode `last_state` and
+    `scene` and `info` may also have the parameters `last_state`, `last_action`, `actions` (the list of all actions of
+    this episode) and `steps` (its length). EduGym passes them by name. At the start of an episode `last_state` and
     `last_action` are None.
     """
 
@@ -76,8 +78,9 @@ class Actor(Protocol[Observation_contra]):
     def act(self, state: Observation_contra, rng: Random) -> int:
         """Choose an action. `state` is the observation, which the agent treats as the state.
 
-        Where the observation consists of several whole numbers, the agent gets one: the row of its table that belongs
-        to them. An agent with the attribute `tabular = False` gets the observation as it is.
+        If the observation has several whole numbers, EduGym turns them into a single one, the number of a row in the
+        agent's table. An agent with the attribute `tabular = False` gets the observation as it is. If it also has an
+        attribute `n_inputs`, it gets one flat vector.
         """
 
 
@@ -90,15 +93,16 @@ class Agent(Actor[Observation_contra], Protocol[Observation_contra]):
     * `terminated`: whether `next_state` is terminal;
     * `truncated`: whether a step limit has ended the episode; the agent still bootstraps from `next_state`;
     * `next_action`: the next action, for on-policy agents such as SARSA. If `learn` has this parameter, the next action
-      is chosen before learning; if not, after learning, as in Q-learning. It is not taken where an episode ends, and
-      after a terminal state it has no meaning.
+      is chosen before learning; if not, after learning, as in Q-learning. If the episode is truncated,
+      the environment never executes `next_action`. If it has terminated, ignore `next_action`.
 
     Optional:
 
     * `greedy(state, rng)` returns the greedy action, for evaluation. Without it, `act` is used.
-    * `forget_episode()` is for agents that remember steps of the episode under way, such as traces. `train` calls it
-      once, before the first step: an earlier run may have been stopped within an episode. At the end of an
-      episode `terminated` or `truncated` tells the agent. If your own loop leaves an episode before its end, call it.
+    * `forget_episode()` is for an agent that remembers earlier steps of this episode, for example in eligibility
+      traces. `train` calls it once, before the first step: an earlier run may have been stopped within an episode. When
+      an episode ends, `learn` sees it from `terminated` or `truncated`. If your own loop leaves an episode before its
+      end, call it.
     """
 
     @property
@@ -119,7 +123,7 @@ def step_limit(mdp: MDP[Any, Any]) -> int | None:
     try:
         limit = any_mdp.max_steps
     except AttributeError:
-        if _defines(mdp, "max_steps"):  # a mistake inside the property must not mean "no limit"
+        if _defines(mdp, "max_steps"):  # there is a `max_steps`, but its code is wrong: that is not "no limit"
             raise
         return None
     if limit is None:
@@ -135,10 +139,10 @@ def _defines(mdp: Any, name: str) -> bool:
 
 
 def coerced(value: Any) -> Any:
-    """The same MDP or agent; whole numbers in `float` fields become floats, and NumPy's in `int` fields Python's.
+    """A copy of an MDP or agent in which every `float` field holds a Python float and every `int` field a Python int.
 
     Without this, Numba would compile an agent once for `learning_rate=1` and again for `learning_rate=0.1`. Small
-    integer types of NumPy, such as int8, could overflow. Arrays are shared.
+    integer types of NumPy, such as int8, could overflow. The copy holds the same arrays as the original.
     """
     if not (isinstance(value, tuple) and hasattr(value, "_fields")):
         return value
@@ -175,6 +179,9 @@ def named_actions(mdp: MDP[Any, Any]) -> dict[str, Any]:
 
 
 def writes_in_place(mdp: Any) -> bool:
-    """Whether an MDP has `observe_into`: a subclass that overrides only `observation` must not inherit it."""
+    """Whether `observe_into` may be used in place of `observation`.
+
+    It may not if a subclass overrides only `observation`: the `observe_into` that it inherits shows something else.
+    """
     observers = {"observation", "observe_into"}
     return "observe_into" in next((vars(kind) for kind in type(mdp).__mro__ if observers & vars(kind).keys()), {})

@@ -1,10 +1,13 @@
 """Claims: statements about an experiment, each with its measurement and whether it holds.
 
-A claim states beforehand where the whole confidence interval must lie, not only the estimate. "The method solves the
-task" means that the share of its runs that solve it is above one half with confidence: `Above(0.5)`. "It does not solve
-the task" means that the share is below one half with confidence. In between the data cannot tell, and neither claim
-holds. A claim that a number *equals* a theory's has a margin: the whole interval lies `Within(low, high)` around it.
-(This is an equivalence test. To ask only that the interval contains the number would reward too little data.)
+Before the experiment, a claim states a range. It holds only if the whole confidence interval lies in this range; the
+estimate alone is not enough. "The method solves the task" means that it does so in more than half of its runs: the
+whole interval of this share lies above one half, `Above(0.5)`. "It does not solve the task" means that the interval
+lies below one half. If the interval contains one half, the data cannot decide, and neither claim holds.
+
+A claim that a measured number *equals* a predicted one allows a margin: the whole interval lies between two bounds on
+both sides of the prediction, `Within(low, high)`. (This is an equivalence test. It is not enough that the interval
+contains the prediction: with little data the interval is so wide that it contains almost any number.)
 """
 
 from typing import NamedTuple, TypeAlias
@@ -18,7 +21,7 @@ class Above(NamedTuple):
     threshold: float
 
     def holds(self, interval: Interval) -> bool:
-        """Whether an interval does."""
+        """Whether an interval lies above the threshold."""
         return interval.low > self.threshold
 
     def __str__(self) -> str:
@@ -32,7 +35,7 @@ class Below(NamedTuple):
     threshold: float
 
     def holds(self, interval: Interval) -> bool:
-        """Whether an interval does."""
+        """Whether an interval lies below the threshold."""
         return interval.high < self.threshold
 
     def __str__(self) -> str:
@@ -47,7 +50,7 @@ class Within(NamedTuple):
     high: float
 
     def holds(self, interval: Interval) -> bool:
-        """Whether an interval does."""
+        """Whether an interval lies within the bounds."""
         return self.low <= interval.low and interval.high <= self.high
 
     def __str__(self) -> str:
@@ -59,7 +62,7 @@ Expectation: TypeAlias = Above | Below | Within
 
 
 def beginning(name: str) -> str:
-    """Return a method's name as it begins a sentence: with a capital letter."""
+    """Return the name of an algorithm with a capital first letter, for the start of a sentence."""
     return f"{name[:1].upper()}{name[1:]}"
 
 
@@ -69,7 +72,7 @@ class Claim(NamedTuple):
     Attributes:
         statement: the claim, in one sentence.
         quantity: the name of the measured quantity.
-        measured: the estimate with its 95 % interval.
+        measured: the estimate with its 95 % interval, or a computed value.
         expected: where the interval must lie for the claim to hold.
         reason: why the claim holds or, where the paper says something else, why it differs; may be empty.
     """
@@ -82,5 +85,5 @@ class Claim(NamedTuple):
 
     @property
     def holds(self) -> bool:
-        """Whether the data shows it; a claim without data does not hold."""
+        """Whether the data supports the claim. Without data it does not hold."""
         return self.measured.n > 0 and self.expected.holds(self.measured)

@@ -146,12 +146,13 @@ def play_episodes(
     """
     for episode in range(n_episodes):
         state = mdp.initial(environment_rng)
-        total = 0.0
-        for _ in range(max_steps):
+        steps, total = 0, 0.0
+        terminated = False
+        while steps < max_steps and not terminated:
             action = actor.act(mdp.observation(state, environment_rng), actor_rng)
             next_state = mdp.transition(state, action, environment_rng)
             total += mdp.reward(state, action, next_state, environment_rng)
+            terminated = mdp.terminal(next_state)
             state = next_state
-            if mdp.terminal(state):
-                break
+            steps += 1
         returns[episode] = total

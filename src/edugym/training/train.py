@@ -22,7 +22,8 @@ class Run:
     """What one training run produced.
 
     Attributes:
-        steps: shape (n_points,): the training steps before each point of the curve; the first is 0.
+        steps: shape (n_points,): the number of training steps from the start of the run to each point of the curve; the
+            first is 0.
         returns: shape (n_points,): the mean undiscounted return of the evaluation episodes, played with `greedy` if the
             agent has this method, else with `act`.
         training_returns: shape (n_points,): the mean undiscounted return of the training episodes that ended since the
@@ -58,12 +59,13 @@ def train(
 ) -> Run:
     """Train `agent` in `environment` for `n_steps` steps and measure its learning curve.
 
-    Long runs of an MDP or of an EduGym environment run as machine code (the loops are in `edugym.training.loops`).
-    Other Gymnasium environments, and EduGym's in a wrapper that changes them or with a `step_timeout`, run in a plain
-    loop (in `edugym.training.gymnasium_loops`).
+    Long training in an MDP or in an EduGym environment is compiled to machine code (the loops are in
+    `edugym.training.loops`). All other training runs in a plain Python loop (in `edugym.training.gymnasium_loops`):
+    in other Gymnasium environments, in EduGym environments inside a wrapper of yours, and in Supermarket with a
+    `step_timeout`.
 
     Ctrl-C ends the run within a fifth of a second. The agent keeps what it has learned, and `train` raises
-    `Interrupted`, whose attribute `partial` is the `Run` so far: in a notebook or at the prompt,
+    `Interrupted`. Its attribute `partial` holds the `Run` so far. In a notebook or at the prompt, read it as
     `sys.last_value.partial`.
 
     Args:
@@ -71,17 +73,19 @@ def train(
         agent: an agent for it; its tables are changed in place.
         n_steps: the number of training steps, 1 or more.
         max_steps: the step at which an episode is truncated; by default the environment's own limit, if it has one. In
-            the plain loop an environment's own limit counts as well.
+            machine code it replaces that limit. In the plain loop both hold, and the smaller one ends the episode.
         evaluate_every: the steps between two points of the curve; by default `n_steps // 100`, at least 1.
-        evaluation_episodes: the number of episodes that each point averages. They are played with `agent.greedy` (an
-            agent without this method plays with `act`, so it explores), on random streams of their own: evaluating
-            changes nothing in the training. Without a step limit they end after 1000 steps at the latest.
-        seed: the seed of all random streams. The same seed and a new agent give the same run, bit for bit.
+        evaluation_episodes: the number of episodes that each point averages. The agent plays them with `greedy`. If it
+            has no `greedy`, a copy of it plays with `act`, and so explores. They use random streams of their own, so
+            evaluating changes nothing in the training. Without a step limit they end after 1000 steps at the latest.
+        seed: the seed of all random streams. If you create the agent anew and use the same seed, you get the same curve
+            and the same tables, bit for bit.
         progress: whether to show a progress bar.
         stop: a `threading.Event`. When it is set, `train` stops and returns the `Run` so far, with `complete=False`.
 
     Warns:
-        UserWarning: the curve suggests a mistake, for example when no episode has ended.
+        UserWarning: no episode of your environment has ended, a table of your agent holds NaN, or your agents share a
+            table.
 
     Raises:
         ValueError: a parameter is not as above, or the observations or actions do not fit a table.
@@ -145,7 +149,7 @@ class _Curve:
         return self._points[-1][0] if self._points else -1
 
     def measure(self, steps: int, training: Trainer, n_episodes: int, stopped: Callable[[], bool]) -> None:
-        """Evaluate the agent over some episodes, and add a point to the curve unless the run stops before the last."""
+        """Play the evaluation episodes, and add a point to the curve; add none if the run is stopped meanwhile."""
         returns = training.play_episodes(n_episodes)
         while len(returns) < n_episodes:
             if stopped():
@@ -154,7 +158,9 @@ class _Curve:
         log = training.log
         ended = int(log.episodes[0])
         mean = log.returns[0] / ended if ended else math.nan
-        self._points.append((steps, float(np.mean(returns)), mean, ended))  # one call: Ctrl-C leaves no half point
+        self._points.append(
+            (steps, float(np.mean(returns)), mean, ended)
+        )  # all at once, so that Ctrl-C leaves no half of a point
         log.returns[0] = log.episodes[0] = 0
 
     def columns(self) -> tuple[Integers, Reals, Reals, Integers]:
