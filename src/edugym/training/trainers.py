@@ -301,6 +301,9 @@ def _task(environment: Any, agent: Any) -> Any:
     """Return the MDP behind an environment, if there is one and no wrapper changes it; else the environment."""
     if isinstance(environment, str):
         environment = gymnasium.make(full_id(environment))
+    if hasattr(environment, "act") and not hasattr(environment, "observation_space"):
+        kind = environment if isinstance(environment, type) else type(environment)
+        raise ValueError(f"environment must come first, before the agent, but is the agent {kind.__name__}")
     if isinstance(environment, type):
         require_mdp(environment, "environment")  # says how to make a value
     require_environment("environment", environment, "an MDP, a Gymnasium environment or a name")
