@@ -97,11 +97,13 @@ class Work:
 
     Attributes:
         ordered: whether Ctrl-C has ordered runs to stop.
+        loop: the line of the student's loop that asked last whether to go on, if one did; else 0.
     """
 
     def __init__(self, stop: Any = None) -> None:
         """Take an event that also ends the work when it is set, or None."""
         self.ordered = False
+        self.loop = 0
         self._stop = stop
         self._around: Work | None = getattr(_current, "work", None)
         self._held = False
@@ -266,11 +268,16 @@ def held() -> Iterator[None]:
         work.hold(before)
 
 
-def asked_to_stop() -> bool:
-    """Return whether machine code, which calls this, is to raise `Stopped`. The work raises then what a handler did."""
+def asked_to_stop(line: int) -> bool:
+    """Return whether machine code, which calls this, is to raise `Stopped`. The work raises then what a handler did.
+
+    Args:
+        line: of the student's loop that calls it; 0 for a loop of the package.
+    """
     work: Work | None = getattr(_current, "work", None)
     if work is None:
         return False
+    work.loop = line
     try:
         return work.stopped()
     except BaseException as error:  # it cannot pass through machine code

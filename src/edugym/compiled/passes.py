@@ -83,13 +83,13 @@ def _before_typing(state: Any) -> bool:
                 _replace_called(state.func_ir, block, statement)
         elif isinstance(value, ir.Global | ir.FreeVar):
             _stand_in(statement, value.value)
-    count_turns(state.func_ir, only_while=False)
+    count_turns(state.func_ir, foreign=True)
     return True
 
 
 def _own_before_typing(state: Any) -> bool:
     """Let every `while` be stopped."""
-    count_turns(state.func_ir, only_while=True)
+    count_turns(state.func_ir, foreign=False)
     return True
 
 

@@ -23,39 +23,43 @@ binding: Any = importlib.import_module("llvmlite.binding")
 BETWEEN = 2**12
 """Turns of a loop between two questions, a power of two. A question takes a microsecond, short turns a few in all."""
 SYMBOL = "edugym_asked_to_stop"
-_question = ctypes.CFUNCTYPE(ctypes.c_bool)(asked_to_stop)  # must live as long as machine code may call it
+_question = ctypes.CFUNCTYPE(ctypes.c_bool, ctypes.c_int64)(
+    asked_to_stop
+)  # must live as long as machine code may call it
 binding.add_symbol(SYMBOL, ctypes.cast(_question, ctypes.c_void_p).value)
 
 
-def ask() -> None:
+def ask(line: int) -> None:
     """Raise `Stopped` in machine code if it is to end."""
     raise NotImplementedError
 
 
 def _ask(context: Any, builder: Any, signature: Any, values: Any) -> Any:
-    question = cgutils.get_or_insert_function(builder.module, llvm.FunctionType(llvm.IntType(8), []), SYMBOL)
-    with builder.if_then(cgutils.is_not_null(builder, builder.call(question, [])), likely=False):
+    kind = llvm.FunctionType(llvm.IntType(8), [llvm.IntType(64)])
+    question = cgutils.get_or_insert_function(builder.module, kind, SYMBOL)
+    with builder.if_then(cgutils.is_not_null(builder, builder.call(question, values)), likely=False):
         context.call_conv.return_user_exc(builder, Stopped, ())
     return context.get_dummy_value()
 
 
-extending.type_callable(ask)(lambda context: lambda: types.none)
-extending.lower_builtin(ask)(_ask)
+extending.type_callable(ask)(lambda context: lambda line: types.none)
+extending.lower_builtin(ask, types.int64)(_ask)
 
 
-def turn(turns: int) -> int:
-    """Count one more turn of a loop."""
+def turn(turns: int, line: int) -> int:
+    """Count one more turn of the loop at a line."""
     if turns & (BETWEEN - 1) == BETWEEN - 1:
-        ask()
+        ask(line)
     return turns + 1
 
 
-def count_turns(func_ir: Any, only_while: bool) -> None:
+def count_turns(func_ir: Any, foreign: bool) -> None:
     """Let the loops of a function count their turns.
 
     Args:
         func_ir: the function, as Numba has it before types are known.
-        only_while: whether no `for` counts, not even one with a loop inside.
+        foreign: whether it is a student's. Then a `for` with a loop inside counts too, and `asked_to_stop` gets the
+            lines of the loops; else it gets 0.
     """
     blocks = func_ir.blocks
     graph = analysis.compute_cfg_from_blocks(blocks)
@@ -63,7 +67,7 @@ def count_turns(func_ir: Any, only_while: bool) -> None:
     headers = [
         label
         for label, loop in loops.items()
-        if not _is_for(blocks[label]) or not (only_while or loop.body.isdisjoint(loops.keys() - {label}))
+        if not _is_for(blocks[label]) or (foreign and not loop.body.isdisjoint(loops.keys() - {label}))
     ]
     if not headers:
         return
@@ -72,8 +76,10 @@ def count_turns(func_ir: Any, only_while: bool) -> None:
     first.prepend(ir.Assign(ir.Const(0, func_ir.loc), turns, func_ir.loc))
     for label in headers:
         block, loc = blocks[label], blocks[label].loc
-        function = ir.Var(block.scope, ir_utils.mk_unique_var("$turn"), loc)
-        block.prepend(ir.Assign(ir.Expr.call(function, [turns], (), loc), turns, loc))
+        function, line = (ir.Var(block.scope, ir_utils.mk_unique_var(name), loc) for name in ("$turn", "$line"))
+        block.prepend(ir.Assign(ir.Expr.call(function, [turns, line], (), loc), turns, loc))
+        first_line = min(statement.loc.line for part in loops[label].body for statement in blocks[part].body)
+        block.prepend(ir.Assign(ir.Const(first_line if foreign else 0, loc), line, loc))
         block.prepend(ir.Assign(ir.Global("turn", turn, loc), function, loc))
     func_ir._definitions = ir_utils.build_definitions(blocks)
 

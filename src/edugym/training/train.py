@@ -125,7 +125,8 @@ def train(
         for doubt in training.doubts(n_steps, int(run.episodes.sum())):
             warnings.warn(doubt, stacklevel=2)
     if interrupted:
-        raise Interrupted(f"after {done} of {n_steps} steps; the agent keeps what it has learned", lambda: run)
+        where = f", in the long loop at line {work.loop}" if work.loop else ""
+        raise Interrupted(f"after {done} of {n_steps} steps{where}; the agent keeps what it has learned", lambda: run)
     return run
 
 
