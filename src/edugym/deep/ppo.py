@@ -130,11 +130,9 @@ class PPO(NamedTuple):
     def learn(self, net: "ActorCritic", optimizer: "Adam", learning_rate: float, data: list[Tensor]) -> None:
         """Take steps up the objective, from each action `epochs` times."""
         for _ in range(self.epochs):
-            order = torch.randperm(len(data[0]))
-            columns = (column.index_select(0, order).tensor_split(self.minibatches) for column in data)
-            for part in zip(*columns, strict=True):
-                gradient = self.gradient(net, *part)
-                gradient *= 0.5 / max(0.5, float(torch.linalg.vector_norm(gradient)))
+            for part in torch.randperm(len(data[0])).tensor_split(self.minibatches):
+                gradient = self.gradient(net, *(column.index_select(0, part) for column in data))
+                gradient *= 0.5 / max(0.5, float(torch.linalg.vector_norm(gradient)))  # its norm is 0.5 at most
                 optimizer.step(gradient, learning_rate)
 
     def gradient(
