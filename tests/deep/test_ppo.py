@@ -13,7 +13,7 @@ from torch.nn import functional
 
 from edugym import make_environment
 from edugym.deep import PPO
-from edugym.deep.ppo import ActorCritic, Gaussian, Network, Softmax, advantages_of, clipped_gain, normalised
+from edugym.deep.ppo import ActorCritic, Adam, Gaussian, Network, Softmax, advantages_of, clipped_gain, normalised
 from tests.agents.fourier import fourier
 
 
@@ -60,11 +60,13 @@ def test_a_network_by_hand() -> None:
     With W₂ = 2, W₃ = 3 and b₃ = 5, y = 5; it changes by W₃ = 3 with b₂, by W₃ W₂ = 6 with b₁, and not with the
     weights, whose inputs are 0. With x = 1 and W₁ = 0 it changes by 6 with W₁ as well.
     """
-    net = Network([torch.tensor(numbers) for numbers in ([[0.0]], [0.0], [[2.0]], [0.0], [[3.0]], [5.0])])
+    weights = [torch.tensor(numbers) for numbers in ([[0.0]], [0.0], [[2.0]], [0.0], [[3.0]], [5.0])]
+    net = Network(weights, [torch.empty_like(part) for part in weights])
     *inputs, y = net.outputs(torch.tensor([[0.0], [1.0]]))
     assert y.tolist() == [[5.0], [5.0]]
     by_hand = [[[6.0]], [12.0], [[0.0]], [6.0], [[0.0]], [2.0]]  # sums over both states
-    assert [part.tolist() for part in net.gradient(inputs, torch.ones(2, 1))] == by_hand
+    net.backward(inputs, torch.ones(2, 1))
+    assert [part.tolist() for part in net.by_weights] == by_hand
 
 
 def test_a_gaussian_by_hand() -> None:
@@ -83,6 +85,10 @@ def test_a_softmax_by_hand() -> None:
     policy, a = Softmax([p.log()]), torch.tensor([[0]])
     assert float(policy.log_prob(a)) == pytest.approx(np.log(0.25))
     assert policy.gradient(a, torch.tensor([10.0]), 0.0)[0].tolist() == [pytest.approx([7.5, -7.5])]
+    torch.manual_seed(0)
+    drawn = Softmax([p.log().expand(10_000, 2)]).sample()
+    assert drawn.shape == (10_000, 1)
+    assert float(drawn.double().mean()) == pytest.approx(0.75, abs=0.02)
     entropy = -0.25 * np.log(0.25) - 0.75 * np.log(0.75)
     by_y = [-0.25 * (np.log(0.25) + entropy), -0.75 * (np.log(0.75) + entropy)]
     assert policy.gradient(a, torch.tensor([0.0]), 2.0)[0].tolist() == [pytest.approx([2 * by_y[0], 2 * by_y[1]])]
@@ -120,10 +126,7 @@ def test_the_gradient_is_that_of_the_objective(actions: spaces.Space[Any], bonus
     torch.manual_seed(1)
     ppo = PPO.create("Catch", entropy_bonus=bonus)
     net = ActorCritic(spaces.Box(-1.0, 1.0, (5,), np.float64), actions, 7)
-    for name in ("actor", "critic"):
-        parts = [torch.randn(part.shape, dtype=torch.float64) for part in getattr(net, name).weights]
-        setattr(net, name, Network(parts))
-    net.log_std = net.log_std.double()
+    net.hold(torch.randn(len(net.weights), dtype=torch.float64))
     x = torch.randn(200, 5, dtype=torch.float64)
     policy = net.policy(net.actor(x))
     action = policy.sample()
@@ -148,6 +151,21 @@ def test_weights_are_one_vector() -> None:
     net.weights.zero_()
     learned = [*net.actor.weights, *net.critic.weights, net.log_std]
     assert all(not part.any() for part in learned)
+    net.gradient.fill_(1.0)
+    assert all(part.all() for part in (*net.actor.by_weights, *net.critic.by_weights, net.by_log_std))
+
+
+def test_adam_is_that_of_torch() -> None:
+    """Steps uphill at a falling rate, to the same bits."""
+    torch.manual_seed(0)
+    weights = torch.randn(100)
+    ours, theirs = Adam.create(weights.clone()), torch.optim.Adam([weights], eps=1e-5, fused=True, maximize=True)
+    for t in range(20):
+        rate, weights.grad = 0.1 / (t + 1), torch.randn(100)
+        ours.step(weights.grad, rate)
+        theirs.param_groups[0]["lr"] = rate
+        theirs.step()
+    assert torch.equal(ours.weights, weights)
 
 
 def test_what_it_sees() -> None:

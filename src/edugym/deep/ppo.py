@@ -9,6 +9,7 @@ import torch
 from gymnasium import spaces
 from torch import Tensor, nn
 from torch.nn import functional
+from torch.optim.adam import adam
 from torch.random import fork_rng
 
 from edugym.agents.settings import Discount, LearningRate, Probability, Range, new, shows_settings
@@ -92,16 +93,15 @@ class PPO(NamedTuple):
             torch.manual_seed(seed)
             env = copies(self.environment, self.num_envs, self.parameters)
             net = ActorCritic(env.single_observation_space, env.single_action_space, self.hidden)
-            optimizer = torch.optim.Adam([net.weights], self.learning_rate, eps=1e-5, fused=True)
+            optimizer = Adam.create(net.weights)
             every = max(1, n_steps // 10) if evaluate_every is None else evaluate_every
             curve = Curve(self.environment, self.parameters, lambda: net.greedy, every, evaluation_episodes, seed)
             curve.measure(0)
             observations, _ = env.reset(seed=seed)
             for update in range(updates):
-                optimizer.param_groups[0]["lr"] = self.learning_rate * (1 - update / updates)
                 done = update * self.num_envs * self.length
                 data, observations = self.play(env, net, observations, curve, done)
-                self.learn(net, optimizer, data)
+                self.learn(net, optimizer, self.learning_rate * (1 - update / updates), data)
             return curve.run(net, updates * self.num_envs * self.length, seed)
 
     def play(self, env: Any, net: "ActorCritic", observations: Any, curve: Curve, done: int) -> Any:
@@ -127,15 +127,13 @@ class PPO(NamedTuple):
         log_prob, G = net.policy(y).log_prob(action), advantages + V[:-1]
         return [x, action, log_prob, advantages.ravel(), G.ravel()], observations
 
-    def learn(self, net: "ActorCritic", optimizer: Any, data: list[Tensor]) -> None:
+    def learn(self, net: "ActorCritic", optimizer: "Adam", learning_rate: float, data: list[Tensor]) -> None:
         """Take steps up the objective, from each action `epochs` times."""
         for _ in range(self.epochs):
-            order = torch.randperm(len(data[0]))
-            columns = (column.index_select(0, order).tensor_split(self.minibatches) for column in data)
-            for part in zip(*columns, strict=True):
-                gradient = self.gradient(net, *part)
-                net.weights.grad = -gradient * (0.5 / gradient.norm()).clamp(max=1)  # Adam goes downhill
-                optimizer.step()
+            for part in torch.randperm(len(data[0])).tensor_split(self.minibatches):
+                gradient = self.gradient(net, *(column.index_select(0, part) for column in data))
+                gradient *= 0.5 / max(0.5, float(torch.linalg.vector_norm(gradient)))  # its norm is 0.5 at most
+                optimizer.step(gradient, learning_rate)
 
     def gradient(
         self, net: "ActorCritic", x: Tensor, action: Tensor, old_log_prob: Tensor, advantage: Tensor, G: Tensor
@@ -147,10 +145,12 @@ class PPO(NamedTuple):
         gain = ratio * advantage  # its derivative by log π is the same number, ratio · Â
         slope = gain * (gain == clipped_gain(ratio, advantage, self.clip))  # but 0 where the ratio is cut off
         by_y, *by_log_std = policy.gradient(action, slope, self.entropy_bonus)
-        by_actor = net.actor.gradient(inputs, by_y)
+        net.actor.backward(inputs, by_y)
         *inputs, V = net.critic.outputs(x)
-        by_critic = net.critic.gradient(inputs, G[:, None] - V)
-        return torch.cat([part.ravel() for part in (*by_actor, *by_critic, *by_log_std)]) / len(x)
+        net.critic.backward(inputs, G[:, None] - V)
+        for part in by_log_std:  # where actions are real numbers
+            net.by_log_std.copy_(part)
+        return net.gradient.div_(len(x))
 
     @classmethod
     def create(cls, environment: Any, parameters: Mapping[str, Any] | None = None, **settings: Any) -> "PPO":
@@ -193,6 +193,26 @@ def normalised(x: Tensor) -> Tensor:
     return functional.layer_norm(x, x.shape, eps=1e-12)
 
 
+class Adam(NamedTuple):
+    """The function behind `torch.optim.Adam`, whose own bookkeeping takes longer than the step itself."""
+
+    weights: Tensor
+    mean: Tensor  # of the gradients so far
+    mean_square: Tensor
+    n_steps: Tensor
+
+    def step(self, gradient: Tensor, learning_rate: float) -> None:
+        """Take a step uphill."""
+        past: Any = [self.mean], [self.mean_square], [], [self.n_steps]
+        plain: Any = {"weight_decay": 0.0, "amsgrad": False, "maximize": True, "fused": True}
+        adam([self.weights], [gradient], *past, lr=learning_rate, beta1=0.9, beta2=0.999, eps=1e-5, **plain)
+
+    @classmethod
+    def create(cls, weights: Tensor) -> "Adam":
+        """For these weights, before the first step."""
+        return cls(weights, torch.zeros_like(weights), torch.zeros_like(weights), torch.tensor(0.0))
+
+
 class ActorCritic:
     """A policy and a value function: two networks with two hidden layers each.
 
@@ -201,6 +221,8 @@ class ActorCritic:
         critic: gives V.
         log_std: log σ of each real action.
         weights: all numbers that are learned, in one vector; the others are views of it.
+        gradient: the derivatives of an objective by them, in the same order.
+        by_log_std: those by `log_std`.
     """
 
     def __init__(self, observations: spaces.Space[Any], actions: spaces.Space[Any], hidden: int) -> None:
@@ -214,19 +236,25 @@ class ActorCritic:
             self.sizes, n_reals = [actions.shape[0]], actions.shape[0]
         elif isinstance(actions, spaces.Discrete | spaces.MultiDiscrete):
             self.sizes, n_reals = list(table_sizes(actions)), 0
+            self.lows = np.array(table_lows(actions))
         else:
             raise ValueError(f"PPO needs actions that are whole numbers or vectors, but the action space is {actions}")
         n_inputs = vector_length(observations)
         actor = layers(n_inputs, hidden, hidden, sum(self.sizes), last=0.01)
         critic = layers(n_inputs, hidden, hidden, 1, last=1.0)
         learned = [*actor, *critic, torch.full((n_reals,), -0.5)]
-        self.weights = torch.cat([part.ravel() for part in learned])
-        views = self.weights.split_with_sizes([part.numel() for part in learned])
-        learned = [view.view(part.shape) for view, part in zip(views, learned, strict=True)]
-        self.actor, self.critic, self.log_std = Network(learned[:6]), Network(learned[6:12]), learned[12]
+        self.shapes = [part.shape for part in learned]
+        self.hold(torch.cat([part.ravel() for part in learned]))
         if isinstance(observations, spaces.Box):
             scale = input_scale(observations.low.ravel(), observations.high.ravel())
             self.scale = torch.as_tensor(scale, dtype=torch.float32)
+
+    def hold(self, weights: Tensor) -> None:
+        """Learn these numbers: the networks are made of views of them."""
+        self.weights, self.gradient = weights, torch.zeros_like(weights)
+        w, by_w = parts_of(self.weights, self.shapes), parts_of(self.gradient, self.shapes)
+        self.actor, self.critic = Network(w[:6], by_w[:6]), Network(w[6:12], by_w[6:12])
+        self.log_std, self.by_log_std = w[12], by_w[12]
 
     def numbers(self, observations: Any) -> Tensor:
         """Observations as vectors, shape (n, n_inputs): numbers over the largest allowed, or ones and zeros."""
@@ -247,7 +275,7 @@ class ActorCritic:
         """Actions as the environment takes them."""
         if isinstance(self.actions, spaces.Box):
             return np.clip(actions.numpy(), self.actions.low, self.actions.high)
-        whole = actions.numpy() + np.array(table_lows(self.actions))
+        whole = actions.numpy() + self.lows
         return whole[:, 0] if isinstance(self.actions, spaces.Discrete) else whole
 
     def greedy(self, observations: Any, first: Any = None) -> Any:
@@ -259,6 +287,7 @@ class Network(NamedTuple):
     """Layers with tanh between them: y = W₃h₂ + b₃, h₂ = tanh(W₂h₁ + b₂), h₁ = tanh(W₁x + b₁)."""
 
     weights: list[Tensor]  # W₁, b₁, W₂, b₂, W₃, b₃
+    by_weights: list[Tensor]  # derivatives by them
 
     def __call__(self, x: Tensor) -> Tensor:
         """y, shape (n, n_outputs), for x of shape (n, n_inputs)."""
@@ -271,19 +300,18 @@ class Network(NamedTuple):
         h2 = functional.linear(h1, W2, b2).tanh_()
         return [x, h1, h2, (W3 @ h2.T).T + b3]
 
-    def gradient(self, inputs: list[Tensor], d: Tensor) -> list[Tensor]:
-        """The derivatives by W₁, b₁, W₂ and so on of any sum over states.
+    def backward(self, inputs: list[Tensor], d: Tensor) -> None:
+        """Find the derivatives of any sum over states by W₁, b₁, W₂ and so on.
 
         Args:
             inputs: x, h₁ and h₂, the inputs of the layers.
             d: the derivatives of the sum by y, shape (n, n_outputs); on the way back, by what goes into each tanh.
         """
-        found: list[Tensor] = []
         for k in (2, 1, 0):
-            found = [d.T @ inputs[k], d.sum(0), *found]
+            torch.mm(d.T, inputs[k], out=self.by_weights[2 * k])
+            torch.sum(d, 0, out=self.by_weights[2 * k + 1])
             if k > 0:
                 d = torch.ops.aten.tanh_backward(d @ self.weights[2 * k], inputs[k])  # times tanh' = 1 - h²
-        return found
 
 
 class Gaussian(NamedTuple):
@@ -319,8 +347,9 @@ class Softmax(NamedTuple):
     log_p: list[Tensor]  # for each of them, shape (n, n_values)
 
     def sample(self) -> Tensor:
-        """As of `Gaussian`."""
-        return torch.cat([torch.multinomial(log_p.exp(), 1) for log_p in self.log_p], -1)
+        """As of `Gaussian`. Of waiting times E/p, E exponential, each is the shortest with its probability p."""
+        draws = [log_p.exp() / torch.empty_like(log_p).exponential_() for log_p in self.log_p]
+        return torch.stack([draw.argmax(-1) for draw in draws], -1)
 
     def log_prob(self, actions: Tensor) -> Tensor:
         """As of `Gaussian`."""
@@ -342,6 +371,12 @@ class Softmax(NamedTuple):
     def mode(self) -> Tensor:
         """As of `Gaussian`."""
         return torch.stack([log_p.argmax(-1) for log_p in self.log_p], -1)
+
+
+def parts_of(vector: Tensor, shapes: list[torch.Size]) -> list[Tensor]:
+    """Views of a vector, one after the other."""
+    views = vector.split_with_sizes([shape.numel() for shape in shapes])
+    return [view.view(shape) for view, shape in zip(views, shapes, strict=True)]
 
 
 def layers(*sizes: int, last: float) -> list[Tensor]:
