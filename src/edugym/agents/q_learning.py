@@ -29,7 +29,7 @@ class QLearning(NamedTuple):
     exploration: Exploration = EpsilonGreedy(0.1)
 
     def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool) -> None:
-        """Move Q(S, A) towards the reward plus γ times the highest value in the next state (0 if it is terminal)."""
+        """Move Q(S, A) towards the reward plus γ times the highest value in S'. A terminal S' has the value 0."""
         target = one_step_target(reward, self.discount, best_value(self.Q, next_state), terminated)
         self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
 
@@ -43,7 +43,7 @@ class QLearning(NamedTuple):
 
     @classmethod
     def create(cls, environment: Any, **settings: Any) -> "QLearning":
-        """Create an agent with new tables for an MDP, a Gymnasium environment, or a shape (n_states, n_actions) of Q.
+        """Create an agent with a new Q. `environment` is an MDP, a Gymnasium environment, or (n_states, n_actions).
 
         The settings are the fields that have a default, and `initial_value`: the first value of every entry of Q, 0 by
         default.

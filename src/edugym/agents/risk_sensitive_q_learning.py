@@ -59,7 +59,7 @@ class RiskSensitiveQLearning(NamedTuple):
 
     @classmethod
     def create(cls, environment: Any, **settings: Any) -> "RiskSensitiveQLearning":
-        """Create an agent with new tables for an MDP, a Gymnasium environment, or a shape (n_states, n_actions) of Q.
+        """Create an agent with a new Q. `environment` is an MDP, a Gymnasium environment, or (n_states, n_actions).
 
         The settings are the fields that have a default, and `initial_value`: the first value of every entry of Q, 0 by
         default.

@@ -12,7 +12,7 @@ from edugym.rendering.palette import CRACK, GRASS, SKY, STONE, WALL
 from edugym.rendering.scene import Circle, Line, Rectangle, Scene, Shape, Text
 
 MOST_LEVELS, MOST_SHOWN = 12, 40
-"""The picture shows at most so many levels of a wall, and so many grips at each."""
+"""The picture shows at most `MOST_LEVELS` levels of a wall, and at most `MOST_SHOWN` grips at each level."""
 HIGHEST, MOST_GRIPS = 1_000_000, 1_000
 
 
@@ -35,8 +35,8 @@ class Boulder(NamedTuple):
     ## State
     The position. Strictly, the number of steps in this episode is part of the state too, because of the step limit.
     The Gymnasium environment counts these steps, but the agent does not observe the count. Near the limit the position
-    alone is therefore not Markov. (A step limit *truncates* an episode: it stops it in a state that is not terminal. An
-    agent that still uses the value of this state, as Q-learning does, learns correctly.)
+    alone is therefore not Markov. (A step limit *truncates* an episode: the episode stops in a state that is not
+    terminal. An agent that still uses the value of this state, as Q-learning does, learns correctly.)
 
     ## Dynamics
     The grip that holds moves the climber up by one. Any other sends it to the ground, without ending the episode.
@@ -52,8 +52,8 @@ class Boulder(NamedTuple):
     Terminated at the top; truncated after `max_steps` steps.
 
     ## Parameters
-    - `height` (10): H, the height of the wall. To reach the top, the climber must choose the right grip H times
-      without a mistake; from 1 to one million.
+    - `height` (10): H, the height of the wall, from 1 to one million. To reach the top, the climber must choose the
+      right grip H times without a mistake.
     - `n_grips` (2): N, how many grips there are at every height; from 2 to 1000.
     - `max_steps` (10 * height): the number of steps after which an episode is truncated; 1 or more.
     - `layout_seed` (0): the seed from which the right grips are drawn, uniformly; 0 or more.
@@ -68,10 +68,12 @@ class Boulder(NamedTuple):
       observes it when the episode ends.
 
     ## Algorithms
-    The paper compares Q-learning with ε-greedy, Q-learning with a count-based intrinsic reward, and Go-Explore.
+    The paper compares three agents: ε-greedy Q-learning, Q-learning with a count-based intrinsic reward, and
+    Go-Explore.
 
     ## References
-    Moerland et al. (2023), EduGym, section 4 a and appendix A.1; the chain of Strens (2000).
+    Moerland et al. (2023), EduGym, section 4(a) and appendix A.1. Boulder is based on the chain problem of
+    Strens (2000).
     """
 
     height: int

@@ -1,8 +1,9 @@
 """The interfaces of MDPs and agents.
 
 An MDP is immutable. The fields of an agent are fixed too, but `act` and `learn` may change the numbers in its arrays.
-You do not inherit from these protocols: every `typing.NamedTuple` with the right methods is an MDP or an agent, also in
-a notebook cell (README shows one of each). The protocols are there for type checkers and readers.
+You do not inherit from these protocols: every `typing.NamedTuple` with the right methods is an MDP or an agent. You may
+define it in a notebook cell. The README shows an MDP and an agent. The protocols are there for type checkers and
+readers.
 """
 
 import inspect
@@ -28,19 +29,19 @@ class MDP(Protocol[State, Observation_co]):
     """A Markov decision process (S, A, p, r), and what the agent observes in each state.
 
     If the observation does not determine the state, the problem is partially observable (a POMDP). Actions are usually
-    the numbers 0, 1, 2 and so on. A method may draw from `rng`, the only source of randomness, but must not change
-    anything else, `state` included (`observe_into` writes into `out`). The discount belongs to the agent.
+    the numbers 0, 1, 2 and so on. Methods take all random numbers from `rng`. They change nothing else, not even
+    `state`. The discount belongs to the agent.
 
     An MDP may also have
 
-    * `max_steps`: the step limit; without it (and without a `max_steps` for `train`), a training episode ends only in a
-      terminal state, and an evaluation episode after 1000 steps at the latest;
+    * `max_steps`: the step limit. If neither the MDP nor the call of `train` has one, a training episode ends only in a
+      terminal state. An evaluation episode then ends after at most 1000 steps;
     * `reward_threshold`: the mean return at which the task counts as solved, or None where it is not known;
     * `action_names`: the names of the actions 0, 1, ..., or a dictionary from names to actions;
     * `scene(state, ...)`: its picture (see `edugym.rendering`);
     * `info(state, ...)`: a dictionary with extra information for plots; agents must not use it;
-    * `observe_into(state, rng, out)`: for observations that are arrays, write into `out` what `observation` returns;
-      the vector environment then writes all observations into one array;
+    * `observe_into(state, rng, out)`: writes the observation into the array `out` and returns nothing. Define it if
+      observations are arrays. An environment that steps many copies then stores all observations in one array;
     * `create(**parameters)`, a class method: check the parameters, draw the layout and return the MDP.
 
     `scene` and `info` may also have the parameters `last_state`, `last_action`, `actions` (the list of all actions of
@@ -79,8 +80,8 @@ class Actor(Protocol[Observation_contra]):
         """Choose an action. `state` is the observation, which the agent treats as the state.
 
         If the observation has several whole numbers, EduGym turns them into a single one, the number of a row in the
-        agent's table. An agent with the attribute `tabular = False` gets the observation as it is. If it also has an
-        attribute `n_inputs`, it gets one flat vector.
+        agent's table. An agent with `tabular = False` and no `n_inputs` gets the observation unchanged. An agent with
+        `tabular = False` and `n_inputs` gets it as one flat vector.
         """
 
 
@@ -100,9 +101,9 @@ class Agent(Actor[Observation_contra], Protocol[Observation_contra]):
 
     * `greedy(state, rng)` returns the greedy action, for evaluation. Without it, `act` is used.
     * `forget_episode()` is for an agent that remembers earlier steps of this episode, for example in eligibility
-      traces. `train` calls it once, before the first step: an earlier run may have been stopped within an episode. When
-      an episode ends, `learn` sees it from `terminated` or `truncated`. If your own loop leaves an episode before its
-      end, call it.
+      traces. `train` calls `forget_episode` once, before the first step, because an earlier run may have stopped within
+      an episode. It does not call it at the end of an episode: there `learn` gets `terminated` or `truncated`. If your
+      own loop leaves an episode early, call `forget_episode` yourself.
     """
 
     @property
@@ -123,7 +124,9 @@ def step_limit(mdp: MDP[Any, Any]) -> int | None:
     try:
         limit = any_mdp.max_steps
     except AttributeError:
-        if _defines(mdp, "max_steps"):  # there is a `max_steps`, but its code is wrong: that is not "no limit"
+        if _defines(
+            mdp, "max_steps"
+        ):  # the property itself raises AttributeError: report it, do not take it as "no limit"
             raise
         return None
     if limit is None:
@@ -139,7 +142,9 @@ def _defines(mdp: Any, name: str) -> bool:
 
 
 def coerced(value: Any) -> Any:
-    """A copy of an MDP or agent in which every `float` field holds a Python float and every `int` field a Python int.
+    """A copy of a NamedTuple in which numbers in `float` fields are Python floats.
+
+    NumPy's whole numbers in `int` fields become Python's. Any other value is returned unchanged.
 
     Without this, Numba would compile an agent once for `learning_rate=1` and again for `learning_rate=0.1`. Small
     integer types of NumPy, such as int8, could overflow. The copy holds the same arrays as the original.
@@ -151,7 +156,9 @@ def coerced(value: Any) -> Any:
         kinds |= inspect.get_annotations(base)
     fields = {}
     for name, field in zip(value._fields, value, strict=True):
-        kind = getattr(kinds.get(name), "__forward_arg__", kinds.get(name))  # a string annotation
+        kind = getattr(
+            kinds.get(name), "__forward_arg__", kinds.get(name)
+        )  # where it was written as a string, the string
         kind = getattr(kind, "__origin__", kind)  # Annotated[float, ...] becomes float
         if kind in (float, "float") and isinstance(field, int | np.number):
             fields[name] = float(field)
@@ -181,7 +188,8 @@ def named_actions(mdp: MDP[Any, Any]) -> dict[str, Any]:
 def writes_in_place(mdp: Any) -> bool:
     """Whether `observe_into` may be used in place of `observation`.
 
-    It may not if a subclass overrides only `observation`: the `observe_into` that it inherits shows something else.
+    If a subclass overrides only `observation`, the answer is no: the inherited `observe_into` would still write the old
+    observation.
     """
     observers = {"observation", "observe_into"}
     return "observe_into" in next((vars(kind) for kind in type(mdp).__mro__ if observers & vars(kind).keys()), {})

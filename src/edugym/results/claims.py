@@ -1,13 +1,14 @@
 """Claims: statements about an experiment, each with its measurement and whether it holds.
 
-Before the experiment, a claim states a range. It holds only if the whole confidence interval lies in this range; the
-estimate alone is not enough. "The method solves the task" means that it does so in more than half of its runs: the
-whole interval of this share lies above one half, `Above(0.5)`. "It does not solve the task" means that the interval
-lies below one half. If the interval contains one half, the data cannot decide, and neither claim holds.
+We choose the range of a claim before we run the experiment. The claim holds only if the whole confidence interval lies
+in this range; the estimate alone is not enough. "The method solves the task" means that the share of runs that solve it
+is above one half: the whole interval of this share must lie above 0.5, `Above(0.5)`. "It does not solve the task" means
+that the whole interval lies below 0.5. If the interval contains 0.5, the data cannot decide, and neither claim holds.
 
-A claim that a measured number *equals* a predicted one allows a margin: the whole interval lies between two bounds on
-both sides of the prediction, `Within(low, high)`. (This is an equivalence test. It is not enough that the interval
-contains the prediction: with little data the interval is so wide that it contains almost any number.)
+Some claims say that a measured number *equals* a prediction. They allow a margin: one bound below the prediction and
+one above. The whole interval must lie between these bounds: `Within(low, high)`. (This is an equivalence test. It is
+not enough that the interval contains the prediction: with little data the interval is so wide that it contains almost
+any number.)
 """
 
 from typing import NamedTuple, TypeAlias

@@ -59,10 +59,10 @@ def train(
 ) -> Run:
     """Train `agent` in `environment` for `n_steps` steps and measure its learning curve.
 
-    Long training in an MDP or in an EduGym environment is compiled to machine code (the loops are in
-    `edugym.training.loops`). All other training runs in a plain Python loop (in `edugym.training.gymnasium_loops`):
-    in other Gymnasium environments, in EduGym environments inside a wrapper of yours, and in Supermarket with a
-    `step_timeout`.
+    In an MDP or an EduGym environment, training uses the loops of `edugym.training.loops`. From 5000 steps on they are
+    compiled to machine code, if possible. In three cases training uses `edugym.training.gymnasium_loops`, in plain
+    Python: another Gymnasium environment, an EduGym environment inside a wrapper, and Supermarket with a
+    `step_timeout`, because its `step` waits.
 
     Ctrl-C ends the run within a fifth of a second. The agent keeps what it has learned, and `train` raises
     `Interrupted`. Its attribute `partial` holds the `Run` so far. In a notebook or at the prompt, read it as
@@ -73,19 +73,22 @@ def train(
         agent: an agent for it; its tables are changed in place.
         n_steps: the number of training steps, 1 or more.
         max_steps: the step at which an episode is truncated; by default the environment's own limit, if it has one. In
-            machine code it replaces that limit. In the plain loop both hold, and the smaller one ends the episode.
+            an MDP or an EduGym environment, it replaces that limit. In the three cases above both limits hold, and the
+            lower one ends the episode.
         evaluate_every: the steps between two points of the curve; by default `n_steps // 100`, at least 1.
         evaluation_episodes: the number of episodes that each point averages. The agent plays them with `greedy`. If it
-            has no `greedy`, a copy of it plays with `act`, and so explores. They use random streams of their own, so
-            evaluating changes nothing in the training. Without a step limit they end after 1000 steps at the latest.
+            has no `greedy`, a copy of it plays with `act`, and so explores. The evaluation episodes have their own
+            random streams, so evaluation does not change training. If there is no step limit, an evaluation episode
+            ends after at most 1000 steps.
         seed: the seed of all random streams. If you create the agent anew and use the same seed, you get the same curve
             and the same tables, bit for bit.
         progress: whether to show a progress bar.
-        stop: a `threading.Event`. When it is set, `train` stops and returns the `Run` so far, with `complete=False`.
+        stop: a `threading.Event`. When it is set, `train` stops early and returns the `Run` so far. Its `complete` is
+            then False, unless the last point was being measured already.
 
     Warns:
-        UserWarning: no episode of your environment has ended, a table of your agent holds NaN, or your agents share a
-            table.
+        UserWarning: no episode of your environment has ended, a table of your agent holds NaN, or training has
+            changed a table of your agent's class, which all agents of this class share.
 
     Raises:
         ValueError: a parameter is not as above, or the observations or actions do not fit a table.
@@ -150,7 +153,7 @@ class _Curve:
         return self._points[-1][0] if self._points else -1
 
     def measure(self, steps: int, training: Trainer, n_episodes: int, stopped: Callable[[], bool]) -> None:
-        """Play the evaluation episodes, and add a point to the curve; add none if the run is stopped meanwhile."""
+        """Add a point to the curve, if the run is not stopped before all evaluation episodes are played."""
         returns = training.play_episodes(n_episodes)
         while len(returns) < n_episodes:
             if stopped():
