@@ -31,7 +31,7 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 def pytest_collection_finish(session: pytest.Session) -> None:
-    """Look for garbage less often, and not among what was imported: compiling makes so much that this took a tenth of the time."""
+    """Look for garbage less often, and not among imports: while Numba compiles, a tenth of the time went into it."""
     gc.collect()
     gc.freeze()
     gc.set_threshold(10_000, 10, 10)
