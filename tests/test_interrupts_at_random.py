@@ -81,4 +81,4 @@ def test_ctrl_c_ends_the_work(kind: str, seed: int, tmp_path: Path) -> None:
             child.kill()
     assert child.returncode in (1, 130, -signal.SIGINT), said
     last = said.splitlines()[-1]
-    assert last.startswith(("KeyboardInterrupt", "edugym.interrupts.Interrupted: ", "edugym: interrupted;")), said
+    assert last.startswith(("KeyboardInterrupt", "edugym.interrupts.Interrupted: ", "edugym: interrupted")), said
