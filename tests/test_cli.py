@@ -16,6 +16,7 @@ import pandas as pd
 import pytest
 from typer.testing import CliRunner, Result
 
+from edugym import commands
 from edugym.commands import app
 from edugym.plotting import Lines, Sheet
 from edugym.plotting.report import Report
@@ -237,6 +238,20 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 from edugym.cli import main
 main()
 """
+
+
+def test_ctrl_c_before_the_experiments(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    """Typer alone would end with the status and no word."""
+
+    def press() -> list[str]:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("edugym.commands.lesson_names", press)
+    monkeypatch.setattr(sys, "argv", ["edugym", "reproduce"])
+    monkeypatch.setattr(os, "_exit", sys.exit)
+    with pytest.raises(SystemExit, match="130"):
+        commands.run()
+    assert capsys.readouterr().err == "edugym: interrupted\n"
 
 
 def test_ctrl_c_while_it_starts() -> None:

@@ -62,7 +62,7 @@ main()
 @pytest.mark.parametrize("kind", WORK)
 def test_ctrl_c_ends_the_work(kind: str, seed: int, tmp_path: Path) -> None:
     """Whether it imports, compiles, trains or saves, the process ends and does not crash; some have a cold cache."""
-    moment = np.random.default_rng([seed, list(WORK).index(kind)]).uniform(0, 5)
+    moment = np.random.default_rng([seed, list(WORK).index(kind)]).uniform(0, 3)
     environment = os.environ | ({"EDUGYM_CACHE_DIR": str(tmp_path / "cache")} if seed == 0 else {})
     with subprocess.Popen(
         [sys.executable, "-c", START + WORK[kind], str(tmp_path)],
@@ -81,4 +81,4 @@ def test_ctrl_c_ends_the_work(kind: str, seed: int, tmp_path: Path) -> None:
             child.kill()
     assert child.returncode in (1, 130, -signal.SIGINT), said
     last = said.splitlines()[-1]
-    assert last.startswith(("KeyboardInterrupt", "edugym.interrupts.Interrupted: ", "edugym: interrupted;")), said
+    assert last.startswith(("KeyboardInterrupt", "edugym.interrupts.Interrupted: ", "edugym: interrupted")), said

@@ -302,6 +302,8 @@ def run() -> None:
                 sys.stdout.flush()  # here, where an error can still be reported
     except SystemExit as end:
         if end.code == INTERRUPTED:
+            if isinstance(getattr(end.__context__, "__cause__", None), KeyboardInterrupt):  # Typer makes no word of it
+                print("edugym: interrupted", file=sys.stderr, flush=True)
             os._exit(INTERRUPTED)  # at once: the compiler may still be busy in a thread, which Python would wait for
         raise
     except DependencyNotInstalled as missing:

@@ -1,14 +1,15 @@
 """The teachers' edition in nbgrader itself: it is handed out, comes back, and is graded."""
 
-import ast
 import csv
+import dis
 import importlib.util
 import os
+import shutil
 import subprocess
 import sys
-from collections.abc import Iterable
 from copy import deepcopy
 from pathlib import Path
+from types import CodeType
 
 import build
 import nbformat
@@ -19,7 +20,7 @@ from rules import is_check, is_code, is_exercise, without_marks
 from tests.lab.browser import CHROMIUM, DRIVER
 from tests.lessons.answers import is_imports
 
-ASSIGNMENT = "lesson"
+LESSONS = sorted((build.ROOT / "lessons").glob("[0-9][0-9]_*.py"))
 BROWSER = CHROMIUM and DRIVER and importlib.util.find_spec("selenium")
 """Whether all cells run in a browser, in another test: then those that no grade depends on do not run here again."""
 
@@ -34,64 +35,110 @@ def nbgrader(course: Path, *arguments: str) -> None:
 
 
 def submit(course: Path, student: str, notebook: NotebookNode, name: str) -> None:
-    """Hand in what a student has made of the notebook."""
-    folder = course / "submitted" / student / ASSIGNMENT
+    """Hand in what a student has made of a lesson."""
+    folder = course / "submitted" / student / name
     folder.mkdir(parents=True)
-    nbformat.write(notebook, folder / name)
+    nbformat.write(notebook, folder / f"{name}.ipynb")
 
 
-def without_demonstrations(notebook: NotebookNode, solutions: Iterable[str]) -> NotebookNode:
-    """Return a notebook with nothing but imports, exercises, their checks, and what these or their solutions use.
+def without_demonstrations(notebook: NotebookNode, runs: dict[str, str]) -> NotebookNode:
+    """Return a notebook with nothing but imports, exercises, their checks, and what these use, directly or not.
 
     Other cells of code are empty.
+
+    Args:
+        notebook: the notebook.
+        runs: the code that runs in exercises and checks, by the ids of their cells.
     """
     short = deepcopy(notebook)
-    cells = list(filter(is_code, short.cells))
-    wanted = {name for code in solutions for name in names(code)[0]}
-    for cell in reversed(cells):
-        used, given = names(cell.source)
-        if "nbgrader" in cell.metadata or is_imports(cell) or given & wanted:
-            wanted |= used
+    wanted: set[str] = set()
+    for cell in reversed(list(filter(is_code, short.cells))):
+        used, given = names(runs.get(cell.id, cell.source))
+        if cell.id in runs or is_imports(cell) or given & wanted:
+            wanted = (wanted - given) | used
         else:
             cell.source = ""
     return short
 
 
-def names(code: str) -> tuple[set[str], set[str]]:
-    """Return the names that code uses, and those that it gives a value."""
-    nodes = [node for node in ast.walk(ast.parse(code)) if isinstance(node, ast.Name)]
-    used = {node.id for node in nodes if isinstance(node.ctx, ast.Load)}
-    defined = {node.name for node in ast.walk(ast.parse(code)) if isinstance(node, ast.ClassDef | ast.FunctionDef)}
-    return used, {node.id for node in nodes if isinstance(node.ctx, ast.Store)} | defined
+def names(code: str | CodeType) -> tuple[set[str], set[str]]:
+    """Return the names that code needs from the cells above it, and those that it gives a value.
+
+    What it first gives a value itself it does not need: the name of a loop, say.
+    """
+    used: set[str] = set()
+    given: set[str] = set()
+    for step in dis.get_instructions(compile(code, "cell", "exec") if isinstance(code, str) else code):
+        if step.opname == "STORE_NAME":
+            given.add(step.argval)
+        elif step.opname in ("LOAD_NAME", "LOAD_GLOBAL", "LOAD_FROM_DICT_OR_GLOBALS"):
+            used |= {step.argval} - given
+        elif isinstance(step.argval, CodeType):  # of a function, a class or a comprehension
+            used |= names(step.argval)[0] - given
+    return used, given
+
+
+@pytest.mark.parametrize(
+    ("code", "used", "given"),
+    [
+        ("for x in a: b(x)", {"a", "b"}, {"x"}),
+        ("x = x + 1", {"x"}, {"x"}),
+        ("x += 1", {"x"}, {"x"}),
+        ("import m.n\nm.n.f(*[y for y in m.a])", set(), {"m"}),
+        ("def f(y, z=a):\n    return [y + b + k for k in z]", {"a", "b"}, {"f"}),
+        ("class C(D):\n    x: int = 1\n    y = x + a\n    def f(self): return b", {"D", "int", "a", "b"}, {"C"}),
+    ],
+)
+def test_names(code: str, used: set[str], given: set[str]) -> None:
+    """Those of loops, arguments and comprehensions come from no other cell."""
+    found, gives = names(code)
+    assert found - {"__name__", "__annotations__"} == used
+    assert gives == given
+
+
+@pytest.fixture(scope="module")
+def course(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A course with all lessons, ready to be handed out."""
+    folder = tmp_path_factory.mktemp("course")
+    for path in LESSONS:
+        source = folder / "source" / path.stem / f"{path.stem}.ipynb"
+        source.parent.mkdir(parents=True)
+        nbformat.write(build.teacher_edition(build.read_lesson(path)), source)
+    nbgrader(folder, "generate_assignment", "*")
+    return folder
 
 
 @pytest.mark.slow
 @pytest.mark.skipif(importlib.util.find_spec("nbgrader") is None, reason="nbgrader is not installed")
-@pytest.mark.parametrize("path", sorted((build.ROOT / "lessons").glob("[0-9][0-9]_*.py")), ids=lambda path: path.stem)
-def test_solutions_get_full_marks_and_blanks_none(path: Path, tmp_path: Path) -> None:
+@pytest.mark.parametrize("path", LESSONS, ids=lambda path: path.stem)
+def test_solutions_get_full_marks_and_blanks_none(path: Path, course: Path, tmp_path: Path) -> None:
     """What is handed out has no solution; each student fills in the cells that are theirs and no others."""
-    lesson = build.read_lesson(path)
-    source = tmp_path / "source" / ASSIGNMENT / f"{path.stem}.ipynb"
-    source.parent.mkdir(parents=True)
-    nbformat.write(build.teacher_edition(lesson), source)
-    nbgrader(tmp_path, "generate_assignment", ASSIGNMENT)
-
-    released = nbformat.read(tmp_path / "release" / ASSIGNMENT / source.name, as_version=4)
+    name, lesson = path.stem, build.read_lesson(path)
+    shutil.copytree(course, tmp_path, dirs_exist_ok=True)
+    released = nbformat.read(tmp_path / "release" / name / f"{name}.ipynb", as_version=4)
     assert not any("### BEGIN" in cell.source for cell in released.cells)
-    solutions = {cell.id: without_marks(cell.source) for cell in filter(is_exercise, lesson.cells)}
-    released = without_demonstrations(released, solutions.values()) if BROWSER else released
-    submit(tmp_path, "blank", released, source.name)
-    for cell in filter(is_code, released.cells):
-        assert (cell.id in solutions) is bool(cell.metadata.get("nbgrader", {}).get("solution"))
-        cell.source = solutions.get(cell.id, cell.source)
-    submit(tmp_path, "solved", released, source.name)
+    cells = list(filter(is_code, released.cells))
+    exercises = {cell.id: without_marks(cell.source) for cell in filter(is_exercise, lesson.cells)}
+    checks = {cell.id: without_marks(cell.source) for cell in filter(is_check, lesson.cells)}
+    placeholders = {cell.id: cell.source for cell in cells if cell.metadata.get("nbgrader", {}).get("solution")}
+    assert placeholders.keys() == exercises.keys()
 
-    nbgrader(tmp_path, "autograde", ASSIGNMENT, f"--Execute.timeout={10 * build.CELL_SECONDS}")
+    blank, solved = deepcopy(released), deepcopy(released)
+    for cell in filter(is_code, solved.cells):
+        cell.source = exercises.get(cell.id, cell.source)
+    if BROWSER:
+        solved = without_demonstrations(solved, exercises | checks)
+        blank = without_demonstrations(blank, placeholders | dict.fromkeys(checks, "check"))  # the first call raises
+    submit(tmp_path, "blank", blank, name)
+    submit(tmp_path, "solved", solved, name)
+
+    nbgrader(tmp_path, "autograde", name, f"--Execute.timeout={10 * build.CELL_SECONDS}")
     nbgrader(tmp_path, "export", f"--to={tmp_path / 'grades.csv'}")
     with (tmp_path / "grades.csv").open() as file:
-        scores = {row["student_id"]: (float(row["score"]), float(row["max_score"])) for row in csv.DictReader(file)}
+        rows = [row for row in csv.DictReader(file) if row["assignment"] == name]
+    scores = {row["student_id"]: (float(row["score"]), float(row["max_score"])) for row in rows}
     graded = {
-        student: nbformat.read(tmp_path / "autograded" / student / ASSIGNMENT / source.name, as_version=4).cells
+        student: nbformat.read(tmp_path / "autograded" / student / name / f"{name}.ipynb", as_version=4).cells
         for student in ("blank", "solved")
     }
     for cell in filter(is_code, graded["solved"]):

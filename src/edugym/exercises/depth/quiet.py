@@ -1,6 +1,7 @@
 """Exercise 1: how deep an agent looks, and with which learning rate and discount."""
 
 import math
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -21,21 +22,12 @@ def check_depth(agent: Any, days: int, seed: int) -> None:
     Raises:
         WrongAnswer: it looks less deep, or has another rate or discount.
     """
-    rng = np.random.default_rng(seed)
-    actions = [int(action) for action in rng.integers(2, size=days)]
-    rewards = [float(reward) for reward in rng.choice([-2.0, -1.0, 1.0, 2.0], size=days - 1)]
-    episode = Episode(list(range(days)), actions, [*rewards, 8.0])
+    episode = _episode(days, seed)
     found = _values(agent, episode)
-    cases = {
-        (n, rate, discount): _values(_agent(n, rate, discount, days), episode)
-        for n in (math.inf, *range(1, days))
-        for rate in RATES
-        for discount in DISCOUNTS
-    }
-    right = cases[math.inf, LEARNING_RATE, DISCOUNT]
+    right = _values(_agent(math.inf, LEARNING_RATE, DISCOUNT, days), episode)
     if np.allclose(found, right):
         return
-    fits = [case for case, values in cases.items() if np.allclose(found, values)]
+    fits = [case for case, values in _cases(days, seed).items() if np.allclose(found, values)]
     if not fits:
         raise WrongAnswer(
             f"after two equal episodes with rewards {numbers(episode.rewards)}, the value of the first action should be"
@@ -51,6 +43,25 @@ def check_depth(agent: Any, days: int, seed: int) -> None:
     if discount != DISCOUNT:
         wrong.append(f"it has a discount of {discount:g}, and it should be {DISCOUNT:g}")
     raise WrongAnswer("the quiet agent should be that of the experiment, but " + "; and ".join(wrong))
+
+
+@cache
+def _cases(days: int, seed: int) -> dict[tuple[float, float, float], Reals]:
+    """Return the values that other depths, learning rates and discounts would give."""
+    episode = _episode(days, seed)
+    return {
+        (n, rate, discount): _values(_agent(n, rate, discount, days), episode)
+        for n in (math.inf, *range(1, days))
+        for rate in RATES
+        for discount in DISCOUNTS
+    }
+
+
+def _episode(days: int, seed: int) -> Episode:
+    rng = np.random.default_rng(seed)
+    actions = [int(action) for action in rng.integers(2, size=days)]
+    rewards = [float(reward) for reward in rng.choice([-2.0, -1.0, 1.0, 2.0], size=days - 1)]
+    return Episode(list(range(days)), actions, [*rewards, 8.0])
 
 
 def _agent(n: float, rate: float, discount: float, days: int) -> Any:
