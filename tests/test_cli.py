@@ -61,10 +61,11 @@ def test_list_has_every_environment() -> None:
 
 
 def test_without_a_command_there_is_help() -> None:
-    """What there is to do."""
+    """What there is to do, and nothing about completion in shells."""
     said = run()
     assert "reproduce" in said.output
     assert "list" in said.output
+    assert "completion" not in said.output
 
 
 def test_reproduce_writes_and_says_what_holds(lesson: dict[str, Any], tmp_path: Path) -> None:

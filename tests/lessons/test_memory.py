@@ -2,12 +2,14 @@
 
 from typing import Any
 
+import gymnasium
 import numpy as np
 import pytest
 
 from edugym.envs.memory_corridor import MemoryCorridor
 from edugym.lessons.memory import (
     STORED,
+    Window,
     action_law,
     best_play,
     blind_lake,
@@ -151,6 +153,19 @@ def test_eyes_shut_on_the_lake() -> None:
     assert rows == [1, 1 * 4 + 1, 1 * 4 + 2]
     assert lake.observation_space.n == 16
     assert blind_lake(6, actions=False).observation_space.n == 1
+
+
+def test_a_window_on_a_lake_that_is_seen() -> None:
+    """Two cells, or two cells and the step between them: three digits, of 16 cells and 4 actions."""
+    lake = gymnasium.make("FrozenLake-v1", is_slippery=False)
+    right, down = 2, 1
+    for window, rows in (
+        (Window(lake, 2), [0 * 16 + 1, 1 * 16 + 2, 2 * 16 + 6]),
+        (Window(lake, 2, actions=True), [(0 * 4 + right) * 16 + 1, (1 * 4 + right) * 16 + 2, (2 * 4 + down) * 16 + 6]),
+    ):
+        assert window.reset(seed=0)[0] == 0
+        assert [window.step(action)[0] for action in (right, right, down)] == rows
+        assert rows[-1] < window.observation_space.n
 
 
 def test_warming_up() -> None:
