@@ -82,11 +82,8 @@ def test_a_stopped_lesson_claims_nothing(lesson: str) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("lesson", sorted({*lesson_names()} - {"exploration"}))
 def test_every_claim_holds(lesson: str) -> None:
-    """With other seeds than those that the lesson shows. Each panel of its figures has a legend, also by itself."""
-    claims, figures = load_experiments(lesson).report(seed=7)
+    """With other seeds than those that the lesson shows."""
+    claims = load_experiments(lesson).report(seed=7).claims
     assert [claim.statement for claim in claims if not claim.holds] == []
     assert [claim.statement for claim in claims if NO_SENTENCE.match(claim.statement)] == []
     assert len(claims) >= CLAIMS[lesson]
-    for panel in (panel for figure in figures for row in figure.rows for panel in row):
-        ax = panel.draw()
-        assert (ax.get_legend() is not None) == bool(ax.get_legend_handles_labels()[1]), panel.title

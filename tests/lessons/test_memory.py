@@ -35,6 +35,7 @@ from edugym.lessons.memory import (
     window_law,
     worth,
 )
+from tests.lessons.figures import check_legends
 
 
 @pytest.mark.parametrize("length", [1, 2, 3, 4, 5])
@@ -137,6 +138,7 @@ def test_figures() -> None:
     ]
     for sheet in sheets:
         assert all(ax.get_xlabel() for ax in sheet.draw().axes)
+        check_legends(sheet)
 
 
 def test_race_says_what_it_shows() -> None:
