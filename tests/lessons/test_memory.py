@@ -161,10 +161,11 @@ def test_a_window_on_a_lake_that_is_seen() -> None:
     """Two cells, or two cells and the step between them: three digits, of 16 cells and 4 actions."""
     lake = gymnasium.make("FrozenLake-v1", is_slippery=False)
     right, down = 2, 1
-    for window, rows in (
+    windows: tuple[tuple[Any, list[int]], ...] = (
         (Window(lake, 2), [0 * 16 + 1, 1 * 16 + 2, 2 * 16 + 6]),
         (Window(lake, 2, actions=True), [(0 * 4 + right) * 16 + 1, (1 * 4 + right) * 16 + 2, (2 * 4 + down) * 16 + 6]),
-    ):
+    )
+    for window, rows in windows:
         assert window.reset(seed=0)[0] == 0
         assert [window.step(action)[0] for action in (right, right, down)] == rows
         assert rows[-1] < window.observation_space.n

@@ -117,7 +117,7 @@ def test_a_film_of_an_agent() -> None:
 
 def test_a_film_is_as_long_as_the_episode() -> None:
     """At most 200 steps, unless told otherwise."""
-    fails = {"actor": lambda state: 1, "height": 30}
+    fails: dict[str, Any] = {"actor": lambda state: 1, "height": 30}
     assert len(frames("Boulder", **fails).frames) == len(play_episode("Boulder", **fails)) == 201
     assert len(frames("Boulder", **fails, max_steps=3).frames) == 4
 
