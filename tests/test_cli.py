@@ -31,6 +31,9 @@ def run(*arguments: str) -> Result:
     return CliRunner(env={"COLUMNS": "200"}).invoke(app, arguments)
 
 
+ABOUT = "Something.\n\nThis is how."
+
+
 @pytest.fixture
 def lesson(monkeypatch: pytest.MonkeyPatch) -> dict[str, Any]:
     """A lesson that takes no time: what it claims can be set, and what it was asked for is kept."""
@@ -44,7 +47,7 @@ def lesson(monkeypatch: pytest.MonkeyPatch) -> dict[str, Any]:
         ]
         return Report(claims, [Sheet("picture", [[Lines(x, {"A": x}, "line")]])])
 
-    monkeypatch.setattr("edugym.commands.load_experiments", lambda name: SimpleNamespace(report=report))
+    monkeypatch.setattr("edugym.commands.load_experiments", lambda name: SimpleNamespace(report=report, __doc__=ABOUT))
     monkeypatch.setattr("edugym.commands.lesson_names", lambda: ["made_up"])
     return asked
 
@@ -62,10 +65,11 @@ def test_list_has_every_environment() -> None:
 
 
 def test_without_a_command_there_is_help() -> None:
-    """What there is to do."""
+    """What there is to do, and nothing about completion in shells."""
     said = run()
     assert "reproduce" in said.output
     assert "list" in said.output
+    assert "completion" not in said.output
 
 
 def test_reproduce_writes_and_says_what_holds(lesson: dict[str, Any], tmp_path: Path) -> None:
@@ -98,6 +102,7 @@ def test_reproduce_writes_a_report(lesson: dict[str, Any], tmp_path: Path, monke
     assert "| 0.55 [0.45, 0.65]: share | > 0.5 | **NO** |" in said
     assert "never_run" not in said
     for name in ("made_up", "other"):
+        assert f'<a id="{name}"></a>\n\n## Something.\n\nThis is how.\n\n| claim' in said
         assert f"![picture]({name}/picture.svg)" in said
         assert (tmp_path / name / "picture.svg").exists()
 

@@ -1,6 +1,9 @@
 """Results that are stored with the package: they were made by the code that is there now."""
 
+import runpy
+from contextlib import nullcontext
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -60,6 +63,17 @@ def test_what_stores_nothing() -> None:
         stored_in("depth")
     with pytest.raises(ValueError, match=r"there is no module edugym.lessons.width"):
         stored_in("width")
+
+
+def test_results_are_made_again_by_their_names(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As a command, for every module that is named; without a name it says what to give."""
+    made: list[str] = []
+    monkeypatch.setattr(stored, "stored_in", lambda name: SimpleNamespace(make_again=lambda: made.append(name)))
+    for names in ([], ["memory.recurrent", "depth"]):
+        monkeypatch.setattr("sys.argv", ["stored", *names])
+        with pytest.raises(SystemExit, match="give the modules") if not names else nullcontext():
+            runpy.run_path(stored.__file__, run_name="__main__")
+        assert made == names
 
 
 @pytest.mark.slow

@@ -1074,6 +1074,17 @@ def learn(self, state, action, reward, next_state, terminated):
         self.plan()
 
 
+# %% exercise 3, wrong: the best reward kept
+# says: keeps what followed
+def learn(self, state, action, reward, next_state, terminated):
+    if self.known[state, action] == 0:
+        self.known[state, action] = 1
+        self.rewards[state, action] = max(reward, self.rewards[state, action])
+        self.next_states[state, action] = next_state
+        self.ends[state, action] = 1 if terminated else 0
+        self.plan()
+
+
 # %% exercise 3, wrong: no next state kept
 # says: keeps what followed
 def learn(self, state, action, reward, next_state, terminated):

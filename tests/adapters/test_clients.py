@@ -14,7 +14,7 @@ from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.exact.model import finite_model
 from edugym.exact.value_iteration import value_iteration
-from edugym.registration import ENVIRONMENTS, Entry, find, make_environment
+from edugym.registration import ENVIRONMENTS, Entry, find, make_environment, make_mdp
 from tests.contract.parameters import PARAMETERS
 from tests.contract.play import every_environment, plain
 
@@ -98,6 +98,19 @@ def test_thresholds(entry: Entry) -> None:
         if not PARAMETERS[entry.name].finite or mdp.reward_threshold is None or entry.name == "Golf":
             continue
         assert mdp.reward_threshold == pytest.approx(value_iteration(finite_model(mdp)).start, abs=1e-6), keywords
+
+
+@pytest.mark.parametrize("name", ["Boulder", "Roadrunner", "Supermarket"])
+def test_a_threshold_is_there_where_the_limit_lets_an_agent_reach_it(name: str) -> None:
+    """In as many steps as the best episode takes, and not in one less."""
+    model, rng = finite_model(make_mdp(name)), np.random.default_rng(0)
+    values = value_iteration(model, discount=0.99)  # the best is fast
+    state, steps, ended = model.states[model.initial.argmax()], 0, False
+    while not ended:
+        taken = model.sample(state, int(values.Q[model.row(state)].argmax()), rng)
+        state, steps, ended = taken.next_state, steps + 1, taken.terminated
+    assert make_mdp(name, max_steps=steps).reward_threshold == pytest.approx(value_iteration(model).start)
+    assert make_mdp(name, max_steps=steps - 1).reward_threshold is None
 
 
 @every_environment

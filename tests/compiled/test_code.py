@@ -190,6 +190,12 @@ def test_fingerprints(before: str, after: str) -> None:
     assert fingerprint(after) == fingerprint(after) != fingerprint(before)
 
 
+def test_which_of_pythons_own_names_is_hidden_counts() -> None:
+    """The same helper under the name of one function of Python's, or of another."""
+    cells = (notebook(f"def h(x): return 2 * x\n{name} = h", "return abs(s) + round(s)") for name in ("abs", "round"))
+    assert len({Code(loop, (10, cell(source)["T"](1))).fingerprint for source in cells}) == 2
+
+
 def edit(kind: type, notebook: dict[str, Any], source: str) -> None:
     """Run an edited cell in its notebook, and give a class from before the new members."""
     cell(source, notebook)

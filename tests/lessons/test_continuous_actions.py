@@ -9,6 +9,7 @@ from edugym.envs.trashbot.planning import best_plan
 from edugym.envs.trashbot.task import Trashbot
 from edugym.lessons import continuous_actions as arms
 from edugym.lessons.continuous_actions import Drawing, exact_claims, gradient_claims, peak_claims, ppo_claims
+from tests.lessons.figures import check_legends
 
 
 @pytest.mark.parametrize("n_bins", [2, 3, 4])
@@ -107,6 +108,7 @@ def test_figures() -> None:
     ]
     for sheet in sheets:
         assert all(ax.get_xlabel() for ax in sheet.draw().axes)
+        check_legends(sheet)
 
 
 def test_steps_to_a_goal() -> None:

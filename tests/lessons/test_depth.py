@@ -36,6 +36,7 @@ from edugym.lessons.depth import (
 )
 from edugym.lessons.depth.targets import DAYS, noise_share, soft_policy, target, true_values
 from edugym.plotting import Sheet
+from tests.lessons.figures import check_legends
 
 
 def test_target_against_samples() -> None:
@@ -145,6 +146,7 @@ def test_what_the_figures_show() -> None:
     assert [[panel.title for panel in row] for row in credit_maps().rows] == [["n = 1", "n = 3", "Monte Carlo"]]
     for sheet in (credit_maps(), variance_sheet(), off_policy_sheet(), Sheet("rates", [[rate_series(by_rate)]])):
         assert sheet._repr_png_()[:4] == b"\x89PNG"
+        check_legends(sheet)
         for row in sheet.rows:
             assert row[0].draw().get_title() == row[0].title
 

@@ -69,6 +69,7 @@ from edugym.lessons.dimensionality.networks import (
     with_cnn,
 )
 from edugym.mdp.brightness import Brightness
+from tests.lessons.figures import check_legends
 
 
 def test_rows_of_tables() -> None:
@@ -254,6 +255,7 @@ def test_figures() -> None:
     ]
     for sheet in sheets:
         assert all(ax.get_xlabel() for ax in sheet.draw().axes)
+        check_legends(sheet)
 
 
 def test_arrows_point_where_the_paddle_goes() -> None:

@@ -38,6 +38,7 @@ from edugym.lessons.loop import (
     with_discount,
 )
 from edugym.lessons.loop.panels import ValueMap
+from tests.lessons.figures import check_legends
 
 
 def test_discounted_by_hand() -> None:
@@ -137,6 +138,7 @@ def test_figures() -> None:
     sheets += [rewards_and_returns(), learned_beside_exact(0), learned_beside_exact(500, "red"), nine_challenges()]
     for sheet in sheets:
         assert sheet.draw().axes
+        check_legends(sheet)
     assert [len(row) for row in nine_challenges().rows] == [3, 3, 3]
     assert sorted(BAGS.values()) == [*range(8)]
     mine = race({"mine": lambda shop: agent_after(0)}, n_steps=80, repetitions=2)

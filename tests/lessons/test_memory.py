@@ -2,12 +2,14 @@
 
 from typing import Any
 
+import gymnasium
 import numpy as np
 import pytest
 
 from edugym.envs.memory_corridor import MemoryCorridor
 from edugym.lessons.memory import (
     STORED,
+    Window,
     action_law,
     best_play,
     blind_lake,
@@ -33,6 +35,7 @@ from edugym.lessons.memory import (
     window_law,
     worth,
 )
+from tests.lessons.figures import check_legends
 
 
 @pytest.mark.parametrize("length", [1, 2, 3, 4, 5])
@@ -135,6 +138,7 @@ def test_figures() -> None:
     ]
     for sheet in sheets:
         assert all(ax.get_xlabel() for ax in sheet.draw().axes)
+        check_legends(sheet)
 
 
 def test_race_says_what_it_shows() -> None:
@@ -151,6 +155,20 @@ def test_eyes_shut_on_the_lake() -> None:
     assert rows == [1, 1 * 4 + 1, 1 * 4 + 2]
     assert lake.observation_space.n == 16
     assert blind_lake(6, actions=False).observation_space.n == 1
+
+
+def test_a_window_on_a_lake_that_is_seen() -> None:
+    """Two cells, or two cells and the step between them: three digits, of 16 cells and 4 actions."""
+    lake = gymnasium.make("FrozenLake-v1", is_slippery=False)
+    right, down = 2, 1
+    windows: tuple[tuple[Any, list[int]], ...] = (
+        (Window(lake, 2), [0 * 16 + 1, 1 * 16 + 2, 2 * 16 + 6]),
+        (Window(lake, 2, actions=True), [(0 * 4 + right) * 16 + 1, (1 * 4 + right) * 16 + 2, (2 * 4 + down) * 16 + 6]),
+    )
+    for window, rows in windows:
+        assert window.reset(seed=0)[0] == 0
+        assert [window.step(action)[0] for action in (right, right, down)] == rows
+        assert rows[-1] < window.observation_space.n
 
 
 def test_warming_up() -> None:

@@ -30,6 +30,7 @@ from edugym.lessons.on_off_policy import (
 from edugym.lessons.on_off_policy.exact import deadly_actions
 from edugym.lessons.on_off_policy.methods import most_frequent, walk
 from edugym.plotting import Sheet
+from tests.lessons.figures import check_legends
 
 
 def test_exact_returns() -> None:
@@ -123,6 +124,7 @@ def test_figures(trained: Results) -> None:
         on_off_policy.race({"mine": KINDS[SARSA_].create}, repetitions=2, n_steps=2_000),
     ]
     for sheet in sheets:
+        check_legends(sheet)
         figure = sheet.draw()
         assert all(ax.get_xlabel() for ax in figure.axes)
     for panel in (in_the_plane(), shortfall):

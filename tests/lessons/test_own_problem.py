@@ -28,6 +28,7 @@ from edugym.lessons.own_problem.bedroom import clock
 from edugym.lessons.own_problem.exact import in_words
 from edugym.lessons.own_problem.figures import can_be_drawn, initials, names_of
 from edugym.rendering.ansi import to_text
+from tests.lessons.figures import check_legends
 
 
 def test_the_lesson_writes_the_same_class() -> None:
@@ -136,6 +137,7 @@ def test_a_problem_goes_through_everything() -> None:
     assert [sheet.name for sheet in tour.sheets] == ["policy", "learned"]
     for sheet in tour.sheets:
         assert sheet.draw().axes
+        check_legends(sheet)
     assert "state" in to_text(tour.picture)
     with pytest.raises(ValueError, match="mdp must be"):
         own_problem.take_through_everything(3)
@@ -196,6 +198,7 @@ def test_figures() -> None:
     assert "(7, 2): ring (value -4.9)" in in_words(values, dict(enumerate(names_of(Morning()))))
     for sheet in (own_problem.policies(TASKS), own_problem.weights_sheet(ring=1.0, late=3.0, bonus=2.0)):
         assert all(ax.get_xlabel() == "time" for ax in sheet.draw().axes)
+        check_legends(sheet)
     assert own_problem.morning_map(Morning()).draw().get_legend() is not None
     assert [clock(time, 8) for time in (0, 8)] == ["7:10", "8:30"]
     for state, words in (((8, 1), "overslept"), ((8, 0), "in time"), ((3, 2), "fast asleep")):

@@ -18,6 +18,7 @@ from edugym.lessons.signal import (
 from edugym.lessons.signal.players import Coin, RoundRobin, Voter
 from edugym.lessons.signal.words import bits, information, joint_table, states_met
 from edugym.plotting import Sheet
+from tests.lessons.figures import check_legends
 
 
 def test_information_of_a_word() -> None:
@@ -148,6 +149,7 @@ def test_figures_of_the_lesson() -> None:
     ]
     for sheet in sheets:
         assert all(ax.get_xlabel() for ax in sheet.draw().axes)
+        check_legends(sheet)
     assert signal.median_late(memory["with"]).shape == (2,)
     assert signal.after(by_tau[0.0], 2_000).shape == (2,)
 

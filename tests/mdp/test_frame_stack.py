@@ -126,6 +126,13 @@ def test_the_longest_stack_that_fits() -> None:
         FrameStack.create(make_mdp("Catch"), 2)
 
 
+def test_one_observation_can_be_stacked_without_end() -> None:
+    """Who sees nothing has one row, however long the window is; actions in it count."""
+    blind = Digits((0,) * 5, 1, 2)
+    assert rows(FrameStack.create(blind, 10**6), [0, 1, 1, 0]) == [0] * 5
+    assert rows(FrameStack.create(blind, 3, actions=True), [0, 1, 1, 0]) == [0, 0, 1, 3, 2]
+
+
 def test_observations_of_several_numbers() -> None:
     """The positions of Catch are one digit in base 250."""
     task: Any = FrameStack.create(make_mdp("Catch", observation_type="vectorised"), 2)

@@ -15,7 +15,7 @@ from edugym.agents.q_learning import QLearning
 from edugym.agents.tables import greedy_action
 from edugym.notebook import frames, play, source
 from edugym.notebook.widget import WIDGET
-from edugym.playing import Game
+from edugym.playing import Game, play_episode
 from edugym.registration import make_mdp
 from tests.notebook.widgets import texts
 
@@ -113,6 +113,13 @@ def test_a_film_of_an_agent() -> None:
     assert len(seen) == 4
     with pytest.raises(ValueError, match="frames_per_second must be greater than 0"):
         frames("Golf", agent, frames_per_second=0)
+
+
+def test_a_film_is_as_long_as_the_episode() -> None:
+    """At most 200 steps, unless told otherwise."""
+    fails: dict[str, Any] = {"actor": lambda state: 1, "height": 30}
+    assert len(frames("Boulder", **fails).frames) == len(play_episode("Boulder", **fails)) == 201
+    assert len(frames("Boulder", **fails, max_steps=3).frames) == 4
 
 
 def test_a_film_without_its_widget() -> None:

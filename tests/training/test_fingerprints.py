@@ -85,6 +85,8 @@ def make_adder(n: int) -> Any:
         (1, True),
         ("1", 1),
         ([1, 2], (1, 2)),
+        ({1, 2}, frozenset({1, 2})),
+        (property(helper), staticmethod(helper)),
         ([[1], 2], [[1, 2]]),
         ({"a": 1}, {"a": 2}),
         (np.zeros(3), np.zeros((3, 1))),
