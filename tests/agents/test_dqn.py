@@ -40,7 +40,7 @@ def random_agent(seed: int = 0) -> DQN:
 
 
 def loss(agent: DQN, rows: list[int]) -> float:
-    """The mean of Huber's loss over some rows of the memory, with NumPy."""
+    """The mean of Huber's loss, or without a limit of the squared loss, over some rows of the memory, with NumPy."""
 
     def network(layers: Any, x: Reals) -> Any:
         hidden = np.maximum(0, x @ layers.first[:-1] + layers.first[-1])
@@ -51,14 +51,15 @@ def loss(agent: DQN, rows: list[int]) -> float:
         best = network(agent.target, agent.memory.next_states[row]).max()
         target = agent.memory.rewards[row] + agent.discount * best * (agent.memory.terminated[row] == 0)
         error = abs(network(agent.weights, agent.memory.states[row])[agent.memory.actions[row]] - target)
-        total += error**2 / 2 if error <= 1 else error - 1 / 2
+        c = agent.error_clip
+        total += error**2 / 2 if error <= c else c * (error - c / 2)
     return total / len(rows)
 
 
-@pytest.mark.parametrize("seed", range(3))
-def test_the_gradient_is_that_of_the_loss(seed: int) -> None:
+@pytest.mark.parametrize(("seed", "error_clip"), [(0, 1.0), (1, 1.0), (2, 1.0), (0, 0.5), (0, math.inf)])
+def test_the_gradient_is_that_of_the_loss(seed: int, error_clip: float) -> None:
     """Every one of its numbers, biases included, against (L(θ + h) - L(θ - h)) / 2h over a batch of four."""
-    agent, rows, h = random_agent(seed), [3, 14, 15, 9], 1e-6
+    agent, rows, h = random_agent(seed)._replace(error_clip=error_clip), [3, 14, 15, 9], 1e-6
     for row in rows:
         agent.add_gradient(row)
     for layer, gradient in ((agent.weights.first, agent.gradient.first), (agent.weights.second, agent.gradient.second)):
@@ -88,9 +89,10 @@ def test_forward_by_hand() -> None:
     assert agent.gradient.first.tolist() == [[6, 0], [12, 0], [6, 0]]  # the unit that is cut off passes nothing on
 
 
-def test_the_loss_is_hubers() -> None:
-    """The error itself, from -1 to 1."""
-    assert [slope_of_loss(error) for error in (-7.0, -1.0, -0.3, 0.0, 0.5, 2.0)] == [-1, -1, -0.3, 0, 0.5, 1]
+@pytest.mark.parametrize(("c", "slopes"), [(1.0, [-1, -1, -0.3, 0, 0.5, 1]), (math.inf, [-7, -1, -0.3, 0, 0.5, 2])])
+def test_the_loss_is_hubers(c: float, slopes: list[float]) -> None:
+    """The error itself, from -c to c."""
+    assert [slope_of_loss(error, c) for error in (-7.0, -1.0, -0.3, 0.0, 0.5, 2.0)] == slopes
 
 
 def test_adam_by_hand() -> None:
