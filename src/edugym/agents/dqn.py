@@ -51,7 +51,7 @@ class DQN(NamedTuple):
         y = R + γ max_a Q(S', a; θ⁻)                         (R alone if S' is terminal)
         θ <- θ - a step of Adam down the gradient of the mean of L(Q(S, A; θ) - y) over a batch from memory
 
-    and now and then θ⁻ <- θ. The loss L(δ) is δ²/2 up to |δ| = 1, and |δ| - 1/2 beyond.
+    and now and then θ⁻ <- θ. The loss L(δ) is δ²/2 up to |δ| = c, and c (|δ| - c/2) beyond.
 
     The weights are drawn when the agent acts for the first time, from its random stream: so every seed has its own.
     Before that they are 0, unless you have put others in, and all actions are worth the same: the first point of a
@@ -83,6 +83,9 @@ class DQN(NamedTuple):
         learn_every: steps between two updates, 1 or more.
         learn_from: the step before which nothing is learned, 1 or more.
         copy_every: updates between two copies of θ to θ⁻, 1 or more.
+        error_clip: c, the largest error that counts in full, greater than 0. With `math.inf` the loss is δ²/2. Take
+            that where returns are much larger than 1 and a rare step decides them: beyond c all errors weigh the same,
+            so that the values come near the median of the targets, not their mean, and may grow without end.
 
     Deviations from Mnih et al.: one fully connected hidden layer on the whole observation instead of convolutions on
     four frames; inputs are scaled by their bounds; first weights as He et al. draw them for such a layer; Adam instead
@@ -119,6 +122,7 @@ class DQN(NamedTuple):
     learn_every: Annotated[int, Range(1)] = 4
     learn_from: Annotated[int, Range(1)] = 1_000
     copy_every: Annotated[int, Range(1)] = 250
+    error_clip: Annotated[float, Range(0, math.inf, open=True)] = 1.0
 
     def learn(self, state: Any, action: int, reward: float, next_state: Any, terminated: bool) -> None:
         """Remember the transition; every few steps, take one step of gradient descent on a batch from memory."""
@@ -141,7 +145,7 @@ class DQN(NamedTuple):
         action = memory.actions[row]
         for a in range(len(self.dQ)):
             self.dQ[a] = 0.0
-        self.dQ[action] = slope_of_loss(self.Q[0, action] - target) / len(self.batch)
+        self.dQ[action] = slope_of_loss(self.Q[0, action] - target, self.error_clip) / len(self.batch)
         backward(self.weights, self.gradient, memory.states[row], self.h, self.dQ, self.dh)
 
     def act(self, state: Any, rng: Random) -> int:
@@ -271,9 +275,9 @@ def forward(weights: Layers, x: Reals, h: Reals, Q: Reals) -> None:
         Q[0, a] = total
 
 
-def slope_of_loss(error: float) -> float:
-    """The derivative of the loss by the error δ: δ itself, from -1 to 1 (Huber's loss)."""
-    return min(max(error, -1.0), 1.0)
+def slope_of_loss(error: float, error_clip: float) -> float:
+    """The derivative of the loss by the error δ: δ itself, from -c to c (Huber's loss)."""
+    return min(max(error, -error_clip), error_clip)
 
 
 def backward(weights: Layers, gradient: Layers, x: Reals, h: Reals, dQ: Reals, dh: Reals) -> None:

@@ -30,7 +30,7 @@ class OpenDQN(DQN):
         action = memory.actions[row]
         for a in range(len(self.dQ)):
             self.dQ[a] = 0.0
-        self.dQ[action] = slope_of_loss(self.Q[0, action] - target) / len(self.batch)
+        self.dQ[action] = slope_of_loss(self.Q[0, action] - target, self.error_clip) / len(self.batch)
         backward(self.weights, self.gradient, memory.states[row], self.h, self.dQ, self.dh)
 
     def act(self, state: Any, rng: Random) -> int:
