@@ -83,9 +83,9 @@ class DQN(NamedTuple):
         learn_every: steps between two updates, 1 or more.
         learn_from: the step before which nothing is learned, 1 or more.
         copy_every: updates between two copies of θ to θ⁻, 1 or more.
-        error_clip: c, the largest error that counts in full, greater than 0. With `math.inf` the loss is δ²/2. Take
-            that where returns are much larger than 1 and a rare step decides them: beyond c all errors weigh the same,
-            so that the values come near the median of the targets, not their mean, and may grow without end.
+        error_clip: c, the largest error that counts in full, greater than 0. With `math.inf` the loss is δ²/2. Choose
+            infinity if returns are much larger than 1 and depend on rare steps, as in CartPole: errors beyond c all
+            weigh the same, so rare targets count too little, and the values may grow without end.
 
     Deviations from Mnih et al.: one fully connected hidden layer on the whole observation instead of convolutions on
     four frames; inputs are scaled by their bounds; first weights as He et al. draw them for such a layer; Adam instead
