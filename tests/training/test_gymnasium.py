@@ -185,6 +185,19 @@ def test_what_does_not_fit_a_table_is_refused() -> None:
         train("CartPole-v1", QLearning.create((2, 2)), 10)
 
 
+class Forgets(Looks):
+    """The same, without saying that it has no table."""
+
+    __slots__ = ()
+    tabular = True
+
+
+def test_who_forgets_tabular_is_told() -> None:
+    """A student's agent for real numbers."""
+    with pytest.raises(ValueError, match=r"Box.*: write `tabular = False` in the class Forgets if it takes such obser"):
+        train("CartPole-v1", Forgets(np.zeros(2)), 10)
+
+
 class Lamp(gymnasium.Env[Any, Any]):
     """On or off, as a flag; alone, or beside a number."""
 

@@ -324,7 +324,13 @@ def _task(environment: Any, agent: Any) -> Any:
     if getattr(agent, "tabular", True) is False:
         return environment
     _check_table(agent, environment)
-    return tabular(environment)
+    try:
+        return tabular(environment)
+    except ValueError as error:
+        if is_own(agent):
+            raise
+        what = f"write `tabular = False` in the class {type(agent).__name__} if it takes such observations as they are"
+        raise ValueError(f"{error}: {what}") from None
 
 
 def _check_table(agent: Any, environment: Any) -> None:
