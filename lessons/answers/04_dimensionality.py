@@ -204,6 +204,110 @@ def table_entries(rows, columns, kind):
     return 2 ** (rows * columns * 3) if kind == "grid" else 256 ** (rows * columns * 3) * 3
 
 
+# %% exercise 1, wrong: actions added in the exponent
+# says: multiply by 3 at the end, outside of the power
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return rows * columns**2 * 3
+    return 2 ** (rows * columns + 3) if kind == "grid" else 256 ** (rows * columns * 3) * 3
+
+
+# %% exercise 1, wrong: one power for all numbers
+# says: there is no power here
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return 3 * 3 ** (rows * columns)
+    return 3 * (2 ** (rows * columns) if kind == "grid" else 256 ** (rows * columns * 3))
+
+
+# %% exercise 1, wrong: the grid for the numbers
+# says: that is the formula for the grid
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return 2 ** (rows * columns) * 3
+    return 3 * (2 ** (rows * columns) if kind == "grid" else 256 ** (rows * columns * 3))
+
+
+# %% exercise 1, wrong: the power of the actions
+# says: no power is taken
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return (rows * columns**2) ** 3
+    return 3 * (2 ** (rows * columns) if kind == "grid" else 256 ** (rows * columns * 3))
+
+
+# %% exercise 1, wrong: without the last row
+# says: the last row belongs to the observations
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return (rows - 1) * columns**2 * 3
+    return 3 * (2 ** (rows * columns) if kind == "grid" else 256 ** (rows * columns * 3))
+
+
+# %% exercise 1, wrong: pixels times actions
+# says: number of pixels times the actions
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return rows * columns**2 * 3
+    return rows * columns * 3 if kind == "grid" else 256 ** (rows * columns * 3) * 3
+
+
+# %% exercise 1, wrong: 256 values in the grid
+# says: not 256
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return rows * columns**2 * 3
+    return 256 ** (rows * columns) * 3 if kind == "grid" else 256 ** (rows * columns * 3) * 3
+
+
+# %% exercise 1, wrong: 3 values in the grid
+# says: there are 2 values, not 3
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return rows * columns**2 * 3
+    return 3 ** (rows * columns) * 3 if kind == "grid" else 256 ** (rows * columns * 3) * 3
+
+
+# %% exercise 1, wrong: three numbers for a cell
+# says: one number for each cell, not three
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return rows * columns**2 * 3
+    return 2 ** (rows * columns * 3) * 3 if kind == "grid" else 256 ** (rows * columns * 3) * 3
+
+
+# %% exercise 1, wrong: the sum of the sides
+# says: not their sum
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return rows * columns**2 * 3
+    return 2 ** (rows + columns) * 3 if kind == "grid" else 256 ** (rows * columns * 3) * 3
+
+
+# %% exercise 1, wrong: a product for the image
+# says: the values of the numbers multiply: take a power
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return rows * columns**2 * 3
+    return 2 ** (rows * columns) * 3 if kind == "grid" else 256 * rows * columns * 3 * 3
+
+
+# %% exercise 1, wrong: what occurs in the image
+# says: every image that could be written down
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return rows * columns**2 * 3
+    return 2 ** (rows * columns) * 3 if kind == "grid" else rows * columns**2 * 3
+
+
+# %% exercise 1, wrong: colours outside of the exponent
+# says: the three colours are in the exponent
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return rows * columns**2 * 3
+    return 2 ** (rows * columns) * 3 if kind == "grid" else 256 ** (rows * columns) * 3 * 3
+
+
 # %% exercise 1, wrong: a floating overflow
 # says: raises OverflowError
 def table_entries(rows, columns, kind):

@@ -84,7 +84,7 @@ level = 0.0220
 level = 0.015
 
 # %% exercise 1, wrong: two digits
-# says: too low
+# says: too low, as the drive is worth more there
 level = 0.02
 
 # %% exercise 1, wrong: three digits

@@ -13,7 +13,17 @@ from torch.nn import functional
 
 from edugym import make_environment
 from edugym.deep import PPO
-from edugym.deep.ppo import ActorCritic, Adam, Gaussian, Network, Softmax, advantages_of, clipped_gain, normalised
+from edugym.deep.ppo import (
+    ActorCritic,
+    Adam,
+    Gaussian,
+    Network,
+    Softmax,
+    advantages_of,
+    clipped_gain,
+    layers,
+    normalised,
+)
 from tests.agents.fourier import fourier
 
 
@@ -67,6 +77,17 @@ def test_a_network_by_hand() -> None:
     by_hand = [[[6.0]], [12.0], [[0.0]], [6.0], [[0.0]], [2.0]]  # sums over both states
     net.backward(inputs, torch.ones(2, 1))
     assert [part.tolist() for part in net.by_weights] == by_hand
+
+
+def test_weights_begin_orthogonal() -> None:
+    """W Wᵀ = 2 I in a hidden layer, last² I in the last one; b = 0."""
+    with torch.random.fork_rng():
+        torch.manual_seed(0)
+        W, b, last_W, last_b = layers(5, 4, 3, last=0.5)
+    torch.testing.assert_close(W @ W.T, 2 * torch.eye(4))
+    torch.testing.assert_close(last_W @ last_W.T, 0.25 * torch.eye(3))
+    assert not b.any()
+    assert not last_b.any()
 
 
 def test_a_gaussian_by_hand() -> None:

@@ -51,6 +51,7 @@ from edugym.lessons.model_based.figures import OWN, STROKES, strokes_of
 from edugym.lessons.model_based.maps import after_walk
 from edugym.lessons.model_based.methods import CountingSweeping
 from edugym.plotting import Sheet
+from tests.lessons.figures import check_legends
 
 
 def test_plans() -> None:
@@ -224,3 +225,4 @@ def test_figures_are_drawn() -> None:
         race({"mine": lambda shop: DynaQ.create(shop)}, 2, n_steps=400),
     ):
         assert sheet._repr_png_()[:4] == b"\x89PNG"
+        check_legends(sheet)

@@ -1,7 +1,5 @@
 """Stochasticity in Golf: the claims hold with other seeds than those the lesson shows."""
 
-from typing import Any
-
 import numpy as np
 import pytest
 
@@ -250,10 +248,9 @@ def test_figures(trained: Results) -> None:
     for sheet in sheets:
         assert all(ax.get_xlabel() for ax in sheet.draw().axes)
         check_legends(sheet)
-    players = stochasticity.frontier_figure(rules, [SAFE_RULE], played).draw().get_legend_handles_labels()
-    assert players[1] == ["players with rules", "your frontier", *played]
-    frontier: Any = players[0][0]
-    assert len(frontier.get_xdata()) == len(rules)
+    players = stochasticity.frontier_figure(rules, [SAFE_RULE], played).draw()
+    assert players.get_legend_handles_labels()[1] == ["players with rules", "your frontier", *played]
+    assert len(np.asarray(players.lines[0].get_xdata())) == len(rules)
     attitudes = stochasticity.crossing_by_attitude((0.015, 0.02))
     assert [*attitudes.lines] == [*RISKS] == [*played]
     assert stochasticity.crossing_lines((0.015, 0.02)).change == pytest.approx(0.0187, abs=1e-4)

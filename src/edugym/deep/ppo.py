@@ -380,7 +380,7 @@ def parts_of(vector: Tensor, shapes: list[torch.Size]) -> list[Tensor]:
 
 
 def layers(*sizes: int, last: float) -> list[Tensor]:
-    """W and b of each layer: W is orthogonal, that of the last layer times `last`, and b is 0."""
+    """W and b of each layer: W is orthogonal, times √2, that of the last layer times `last`, and b is 0."""
     found = []
     for k in range(len(sizes) - 1):
         W = torch.empty(sizes[k + 1], sizes[k])

@@ -52,7 +52,6 @@ MISTAKES: Mapping[str, Mapping[str, Size]] = MappingProxyType(
             "each number has its own number of values, so multiply these: there is no power here": lambda r, c: (
                 3 * 3 ** (r * c)
             ),
-            "that is the number of cells to the power of what is on the board": lambda r, c: (r * c) ** 2 * 3,
             "that is the formula for the grid": lambda r, c: 2 ** (r * c) * 3,
             "a row has an entry for each action, so multiply by 3; no power is taken": lambda r, c: (r * c * c) ** 3,
             "positions count from 0, but there are still `rows` of them, and `columns`": lambda r, c: (
@@ -75,7 +74,7 @@ MISTAKES: Mapping[str, Mapping[str, Size]] = MappingProxyType(
             "a pixel of the grid is 0 or 1, and that is all: there are 2 values, not 3": lambda r, c: 3 ** (r * c) * 3,
             "the grid has one number for each cell, not three": lambda r, c: 2 ** (r * c * 3) * 3,
             "the number of pixels is rows times columns, not their sum": lambda r, c: 2 ** (r + c) * 3,
-            "multiply by 3 at the end, outside of the power": lambda r, c: 2 ** (r * c) ** 1 * 2**3,
+            "multiply by 3 at the end, outside of the power": lambda r, c: 2 ** (r * c + 3),
             "multiply by the number of actions; do not take the power": lambda r, c: 2 ** (r * c * 3),
         },
         "rgb": {
