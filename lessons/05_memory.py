@@ -390,8 +390,8 @@ early.measured(
 # of them as a vector with a single 1. The target has the same form as before, but its values come from an older copy of
 # the network, `self.target` (section 16.5). A step down the gradient takes the place of the change of one entry. (In
 # this code `memory` is the store of old steps for training, not what the agent remembers of the corridor.
-# `slope_of_loss` gets Q(S, A) less the target, the TD error with the other sign, and cuts it to the range −1 to 1. So a
-# step *down* the gradient moves Q(S, A) towards the target.)
+# `slope_of_loss` gets Q(S, A) less the target, the TD error with the other sign, and cuts it to the range −1 to 1, since
+# `error_clip` is 1. So a step *down* the gradient moves Q(S, A) towards the target.)
 
 # %%
 source(DQN.add_gradient)

@@ -184,6 +184,19 @@ def test_what_copies_show(entry: Any) -> None:
                 vector = pickle.loads(pickle.dumps(vector))
 
 
+def test_each_copy_shows_its_own_steps() -> None:
+    """Copies reach the top at different times, and count from 0 again."""
+    vector = MDPVectorEnv(MDPEnv(make_mdp("Boulder", height=3)), 4, "SameStep")
+    vector.reset(seed=0)
+    steps = [0] * 4
+    rng = np.random.default_rng(0)
+    for _ in range(50):
+        _, _, terminated, truncated, _ = vector.step(rng.integers(2, size=4))
+        steps = [0 if over else n + 1 for n, over in zip(steps, terminated | truncated, strict=True)]
+        assert [vector.showing(i).steps for i in range(4)] == steps
+    assert len(set(steps)) > 1
+
+
 def test_what_is_kept_for_pictures() -> None:
     """Of a long episode no more actions are kept than the episode has, and none where nothing asks for them."""
     study = MDPVectorEnv(MDPEnv(make_mdp("Study", total_days=50)), 3)

@@ -36,7 +36,8 @@ class Boulder(NamedTuple):
     The position. Strictly, the number of steps in this episode is part of the state too, because of the step limit.
     The Gymnasium environment counts these steps, but the agent does not observe the count. Near the limit the position
     alone is therefore not Markov. (A step limit *truncates* an episode: the episode stops in a state that is not
-    terminal. An agent that still uses the value of this state, as Q-learning does, learns correctly.)
+    terminal. Q-learning bootstraps from this state as from any other. It so learns the values of
+    the task without a step limit.)
 
     ## Dynamics
     The grip that holds moves the climber up by one. Any other sends it to the ground, without ending the episode.
@@ -140,7 +141,7 @@ class Boulder(NamedTuple):
 
     @property
     def action_names(self) -> tuple[str, ...]:
-        """The grips, from the left."""
+        """The names of the actions: grip 0 is the leftmost."""
         return tuple(f"grip {grip}" for grip in range(self.n_grips))
 
     def info(self, state: int) -> dict[str, Any]:

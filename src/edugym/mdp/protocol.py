@@ -29,7 +29,7 @@ class MDP(Protocol[State, Observation_co]):
     """A Markov decision process (S, A, p, r), and what the agent observes in each state.
 
     If the observation does not determine the state, the problem is partially observable (a POMDP). Actions are usually
-    the numbers 0, 1, 2 and so on. Methods take all random numbers from `rng`. They change nothing else, not even
+    the numbers 0, 1, 2 and so on. Methods draw every random number from `rng`. They change no other argument, not even
     `state`. The discount belongs to the agent.
 
     An MDP may also have
@@ -80,8 +80,8 @@ class Actor(Protocol[Observation_contra]):
         """Choose an action. `state` is the observation, which the agent treats as the state.
 
         If the observation has several whole numbers, EduGym turns them into a single one, the number of a row in the
-        agent's table. An agent with `tabular = False` and no `n_inputs` gets the observation unchanged. An agent with
-        `tabular = False` and `n_inputs` gets it as one flat vector.
+        agent's table. This is for agents with a table. An agent without one says `tabular = False` in its class, and
+        gets the observation unchanged. If its class also has `n_inputs`, the number of inputs, it gets one flat vector.
         """
 
 
@@ -110,7 +110,8 @@ class Agent(Actor[Observation_contra], Protocol[Observation_contra]):
     def learn(self) -> Callable[..., None]:
         """Learn from the last step.
 
-        Write an ordinary method: it is a property here only because its parameters differ from agent to agent.
+        In your agent, write `learn` as an ordinary method. It is a property in this protocol only so that type checkers
+        accept any parameters.
         """
 
 
@@ -124,9 +125,7 @@ def step_limit(mdp: MDP[Any, Any]) -> int | None:
     try:
         limit = any_mdp.max_steps
     except AttributeError:
-        if _defines(
-            mdp, "max_steps"
-        ):  # the property itself raises AttributeError: report it, do not take it as "no limit"
+        if _defines(mdp, "max_steps"):  # the class has `max_steps`, but computing it has failed: show that error
             raise
         return None
     if limit is None:
@@ -136,7 +135,7 @@ def step_limit(mdp: MDP[Any, Any]) -> int | None:
 
 
 def _defines(mdp: Any, name: str) -> bool:
-    """Whether the class of `mdp`, or of an MDP inside it, defines `name`."""
+    """Whether the class of `mdp` defines `name`. If `mdp` is a wrapper, the MDP that it wraps counts too."""
     inner = getattr(mdp, "mdp", None)
     return hasattr(type(mdp), name) or (inner is not None and _defines(inner, name))
 
@@ -144,7 +143,8 @@ def _defines(mdp: Any, name: str) -> bool:
 def coerced(value: Any) -> Any:
     """A copy of a NamedTuple in which numbers in `float` fields are Python floats.
 
-    NumPy's whole numbers in `int` fields become Python's. Any other value is returned unchanged.
+    NumPy integers in `int` fields become Python ints. NamedTuples in its fields are treated in the same way. A value
+    that is no NamedTuple is returned as it is.
 
     Without this, Numba would compile an agent once for `learning_rate=1` and again for `learning_rate=0.1`. Small
     integer types of NumPy, such as int8, could overflow. The copy holds the same arrays as the original.
@@ -158,7 +158,7 @@ def coerced(value: Any) -> Any:
     for name, field in zip(value._fields, value, strict=True):
         kind = getattr(
             kinds.get(name), "__forward_arg__", kinds.get(name)
-        )  # where it was written as a string, the string
+        )  # if the annotation is a string, such as "float", that string
         kind = getattr(kind, "__origin__", kind)  # Annotated[float, ...] becomes float
         if kind in (float, "float") and isinstance(field, int | np.number):
             fields[name] = float(field)

@@ -59,10 +59,11 @@ def train(
 ) -> Run:
     """Train `agent` in `environment` for `n_steps` steps and measure its learning curve.
 
-    In an MDP or an EduGym environment, training uses the loops of `edugym.training.loops`. From 5000 steps on they are
-    compiled to machine code, if possible. In three cases training uses `edugym.training.gymnasium_loops`, in plain
-    Python: another Gymnasium environment, an EduGym environment inside a wrapper, and Supermarket with a
-    `step_timeout`, because its `step` waits.
+    In an MDP or an EduGym environment, training uses the loops of `edugym.training.loops`. If `n_steps` is 5000 or
+    more, EduGym compiles these loops to machine code where it can. Three kinds of environments cannot use them: (1)
+    Gymnasium environments that are not EduGym's; (2) EduGym environments inside a wrapper that you have added; (3)
+    Supermarket with a `step_timeout`, whose `step` waits. These use the plain Python loops of
+    `edugym.training.gymnasium_loops`.
 
     Ctrl-C ends the run within a fifth of a second. The agent keeps what it has learned, and `train` raises
     `Interrupted`. Its attribute `partial` holds the `Run` so far. In a notebook or at the prompt, read it as
@@ -73,7 +74,7 @@ def train(
         agent: an agent for it; its tables are changed in place.
         n_steps: the number of training steps, 1 or more.
         max_steps: the step at which an episode is truncated; by default the environment's own limit, if it has one. In
-            an MDP or an EduGym environment, it replaces that limit. In the three cases above both limits hold, and the
+            an MDP or an EduGym environment, it replaces that limit. For the three kinds above both limits hold, and the
             lower one ends the episode.
         evaluate_every: the steps between two points of the curve; by default `n_steps // 100`, at least 1.
         evaluation_episodes: the number of episodes that each point averages. The agent plays them with `greedy`. If it
@@ -83,12 +84,13 @@ def train(
         seed: the seed of all random streams. If you create the agent anew and use the same seed, you get the same curve
             and the same tables, bit for bit.
         progress: whether to show a progress bar.
-        stop: a `threading.Event`. When it is set, `train` stops early and returns the `Run` so far. Its `complete` is
-            then False, unless the last point was being measured already.
+        stop: a `threading.Event`. When it is set, `train` stops early and returns the `Run` so far. This `Run` has
+            `complete=False`, unless its last evaluation episode was under way already.
 
     Warns:
-        UserWarning: no episode of your environment has ended, a table of your agent holds NaN, or training has
-            changed a table of your agent's class, which all agents of this class share.
+        UserWarning: the run is complete, and either no episode of your environment has ended in 1000 steps or more
+            without a step limit, or a table of your agent holds NaN, or your agent keeps a table as a class attribute,
+            which training has changed: all agents of the class share it.
 
     Raises:
         ValueError: a parameter is not as above, or the observations or actions do not fit a table.
@@ -110,7 +112,7 @@ def train(
             work.hold(training.is_compiled)
             curve.measure(done, training, evaluation_episodes, work.stopped)
             while done < n_steps and not work.stopped():
-                work.hold(training.is_compiled)  # a student's code is compiled after its first steps
+                work.hold(training.is_compiled)  # again: a student's code starts interpreted, and is machine code later
                 steps = training.learn(at_most=min(n_steps - done, every - done % every))
                 done += steps
                 if done % every == 0 or done == n_steps:
@@ -153,7 +155,7 @@ class _Curve:
         return self._points[-1][0] if self._points else -1
 
     def measure(self, steps: int, training: Trainer, n_episodes: int, stopped: Callable[[], bool]) -> None:
-        """Add a point to the curve, if the run is not stopped before all evaluation episodes are played."""
+        """Play the evaluation episodes and add a point. If the run is stopped before the last of them, add nothing."""
         returns = training.play_episodes(n_episodes)
         while len(returns) < n_episodes:
             if stopped():
