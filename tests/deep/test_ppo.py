@@ -320,9 +320,18 @@ def test_it_learns_catch() -> None:
 
 @pytest.mark.slow
 def test_it_learns_cart_pole() -> None:
-    """To 475 of 500 in 100 000 steps, in an environment of Gymnasium's."""
-    run = PPO.create("CartPole-v1", num_envs=8, length=128).train(100_000, evaluation_episodes=20)
-    assert run.returns.max() > 475
+    """Above 475 of 500 at the end of 120 000 steps, where Gymnasium counts it as solved; not before learning.
+
+    Over 21 seeds 499.8 on average (100 episodes each), the lowest 496. Before learning 88 (50 each), the highest 461:
+    networks that have learned nothing can be lucky, but not those of these two seeds, 9 and 53. With a clip of 0.2, the
+    default, 440 ± 66 over ten seeds (two standard errors of the mean), the lowest 195.
+    """
+    settings: dict[str, Any] = {"num_envs": 32, "length": 64, "epochs": 6, "learning_rate": 3e-3, "clip": 0.1}
+    ppo = PPO.create("CartPole-v1", discount=0.995, trace_decay=0.98, **settings)
+    how = {"evaluate_every": 120_000, "evaluation_episodes": 10}
+    before, after = np.transpose([ppo.train(120_000, seed=seed, **how).returns for seed in range(2)])
+    assert before.max() < 100
+    assert after.min() > 475
 
 
 @pytest.mark.slow
