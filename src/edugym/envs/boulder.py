@@ -36,8 +36,8 @@ class Boulder(NamedTuple):
     The position. Strictly, the number of steps in this episode is part of the state too, because of the step limit.
     The Gymnasium environment counts these steps, but the agent does not observe the count. Near the limit the position
     alone is therefore not Markov. (A step limit *truncates* an episode: the episode stops in a state that is not
-    terminal. Q-learning bootstraps from this state as from any other. It so learns the values of
-    the task without a step limit.)
+    terminal. Q-learning bootstraps from this state as from any other. In this way it
+    learns the values of the task without a step limit.)
 
     ## Dynamics
     The grip that holds moves the climber up by one. Any other sends it to the ground, without ending the episode.

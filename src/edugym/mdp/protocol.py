@@ -30,7 +30,7 @@ class MDP(Protocol[State, Observation_co]):
 
     If the observation does not determine the state, the problem is partially observable (a POMDP). Actions are usually
     the numbers 0, 1, 2 and so on. Methods draw every random number from `rng`. They change no other argument, not even
-    `state`. The discount belongs to the agent.
+    `state` (only `observe_into` writes into its `out`). The discount belongs to the agent.
 
     An MDP may also have
 
@@ -44,9 +44,9 @@ class MDP(Protocol[State, Observation_co]):
       observations are arrays. An environment that steps many copies then stores all observations in one array;
     * `create(**parameters)`, a class method: check the parameters, draw the layout and return the MDP.
 
-    `scene` and `info` may also have the parameters `last_state`, `last_action`, `actions` (the list of all actions of
-    this episode) and `steps` (its length). EduGym passes them by name. At the start of an episode `last_state` and
-    `last_action` are None.
+    `scene` and `info` may also have the parameters `last_state`, `last_action`, `actions` (the list of the actions so
+    far in this episode) and `steps` (the number of steps so far). EduGym passes them by name. When an episode starts,
+    `last_state` and `last_action` are None.
     """
 
     @property
@@ -81,7 +81,8 @@ class Actor(Protocol[Observation_contra]):
 
         If the observation has several whole numbers, EduGym turns them into a single one, the number of a row in the
         agent's table. This is for agents with a table. An agent without one says `tabular = False` in its class, and
-        gets the observation unchanged. If its class also has `n_inputs`, the number of inputs, it gets one flat vector.
+        gets the observation unchanged. If it also has `n_inputs`, EduGym flattens the observation into one vector of
+        `n_inputs` numbers.
         """
 
 
@@ -102,8 +103,8 @@ class Agent(Actor[Observation_contra], Protocol[Observation_contra]):
     * `greedy(state, rng)` returns the greedy action, for evaluation. Without it, `act` is used.
     * `forget_episode()` is for an agent that remembers earlier steps of this episode, for example in eligibility
       traces. `train` calls `forget_episode` once, before the first step, because an earlier run may have stopped within
-      an episode. It does not call it at the end of an episode: there `learn` gets `terminated` or `truncated`. If your
-      own loop leaves an episode early, call `forget_episode` yourself.
+      an episode. `train` does not call it at the end of an episode, where `learn` sees `terminated` or `truncated`. If
+      your own loop leaves an episode early, call `forget_episode` yourself.
     """
 
     @property
@@ -156,9 +157,7 @@ def coerced(value: Any) -> Any:
         kinds |= inspect.get_annotations(base)
     fields = {}
     for name, field in zip(value._fields, value, strict=True):
-        kind = getattr(
-            kinds.get(name), "__forward_arg__", kinds.get(name)
-        )  # if the annotation is a string, such as "float", that string
+        kind = getattr(kinds.get(name), "__forward_arg__", kinds.get(name))  # NamedTuple wraps a string
         kind = getattr(kind, "__origin__", kind)  # Annotated[float, ...] becomes float
         if kind in (float, "float") and isinstance(field, int | np.number):
             fields[name] = float(field)

@@ -75,7 +75,8 @@ class Claim(NamedTuple):
         quantity: the name of the measured quantity.
         measured: the estimate with its 95 % interval, or a computed value.
         expected: where the interval must lie for the claim to hold.
-        reason: why we expect the claim to hold. If the paper claims something else, why ours differs. It may be empty.
+        reason: why we expect the claim to hold or, if the paper claims something else, why our claim differs. It may be
+            empty.
     """
 
     statement: str

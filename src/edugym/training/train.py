@@ -29,7 +29,7 @@ class Run:
         training_returns: shape (n_points,): the mean undiscounted return of the training episodes that ended since the
             previous point, exploring steps included; NaN where none ended.
         episodes: shape (n_points,): the number of training episodes that ended since the previous point.
-        agent: the trained agent. Its tables are those of the agent that was given, changed in place.
+        agent: the trained agent. It shares its tables with the agent that you passed in, which is so trained too.
         seed: the seed from which every random stream of this run comes.
         seconds: the time it took, with compiling and evaluating.
         complete: False if it was stopped before its last point.
@@ -84,13 +84,13 @@ def train(
         seed: the seed of all random streams. If you create the agent anew and use the same seed, you get the same curve
             and the same tables, bit for bit.
         progress: whether to show a progress bar.
-        stop: a `threading.Event`. When it is set, `train` stops early and returns the `Run` so far. This `Run` has
-            `complete=False`, unless its last evaluation episode was under way already.
+        stop: a `threading.Event`. When it is set, `train` stops early and returns the `Run` so far. Then `complete` is
+            False. It is True only if all steps were taken and the last point was still measured.
 
     Warns:
-        UserWarning: the run is complete, and either no episode of your environment has ended in 1000 steps or more
-            without a step limit, or a table of your agent holds NaN, or your agent keeps a table as a class attribute,
-            which training has changed: all agents of the class share it.
+        UserWarning: your code cannot be compiled, and runs interpreted. After a complete run: (1) there is no step
+            limit, and in 1000 steps or more no episode of your environment has ended; (2) a table of your agent holds
+            NaN; (3) training has changed a table that is a class attribute. All agents of the class share such a table.
 
     Raises:
         ValueError: a parameter is not as above, or the observations or actions do not fit a table.
@@ -112,7 +112,9 @@ def train(
             work.hold(training.is_compiled)
             curve.measure(done, training, evaluation_episodes, work.stopped)
             while done < n_steps and not work.stopped():
-                work.hold(training.is_compiled)  # again: a student's code starts interpreted, and is machine code later
+                work.hold(
+                    training.is_compiled
+                )  # in every turn: a student's code is interpreted first and compiled later
                 steps = training.learn(at_most=min(n_steps - done, every - done % every))
                 done += steps
                 if done % every == 0 or done == n_steps:
@@ -155,7 +157,7 @@ class _Curve:
         return self._points[-1][0] if self._points else -1
 
     def measure(self, steps: int, training: Trainer, n_episodes: int, stopped: Callable[[], bool]) -> None:
-        """Play the evaluation episodes and add a point. If the run is stopped before the last of them, add nothing."""
+        """Play the evaluation episodes and add a point. Add nothing if the run is stopped while some are missing."""
         returns = training.play_episodes(n_episodes)
         while len(returns) < n_episodes:
             if stopped():
