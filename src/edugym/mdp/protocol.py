@@ -126,7 +126,7 @@ def step_limit(mdp: MDP[Any, Any]) -> int | None:
     try:
         limit = any_mdp.max_steps
     except AttributeError:
-        if _defines(mdp, "max_steps"):  # the class has `max_steps`, but computing it has failed: show that error
+        if _defines(mdp, "max_steps"):  # `max_steps` is a property whose own code raised this AttributeError: show it
             raise
         return None
     if limit is None:
@@ -157,7 +157,7 @@ def coerced(value: Any) -> Any:
         kinds |= inspect.get_annotations(base)
     fields = {}
     for name, field in zip(value._fields, value, strict=True):
-        kind = getattr(kinds.get(name), "__forward_arg__", kinds.get(name))  # NamedTuple wraps a string
+        kind = getattr(kinds.get(name), "__forward_arg__", kinds.get(name))  # an annotation written as a string
         kind = getattr(kind, "__origin__", kind)  # Annotated[float, ...] becomes float
         if kind in (float, "float") and isinstance(field, int | np.number):
             fields[name] = float(field)

@@ -22,14 +22,14 @@ class Run:
     """What one training run produced.
 
     Attributes:
-        steps: shape (n_points,): the number of training steps from the start of the run to each point of the curve; the
-            first is 0.
+        steps: shape (n_points,): the number of training steps from the start of the run to each point of the curve. The
+            first point, if there is one, is at 0.
         returns: shape (n_points,): the mean undiscounted return of the evaluation episodes, played with `greedy` if the
             agent has this method, else with `act`.
         training_returns: shape (n_points,): the mean undiscounted return of the training episodes that ended since the
             previous point, exploring steps included; NaN where none ended.
         episodes: shape (n_points,): the number of training episodes that ended since the previous point.
-        agent: the trained agent. It shares its tables with the agent that you passed in, which is so trained too.
+        agent: the trained agent. It shares its tables with the agent that you passed in, so training changes that agent too.
         seed: the seed from which every random stream of this run comes.
         seconds: the time it took, with compiling and evaluating.
         complete: False if it was stopped before its last point.
@@ -59,11 +59,10 @@ def train(
 ) -> Run:
     """Train `agent` in `environment` for `n_steps` steps and measure its learning curve.
 
-    In an MDP or an EduGym environment, training uses the loops of `edugym.training.loops`. If `n_steps` is 5000 or
-    more, EduGym compiles these loops to machine code where it can. Three kinds of environments cannot use them: (1)
-    Gymnasium environments that are not EduGym's; (2) EduGym environments inside a wrapper that you have added; (3)
-    Supermarket with a `step_timeout`, whose `step` waits. These use the plain Python loops of
-    `edugym.training.gymnasium_loops`.
+    Training uses the loops of `edugym.training.loops`, and compiles them to machine code where it can if `n_steps` is
+    5000 or more. Three kinds of environments need the plain Python loops of `edugym.training.gymnasium_loops` instead:
+    (1) Gymnasium environments that are not EduGym's; (2) EduGym environments inside a wrapper that you have added; (3)
+    Supermarket with a `step_timeout`, whose `step` waits.
 
     Ctrl-C ends the run within a fifth of a second. The agent keeps what it has learned, and `train` raises
     `Interrupted`. Its attribute `partial` holds the `Run` so far. In a notebook or at the prompt, read it as
@@ -73,9 +72,9 @@ def train(
         environment: an MDP, a Gymnasium environment, or the name or id of one.
         agent: an agent for it; its tables are changed in place.
         n_steps: the number of training steps, 1 or more.
-        max_steps: the step at which an episode is truncated; by default the environment's own limit, if it has one. In
-            an MDP or an EduGym environment, it replaces that limit. For the three kinds above both limits hold, and the
-            lower one ends the episode.
+        max_steps: the step at which an episode is truncated; by default the environment's own limit, if it has one.
+            `max_steps` replaces that limit, except in environments that need the plain Python loops: there both limits
+            hold, and the lower one ends the episode.
         evaluate_every: the steps between two points of the curve; by default `n_steps // 100`, at least 1.
         evaluation_episodes: the number of episodes that each point averages. The agent plays them with `greedy`. If it
             has no `greedy`, a copy of it plays with `act`, and so explores. The evaluation episodes have their own
@@ -84,13 +83,14 @@ def train(
         seed: the seed of all random streams. If you create the agent anew and use the same seed, you get the same curve
             and the same tables, bit for bit.
         progress: whether to show a progress bar.
-        stop: a `threading.Event`. When it is set, `train` stops early and returns the `Run` so far. Then `complete` is
-            False. It is True only if all steps were taken and the last point was still measured.
+        stop: a `threading.Event`. When it is set, `train` stops early and returns the `Run` so far. `complete` of
+            this `Run` is False, unless all steps were taken already and the last point could still be measured.
 
     Warns:
-        UserWarning: your code cannot be compiled, and runs interpreted. After a complete run: (1) there is no step
-            limit, and in 1000 steps or more no episode of your environment has ended; (2) a table of your agent holds
-            NaN; (3) training has changed a table that is a class attribute. All agents of the class share such a table.
+        UserWarning: `train` warns when it cannot compile your code, which then runs interpreted. At the end of a
+            complete run it also warns if (1) there is no step limit, and in 1000 steps or more no episode of your
+            environment has ended; (2) a table of your agent holds NaN; (3) training has changed a table that is a class
+            attribute, since all agents of the class share such a table.
 
     Raises:
         ValueError: a parameter is not as above, or the observations or actions do not fit a table.
@@ -114,7 +114,7 @@ def train(
             while done < n_steps and not work.stopped():
                 work.hold(
                     training.is_compiled
-                )  # in every turn: a student's code is interpreted first and compiled later
+                )  # by now a student's code may be compiled, and signals wait for machine code
                 steps = training.learn(at_most=min(n_steps - done, every - done % every))
                 done += steps
                 if done % every == 0 or done == n_steps:
