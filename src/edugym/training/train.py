@@ -29,7 +29,7 @@ class Run:
         training_returns: shape (n_points,): the mean undiscounted return of the training episodes that ended since the
             previous point, exploring steps included; NaN where none ended.
         episodes: shape (n_points,): the number of training episodes that ended since the previous point.
-        agent: the trained agent. It shares its tables with the agent that you passed in, so training changes that agent too.
+        agent: the trained agent. It shares its tables with the agent that you passed in, so training changes that too.
         seed: the seed from which every random stream of this run comes.
         seconds: the time it took, with compiling and evaluating.
         complete: False if it was stopped before its last point.
