@@ -105,7 +105,10 @@ WHOLE = {
     ),
     "no task": (lambda: train(None, learner(), 30), "environment must be an MDP"),
     "no agent": (lambda: train(task(), None, 30), "agent must be an object with the methods act and learn, but"),
-    "the wrong way round": (lambda: train(learner(), task(), 30), "environment must come first, before the agent, but is the agent Learner"),
+    "the wrong way round": (
+        lambda: train(learner(), task(), 30),
+        "environment must come first, before the agent, but is the agent Learner",
+    ),
 }
 
 
