@@ -1,6 +1,8 @@
 """The interfaces of MDPs and agents.
 
-An MDP is immutable. The fields of an agent are fixed too, but `act` and `learn` may change the numbers in its arrays.
+An MDP is immutable. An agent is usually a NamedTuple too: its fields are fixed, but `act` and `learn` may change the
+numbers in its arrays. (An ordinary class also works as an agent, but EduGym does not compile it.)
+
 You do not inherit from these protocols: every `typing.NamedTuple` with the right methods is an MDP or an agent. You may
 define it in a notebook cell. The README shows an MDP and an agent. The protocols are there for type checkers and
 readers.
@@ -103,8 +105,9 @@ class Agent(Actor[Observation_contra], Protocol[Observation_contra]):
     * `greedy(state, rng)` returns the greedy action, for evaluation. Without it, `act` is used.
     * `forget_episode()` is for an agent that remembers earlier steps of this episode, for example in eligibility
       traces. `train` calls `forget_episode` once, before the first step, because an earlier run may have stopped within
-      an episode. `train` does not call it at the end of an episode, where `learn` sees `terminated` or `truncated`. If
-      your own loop leaves an episode early, call `forget_episode` yourself.
+      an episode. `train` does not call it when an episode ends: your `learn` must then clear the memory itself, since
+      `terminated` or `truncated` tells it about the end. If your own loop leaves an episode early, call
+      `forget_episode` yourself.
     """
 
     @property

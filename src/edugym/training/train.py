@@ -83,8 +83,8 @@ def train(
         seed: the seed of all random streams. If you create the agent anew and use the same seed, you get the same curve
             and the same tables, bit for bit.
         progress: whether to show a progress bar.
-        stop: a `threading.Event`. When it is set, `train` stops early and returns the `Run` so far. `complete` of
-            this `Run` is False, unless all steps were taken already and the last point could still be measured.
+        stop: a `threading.Event`. When it is set, `train` stops early and returns the `Run` so far. This `Run`
+            is `complete` only if it has taken all its steps and measured its last point.
 
     Warns:
         UserWarning: `train` warns when it cannot compile your code, which then runs interpreted. At the end of a
@@ -112,9 +112,8 @@ def train(
             work.hold(training.is_compiled)
             curve.measure(done, training, evaluation_episodes, work.stopped)
             while done < n_steps and not work.stopped():
-                work.hold(
-                    training.is_compiled
-                )  # by now a student's code may be compiled, and signals wait for machine code
+                # A student's code may be compiled by now. While machine code runs, Ctrl-C waits until it returns.
+                work.hold(training.is_compiled)
                 steps = training.learn(at_most=min(n_steps - done, every - done % every))
                 done += steps
                 if done % every == 0 or done == n_steps:
