@@ -6,7 +6,7 @@ import sys
 import pytest
 
 EXPECTED = {
-    "training": ["in the long loop at line 37", "False True 0.0", "Timeout", "False"],
+    "training": ["in the loop at line 37 of your code", "False True 0.0", "Timeout", "False"],
     "in_threads": ["Interrupted True", "Interrupted True"],
     "vector": ["True 300 300"],
     "planning": ["Interrupted"],

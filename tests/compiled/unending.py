@@ -135,7 +135,7 @@ def training() -> None:
     agent, stop = Waiting(np.zeros(2)), threading.Event()
     alarm = functools.partial(os.kill, os.getpid(), signal.SIGALRM)
     stopped = stopped_by(Interrupted, lambda: train(agent), ctrl_c, lambda: agent.count[1])
-    print(*re.findall(r"in the long loop at line \d+", str(stopped)))
+    print(*re.findall(r"in the loop at line \d+ of your code", str(stopped)))
     print(stopped.partial.complete, 0 < agent.count[0] <= PATIENT, agent.count[1])
     print(type(stopped_by(Timeout, lambda: train(agent), alarm, lambda: agent.count[1])).__name__)
     print(stopped_by(Interrupted, lambda: train(agent, stop=stop), stop.set, lambda: agent.count[1]).complete)

@@ -82,9 +82,9 @@ class Actor(Protocol[Observation_contra]):
         """Choose an action. `state` is the observation, which the agent treats as the state.
 
         If the observation has several whole numbers, EduGym turns them into a single one, the number of a row in the
-        agent's table. This is for agents with a table. An agent without one says `tabular = False` in its class, and
-        gets the observation unchanged. If it also has `n_inputs`, EduGym flattens the observation into one vector of
-        `n_inputs` numbers.
+        agent's table. This is for agents with a table. An agent without a table says `tabular = False` in its
+        class. If such an agent has an attribute `n_inputs`, EduGym flattens the observation into one vector of
+        `n_inputs` numbers. If not, the agent gets the observation unchanged.
         """
 
 

@@ -59,8 +59,8 @@ def train(
 ) -> Run:
     """Train `agent` in `environment` for `n_steps` steps and measure its learning curve.
 
-    Training uses the loops of `edugym.training.loops`, and compiles them to machine code where it can if `n_steps` is
-    5000 or more. Three kinds of environments need the plain Python loops of `edugym.training.gymnasium_loops` instead:
+    Training uses the loops of `edugym.training.loops`. If `n_steps` is 5000 or more, it compiles them to machine code
+    where possible. Three kinds of environments need the plain Python loops of `edugym.training.gymnasium_loops` instead:
     (1) Gymnasium environments that are not EduGym's; (2) EduGym environments inside a wrapper that you have added; (3)
     Supermarket with a `step_timeout`, whose `step` waits.
 
@@ -112,7 +112,8 @@ def train(
             work.hold(training.is_compiled)
             curve.measure(done, training, evaluation_episodes, work.stopped)
             while done < n_steps and not work.stopped():
-                # A student's code may be compiled by now. While machine code runs, Ctrl-C waits until it returns.
+                # A student's code starts interpreted and is compiled after its first steps: ask before each call.
+                # While machine code runs, Ctrl-C waits until that code returns.
                 work.hold(training.is_compiled)
                 steps = training.learn(at_most=min(n_steps - done, every - done % every))
                 done += steps
@@ -131,7 +132,7 @@ def train(
         for doubt in training.doubts(n_steps, int(run.episodes.sum())):
             warnings.warn(doubt, stacklevel=2)
     if interrupted:
-        where = f", in the long loop at line {work.loop}" if work.loop else ""
+        where = f", in the loop at line {work.loop} of your code" if work.loop else ""
         raise Interrupted(f"after {done} of {n_steps} steps{where}; the agent keeps what it has learned", lambda: run)
     return run
 
