@@ -37,7 +37,7 @@ class Boulder(NamedTuple):
     The Gymnasium environment counts these steps, but the agent does not observe the count. Near the limit the position
     alone is therefore not Markov. (A step limit *truncates* an episode: the episode stops in a state that is not
     terminal. Q-learning bootstraps from this state as from any other. In this way it
-    learns the values of the task without a step limit.)
+    learns the values of a task that has no step limit.)
 
     ## Dynamics
     The grip that holds moves the climber up by one. Any other sends it to the ground, without ending the episode.

@@ -150,8 +150,9 @@ def coerced(value: Any) -> Any:
     NumPy integers in `int` fields become Python ints. NamedTuples in its fields are treated in the same way. A value
     that is no NamedTuple is returned as it is.
 
-    Without this, Numba would compile an agent once for `learning_rate=1` and again for `learning_rate=0.1`. Small
-    integer types of NumPy, such as int8, could overflow. The copy holds the same arrays as the original.
+    There are two reasons. Otherwise Numba would compile an agent once for `learning_rate=1` and again for
+    `learning_rate=0.1`. And a small NumPy integer, such as an int8, could overflow; a Python int does not. The copy
+    holds the same arrays as the original.
     """
     if not (isinstance(value, tuple) and hasattr(value, "_fields")):
         return value

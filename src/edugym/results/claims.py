@@ -1,9 +1,11 @@
 """Claims: statements about an experiment, each with its measurement and whether it holds.
 
-We choose the range of a claim before we run the experiment. The claim holds only if the whole confidence interval lies
-in this range; the estimate alone is not enough. "The method solves the task" means that the share of runs that solve it
-is above one half: the whole interval of this share must lie above 0.5, `Above(0.5)`. "It does not solve the task" means
-that the whole interval lies below 0.5. If the interval contains 0.5, the data cannot decide, and neither claim holds.
+A claim says in which range a measured number must lie. We choose this range before we run the experiment. The claim
+holds only if the whole confidence interval lies in the range; the estimate alone is not enough.
+
+"The method solves the task" means that the share of runs that solve it is above one half: the whole interval of this
+share must lie above 0.5, `Above(0.5)`. "It does not solve the task" means that the whole interval lies below 0.5. If
+the interval contains 0.5, the data cannot decide, and neither claim holds.
 
 Some claims say that a measured number *equals* a prediction. They allow a margin: one bound below the prediction and
 one above. The whole interval must lie between these bounds: `Within(low, high)`. (This is an equivalence test. It is

@@ -60,8 +60,8 @@ def train(
     """Train `agent` in `environment` for `n_steps` steps and measure its learning curve.
 
     Training uses the loops of `edugym.training.loops`. If `n_steps` is 5000 or more, it compiles them to machine code
-    where possible. Three kinds of environments need the plain Python loops of `edugym.training.gymnasium_loops` instead:
-    (1) Gymnasium environments that are not EduGym's; (2) EduGym environments inside a wrapper that you have added; (3)
+    where possible. Three kinds of environments need the plain Python loops of `edugym.training.gymnasium_loops`: (1)
+    Gymnasium environments that are not EduGym's; (2) EduGym environments inside a wrapper that you have added; (3)
     Supermarket with a `step_timeout`, whose `step` waits.
 
     Ctrl-C ends the run within a fifth of a second. The agent keeps what it has learned, and `train` raises
@@ -112,8 +112,8 @@ def train(
             work.hold(training.is_compiled)
             curve.measure(done, training, evaluation_episodes, work.stopped)
             while done < n_steps and not work.stopped():
-                # A student's code starts interpreted and is compiled after its first steps: ask before each call.
-                # While machine code runs, Ctrl-C waits until that code returns.
+                # While machine code runs, Ctrl-C must wait until the call of `learn` returns (about 0.02 s). Code of a
+                # student becomes machine code only after its first steps, so look again before each call.
                 work.hold(training.is_compiled)
                 steps = training.learn(at_most=min(n_steps - done, every - done % every))
                 done += steps
