@@ -1,11 +1,10 @@
 """The interfaces of MDPs and agents.
 
-An MDP is immutable. An agent is usually a NamedTuple too: its fields are fixed, but `act` and `learn` may change the
-numbers in its arrays. (An ordinary class also works as an agent, but EduGym does not compile it.)
+An MDP is a `typing.NamedTuple`, so it is immutable. An agent is a NamedTuple too: its fields are fixed, but `act` and
+`learn` may change the numbers in its arrays. (An ordinary class also works as an agent, but is not compiled.)
 
-You do not inherit from these protocols: every `typing.NamedTuple` with the right methods is an MDP or an agent. You may
-define it in a notebook cell. The README shows an MDP and an agent. The protocols are there for type checkers and
-readers.
+You do not inherit from these protocols: every NamedTuple with the right methods is an MDP or an agent. You may define it
+in a notebook cell. The README shows an MDP and an agent. The protocols are there for type checkers and readers.
 """
 
 import inspect
@@ -42,8 +41,8 @@ class MDP(Protocol[State, Observation_co]):
     * `action_names`: the names of the actions 0, 1, ..., or a dictionary from names to actions;
     * `scene(state, ...)`: its picture (see `edugym.rendering`);
     * `info(state, ...)`: a dictionary with extra information for plots; agents must not use it;
-    * `observe_into(state, rng, out)`: writes the observation into the array `out` and returns nothing. Define it if
-      observations are arrays. An environment that steps many copies then stores all observations in one array;
+    * `observe_into(state, rng, out)`, if observations are arrays: writes the observation into the array `out`. This
+      saves time, since no new array is made at each step;
     * `create(**parameters)`, a class method: check the parameters, draw the layout and return the MDP.
 
     `scene` and `info` may also have the parameters `last_state`, `last_action`, `actions` (the list of the actions so
@@ -105,9 +104,8 @@ class Agent(Actor[Observation_contra], Protocol[Observation_contra]):
     * `greedy(state, rng)` returns the greedy action, for evaluation. Without it, `act` is used.
     * `forget_episode()` is for an agent that remembers earlier steps of this episode, for example in eligibility
       traces. `train` calls `forget_episode` once, before the first step, because an earlier run may have stopped within
-      an episode. `train` does not call it when an episode ends: your `learn` must then clear the memory itself, since
-      `terminated` or `truncated` tells it about the end. If your own loop leaves an episode early, call
-      `forget_episode` yourself.
+      an episode. `train` does not call it when an episode ends: your `learn` must clear the memory itself when
+      `terminated` or `truncated` is true. If your own loop leaves an episode early, call `forget_episode` yourself.
     """
 
     @property
@@ -150,9 +148,9 @@ def coerced(value: Any) -> Any:
     NumPy integers in `int` fields become Python ints. NamedTuples in its fields are treated in the same way. A value
     that is no NamedTuple is returned as it is.
 
-    There are two reasons. Otherwise Numba would compile an agent once for `learning_rate=1` and again for
-    `learning_rate=0.1`. And a small NumPy integer, such as an int8, could overflow; a Python int does not. The copy
-    holds the same arrays as the original.
+    The copy holds the same arrays as the original. It spares Numba from compiling the same agent twice, for
+    `learning_rate=1` (an int) and for `learning_rate=0.1` (a float). It also keeps small NumPy integers, such as an
+    int8, from overflowing.
     """
     if not (isinstance(value, tuple) and hasattr(value, "_fields")):
         return value

@@ -87,7 +87,7 @@ def train(
             is `complete` only if it has taken all its steps and measured its last point.
 
     Warns:
-        UserWarning: `train` warns when it cannot compile your code, which then runs interpreted. At the end of a
+        UserWarning: `train` warns, once for each class, when it cannot compile your code. At the end of a
             complete run it also warns if (1) there is no step limit, and in 1000 steps or more no episode of your
             environment has ended; (2) a table of your agent holds NaN; (3) training has changed a table that is a class
             attribute, since all agents of the class share such a table.
@@ -112,8 +112,8 @@ def train(
             work.hold(training.is_compiled)
             curve.measure(done, training, evaluation_episodes, work.stopped)
             while done < n_steps and not work.stopped():
-                # While machine code runs, Ctrl-C must wait until the call of `learn` returns (about 0.02 s). Code of a
-                # student becomes machine code only after its first steps, so look again before each call.
+                # While machine code runs, Ctrl-C must wait until the call of `learn` returns (about 0.02 s). A run can
+                # begin interpreted and become compiled.
                 work.hold(training.is_compiled)
                 steps = training.learn(at_most=min(n_steps - done, every - done % every))
                 done += steps
