@@ -3,8 +3,8 @@
 An MDP is a `typing.NamedTuple`, so it is immutable. An agent is a NamedTuple too: its fields are fixed, but `act` and
 `learn` may change the numbers in its arrays. (An ordinary class also works as an agent, but is not compiled.)
 
-You do not inherit from these protocols: every NamedTuple with the right methods is an MDP or an agent. You may define it
-in a notebook cell. The README shows an MDP and an agent. The protocols are there for type checkers and readers.
+You do not inherit from these protocols: every NamedTuple with the right methods is an MDP or an agent. You may define
+it in a notebook cell. The README shows an MDP and an agent. The protocols are there for type checkers and readers.
 """
 
 import inspect
@@ -112,8 +112,8 @@ class Agent(Actor[Observation_contra], Protocol[Observation_contra]):
     def learn(self) -> Callable[..., None]:
         """Learn from the last step.
 
-        In your agent, write `learn` as an ordinary method. It is a property in this protocol only so that type checkers
-        accept any parameters.
+        In your agent, write `learn` as an ordinary method. This protocol declares it as a property for one reason: type
+        checkers then accept a `learn` with any parameters.
         """
 
 

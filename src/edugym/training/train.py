@@ -112,8 +112,8 @@ def train(
             work.hold(training.is_compiled)
             curve.measure(done, training, evaluation_episodes, work.stopped)
             while done < n_steps and not work.stopped():
-                # While machine code runs, Ctrl-C must wait until the call of `learn` returns (about 0.02 s). A run can
-                # begin interpreted and become compiled.
+                # `training.learn` takes many steps in one call, for about 0.02 s. While machine code runs, Ctrl-C waits
+                # until this call returns. A run can begin interpreted and become compiled.
                 work.hold(training.is_compiled)
                 steps = training.learn(at_most=min(n_steps - done, every - done % every))
                 done += steps
@@ -157,7 +157,7 @@ class _Curve:
         return self._points[-1][0] if self._points else -1
 
     def measure(self, steps: int, training: Trainer, n_episodes: int, stopped: Callable[[], bool]) -> None:
-        """Play the evaluation episodes and add a point. Add nothing if the run is stopped while some are missing."""
+        """Play the evaluation episodes and add a point. If the run stops before all are played, add none."""
         returns = training.play_episodes(n_episodes)
         while len(returns) < n_episodes:
             if stopped():
