@@ -67,7 +67,7 @@ def policy_gradients() -> list[Comparison]:
             Contender("EduGym", partial(ppo, name)),
             [Contender("Stable-Baselines3's PPO, as many updates", partial(baselines_ppo, name))],
             ratio_target=3,
-            turns=5.0,  # ours makes new copies and networks in each turn, Stable-Baselines3 goes on with its own
+            turn_length=5.0,  # ours makes new copies and networks in each turn, Stable-Baselines3 goes on with its own
         )
         for name in ("Catch", "Trashbot")
     ]

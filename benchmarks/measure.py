@@ -39,7 +39,7 @@ class Comparison(NamedTuple):
         others: what it is compared with.
         rate_target: so many units a second are wanted; None for no such aim.
         ratio_target: so many times the first of the others is wanted; None for no such aim.
-        turns: how many times as long as usual a turn lasts: more than 1 where a run takes long to begin.
+        turn_length: how many times as long as usual a turn lasts: more than 1 where a run takes long to begin.
     """
 
     name: str
@@ -48,7 +48,7 @@ class Comparison(NamedTuple):
     others: list[Contender]
     rate_target: float | None = None
     ratio_target: float | None = None
-    turns: float = 1.0
+    turn_length: float = 1.0
 
 
 class Spread(NamedTuple):
@@ -94,7 +94,7 @@ def measure(comparison: Comparison, rounds: int, seconds: float) -> Measured:
     contenders = (comparison.ours, *comparison.others)
     with on_one_core():  # from the start, since threads stay on the cores of whoever began them
         works = {contender.name: contender.prepare() for contender in contenders}
-        amounts = {name: _amount(work, seconds * comparison.turns) for name, work in works.items()}
+        amounts = {name: _amount(work, seconds * comparison.turn_length) for name, work in works.items()}
         turns = [{name: _rate(work, amounts[name]) for name, work in works.items()} for _ in range(rounds)]
     ours = comparison.ours.name
     return Measured(

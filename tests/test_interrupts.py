@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from edugym.interrupts import Interrupted, Stopped, Work, held, interruptibly
+from edugym.interrupts import Interrupted, Stopped, Work, asked_to_stop, held, interruptibly
 
 SCRIPT = """
 import os, signal, sys, threading
@@ -277,6 +277,18 @@ def test_what_cannot_be_interrupted_is_waited_for_interruptibly() -> None:
     finally:
         go_on.set()
         timer.join()
+
+
+def test_only_the_loop_that_was_stopped_is_named() -> None:
+    """A loop that asked and went on to its end has nothing to do with a later Ctrl-C."""
+    stop = threading.Event()
+    with Work(stop) as work:
+        assert not asked_to_stop(7)
+        assert work.loop == 0
+        stop.set()
+        assert asked_to_stop(8)
+        assert work.loop == 8
+    assert not asked_to_stop(9)
 
 
 def test_a_notebook_shows_one_line() -> None:

@@ -97,7 +97,7 @@ class Work:
 
     Attributes:
         ordered: whether Ctrl-C has ordered runs to stop.
-        loop: the line of the student's loop that asked last whether to go on, if one did; else 0.
+        loop: the line of the student's loop that was under way in machine code when it was stopped; else 0.
     """
 
     def __init__(self, stop: Any = None) -> None:
@@ -148,7 +148,7 @@ class Work:
             self._raised = None
         self._deliver()
         if self._error is not None:
-            raise self._error
+            raise self._error from None
 
     def hold(self, machine_code: bool) -> None:
         """Let signals wait until `stopped` is asked, from now on and if machine code is to run."""
@@ -277,12 +277,13 @@ def asked_to_stop(line: int) -> bool:
     work: Work | None = getattr(_current, "work", None)
     if work is None:
         return False
-    work.loop = line
     try:
-        return work.stopped()
+        stops = work.stopped()
     except BaseException as error:  # it cannot pass through machine code
-        work._error = error
-        return True
+        stops, work._error = True, error
+    if stops:
+        work.loop = line
+    return stops
 
 
 def interruptibly(function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:

@@ -23,9 +23,7 @@ binding: Any = importlib.import_module("llvmlite.binding")
 BETWEEN = 2**12
 """Turns of a loop between two questions, a power of two. A question takes a microsecond, short turns a few in all."""
 SYMBOL = "edugym_asked_to_stop"
-_question = ctypes.CFUNCTYPE(ctypes.c_bool, ctypes.c_int64)(
-    asked_to_stop
-)  # must live as long as machine code may call it
+_question = ctypes.CFUNCTYPE(ctypes.c_bool, ctypes.c_int64)(asked_to_stop)  # it lives as long as machine code
 binding.add_symbol(SYMBOL, ctypes.cast(_question, ctypes.c_void_p).value)
 
 

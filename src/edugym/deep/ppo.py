@@ -194,10 +194,19 @@ def normalised(x: Tensor) -> Tensor:
 
 
 class Adam(NamedTuple):
-    """The function behind `torch.optim.Adam`, whose own bookkeeping takes longer than the step itself."""
+    """The function behind `torch.optim.Adam`, whose own bookkeeping takes longer than the step itself.
+
+    Attributes:
+        weights: shape (n,), what is learned; changed in place.
+        mean: shape (n,), the average of the gradients so far.
+        mean_square: shape (n,), that of their squares.
+        n_steps: how many steps there were.
+
+    References: Kingma and Ba (2015), Adam: a method for stochastic optimization, algorithm 1.
+    """
 
     weights: Tensor
-    mean: Tensor  # of the gradients so far
+    mean: Tensor
     mean_square: Tensor
     n_steps: Tensor
 

@@ -81,9 +81,9 @@ class Actor(Protocol[Observation_contra]):
         """Choose an action. `state` is the observation, which the agent treats as the state.
 
         If the observation has several whole numbers, EduGym turns them into a single one, the number of a row in the
-        agent's table. This is for agents with a table. An agent without a table says `tabular = False` in its
-        class. If such an agent has an attribute `n_inputs`, EduGym flattens the observation into one vector of
-        `n_inputs` numbers. If not, the agent gets the observation unchanged.
+        agent's table. This is for agents with a table. An agent without a table says `tabular = False` in its class.
+        If such an agent has an attribute `n_inputs`, EduGym flattens the observation into one vector of `n_inputs`
+        numbers. If not, the agent gets the observation unchanged.
         """
 
 
@@ -96,8 +96,8 @@ class Agent(Actor[Observation_contra], Protocol[Observation_contra]):
     * `terminated`: whether `next_state` is terminal;
     * `truncated`: whether a step limit has ended the episode; the agent still bootstraps from `next_state`;
     * `next_action`: the next action, for on-policy agents such as SARSA. If `learn` has this parameter, the next action
-      is chosen before learning; if not, after learning, as in Q-learning. If the episode is truncated,
-      the environment never executes `next_action`. If it has terminated, ignore `next_action`.
+      is chosen before learning; if not, after learning, as in Q-learning. If the episode is truncated, the
+      environment never executes `next_action`. If it has terminated, ignore `next_action`.
 
     Optional:
 

@@ -166,9 +166,7 @@ class _Curve:
         log = training.log
         ended = int(log.episodes[0])
         mean = log.returns[0] / ended if ended else math.nan
-        self._points.append(
-            (steps, float(np.mean(returns)), mean, ended)
-        )  # all at once, so that Ctrl-C leaves no half of a point
+        self._points.append((steps, float(np.mean(returns)), mean, ended))  # at once: Ctrl-C leaves no half of it
         log.returns[0] = log.episodes[0] = 0
 
     def columns(self) -> tuple[Integers, Reals, Reals, Integers]:
