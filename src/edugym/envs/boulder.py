@@ -69,8 +69,9 @@ class Boulder(NamedTuple):
       observes it when the episode ends.
 
     ## Algorithms
-    The paper compares three agents: ε-greedy Q-learning, Q-learning with a count-based intrinsic reward, and
-    Go-Explore.
+    The paper compares three agents: ε-greedy Q-learning; Q-learning that gets a bonus for rarely visited states (a
+    count-based intrinsic reward); and Go-Explore, which first returns to a state that it has reached before, and
+    explores from there.
 
     ## References
     Moerland et al. (2023), EduGym, section 4(a) and appendix A.1. Boulder is based on the chain problem of

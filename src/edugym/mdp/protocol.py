@@ -189,8 +189,8 @@ def named_actions(mdp: MDP[Any, Any]) -> dict[str, Any]:
 def writes_in_place(mdp: Any) -> bool:
     """Whether `observe_into` may be used in place of `observation`.
 
-    If a subclass overrides only `observation`, the answer is no: the inherited `observe_into` would still write the old
-    observation.
+    If a subclass overrides only `observation`, the answer is no: the inherited `observe_into` would still write what
+    the parent class observes.
     """
     observers = {"observation", "observe_into"}
     return "observe_into" in next((vars(kind) for kind in type(mdp).__mro__ if observers & vars(kind).keys()), {})

@@ -7,10 +7,10 @@ holds only if the whole confidence interval lies in the range; the estimate alon
 share must lie above 0.5, `Above(0.5)`. "It does not solve the task" means that the whole interval lies below 0.5. If
 the interval contains 0.5, the data cannot decide, and neither claim holds.
 
-Some claims say that a measured number *equals* a prediction. They allow a margin: one bound below the prediction and
-one above. The whole interval must lie between these bounds: `Within(low, high)`. (This is an equivalence test. It is
-not enough that the interval contains the prediction: with little data the interval is so wide that it contains almost
-any number.)
+Some claims say that a number *equals* a prediction: `Within(low, high)`. If the number is an estimate, they allow a
+margin: one bound below the prediction and one above. The whole interval must lie between these bounds. (This is an
+equivalence test. It is not enough that the interval contains the prediction: with little data the interval is so wide
+that it contains almost any number.) If the number is exact, both bounds may be the prediction itself.
 """
 
 from typing import NamedTuple, TypeAlias
@@ -75,7 +75,7 @@ class Claim(NamedTuple):
     Attributes:
         statement: the claim, in one sentence.
         quantity: the name of the measured quantity.
-        measured: the estimate with its 95 % interval, or a computed value.
+        measured: the estimate with its 95 % interval. The interval of a computed value is that value alone.
         expected: where the interval must lie for the claim to hold.
         reason: why we expect the claim to hold or, if the paper claims something else, why our claim differs. It may be
             empty.

@@ -26,8 +26,8 @@ class Run:
             first point, if there is one, is at 0.
         returns: shape (n_points,): the mean undiscounted return of the evaluation episodes, played with `greedy` if the
             agent has this method, else with `act`.
-        training_returns: shape (n_points,): the mean undiscounted return of the training episodes that ended since the
-            previous point, exploring steps included; NaN where none ended.
+        training_returns: shape (n_points,): the mean undiscounted return of the training episodes, in which the agent
+            explores, that ended since the previous point; NaN where none ended.
         episodes: shape (n_points,): the number of training episodes that ended since the previous point.
         agent: the trained agent. It shares its tables with the agent that you passed in, so training changes that too.
         seed: the seed from which every random stream of this run comes.
@@ -112,8 +112,9 @@ def train(
             work.hold(training.is_compiled)
             curve.measure(done, training, evaluation_episodes, work.stopped)
             while done < n_steps and not work.stopped():
-                # `training.learn` takes many steps in one call, for about 0.02 s. While machine code runs, Ctrl-C waits
-                # until this call returns. A run can begin interpreted and become compiled.
+                # `training.learn` takes many steps in one call, for about 0.02 s. In machine code, Ctrl-C waits until
+                # this call returns or a long loop in it asks whether to stop. We tell `work` before each call whether
+                # the call runs machine code, since a run can begin interpreted and become compiled.
                 work.hold(training.is_compiled)
                 steps = training.learn(at_most=min(n_steps - done, every - done % every))
                 done += steps
@@ -166,7 +167,7 @@ class _Curve:
         log = training.log
         ended = int(log.episodes[0])
         mean = log.returns[0] / ended if ended else math.nan
-        self._points.append((steps, float(np.mean(returns)), mean, ended))  # at once: Ctrl-C leaves no half of it
+        self._points.append((steps, float(np.mean(returns)), mean, ended))  # Ctrl-C cannot leave half a point
         log.returns[0] = log.episodes[0] = 0
 
     def columns(self) -> tuple[Integers, Reals, Reals, Integers]:

@@ -248,7 +248,7 @@ def noise_claims(plain: Mapping[str, Results], noisy: Mapping[str, Results]) -> 
         Claim(
             "With noise of real numbers in all pixels nearly every board is new",
             "share of observations never seen before",
-            exactly(new_share(pixels(sigma=SIGMA)(0))),
+            mean_interval([new_share(pixels(sigma=SIGMA)(0), seed=seed) for seed in range(5)]),
             Above(0.99),
         ),
         Claim(

@@ -11,9 +11,9 @@ from edugym.lessons.dimensionality.tasks import COLUMNS, ROWS
 from edugym.mdp.tabular import table_sizes
 
 
-def new_share(task: Any, n_steps: int = 2_000) -> float:
+def new_share(task: Any, n_steps: int = 2_000, seed: int = 0) -> float:
     """Return the share of the observations of random play that were never seen before."""
-    rng = np.random.default_rng(0)
+    rng = np.random.default_rng(seed)
     state = task.initial(rng)
     for _ in range(n_steps):
         task.observation(state, rng)
