@@ -251,18 +251,23 @@ def _later(seconds: float, press: Callable[[], None]) -> None:
 
 
 @contextmanager
-def held() -> Iterator[None]:
+def held(machine_code: bool = True) -> Iterator[None]:
     """Let signals wait while machine code runs in this block, if a work is under way in this thread.
 
     They wait until the work asks `stopped` or ends: an error that a handler raises is none of the machine code's.
+
+    Args:
+        machine_code: whether the block runs machine code. If not, its signals are answered at once, as in plain Python.
     """
     work: Work | None = getattr(_current, "work", None)
     if work is None:
         yield
         return
     before = work._held
-    work.hold(machine_code=True)
+    work.hold(machine_code)
     try:
+        if not machine_code:
+            work.stopped()  # answers the signals that came before the block
         yield
     finally:
         work.hold(before)

@@ -45,8 +45,8 @@ class QLearning(NamedTuple):
     def create(cls, environment: Any, **settings: Any) -> "QLearning":
         """Create an agent with a new Q. `environment` is an MDP, a Gymnasium environment, or (n_states, n_actions).
 
-        Pass settings by name: the fields that have a default, and `initial_value`. Every entry of Q starts at
-        `initial_value`, by default 0.
+        The settings are `initial_value` and the fields that have a default. Pass them by name. Every entry of Q starts
+        at `initial_value`, by default 0.
 
         Raises:
             ValueError: a setting is unknown or not allowed, or the environment does not fit a table. It fits if its

@@ -86,8 +86,8 @@ class SARSALambda(NamedTuple):
     def create(cls, environment: Any, **settings: Any) -> "SARSALambda":
         """Create an agent with a new Q. `environment` is an MDP, a Gymnasium environment, or (n_states, n_actions).
 
-        Pass settings by name: the fields that have a default, and `initial_value`. Every entry of Q starts at
-        `initial_value`, by default 0.
+        The settings are `initial_value` and the fields that have a default. Pass them by name. Every entry of Q starts
+        at `initial_value`, by default 0.
 
         Raises:
             ValueError: a setting is unknown or out of range, or the environment does not fit a table.

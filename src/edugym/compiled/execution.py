@@ -128,7 +128,8 @@ def _guarded(fast: Loop, loop: Loop, code: Code, rehearsed: int, replay: Loop) -
             code = code_of(loop, arguments[1:])
             fast = executable(loop, arguments[1:], rehearsed=rehearsed, replay=replay)
         if fast is loop:
-            return loop(*arguments)
+            with held(machine_code=False):
+                return loop(*arguments)
         began = time.perf_counter()
         before.take(arguments, large=spent >= COPYING * cost)
         taken = time.perf_counter()
@@ -145,7 +146,8 @@ def _guarded(fast: Loop, loop: Loop, code: Code, rehearsed: int, replay: Loop) -
             spent += time.perf_counter() - taken
             return result
         before.put_back()
-        result = replay(*arguments)  # where this is an error for Python as well, it is raised here, and alone
+        with held(machine_code=False):
+            result = replay(*arguments)  # where this is an error for Python as well, it is raised here, and alone
         if not before.is_whole:  # it has begun with other tables, and its result is not that of Python
             raise RuntimeError(
                 f"machine code stops where Python goes on ({_said(failure)}), and the tables are too large to be kept"

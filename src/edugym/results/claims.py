@@ -1,16 +1,17 @@
 """Claims: statements about an experiment, each with its measurement and whether it holds.
 
-A claim says in which range a measured number must lie. We choose this range before we run the experiment. The claim
-holds only if the whole confidence interval lies in the range; the estimate alone is not enough.
+A claim says in which range a measured number must lie. The code fixes this range: it does not depend on the run that is
+judged. The claim holds only if the whole confidence interval lies in the range; the estimate alone is not enough.
 
 "The method solves the task" means that the share of runs that solve it is above one half: the whole interval of this
 share must lie above 0.5, `Above(0.5)`. "It does not solve the task" means that the whole interval lies below 0.5. If
 the interval contains 0.5, the data cannot decide, and neither claim holds.
 
-Some claims say that a number *equals* a prediction: `Within(low, high)`. If the number is an estimate, they allow a
-margin: one bound below the prediction and one above. The whole interval must lie between these bounds. (This is an
-equivalence test. It is not enough that the interval contains the prediction: with little data the interval is so wide
-that it contains almost any number.) If the number is exact, both bounds may be the prediction itself.
+`Within(low, high)` means that the whole interval lies between two bounds. We also use it for claims that a number
+*equals* a prediction. If the number is an estimate, such a claim allows a margin: one bound below the prediction and
+one above. (This is an equivalence test. It is not enough that the interval contains the prediction: with little data
+the interval is so wide that it contains almost any number.) If the number is exact, both bounds may be the prediction
+itself.
 """
 
 from typing import NamedTuple, TypeAlias

@@ -26,10 +26,11 @@ class Run:
             first point, if there is one, is at 0.
         returns: shape (n_points,): the mean undiscounted return of the evaluation episodes, played with `greedy` if the
             agent has this method, else with `act`.
-        training_returns: shape (n_points,): the mean undiscounted return of the training episodes, in which the agent
-            explores, that ended since the previous point; NaN where none ended.
+        training_returns: shape (n_points,): the mean undiscounted return of the training episodes that ended since the
+            previous point; NaN where none ended. In these episodes the agent explores.
         episodes: shape (n_points,): the number of training episodes that ended since the previous point.
-        agent: the trained agent. It shares its tables with the agent that you passed in, so training changes that too.
+        agent: the trained agent. It shares its tables with the agent that you passed in, so training changes your agent
+            too.
         seed: the seed from which every random stream of this run comes.
         seconds: the time it took, with compiling and evaluating.
         complete: False if it was stopped before its last point.
@@ -113,8 +114,8 @@ def train(
             curve.measure(done, training, evaluation_episodes, work.stopped)
             while done < n_steps and not work.stopped():
                 # `training.learn` takes many steps in one call, for about 0.02 s. In machine code, Ctrl-C waits until
-                # this call returns or a long loop in it asks whether to stop. We tell `work` before each call whether
-                # the call runs machine code, since a run can begin interpreted and become compiled.
+                # this call returns; only a long loop in a student's method ends sooner. We tell `work` before each
+                # call whether it runs machine code, since a run can begin interpreted and become compiled.
                 work.hold(training.is_compiled)
                 steps = training.learn(at_most=min(n_steps - done, every - done % every))
                 done += steps

@@ -56,7 +56,7 @@ class Trainer(Protocol):
 
     @property
     def is_compiled(self) -> bool:
-        """Whether machine code runs by now."""
+        """Whether training runs as machine code by now."""
 
     def learn(self, at_most: int) -> int:
         """Take training steps, as many as take about `CALL_SECONDS`; return their number."""
@@ -127,14 +127,13 @@ class MDPTrainer:
 
     @property
     def is_compiled(self) -> bool:
-        """Whether a loop runs as machine code by now."""
-        return self._advance is not self._loop or self._play is not loops.play_episodes
+        """Whether the training loop runs as machine code by now."""
+        return self._advance is not self._loop
 
     def learn(self, at_most: int) -> int:
         """Take training steps, as many as take about `CALL_SECONDS`; return their number."""
         if not self._steps_to_check:
-            interpreted = self._advance is self._loop
-            arguments = self._first if interpreted else self._rest
+            arguments = self._rest if self.is_compiled else self._first
             with self._pace.steps(at_most) as n_steps:
                 self._moment = self._advance(n_steps, *arguments, self._moment)
             return n_steps
@@ -157,15 +156,15 @@ class MDPTrainer:
         together = compiled and hasattr(self.agent, "greedy")
         n_episodes = min(at_most, max(1, MOST_STEPS // self._evaluation_limit)) if together else 1
         evaluation = self._evaluation(n_episodes)
-        if compiled:
-            with held():
+        with held(machine_code=compiled):
+            if compiled:
                 self._play(n_episodes, *evaluation)
-        elif self._has_played:
-            self._play(n_episodes, *self._checked(*evaluation, steps=0))
-        else:
-            self._has_played = True
-            loops.play_episodes(1, *self._checked(*evaluation))
-            self._compile_playing()
+            elif self._has_played:
+                self._play(n_episodes, *self._checked(*evaluation, steps=0))
+            else:
+                self._has_played = True
+                loops.play_episodes(1, *self._checked(*evaluation))
+                self._compile_playing()
         returns: list[float] = evaluation[-1].tolist()
         return returns
 

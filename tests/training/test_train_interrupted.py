@@ -1,0 +1,104 @@
+"""Ctrl-C in a student's agent of which one method is machine code and another is not."""
+
+import signal
+from types import SimpleNamespace
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+
+import edugym
+from edugym.compiled import execution
+from edugym.interrupts import Interrupted, Work
+from edugym.mdp.protocol import Random, Reals
+
+CALLS: list[int] = []
+"""One item for each call of `pressing`. A method that changes a global list is not compiled."""
+
+
+def pressing(at: int) -> None:
+    """Press Ctrl-C at one of the calls."""
+    CALLS.append(at)
+    if len(CALLS) == at:
+        signal.raise_signal(signal.SIGINT)
+
+
+class Learner(NamedTuple):
+    """Its `learn` runs interpreted, while evaluation is machine code."""
+
+    Q: Reals
+    at: int
+
+    def act(self, state: int, rng: Random) -> int:
+        """Any action."""
+        return int(rng.random() * 2)
+
+    def greedy(self, state: int, rng: Random) -> int:
+        """The first action."""
+        return 0
+
+    def learn(self, state: int, action: int, reward: float) -> None:
+        """Learn the reward."""
+        pressing(self.at)
+        self.Q[state, action] += 0.1 * (reward - self.Q[state, action])
+
+
+class Player(NamedTuple):
+    """Its `greedy` runs interpreted, while training is machine code."""
+
+    Q: Reals
+    at: int
+
+    def act(self, state: int, rng: Random) -> int:
+        """Any action."""
+        return int(rng.random() * 2)
+
+    def greedy(self, state: int, rng: Random) -> int:
+        """The first action."""
+        pressing(self.at)
+        return 0
+
+    def learn(self, state: int, action: int, reward: float) -> None:
+        """Learn the reward."""
+        self.Q[state, action] += 0.1 * (reward - self.Q[state, action])
+
+
+@pytest.mark.filterwarnings("ignore:.*interpreted")
+@pytest.mark.parametrize("at", [3, 2_345])
+@pytest.mark.parametrize("agent", [Learner, Player])
+def test_ctrl_c_ends_the_method_that_runs_interpreted(agent: Any, at: int) -> None:
+    """It does so at once, not after the other steps of the call: among the first, checked steps, and after them."""
+    CALLS.clear()
+    mdp = edugym.make_mdp("Boulder")
+    with pytest.raises(Interrupted) as interrupted:
+        edugym.train(mdp, agent(np.zeros((mdp.height + 1, 10)), at), 100_000, evaluate_every=1_000)
+    assert len(CALLS) == at
+    assert not interrupted.value.partial.complete
+
+
+@pytest.mark.parametrize("given_up", [False, True])
+def test_ctrl_c_ends_the_interpreter_where_machine_code_failed(given_up: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    """While it plays the failed call again, and once it has taken over."""
+    monkeypatch.setattr(execution, "MOST_SURPRISES", 1)
+    monkeypatch.setattr(execution, "_warn_once", lambda *_: None)
+    ended = []
+
+    def fails(*_: Any) -> None:
+        raise ZeroDivisionError
+
+    def presses(*_: Any) -> None:
+        signal.raise_signal(signal.SIGINT)
+        ended.append(True)
+
+    code: Any = SimpleNamespace(is_current=lambda: True)
+    run = execution._guarded(fails, presses, code, 1, (lambda *_: None) if given_up else presses)
+
+    def work() -> None:
+        with Work() as work:
+            work.hold(machine_code=True)
+            for _ in range(1 + given_up):
+                run(1)
+
+    with pytest.raises(KeyboardInterrupt):
+        work()
+    assert not ended
