@@ -161,9 +161,8 @@ class Boulder(NamedTuple):
         left = min(max(0, held - n_grips // 2), self.n_grips - n_grips)  # the first grip that is in the picture
         width, top = n_grips + 3.0, 2.0
         bottom = top + shown + 0.5
-        edge = (
-            top if first + shown == height else -1.0
-        )  # if there are more levels above, draw the wall past the upper edge
+        # If there are more levels above, the wall goes on beyond the top of the picture.
+        edge = top if first + shown == height else -1.0
         shapes: list[Shape] = [Rectangle(1.0, edge, n_grips + 1.0, bottom + 3.0 - edge, 0.3, fill=WALL)]
         if first == 0:
             shapes.append(Rectangle(0.0, bottom, width, 1.5, fill=GRASS, glyph="░"))

@@ -30,14 +30,16 @@ class MDP(Protocol[State, Observation_co]):
     """A Markov decision process (S, A, p, r), and what the agent observes in each state.
 
     If the observation does not determine the state, the problem is partially observable (a POMDP). Actions are usually
-    the numbers 0, 1, 2 and so on. Methods draw every random number from `rng`. They change no other argument, not even
-    `state` (only `observe_into` writes into its `out`). The discount belongs to the agent.
+    the numbers 0, 1, 2 and so on. Methods draw every random number from `rng`; this is their only side effect. They
+    must not change `state` or `action`. (The one exception is the optional `observe_into`, which writes into its
+    argument `out`.) The discount belongs to the agent.
 
     An MDP may also have
 
     * `max_steps`: the step limit. If neither the MDP nor the call of `train` has one, a training episode ends only in a
       terminal state. An evaluation episode then ends after at most 1000 steps;
-    * `reward_threshold`: the mean return at which the task counts as solved, or None where it is not known;
+    * `reward_threshold`: the mean return at which the task counts as solved. It is None if the best return is not known
+      or cannot be reached within the step limit;
     * `action_names`: the names of the actions 0, 1, ..., or a dictionary from names to actions;
     * `scene(state, ...)`: its picture (see `edugym.rendering`);
     * `info(state, ...)`: a dictionary with extra information for plots; agents must not use it;
@@ -80,10 +82,10 @@ class Actor(Protocol[Observation_contra]):
     def act(self, state: Observation_contra, rng: Random) -> int:
         """Choose an action. `state` is the observation, which the agent treats as the state.
 
-        If the observation has several whole numbers, EduGym turns them into a single one, the number of a row in the
-        agent's table. This is for agents with a table. An agent without a table says `tabular = False` in its class.
-        If such an agent has an attribute `n_inputs`, EduGym flattens the observation into one vector of `n_inputs`
-        numbers. If not, the agent gets the observation unchanged.
+        For an agent with a table, EduGym turns an observation of several whole numbers into a single one, the number of
+        a row in the table. An agent without a table says `tabular = False` in its class. If it also has an attribute
+        `n_inputs`, it gets the observation as one flat vector of `n_inputs` numbers. Without `n_inputs` it gets the
+        observation unchanged.
         """
 
 
@@ -187,7 +189,7 @@ def named_actions(mdp: MDP[Any, Any]) -> dict[str, Any]:
 
 
 def writes_in_place(mdp: Any) -> bool:
-    """Whether `observe_into` may be used in place of `observation`.
+    """Whether EduGym may call `observe_into` instead of `observation`.
 
     If a subclass overrides only `observation`, the answer is no: the inherited `observe_into` would still write what
     the parent class observes.

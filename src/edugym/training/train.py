@@ -60,10 +60,10 @@ def train(
 ) -> Run:
     """Train `agent` in `environment` for `n_steps` steps and measure its learning curve.
 
-    Training uses the loops of `edugym.training.loops`. If `n_steps` is 5000 or more, it compiles them to machine code
-    where possible. Three kinds of environments need the plain Python loops of `edugym.training.gymnasium_loops`: (1)
-    Gymnasium environments that are not EduGym's; (2) EduGym environments inside a wrapper that you have added; (3)
-    Supermarket with a `step_timeout`, whose `step` waits.
+    Three kinds of environments are trained by the loops of `edugym.training.gymnasium_loops`, which are never compiled:
+    (1) Gymnasium environments that are not EduGym's; (2) EduGym environments inside a wrapper that you have added; (3)
+    Supermarket with a `step_timeout`, whose `step` waits. All others are trained by the loops of
+    `edugym.training.loops`. If `n_steps` is 5000 or more, these are compiled to machine code where possible.
 
     Ctrl-C ends the run within a fifth of a second. The agent keeps what it has learned, and `train` raises
     `Interrupted`. Its attribute `partial` holds the `Run` so far. In a notebook or at the prompt, read it as
@@ -74,8 +74,8 @@ def train(
         agent: an agent for it; its tables are changed in place.
         n_steps: the number of training steps, 1 or more.
         max_steps: the step at which an episode is truncated; by default the environment's own limit, if it has one.
-            `max_steps` replaces that limit, except in environments that need the plain Python loops: there both limits
-            hold, and the lower one ends the episode.
+            `max_steps` replaces that limit, except in the three kinds of environments above: there both limits hold,
+            and the lower one ends the episode.
         evaluate_every: the steps between two points of the curve; by default `n_steps // 100`, at least 1.
         evaluation_episodes: the number of episodes that each point averages. The agent plays them with `greedy`. If it
             has no `greedy`, a copy of it plays with `act`, and so explores. The evaluation episodes have their own
@@ -113,9 +113,8 @@ def train(
             work.hold(training.is_compiled)
             curve.measure(done, training, evaluation_episodes, work.stopped)
             while done < n_steps and not work.stopped():
-                # `training.learn` takes many steps in one call, for about 0.02 s. In machine code, Ctrl-C waits until
-                # this call returns; only a long loop in a student's method ends sooner. We tell `work` before each
-                # call whether it runs machine code, since a run can begin interpreted and become compiled.
+                # A call of `training.learn` takes many steps, for about 0.02 s. If it runs machine code, Ctrl-C waits
+                # for its end. A run can begin interpreted and become compiled, so we ask before each call.
                 work.hold(training.is_compiled)
                 steps = training.learn(at_most=min(n_steps - done, every - done % every))
                 done += steps
@@ -159,7 +158,7 @@ class _Curve:
         return self._points[-1][0] if self._points else -1
 
     def measure(self, steps: int, training: Trainer, n_episodes: int, stopped: Callable[[], bool]) -> None:
-        """Play the evaluation episodes and add a point. If the run stops before all are played, add none."""
+        """Play the evaluation episodes and add a point. If the run stops before all are played, add no point."""
         returns = training.play_episodes(n_episodes)
         while len(returns) < n_episodes:
             if stopped():

@@ -181,7 +181,7 @@ def reward_claims(results: Results) -> list[Claim]:
             f"random play returns {random_return():.0f}, the highest next reward {myopic_return():.0f}",
         ),
         Claim(
-            "Q-learning with discount 0 learns rewards, not returns, and never finds the best way",
+            "Q-learning with discount 0 learns rewards, not returns, and does not find the best way",
             "share of runs that end with 95",
             results.share(MYOPIC, OPTIMUM),
             Below(0.5),
