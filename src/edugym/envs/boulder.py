@@ -21,10 +21,10 @@ class Boulder(NamedTuple):
 
     ## Description
     Challenge: exploration under sparse reward. A climber stands before a wall. At every height there are `n_grips`
-    grips; one holds, the others are cracked and send the climber back to the ground. Only the top is rewarded, so until
-    it has been reached once there is no reward to learn from. Without a step limit, a climber who chooses grips at
-    random needs (N^(H+1) - N)/(N - 1) steps on average to reach the top of a wall of height H with N grips at each
-    height. With two grips that is 2046 steps for height 10, and 2.5e30 steps for height 100.
+    grips. One of them, the right grip, holds. The others are cracked and send the climber back to the ground. Only the
+    top is rewarded, so until it has been reached once there is no reward to learn from. Without a step limit, a climber
+    who chooses grips at random needs (N^(H+1) - N)/(N - 1) steps on average to reach the top of a wall of height H with
+    N grips at each height. With two grips that is 2046 steps for height 10, and 2.5e30 steps for height 100.
 
     ## Observation space
     `Discrete(height + 1)`: the position on the wall, from 0 (ground) to `height` (top).
@@ -33,14 +33,14 @@ class Boulder(NamedTuple):
     `Discrete(n_grips)`: the grip to jump to.
 
     ## State
-    The position. Strictly, the number of steps in this episode is part of the state too, because of the step limit.
-    The Gymnasium environment counts these steps, but the agent does not observe the count. Near the limit the position
-    alone is therefore not Markov. (A step limit *truncates* an episode: the episode stops in a state that is not
-    terminal. Q-learning bootstraps from this state as from any other. In this way it
-    learns the values of a task that has no step limit.)
+    The position. Strictly, the number of steps so far in this episode is part of the state too, because of the step
+    limit. The Gymnasium environment counts these steps, but the agent does not observe the count. Near the limit the
+    position alone is therefore not Markov. (A step limit *truncates* an episode: the episode stops in a state that is
+    not terminal. Q-learning bootstraps from this state as from any other. In this way it learns the values of a task
+    that has no step limit.)
 
     ## Dynamics
-    The grip that holds moves the climber up by one. Any other sends it to the ground, without ending the episode.
+    The right grip moves the climber up by one. Any other sends it to the ground, without ending the episode.
 
     ## Reward
     1 for reaching the top, else 0. The best undiscounted return is 1, after `height` steps. If `max_steps` is smaller
@@ -54,7 +54,7 @@ class Boulder(NamedTuple):
 
     ## Parameters
     - `height` (10): H, the height of the wall, from 1 to one million. To reach the top, the climber must choose the
-      right grip H times without a mistake.
+      right grip H times in a row.
     - `n_grips` (2): N, how many grips there are at every height; from 2 to 1000.
     - `max_steps` (10 * height): the number of steps after which an episode is truncated; 1 or more.
     - `layout_seed` (0): the seed from which the right grips are drawn, uniformly; 0 or more.

@@ -96,7 +96,8 @@ class Agent(Actor[Observation_contra], Protocol[Observation_contra]):
 
     * `state`, `action`, `reward`, `next_state`: the transition, as the agent observes it;
     * `terminated`: whether `next_state` is terminal;
-    * `truncated`: whether a step limit has ended the episode; the agent still bootstraps from `next_state`;
+    * `truncated`: whether a step limit or the Gymnasium environment has cut off the episode in a state that is not
+      terminal; the agent still bootstraps from `next_state`;
     * `next_action`: the next action, for on-policy agents such as SARSA. If `learn` has this parameter, the next action
       is chosen before learning; if not, after learning, as in Q-learning. If the episode is truncated, the
       environment never executes `next_action`. If it has terminated, ignore `next_action`.

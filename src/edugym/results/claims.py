@@ -1,7 +1,8 @@
 """Claims: statements about an experiment, each with its measurement and whether it holds.
 
-A claim says in which range a measured number must lie. The code fixes this range: it does not depend on the run that is
-judged. The claim holds only if the whole confidence interval lies in the range; the estimate alone is not enough.
+A claim says in which range a measured number must lie. This range is written in the code: it does not depend on the
+measured number. The claim holds only if the whole confidence interval lies in the range; the estimate alone is not
+enough.
 
 "The method solves the task" means that the share of runs that solve it is above one half: the whole interval of this
 share must lie above 0.5, `Above(0.5)`. "It does not solve the task" means that the whole interval lies below 0.5. If

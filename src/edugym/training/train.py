@@ -61,9 +61,10 @@ def train(
     """Train `agent` in `environment` for `n_steps` steps and measure its learning curve.
 
     Three kinds of environments are trained by the loops of `edugym.training.gymnasium_loops`, which are never compiled:
-    (1) Gymnasium environments that are not EduGym's; (2) EduGym environments inside a wrapper that you have added; (3)
-    Supermarket with a `step_timeout`, whose `step` waits. All others are trained by the loops of
-    `edugym.training.loops`. If `n_steps` is 5000 or more, these are compiled to machine code where possible.
+    (1) Gymnasium environments that are not EduGym's (an `MDPEnv` of your own MDP is EduGym's); (2) EduGym environments
+    inside a wrapper that you have added; (3) Supermarket with a `step_timeout`, whose `step` waits. All others are
+    trained by the loops of `edugym.training.loops`. If `n_steps` is 5000 or more, these are compiled to machine code
+    where possible.
 
     Ctrl-C ends the run within a fifth of a second. The agent keeps what it has learned, and `train` raises
     `Interrupted`. Its attribute `partial` holds the `Run` so far. In a notebook or at the prompt, read it as
@@ -84,14 +85,13 @@ def train(
         seed: the seed of all random streams. If you create the agent anew and use the same seed, you get the same curve
             and the same tables, bit for bit.
         progress: whether to show a progress bar.
-        stop: a `threading.Event`. When it is set, `train` stops early and returns the `Run` so far. This `Run`
-            is `complete` only if it has taken all its steps and measured its last point.
+        stop: a `threading.Event`. When it is set, `train` stops early and returns the `Run` so far.
 
     Warns:
         UserWarning: `train` warns, once for each class, when it cannot compile your code. At the end of a
             complete run it also warns if (1) there is no step limit, and in 1000 steps or more no episode of your
-            environment has ended; (2) a table of your agent holds NaN; (3) training has changed a table that is a class
-            attribute, since all agents of the class share such a table.
+            environment has ended; (2) an array of your agent with a usual name, such as Q, V or weights, holds NaN; (3)
+            training has changed a table that is a class attribute. (All agents of the class share such a table.)
 
     Raises:
         ValueError: a parameter is not as above, or the observations or actions do not fit a table.
@@ -113,8 +113,8 @@ def train(
             work.hold(training.is_compiled)
             curve.measure(done, training, evaluation_episodes, work.stopped)
             while done < n_steps and not work.stopped():
-                # A call of `training.learn` takes many steps, for about 0.02 s. If it runs machine code, Ctrl-C waits
-                # for its end. A run can begin interpreted and become compiled, so we ask before each call.
+                # A call of `training.learn` lasts about 0.02 s. While it runs machine code, Ctrl-C waits for its end. A
+                # run can begin interpreted and become compiled, so we look at `is_compiled` before each call.
                 work.hold(training.is_compiled)
                 steps = training.learn(at_most=min(n_steps - done, every - done % every))
                 done += steps
