@@ -61,10 +61,10 @@ def train(
     """Train `agent` in `environment` for `n_steps` steps and measure its learning curve.
 
     Three kinds of environments are trained by the loops of `edugym.training.gymnasium_loops`, which are never compiled:
-    (1) Gymnasium environments that are not EduGym's (an `MDPEnv` of your own MDP is EduGym's); (2) EduGym environments
-    inside a wrapper that you have added; (3) Supermarket with a `step_timeout`, whose `step` waits. All others are
-    trained by the loops of `edugym.training.loops`. If `n_steps` is 5000 or more, these are compiled to machine code
-    where possible.
+    (1) Gymnasium environments that do not come from EduGym; (2) EduGym environments inside a wrapper that you have
+    added; (3) Supermarket with a `step_timeout`, whose `step` waits. All others, such as your own MDP in an
+    `edugym.MDPEnv`, are trained by the loops of `edugym.training.loops`. If `n_steps` is 5000 or more, these are
+    compiled to machine code where possible.
 
     Ctrl-C ends the run within a fifth of a second. The agent keeps what it has learned, and `train` raises
     `Interrupted`. Its attribute `partial` holds the `Run` so far. In a notebook or at the prompt, read it as
