@@ -11,12 +11,13 @@ from typing import Any
 
 import pytest
 from gymnasium.error import DependencyNotInstalled
+from rich.console import Console
 
 from edugym import commands, playing
 from edugym.lab import server
 from edugym.plotting.report import Report
 from edugym.registration import in_course_order
-from edugym.results.claims import Below, Claim
+from edugym.results.claims import Below, Claim, Within
 from edugym.results.statistics import Interval
 from edugym.training.checkpoints import CHECKPOINTS
 from tests.test_cli import run
@@ -32,6 +33,30 @@ claim measured, with 95 % interval expected holds
 ─
 Fails seldom 0.25 [0.125, 0.5] < 0.75 yes
 by design share of failures
+"""
+
+NARROW = """\
+made_up
+
+            measur…
+            with 95
+            %
+ claim      interv…   expected      holds
+ ────────────────────────────────────────
+ Fails      0.25      < 0.75        yes
+ seldom     [0.125,
+ by         0.5]
+ design     share
+            of
+            failur…
+
+ Another    0.25      0.3 to 1.25   NO
+ one        [0.125,
+            0.5]
+            share
+            of
+            failur…
+
 """
 
 
@@ -145,6 +170,21 @@ def test_the_claims_are_written_last(
     assert (folder / "runs.csv").read_text() == "2"
 
 
+def test_one_lesson_that_fails_is_enough(
+    asked: list[dict[str, Any]], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The others run all the same, before and after it."""
+    claims = iter([CLAIM, CLAIM._replace(expected=Below(0.25)), CLAIM])
+    monkeypatch.setattr(
+        commands,
+        "load_experiments",
+        lambda name: SimpleNamespace(report=lambda **_: Report([next(claims)], []), __doc__=name),
+    )
+    monkeypatch.setattr(commands, "lesson_names", lambda: ["one", "two", "three"])
+    assert run("reproduce", "--output", str(tmp_path)).exit_code == 1
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["one", "report.md", "three", "two"]
+
+
 def test_what_an_unfinished_command_left_goes(tmp_path: Path) -> None:
     """Files, folders and links; the finished runs stay, and so does what a link leads to."""
     folder, other = tmp_path / "unfinished", tmp_path / "other"
@@ -163,8 +203,22 @@ def test_what_an_unfinished_command_left_goes(tmp_path: Path) -> None:
     ]
 
 
-def test_what_is_wrong_is_named_with_its_argument(asked: list[dict[str, Any]], tmp_path: Path) -> None:
+def test_the_table_of_claims_on_a_narrow_terminal(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """What is expected and whether it holds stay in one line; the name is above its left end."""
+    monkeypatch.setattr(commands, "Console", lambda: Console(width=42))
+    other = CLAIM._replace(statement="Another one", expected=Within(0.3, 1.25), reason="")
+    commands._print_claims("made_up", [CLAIM, other])
+    assert [line.rstrip() for line in capsys.readouterr().out.splitlines()] == NARROW.splitlines()
+
+
+def test_what_is_wrong_is_named_with_its_argument(
+    asked: list[dict[str, Any]], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """As it is written on the command line."""
+    monkeypatch.setattr(server, "serve", lambda folder, options: None)
+    monkeypatch.chdir(tmp_path)
     (tmp_path / "file").touch()
     for arguments, hint in (
         (("reproduce", "explore"), "LESSON"),
