@@ -4,6 +4,7 @@ import base64
 import importlib
 import os
 import re
+import runpy
 import sys
 import threading
 import warnings
@@ -159,3 +160,22 @@ def test_what_is_compiled_in_the_background(monkeypatch: pytest.MonkeyPatch) -> 
     monkeypatch.setattr(threading.Thread, "start", lambda self: done.append((self.daemon, self._target)))
     warm_up.main("abxc")
     assert done == [19, (True, warm_up._end_with_standard_input), "ignore", "b", {"repetitions": 2, "jobs": 1}]
+
+
+def test_the_process_that_compiles(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It takes its lessons from its command line, and ends at the end of its standard input."""
+    asked: list[Any] = []
+
+    def read() -> str:
+        asked.append("read")
+        return ""
+
+    monkeypatch.setattr(os, "nice", lambda by: None)
+    monkeypatch.setattr(os, "_exit", asked.append)
+    monkeypatch.setattr(sys, "stdin", SimpleNamespace(read=read))
+    monkeypatch.setattr(sys, "argv", ["warm_up", "a", "b"])
+    monkeypatch.setattr(threading.Thread, "start", lambda self: self.run())
+    monkeypatch.setattr(warnings, "simplefilter", lambda action: None)
+    monkeypatch.setattr(importlib, "import_module", lambda name: asked.append(name) or SimpleNamespace())
+    runpy.run_path(warm_up.__file__, run_name="__main__")
+    assert asked == ["read", 0, "edugym.lessons.a", "edugym.lessons.b"]
