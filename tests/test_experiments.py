@@ -29,8 +29,11 @@ def test_a_report_is_measured_and_judged() -> None:
         asked.append(how)
         return 1, 2
 
-    report = reporting(measure, lambda one, other: Report([one], [other]), 30)
-    assert report() == Report([1], [2])  # type: ignore[comparison-overlap]
+    def judge(one: Any, other: Any) -> Report:
+        return Report([one], [other])
+
+    report = reporting(measure, judge, 30)
+    assert report() == judge(1, 2)
     stop = threading.Event()
     assert report(repetitions=4, seed=5, jobs=6, progress=True, stop=stop, folder=Path("here")) == report()
     default, given, _ = asked

@@ -5,6 +5,7 @@ import re
 import subprocess
 import sys
 import warnings
+from typing import Any
 
 import gymnasium
 import pytest
@@ -198,7 +199,7 @@ def test_environments_that_exist_only_as_copies(monkeypatch: pytest.MonkeyPatch)
 def test_any_keyword_will_do_where_the_environment_takes_any(monkeypatch: pytest.MonkeyPatch) -> None:
     """It says itself what it does not know."""
 
-    def make(size: int = 3, **more: int) -> None:
+    def make(size: int = 3, **more: int) -> Any:
         """Take anything."""
 
     monkeypatch.setitem(gymnasium.registry, "Open-v0", gymnasium.envs.registration.EnvSpec("Open-v0", entry_point=make))

@@ -71,11 +71,12 @@ def test_results_are_made_again_by_their_names(monkeypatch: pytest.MonkeyPatch) 
     """As a command, for every module that is named; without a name it says what to give."""
     made: list[str] = []
     monkeypatch.setattr(stored, "stored_in", lambda name: SimpleNamespace(make_again=lambda: made.append(name)))
-    for names in ([], ["memory.recurrent", "depth"]):
+    for names in ([], ["depth"], ["memory.recurrent", "depth"]):
         monkeypatch.setattr("sys.argv", ["stored", *names])
         with pytest.raises(SystemExit, match="give the modules") if not names else nullcontext():
             runpy.run_path(stored.__file__, run_name="__main__")
         assert made == names
+        made.clear()
 
 
 def test_made_again_they_are_current(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

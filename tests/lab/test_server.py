@@ -56,12 +56,12 @@ def test_the_lessons_are_in_order(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
         (tmp_path / folder).mkdir()
         for name in ("02_b.ipynb", "01_a.ipynb", "10_c.ipynb", "template.ipynb", "3.ipynb"):
             (tmp_path / folder / name).write_text('{"cells": []}')
-    (tmp_path / "checkout" / "11_d.ipynb").write_text('{"cells": [1]}')
+    (tmp_path / "checkout" / "11_d.ipynb").write_text('{"cells": [{}]}')
     monkeypatch.setattr(lessons, "PACKAGED", tmp_path / "packaged")
     monkeypatch.setattr(lessons, "CHECKOUT", tmp_path / "checkout")
     assert student_lessons() == [Lesson(name, '{"cells": []}', []) for name in ("01_a", "02_b", "10_c")]
     monkeypatch.setattr(lessons, "PACKAGED", tmp_path / "nowhere")
-    assert student_lessons()[3:] == [Lesson("11_d", '{"cells": [1]}', [1])]
+    assert student_lessons()[3:] == [Lesson("11_d", '{"cells": [{}]}', [{}])]
 
 
 def test_a_row_of_the_start_page(tmp_path: Path) -> None:
@@ -170,12 +170,16 @@ def test_the_process_that_compiles(monkeypatch: pytest.MonkeyPatch) -> None:
         asked.append("read")
         return ""
 
+    def load(name: str) -> SimpleNamespace:
+        asked.append(name)
+        return SimpleNamespace()
+
     monkeypatch.setattr(os, "nice", lambda by: None)
     monkeypatch.setattr(os, "_exit", asked.append)
     monkeypatch.setattr(sys, "stdin", SimpleNamespace(read=read))
     monkeypatch.setattr(sys, "argv", ["warm_up", "a", "b"])
     monkeypatch.setattr(threading.Thread, "start", lambda self: self.run())
     monkeypatch.setattr(warnings, "simplefilter", lambda action: None)
-    monkeypatch.setattr(importlib, "import_module", lambda name: asked.append(name) or SimpleNamespace())
+    monkeypatch.setattr(importlib, "import_module", load)
     runpy.run_path(warm_up.__file__, run_name="__main__")
     assert asked == ["read", 0, "edugym.lessons.a", "edugym.lessons.b"]

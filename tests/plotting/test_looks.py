@@ -20,7 +20,7 @@ from edugym.results.statistics import mean_interval
 from tests.plotting.samples import figure_of, made_results, new_axes
 
 X = np.arange(3.0)
-LABELS = {"title": "Title", "x_label": "x", "y_label": "y"}
+LABELS: dict[str, Any] = {"title": "Title", "x_label": "x", "y_label": "y"}
 THEORY = {label: X + k for k, label in enumerate(("one", "two", "three"))}
 PANELS: dict[str, Callable[[], Any]] = {
     "curves": lambda: Curves(made_results(), "Title", optimum=1.0, soft_optimum=0.5, y_label="y"),
@@ -112,8 +112,8 @@ def test_scales() -> None:
 
 def test_maps_are_dark_where_visits_are_many() -> None:
     """On a logarithmic scale, and white where nobody was."""
-    image = VisitMap(np.array([[1.0, 10.0, 100.0, 0.0]]), 10).draw(new_axes()).images[0]
-    image.figure.draw_without_rendering()  # type: ignore[union-attr]
+    image: Any = VisitMap(np.array([[1.0, 10.0, 100.0, 0.0]]), 10).draw(new_axes()).images[0]
+    image.figure.draw_without_rendering()
     colours = image.to_rgba(image.get_array())[:, 0]
     light = colours[:, :3].sum(axis=1)
     assert light[0] > light[1] > light[2]
@@ -166,7 +166,7 @@ class Labelled:
 )
 def test_the_size_of_a_sheet(columns: int, labels: int, width: float, height: float, in_a_row: int) -> None:
     """Each panel has its place, and each line of the legend a quarter of an inch; a label takes two inches."""
-    drawn = Sheet("sheet", [[Labelled(labels) for _ in range(columns)]] * 2).draw()
+    drawn: Any = Sheet("sheet", [[Labelled(labels) for _ in range(columns)]] * 2).draw()
     assert drawn.get_size_inches() == pytest.approx([width * PANEL_SIZE[0], 2 * PANEL_SIZE[1] + height])
     assert [legend._ncols for legend in drawn.legends] == [in_a_row] * bool(labels)
     assert [ax.get_xlabel() for ax in drawn.axes] == [f"last: {k == columns - 1}" for k in range(columns)] * 2

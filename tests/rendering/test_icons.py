@@ -19,11 +19,13 @@ from edugym.rendering.shapes import Shape
 PICTURE = Path(__file__).with_name("icons.svg")
 CHARACTERS = Path(__file__).with_name("icons.txt")
 
+MOODS: tuple[icons.Mood, ...] = ("happy", "flat", "sad")
+
 
 def every_icon() -> Scene:
     """All icons, in rows, with a caption of two lines."""
     groups: list[tuple[Shape, ...]] = [
-        *(icons.smiley(1.5 + 3 * k, 1.5, 1, mood) for k, mood in enumerate(("happy", "flat", "sad"))),
+        *(icons.smiley(1.5 + 3 * k, 1.5, 1, mood) for k, mood in enumerate(MOODS)),
         icons.flag(10, 2.5, 2),
         icons.flag(13, 2.5, 2, BLUE, "F"),
         icons.sign(1.5, 6, 2.5),
