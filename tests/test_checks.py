@@ -8,13 +8,20 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 
-from edugym.checks import above, at_least, between, number_of_steps, one_of, whole_number
+from edugym.checks import a_number, above, at_least, between, in_short, number_of_steps, one_of, whole_number
 from edugym.mdp.protocol import coerced, step_limit
 from edugym.registration import make_mdp
 
 NO_NUMBERS = ["2", None, True, np.True_, [2], 2j, math.nan]
 
 CASES: list[tuple[Callable[..., object], tuple[Any, ...], list[Any], list[Any], str]] = [
+    (
+        a_number,
+        (),
+        [0, -1e300, np.float32(-2), np.float16(0), int(sys.float_info.max)],
+        [math.inf, -math.inf, np.float32(math.inf), *NO_NUMBERS],
+        "finite",
+    ),
     (
         at_least,
         (1,),
@@ -107,3 +114,38 @@ def test_the_largest_whole_number_that_is_a_real_one() -> None:
     at_least("x", largest, 0)
     with pytest.raises(ValueError, match="x must be 0 or more"):
         at_least("x", largest + 1, 0)
+
+
+@pytest.mark.parametrize(
+    ("check", "allowed"),
+    [
+        (lambda value: a_number("x", value), "a number, finite"),
+        (lambda value: at_least("x", value, 2), "a number, 2 or more"),
+        (lambda value: between("x", value, 2, 3), "a number, from 2 to 3"),
+        (lambda value: above("x", value, 2), "a number, greater than 2"),
+        (lambda value: above("x", value, 2, 3), "a number, greater than 2 and at most 3"),
+        (lambda value: whole_number("x", value, 2), "a whole number, 2 or more"),
+        (lambda value: whole_number("x", value, 2, 3), "a whole number, from 2 to 3"),
+        (lambda value: number_of_steps("x", value), "a whole number, 1 or more"),
+    ],
+)
+def test_what_is_no_number_is_told_what_is_allowed(check: Callable[[Any], object], allowed: str) -> None:
+    """In the same sentence."""
+    for value in ("3", True, None):
+        with pytest.raises(ValueError, match=rf"^x must be {allowed}, but is {value!r}$"):
+            check(value)
+
+
+def test_whole_numbers_come_back_as_pythons() -> None:
+    """A small type of NumPy's would overflow in what is computed from it."""
+    for value in (whole_number("x", np.int8(100), 1), number_of_steps("x", np.int8(100))):
+        assert (type(value), value) == (int, 100)
+
+
+def test_very_long_numbers_are_told_by_their_size() -> None:
+    """Python refuses to write them out."""
+    assert in_short(2**13_999) == str(2**13_999)
+    assert in_short(-(2**14_000)) == "a whole number of 14001 bits"
+    for check in (at_least, above):
+        with pytest.raises(ValueError, match=r"^x must be .*, but is a whole number of 20001 bits$"):
+            check("x", 2**20_000, 0)

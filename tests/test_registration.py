@@ -1,16 +1,28 @@
 """The registry, in this process and in fresh ones that import nothing but Gymnasium."""
 
 import json
+import re
 import subprocess
 import sys
 import warnings
+from typing import Any
 
 import gymnasium
 import pytest
 from gymnasium.error import NameNotFound
 
 import edugym
-from edugym.registration import ENVIRONMENTS, find, make_mdp, register_environments
+from edugym.registration import (
+    ENVIRONMENTS,
+    find,
+    full_id,
+    in_snake_case,
+    make_environment,
+    make_mdp,
+    parameters_of,
+    register_environments,
+    specification,
+)
 
 HEAVY = [
     "numba",
@@ -120,3 +132,75 @@ def test_public_names() -> None:
         home = getattr(value, "__module__", "edugym")
         assert home.startswith("edugym"), name
         assert getattr(value, "__name__", name) == name
+
+
+@pytest.mark.parametrize(
+    ("name", "file"),
+    [("Boulder", "boulder"), ("MemoryCorridor", "memory_corridor"), ("QLearning", "q_learning"), ("DQN", "dqn"),
+     ("PPOAgent", "ppo_agent"), ("NStepSarsa2", "n_step_sarsa2")],
+)  # fmt: skip
+def test_file_names(name: str, file: str) -> None:
+    """Words are divided by lines, and abbreviations stay whole."""
+    assert in_snake_case(name) == file
+
+
+@pytest.mark.parametrize(
+    ("name", "full"),
+    [
+        ("Boulder", "edugym/Boulder-v0"),
+        ("Boulder-v0", "edugym/Boulder-v0"),
+        ("edugym:Boulder", "edugym/Boulder-v0"),
+        ("edugym:edugym/Boulder-v0", "edugym/Boulder-v0"),
+        ("Boulder-v1", "Boulder-v1"),
+        ("CartPole-v1", "CartPole-v1"),
+    ],
+)
+def test_ids(name: str, full: str) -> None:
+    """The name alone is enough in the course; other ids stay as they are."""
+    assert full_id(name) == full
+
+
+@pytest.mark.parametrize(
+    ("name", "parameters", "says"),
+    [
+        ("Bolder", {}, "environment must be one of Boulder, Catch, Golf, MemoryCorridor, Roadrunner, Study,"
+         " Supermarket, Tamagotchi, Trashbot, or an id of Gymnasium's; Environment `Bolder` doesn't exist."),
+        ("CartPole-v1", {"x": 1}, "CartPole-v1 has no parameter 'x'; it has sutton_barto_reward"),
+        ("Boulder", {"height": 3, "n": 1},
+         "Boulder has no parameter 'n'; it has height, n_grips, max_steps, layout_seed"),
+    ],
+)  # fmt: skip
+def test_what_a_specification_refuses(name: str, parameters: dict[str, int], says: str) -> None:
+    """And what there is instead."""
+    with pytest.raises(ValueError, match=f"^{re.escape(says)}$"):
+        specification(name, parameters)
+
+
+def test_specifications() -> None:
+    """With all parameters and their defaults; an environment of the course knows what it was made with."""
+    assert specification("Boulder", {"height": 3})[1] == {
+        "height": 10, "n_grips": 2, "max_steps": None, "layout_seed": 0,
+    }  # fmt: skip
+    assert specification("CartPole-v1", {})[0].id == "CartPole-v1"
+    assert [*parameters_of(lambda a, b=3, render_mode=None: None)] == ["a", "b"]
+    env = make_environment("Boulder", height=4, render_mode="ansi")
+    assert env.spec.kwargs == {"height": 4, "render_mode": "ansi"}
+    assert repr(gymnasium.make(env.spec).unwrapped.mdp) == repr(env.mdp)  # type: ignore[attr-defined]
+
+
+def test_environments_that_exist_only_as_copies(monkeypatch: pytest.MonkeyPatch) -> None:
+    """They cannot be trained on."""
+    spec = gymnasium.envs.registration.EnvSpec("Copies-v0", vector_entry_point="edugym:any")
+    monkeypatch.setitem(gymnasium.registry, "Copies-v0", spec)
+    with pytest.raises(ValueError, match="must exist as a single one, but 'Copies-v0' is a vector of copies"):
+        specification("Copies-v0", {})
+
+
+def test_any_keyword_will_do_where_the_environment_takes_any(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It says itself what it does not know."""
+
+    def make(size: int = 3, **more: int) -> Any:
+        """Take anything."""
+
+    monkeypatch.setitem(gymnasium.registry, "Open-v0", gymnasium.envs.registration.EnvSpec("Open-v0", entry_point=make))
+    assert specification("Open-v0", {"colour": 1})[0].id == "Open-v0"

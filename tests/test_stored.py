@@ -6,11 +6,13 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
+import pandas as pd
 import pytest
 
 import edugym.lessons
 from edugym import stored
-from edugym.stored import REPETITIONS, Stored, stored_in
+from edugym.results.tables import Results
+from edugym.stored import CODE, REPETITIONS, Stored, stored_in
 
 ROOT = Path(edugym.lessons.__path__[0])
 MODULES = [".".join(path.relative_to(ROOT).with_suffix("").parts) for path in sorted(ROOT.rglob("*.csv"))]
@@ -69,11 +71,37 @@ def test_results_are_made_again_by_their_names(monkeypatch: pytest.MonkeyPatch) 
     """As a command, for every module that is named; without a name it says what to give."""
     made: list[str] = []
     monkeypatch.setattr(stored, "stored_in", lambda name: SimpleNamespace(make_again=lambda: made.append(name)))
-    for names in ([], ["memory.recurrent", "depth"]):
+    for names in ([], ["depth"], ["memory.recurrent", "depth"]):
         monkeypatch.setattr("sys.argv", ["stored", *names])
         with pytest.raises(SystemExit, match="give the modules") if not names else nullcontext():
             runpy.run_path(stored.__file__, run_name="__main__")
         assert made == names
+        made.clear()
+
+
+def test_made_again_they_are_current(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """They have the hash of the code, also of other modules; finished runs are kept until all are there."""
+    table = stored_in("memory.recurrent").load().table.drop(columns=CODE)
+    monkeypatch.setattr(stored, "_source", lambda module: tmp_path / f"{module.rpartition('.')[2]}.py")
+    for name in ("lesson", "other"):
+        (tmp_path / f"{name}.py").write_text(f"def {name}_claim():\n    return 1\n")
+    asked = []
+
+    def make(repetitions: int, checkpoints: Path) -> Results:
+        checkpoints.mkdir()
+        asked.append((repetitions, checkpoints))
+        return Results(table.copy())
+
+    found = Stored("lesson", make, ("a.other",))
+    assert found.make_again().table[CODE].unique().tolist() == [found.code()]
+    assert asked == [(REPETITIONS, tmp_path / "lesson.unfinished")]
+    names = sorted(path.name for path in tmp_path.iterdir())
+    assert names == ["lesson.csv", "lesson.csv.json", "lesson.py", "other.py"]
+    pd.testing.assert_frame_equal(found.load().table.drop(columns=CODE), table)
+    assert found.is_current()
+    assert len(found.code()) == 32
+    (tmp_path / "other.py").write_text("def other_claim():\n    return 2\n")
+    assert not found.is_current()
 
 
 @pytest.mark.slow

@@ -1,5 +1,6 @@
 """Checks of parameters: each raises a `ValueError` that names the parameter, its value and what is allowed."""
 
+import math
 import sys
 from collections.abc import Sequence
 from typing import Any
@@ -13,7 +14,7 @@ MOST_STEPS = 2**62
 def a_number(name: str, value: Any) -> None:
     """Refuse a `value` that is not a finite number."""
     _number(name, value, "finite")
-    if not abs(value) <= sys.float_info.max:
+    if not math.isfinite(value):
         raise ValueError(f"{name} must be a finite number, but is {in_short(value)}")
 
 

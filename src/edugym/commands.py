@@ -182,7 +182,7 @@ def _reproduce(lesson: str, folder: Path, how: dict[str, Any], work: Work) -> bo
         KeyboardInterrupt: Ctrl-C was pressed.
     """
     unfinished = folder.with_name(f"{folder.name}.unfinished")
-    unfinished.mkdir(parents=True, exist_ok=True)
+    unfinished.mkdir(exist_ok=True)
     _clear(unfinished, keep=CHECKPOINTS)
     experiments = interruptibly(load_experiments, lesson)
     with warnings.catch_warnings(record=True) as warned:
