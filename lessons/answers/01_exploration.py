@@ -54,7 +54,7 @@ epsilon = -2 * np.expm1(np.log(0.5) / 100)
 
 # %% exercise 1, wrong: nothing was done
 # says: with ε = 0.1, 0.59% of the climbs
-# says: the value with which the cell began
+# says: that is the value with which the cell began
 epsilon = 0.1
 
 # %% exercise 1, wrong: still the placeholder
@@ -66,44 +66,45 @@ epsilon = ...
 epsilon = None
 
 # %% exercise 1, wrong: the wrong grip every time
-# says: of two grips a random action takes the wrong one half of the time
+# says: that is ε/2, the probability of a wrong grip; of two grips a random action takes the wrong one half of the time
 epsilon = 1 - 0.5 ** (1 / 100)
 
 # %% exercise 1, wrong: the logarithm's approximation
-# says: an approximation
+# says: that is ln 2/50, an approximation which is a little too large; solve (1 − ε/2)^100 = 1/2 exactly
 epsilon = math.log(2) / 50
 
 # %% exercise 1, wrong: 99 steps
-# says: for 99 steps
+# says: that is for 99 steps; from the ground, position 0, to the top, position 100, there are 100
 epsilon = 2 * (1 - 0.5 ** (1 / 99))
 
 # %% exercise 1, wrong: 101 steps
-# says: for 101 steps
+# says: that is for 101 steps; from the ground, position 0, to the top, position 100, there are 100
 epsilon = 2 * (1 - 0.5 ** (1 / 101))
 
 # %% exercise 1, wrong: probabilities added up
-# says: do not add up
+# says: 100 steps that go wrong with probability ε/2 do not add up to 100 · ε/2; multiply the probabilities that they go
+#   right
 epsilon = 0.5 / 100 * 2
 
 # %% exercise 1, wrong: probabilities added up, wrong every time
-# says: do not add up
+# says: the probabilities of 100 steps do not add up; multiply the probabilities that they go right
 epsilon = 0.5 / 100
 
 # %% exercise 1, wrong: another wall
-# says: for a wall of height 30
+# says: that is for a wall of height 30, and this one has 100
 epsilon = 2 * (1 - 0.5 ** (1 / 30))
 
 # %% exercise 1, wrong: a step goes right with probability ε/2
 # says: is no probability
-# says: goes right with probability 1 − ε/2
+# says: a step goes right with probability 1 − ε/2, not ε/2
 epsilon = 2 * 0.5 ** (1 / 100)
 
 # %% exercise 1, wrong: the probability of a right step
-# says: a *right* step
+# says: that is the probability of a *right* step
 epsilon = 0.5 ** (1 / 100)
 
 # %% exercise 1, wrong: in percent
-# says: in percent
+# says: that is in percent; a probability lies between 0 and 1
 epsilon = 1.38
 
 # %% exercise 1, wrong: a text
@@ -119,7 +120,8 @@ epsilon = [0.0138]
 epsilon = (1 - 0.0138 / 2) ** 100 == 0.5
 
 # %% exercise 1, wrong: rounded
-# says: four digits
+# says: , by a little: give four digits or more
+# says: half should, so ε must be
 epsilon = 0.014
 
 # %% exercise 1, wrong: much too large
@@ -141,6 +143,21 @@ epsilon = (2 * (1 - 0.5 ** (1 / 100)),)
 # %% exercise 1, wrong: integer division
 # says: ε must be larger
 epsilon = 2 * (1 - 0.5 ** (1 // 100))
+
+
+# %% exercise 1, wrong: two thirds
+# says: of two grips a random action takes the wrong one with probability 1/2, not 2/3
+epsilon = 1.5 * (1 - 0.5 ** (1 / 100))
+
+
+# %% exercise 1, wrong: two logarithms
+# says: natural and decimal logarithms are mixed up
+epsilon = 2 * (1 - 10 ** (math.log(0.5) / 100))
+
+
+# %% exercise 1, wrong: below 0
+# says: the sign is wrong: ε = 2 (1 − 0.5^(1/100))
+epsilon = -2 * (1 - 0.5 ** (1 / 100))
 
 
 # %% exercise 2, right: the constructor with all fields
@@ -220,6 +237,7 @@ def optimist(wall):
 
 # %% exercise 2, wrong: called already
 # says: should be a function of the wall
+# says: the wall that returns an agent
 optimist = QLearning.create((31, 2), learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=1.0)
 
 
@@ -255,13 +273,14 @@ def optimist(wall):
 
 
 # %% exercise 2, wrong: not optimistic
-# says: the usual first value
+# says: that is the usual first value: `create` has a setting `initial_value`
 def optimist(wall):
     return QLearning.create(wall, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0))
 
 
 # %% exercise 2, wrong: too optimistic
 # says: every value in Q[0] should be 1, but is 10
+# says: all values should start at 1
 def optimist(wall):
     return QLearning.create(wall, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=10)
 
@@ -276,6 +295,7 @@ def optimist(wall):
 
 # %% exercise 2, wrong: still exploring
 # says: ε should be 0, but it is 0.1
+# says: the optimist explores by its values alone, so ε should be 0, but it is
 def optimist(wall):
     return QLearning.create(wall, learning_rate=0.5, discount=0.9, initial_value=1.0)
 
@@ -324,7 +344,7 @@ def optimist(wall):
 
 
 # %% exercise 2, wrong: one agent for all walls
-# says: two calls of optimist(wall) share one table
+# says: two calls of optimist(wall) share one table: make a new one in every call
 made = QLearning.create((31, 2), learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=1.0)
 
 
@@ -362,6 +382,41 @@ def optimist(wall, height):
 # says: has no `act`
 def optimist(wall):
     return QLearning.create(wall, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=1.0).Q
+
+
+# %% exercise 2, wrong: the lowest value
+# says: it takes the worst grip
+class Pessimist(QLearning):
+    __slots__ = ()
+
+    def greedy(self, state, rng):
+        return int(np.argmin(self.Q[state]))
+
+    def act(self, state, rng):
+        return self.greedy(state, rng)
+
+
+def optimist(wall):
+    Q = np.ones((wall.height + 1, wall.n_grips))
+    return Pessimist(Q, 0.5, 0.9, EpsilonGreedy(0.0))
+
+
+# %% exercise 2, wrong: the last of equals
+# says: ties should be broken at random, and it takes the last of equals
+# says: act(2, rng)
+class Late(QLearning):
+    __slots__ = ()
+
+    def greedy(self, state, rng):
+        return int(np.flatnonzero(self.Q[state] == self.Q[state].max())[-1])
+
+    def act(self, state, rng):
+        return self.greedy(state, rng)
+
+
+def optimist(wall):
+    Q = np.ones((wall.height + 1, wall.n_grips))
+    return Late(Q, 0.5, 0.9, EpsilonGreedy(0.0))
 
 
 # %% exercise 3, right: roots and branches
@@ -557,7 +612,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: the state that was left
-# says: count the one that was *entered*, next_state
+# says: it counts the state that was left; count the one that was *entered*, next_state
 def learn(self, state, action, reward, next_state, terminated):
     self.tries[state, action] += 1
     self.visits[state] += 1
@@ -567,7 +622,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: counted too late
-# says: count first
+# says: the bonus comes from the old count: count first, so that a first visit has n = 1
 def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else max(self.Q[next_state])
     target = reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * value
@@ -577,7 +632,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: one visit too many
-# says: one visit too many
+# says: the bonus is β/√(n + 1), one visit too many
 def learn(self, state, action, reward, next_state, terminated):
     self.tries[state, action] += 1
     self.visits[next_state] += 1
@@ -587,7 +642,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: no root
-# says: the root is missing
+# says: the root is missing: the bonus is β/√n
 def learn(self, state, action, reward, next_state, terminated):
     self.tries[state, action] += 1
     self.visits[next_state] += 1
@@ -715,7 +770,8 @@ def learn(self, state, action, reward, next_state, done):
 
 
 # %% exercise 3, wrong: act always greedy
-# says: a grip that was never tried comes first
+# says: a grip that was never tried comes first, whatever Q says of it
+# says: , rng), where tries[
 def act(self, state, rng):
     return self.greedy(state, rng)
 
@@ -733,12 +789,14 @@ def act(self, state, rng):
 
 # %% exercise 3, wrong: act at random
 # says: act(0, rng)
+# says: it acts at random
 def act(self, state, rng):
     return int(rng.random() * self.Q.shape[1])
 
 
 # %% exercise 3, wrong: always the least tried
-# says: the *best* one counts, and it takes the one that was tried least
+# says: once all grips were tried the *best* one counts, and it takes the one that was tried least
+# says: act(3, rng)
 def act(self, state, rng):
     return int(np.argmin(self.tries[state]))
 
@@ -780,7 +838,7 @@ def act(self, state, rng):
 
 
 # %% exercise 3, wrong: ties not broken
-# says: ties should be broken at random
+# says: ties should be broken at random, and it takes the first of equals
 def act(self, state, rng):
     for action in range(self.Q.shape[1]):
         if self.tries[state, action] == 0:
@@ -819,7 +877,7 @@ class MyExplorer(NamedTuple):
 
 
 # %% exercise 3, wrong: precedence of the root
-# says: `** 1 / 2` is
+# says: `** 1 / 2` is `(... ** 1) / 2`: write `** 0.5` for the root
 def learn(self, state, action, reward, next_state, terminated):
     self.tries[state, action] += 1
     self.visits[next_state] += 1
@@ -830,7 +888,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: the bonus under the discount
-# says: the bonus is discounted
+# says: the bonus is discounted; γ belongs to the value of the next state only
 def learn(self, state, action, reward, next_state, terminated):
     self.tries[state, action] += 1
     self.visits[next_state] += 1
@@ -920,7 +978,7 @@ def learn(state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: counts the visit after it has divided
-# says: count before you divide
+# says: the bonus comes from the old count, or from 1 at the first visit: count before you divide
 def learn(self, state, action, reward, next_state, terminated):
     n = max(1, self.visits[next_state])  # not by zero
     target = reward + self.bonus / np.sqrt(n)
@@ -945,6 +1003,154 @@ def act(self, state, rng):
     if sum(self.tries[state] == 0) == 1:
         return int(self.tries[state].argmin())
     return self.greedy(state, rng)
+
+
+# %% exercise 3, wrong: the count of the wrong state
+# says: `visits` counts the state that was left; count the one that was *entered*, next_state
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[state] += 1
+    self.tries[state, action] += 1
+    bonus = self.bonus / max(self.visits[next_state], 0) ** 0.5
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% exercise 3, wrong: the bonus of the wrong state
+# says: the bonus is that of the state that was left; it belongs to the one that was *entered*, next_state
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+    bonus = self.bonus / np.sqrt(self.visits[state])
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% exercise 3, wrong: the bonus of the action
+# says: the bonus is computed from the number of tries of the action, n(s, a), and it should come from visits, n(s')
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+    bonus = self.bonus / np.sqrt(self.tries[state, action])
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% exercise 3, wrong: no count of states
+# says: `visits` does not count
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    bonus = self.bonus / np.sqrt(self.visits[next_state])
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% exercise 3, wrong: tries of the next state
+# says: `tries` counts next_state; count the state in which the action was *taken*
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[next_state, action] += 1
+    bonus = self.bonus / np.sqrt(self.visits[next_state])
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% exercise 3, wrong: indices exchanged
+# says: state and action have changed places in `tries`
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[action % len(self.tries), state % self.tries.shape[1]] += 1
+    bonus = self.bonus / np.sqrt(self.visits[next_state])
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% exercise 3, wrong: all is discounted
+# says: the whole target is discounted; γ belongs to the value of the next state only
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+    bonus = self.bonus / np.sqrt(self.visits[next_state])
+    future = 0.0 if terminated else self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (self.discount * (reward + bonus + future) - self.Q[state, action])
+
+
+# %% exercise 3, wrong: times the root
+# says: the bonus grows with the count: it is β *divided* by √n
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+    bonus = self.bonus * np.sqrt(self.visits[next_state])
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% exercise 3, wrong: always the same bonus
+# says: the bonus does not fade with the count: it is β/√n
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+    bonus = self.bonus
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% exercise 3, wrong: for the first visit
+# says: only the first visit earns a bonus; every visit earns β/√n
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+    bonus = self.bonus if self.visits[next_state] == 1 else 0.0
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% exercise 3, wrong: a penalty
+# says: the bonus is subtracted
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+    bonus = self.bonus / np.sqrt(self.visits[next_state])
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward - bonus + future - self.Q[state, action])
+
+
+# %% exercise 3, wrong: no bonus
+# says: the bonus is missing
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+    bonus = self.bonus / np.sqrt(self.visits[next_state])
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + future - self.Q[state, action])
+
+
+# %% exercise 3, wrong: no bonus at the end
+# says: at the end of an episode the bonus is lost: only the *value of the next state* is 0 there
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+    bonus = 0.0 if terminated else self.bonus / np.sqrt(self.visits[next_state])
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% exercise 3, wrong: the worst once all are tried
+# says: once all grips were tried the best one counts, and it takes the worst
+def act(self, state, rng):
+    untried = np.flatnonzero(self.tries[state] == 0)
+    if len(untried):
+        return int(untried[0])
+    worst = np.flatnonzero(self.Q[state] == self.Q[state].min())
+    return int(rng.choice(worst))
+
+
+# %% exercise 3, wrong: the last of equals
+# says: ties should be broken at random, and it takes the last of equals
+def act(self, state, rng):
+    untried = np.flatnonzero(self.tries[state] == 0)
+    if len(untried):
+        return int(untried[0])
+    return int(np.flatnonzero(self.Q[state] == self.Q[state].max())[-1])
 
 
 # %% exercise 4, right: a union of dictionaries
@@ -1014,7 +1220,7 @@ frozen = repeat(environment=lake, agents={**exploration.METHODS, "mine": SARSA.c
 frozen = None
 
 # %% exercise 4, wrong: three methods
-# says: should have a fourth method
+# says: frozen should have a fourth method, your own, beside the three of the lesson
 frozen = repeat(lake, exploration.METHODS, 20_000, repetitions=5)
 
 # %% exercise 4, wrong: one of the three again

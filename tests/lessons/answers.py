@@ -17,6 +17,7 @@ from edugym.grading import WrongAnswer
 
 FOLDER = build.ROOT / "lessons" / "answers"
 TITLE = re.compile(r"# %% (?:exercise (?P<exercise>\d+), (?P<verdict>right|wrong): (?P<name>.+)|setup)$")
+SAYS = re.compile(r"^# says: (.+\n(?:#   .+\n)*)", flags=re.MULTILINE)
 
 
 class Answer(NamedTuple):
@@ -64,8 +65,8 @@ def read_answers(path: Path) -> tuple[str, list[Answer]]:
         title, _, body = part.partition("\n")
         found = TITLE.match(title)
         assert found, f"{path.name}: {title!r} should be like '# %% exercise 1, wrong: off by one'"
-        says = tuple(re.findall(r"^# says: (.+)$", body, flags=re.MULTILINE))
-        code = re.sub(r"^# says: .+\n", "", body, flags=re.MULTILINE).strip() + "\n"
+        says = tuple(words.strip().replace("\n#  ", "") for words in SAYS.findall(body))
+        code = SAYS.sub("", body).strip() + "\n"
         if found["exercise"] is None:
             setup = code
             continue

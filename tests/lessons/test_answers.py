@@ -7,8 +7,11 @@ from pathlib import Path
 import build
 import pytest
 
+import edugym.exercises
+from edugym.grading.one_step import Q_LEARNING
 from edugym.training.train import train
 from tests.lessons.answers import FOLDER, Answer, Exercise, read_answers, read_exercises, verdict
+from tests.lessons.hints import hints
 
 FILES = sorted(FOLDER.glob("*.py"))
 ANSWERS = [answer for path in FILES for answer in read_answers(path)[1]]
@@ -28,6 +31,14 @@ def exercises_of(lesson: str) -> tuple[tuple[str, str], list[Exercise]]:
     return (imports, read_answers(FOLDER / f"{lesson}.py")[0]), exercises
 
 
+@cache
+def hints_of(lesson: str) -> dict[str, bool]:
+    """All that the checks of a lesson may say of a wrong answer, and whether it is a whole sentence."""
+    folder, name = Path(edugym.exercises.__path__[0]), lesson.partition("_")[2]
+    paths = [*folder.glob(f"{name}.py"), *folder.glob(f"{name}/*.py")]
+    return {hint: whole for path in paths for hint, whole in hints(path).items()}
+
+
 @pytest.mark.parametrize("answer", ANSWERS, ids=lambda answer: f"{answer.lesson}-{answer.exercise}-{answer.name}")
 def test_an_answer(answer: Answer) -> None:
     """A right one passes; a wrong one is refused in one sentence that says which mistake it is."""
@@ -36,6 +47,8 @@ def test_an_answer(answer: Answer) -> None:
     assert (said == "") == answer.right, said or "the check accepts it"
     for words in answer.says:
         assert words in said
+        longer = {hint for hint in hints_of(answer.lesson) if words in hint and words != hint and hint in said}
+        assert words not in hints_of(answer.lesson) or not longer, "a hint that contains this one"
     assert "\n" not in said
     assert len(said) < 700
 
@@ -51,6 +64,21 @@ def test_every_exercise_has_answers(path: Path) -> None:
         assert counts[number, False] >= FEWEST_WRONG
         assert counts[number, True] >= FEWEST_RIGHT
     assert len({(answer.exercise, answer.code) for answer in answers}) == len(answers)
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+def test_every_hint_is_told(path: Path) -> None:
+    """Whatever a check may say of a wrong answer stands, word for word, behind a `# says:` of its lesson."""
+    told = {words for answer in ANSWERS if answer.lesson == path.stem for words in answer.says}
+    all_of_it = "\n".join(told)
+    assert hints_of(path.stem)
+    assert not {hint for hint, whole in hints_of(path.stem).items() if hint not in (told if whole else all_of_it)}
+
+
+def test_every_mistake_of_q_learning_is_told() -> None:
+    """Several exercises share them; each is told in one of them or more."""
+    told = {words for answer in ANSWERS for words in answer.says}
+    assert not {sentence for sentence in Q_LEARNING.mistakes if sentence not in told}
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
