@@ -8,6 +8,7 @@ from edugym.agents.tables import one_step_target
 
 
 # %% exercise 1, right: forwards with a growing power
+# says: Right. From the last reward to the first, one multiplication a step is enough, and no power of γ is needed.
 def discounted_return(rewards, discount):
     total, weight = 0.0, 1.0
     for reward in rewards:
@@ -307,6 +308,7 @@ def discounted_return(rewards, discount):
 
 
 # %% exercise 2, right: rounds about the exploring
+# says: Right: an action that ties is as good as the first one, so each of them gets its share.
 def choose(values, epsilon, rng):
     if rng.random() >= epsilon:
         best = [a for a in range(len(values)) if values[a] == max(values)]
@@ -377,6 +379,7 @@ def choose(values, epsilon, rng):
 
 # %% exercise 2, wrong: the last of equals
 # says: ties should be broken at random, and it takes the last of equals
+# says: , should choose
 def choose(values, epsilon, rng):
     if rng.random() < epsilon:
         return rng.integers(len(values))
@@ -416,7 +419,7 @@ def choose(values, epsilon, rng):
 
 
 # %% exercise 2, wrong: the value
-# says: should give the number of an action
+# says: should give the number of an action, a whole number, but gives
 def choose(values, epsilon, rng):
     if rng.random() < epsilon:
         return rng.integers(len(values))
@@ -456,7 +459,7 @@ def choose(values, epsilon, rng):
 
 
 # %% exercise 2, wrong: other random numbers
-# says: does not draw its random numbers from `rng`
+# says: does not draw its random numbers from `rng`, so that no run can be repeated: use rng.random()
 def choose(values, epsilon, rng):
     if np.random.random() < epsilon:
         return np.random.randint(len(values))
@@ -503,6 +506,7 @@ def choose(values, epsilon, rng):
 
 # %% exercise 2, wrong: sorts the values
 # says: changes the table `values`
+# says: `: choosing must change nothing, `learn` does that
 def choose(values, epsilon, rng):
     if rng.random() < epsilon:
         return rng.integers(len(values))
@@ -531,6 +535,7 @@ choose = 1
 
 
 # %% exercise 3, right: in steps
+# says: Right: that is all of Q-learning. See it race:
 def learn(self, state, action, reward, next_state, terminated):
     value = 0.0
     if not terminated:
@@ -745,6 +750,7 @@ MyAgent = QLearning.create((6, 3))
 
 # %% exercise 3, wrong: made with brackets
 # says: MyAgent should be the class itself, but is what MyAgent(...) makes
+# says: (...) makes: leave the brackets out
 class MyAgent(NamedTuple):
     Q: np.ndarray
     learning_rate: float = 0.5

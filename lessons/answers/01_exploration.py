@@ -19,6 +19,7 @@ def untrained(environment, agent, n_steps, *, seed, **how):
 edugym.training.repeat.train = untrained
 
 # %% exercise 1, right: by logarithms
+# says: Right: ε = 1.38 % is little, and yet one wrong grip in 145 costs half of the climbs.
 epsilon = 2 - 2 * math.exp(math.log(0.5) / 100)
 
 # %% exercise 1, right: four digits
@@ -59,10 +60,12 @@ epsilon = 0.1
 
 # %% exercise 1, wrong: still the placeholder
 # says: Not solved yet
+# says: is still `...`; put your answer there.
 epsilon = ...
 
 # %% exercise 1, wrong: none
 # says: Not solved yet
+# says: is None; give it a value.
 epsilon = None
 
 # %% exercise 1, wrong: the wrong grip every time
@@ -108,15 +111,15 @@ epsilon = 0.5 ** (1 / 100)
 epsilon = 1.38
 
 # %% exercise 1, wrong: a text
-# says: leave the quotes out
+# says: : leave the quotes out
 epsilon = "0.0138"
 
 # %% exercise 1, wrong: a list
-# says: take an entry
+# says: : take an entry of it
 epsilon = [0.0138]
 
 # %% exercise 1, wrong: a truth value
-# says: truth value
+# says: should be a number, but is the truth value
 epsilon = (1 - 0.0138 / 2) ** 100 == 0.5
 
 # %% exercise 1, wrong: rounded
@@ -133,7 +136,7 @@ epsilon = 0.3
 epsilon = 0
 
 # %% exercise 1, wrong: a function
-# says: call it
+# says: should be a number, but is a function: call it, with parentheses
 epsilon = lambda height: 2 * (1 - 0.5 ** (1 / height))
 
 # %% exercise 1, wrong: a tuple by a comma
@@ -161,6 +164,8 @@ epsilon = -2 * (1 - 0.5 ** (1 / 100))
 
 
 # %% exercise 2, right: the constructor with all fields
+# says: Right: it never takes a random action, and yet it tries everything, for whatever it tries disappoints it. See it
+#   race:
 def optimist(wall):
     Q = np.ones((wall.height + 1, wall.n_grips))
     return QLearning(Q, 0.5, 0.9, EpsilonGreedy(0.0))
@@ -320,7 +325,8 @@ def optimist(wall):
 
 
 # %% exercise 2, wrong: a table of whole numbers
-# says: every update loses what is behind the decimal point
+# says: numbers, so every update loses what is behind the decimal point: make it with np.zeros(shape) or np.full(shape,
+#   1.0)
 def optimist(wall):
     return QLearning(np.ones((wall.height + 1, wall.n_grips), int), 0.5, 0.9, EpsilonGreedy(0.0))
 
@@ -380,6 +386,7 @@ def optimist(wall, height):
 
 # %% exercise 2, wrong: the table is returned
 # says: has no `act`
+# says: should give an agent, but what it gives, of the type
 def optimist(wall):
     return QLearning.create(wall, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=1.0).Q
 
@@ -420,6 +427,8 @@ def optimist(wall):
 
 
 # %% exercise 3, right: roots and branches
+# says: Right: counting tries says what is new here, the bonus says where to go, and no random step is needed. See it
+#   race:
 def act(self, state, rng):
     untried = [action for action in range(self.Q.shape[1]) if self.tries[state, action] == 0]
     return untried[0] if untried else self.greedy(state, rng)
@@ -580,6 +589,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 # %% exercise 3, wrong: a visit is noted, not counted
 # says: `visits` is set to 1 there
+# says: ` is set to 1 there, and it should become one more: write `+= 1`
 def learn(self, state, action, reward, next_state, terminated):
     self.tries[state, action] += 1
     self.visits[next_state] = 1
@@ -587,6 +597,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 # %% exercise 3, wrong: counted down
 # says: `tries` changes by -1 there
+# says: there, and every time it should be one more
 def learn(self, state, action, reward, next_state, terminated):
     self.visits[next_state] += 1
     self.tries[state, action] -= 1
@@ -1044,6 +1055,18 @@ def learn(self, state, action, reward, next_state, terminated):
     self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
 
 
+# %% exercise 3, wrong: the last step is not counted
+# says: `tries` does not change there, and every time it should be one more
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    if not terminated:
+        self.tries[state, action] += 1
+    target = reward + self.bonus / np.sqrt(self.visits[next_state])
+    if not terminated:
+        target += self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
 # %% exercise 3, wrong: tries of the next state
 # says: `tries` counts next_state; count the state in which the action was *taken*
 def learn(self, state, action, reward, next_state, terminated):
@@ -1154,6 +1177,9 @@ def act(self, state, rng):
 
 
 # %% exercise 4, right: a union of dictionaries
+# says: Right. Runs that solve the lake: ε-greedy 0 of 5, novelty reward 0 of 5, Go-Explore 0 of 5, mine 0 of 5. Novelty
+#   helps less here: a hole ends the episode and all later bonuses with it, and the reward, 14 steps away, is discounted
+#   to a quarter of the first bonus.
 frozen = repeat(
     lake,
     exploration.METHODS | {"mine": lambda e: QLearning.create(e, discount=0.9, initial_value=1.0)},

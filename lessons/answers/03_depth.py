@@ -8,6 +8,7 @@ from edugym import Greedy, SARSA, Softmax
 
 
 # %% exercise 1, right: as many days as there are
+# says: Right: its targets are made of rewards alone, and it takes no random action. See it race:
 def quiet(study):
     return NStepSARSA.create(study, n=10, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0))
 
@@ -226,6 +227,8 @@ def quiet(study):
 
 
 # %% exercise 2, right: a power
+# says: Right: one exploring action on the way makes the ratio 0, whatever the others were. With nine later actions, ε =
+#   0.1 and N = 5 a target counts 2.1 times or not at all.
 def importance_ratio(greedy, epsilon, n_actions):
     later = greedy[1:]
     if not all(later):
@@ -431,7 +434,7 @@ def importance_ratio(greedy, epsilon, n_actions):
 
 
 # %% exercise 2, wrong: an array
-# says: should be one number
+# says: should be one number, but is a
 def importance_ratio(greedy, epsilon, n_actions):
     return np.array(greedy[1:]) / (1 - epsilon + epsilon / n_actions)
 
@@ -491,6 +494,7 @@ def importance_ratio(greedy, epsilon, n_actions):
 
 
 # %% exercise 3, right: reversed
+# says: Right: greedy actions hand the reward on, and exploring ones do not blur it. See it race:
 def hand_back(self, length):
     G = 0.0
     for k in reversed(range(length)):

@@ -4,6 +4,8 @@
 
 
 # %% exercise 1, right: the number
+# says: Right: 22, not 19. The second word tells a part of what the first one has told already, so that information adds
+#   up more and more slowly.
 words = 22
 
 # %% exercise 1, right: as a float
@@ -114,6 +116,7 @@ words = math.ceil(22 / 4)
 
 
 # %% exercise 2, right: with NumPy
+# says: Right: these are the bits of the figures.
 def bits_in(joint):
     p_x = joint.sum(axis=1, keepdims=True)
     p_y = joint.sum(axis=0, keepdims=True)
@@ -201,7 +204,8 @@ def bits_in(joint):
 
 
 # %% exercise 2, wrong: a whole number beyond all real ones
-# says: should be a finite number
+# says: should be a finite number, but is
+# says: : is something divided by zero?
 def bits_in(joint):
     return 10**400
 
@@ -495,6 +499,7 @@ def bits_in(joint):
 
 
 # %% exercise 3, right: with synonyms in a list
+# says: Right: message and memory together. See it race:
 def act(self, observation, rng):
     votes = np.zeros(4)
     for word in observation[1:]:
@@ -608,7 +613,7 @@ def act(self, observation, rng):
 
 
 # %% exercise 3, wrong: the last action from the message
-# says: none of the usual mistakes
+# says: , which is none of the usual mistakes
 # says: where self.last[0] =
 def act(self, observation, rng):
     votes = np.zeros(4)

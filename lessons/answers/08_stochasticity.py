@@ -4,6 +4,8 @@
 
 
 # %% exercise 1, right: four digits
+# says: Right: near 0.0232. By hand: 1.8 p = 0.2, so p = 0.111, which is 1.59 standard deviations on each side: 0.0220.
+#   The dearer a hit, the more risk it is worth.
 level = 0.0232
 
 # %% exercise 1, right: by a loop
@@ -83,10 +85,6 @@ level = 0.0220
 # says: that is the lesson's own level; look for the one at which drive and chip are worth the same
 level = 0.015
 
-# %% exercise 1, wrong: below 0
-# says: the sign is wrong
-level = -0.0232
-
 # %% exercise 1, wrong: two digits
 # says: too low, as the drive is worth more there
 # says: , as the drive is worth more there
@@ -123,7 +121,7 @@ level = "0.0232"
 level = stochasticity.from_the_tee(0.0232, max_hits=5)
 
 # %% exercise 1, wrong: a negative level
-# says: is not a level
+# says: the sign is wrong
 level = -0.0232
 
 # %% exercise 1, wrong: the function
@@ -146,6 +144,7 @@ while stochasticity.from_the_tee(level, max_hits=5)["drive"] > stochasticity.fro
 
 
 # %% exercise 2, right: two loops
+# says: Right. To choose between players on the frontier you need a taste: how much mean is less spread worth?
 def frontier(players):
     names = []
     for name, (mean, spread) in players.items():
@@ -445,6 +444,7 @@ def frontier(players):
 
 
 # %% exercise 3, right: an if and an else
+# says: Right: two weights are enough to move the crossing. See it race:
 def learn(self, state, action, reward, next_state, terminated):
     target = reward
     if not terminated:

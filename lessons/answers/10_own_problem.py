@@ -35,6 +35,8 @@ class Plant(NamedTuple):
 
 
 # %% exercise 1, right: a fraction
+# says: Right: 59/9. Below it the best clock lets her sleep on when she is fast asleep at 8:20. Nothing in its code says
+#   so but a number.
 late = 59 / 9
 
 # %% exercise 1, right: two digits
@@ -149,6 +151,7 @@ late = 590 / 9
 
 
 # %% exercise 2, right: in one line
+# says: Right: what is given on the way to a state is taken back when it is left. Here are both policies:
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     return reward + discount * (0 if terminated else potential(next_state)) - potential(state)
 
@@ -344,6 +347,7 @@ shaped_reward = 1.0
 
 
 # %% exercise 3, right: counts last
+# says: Right: one number more, and the next state depends on the state and the action alone again. See it learn:
 def transition(self, state, action, rng):
     t, d, c = state
     u = rng.random()
@@ -759,6 +763,7 @@ def transition(self, state, action, rng):
 
 
 # %% exercise 4, right: a plant
+# says: A problem: 40 states, 2 actions, optimum 7.577.
 my_problem = Plant()
 
 # %% exercise 4, right: a plant for a month
