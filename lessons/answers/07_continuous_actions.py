@@ -424,7 +424,9 @@ def my_scores(a, mu, sigma):
 # %% exercise 2, wrong: of π
 # says: that is the derivative of π, not of ln π
 def my_scores(a, mu, sigma):
-    return (a - mu) / sigma**3 * np.exp(-((a - mu) ** 2) / (2 * sigma**2)) / np.sqrt(2 * np.pi), (a - mu) ** 2 / sigma**2 - 1
+    return (a - mu) / sigma**3 * np.exp(-((a - mu) ** 2) / (2 * sigma**2)) / np.sqrt(2 * np.pi), (
+        a - mu
+    ) ** 2 / sigma**2 - 1
 
 
 # %% exercise 2, wrong: less 1/σ

@@ -9,10 +9,11 @@ from edugym.exercises import exploration, loop, on_off_policy, own_problem, sign
 from edugym.grading import WrongAnswer
 from edugym.lessons.on_off_policy import switch
 from edugym.lessons.signal import bits
+from edugym.lessons.stochasticity.exact import crossing
 
 Exercise = Callable[[Any, int], str]
 EPSILON = 2 * (1 - 0.5 ** (1 / 100))
-LEVEL = stochasticity.crossing(0.02, 0.025, max_hits=5)
+LEVEL = crossing(0.02, 0.025, max_hits=5)
 NEARLY = "; you are close, "
 
 

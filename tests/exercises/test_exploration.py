@@ -8,7 +8,7 @@ import pytest
 from edugym import SARSA, CountBased, make_mdp, repeat
 from edugym.exercises import exploration as exercises
 from edugym.grading.updates import Transition
-from edugym.lessons.exploration import EPSILON_GREEDY, METHODS, compare, race
+from edugym.lessons.exploration import EPSILON_GREEDY, METHODS, N_STEPS, compare, race
 from edugym.plotting import Curves, Lines
 from edugym.training.train import Run
 from tests.lessons.answers import solution
@@ -109,7 +109,7 @@ def test_runs_that_solve_the_lake_are_counted(monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setattr("edugym.training.repeat.train", trained)
     lake = {"map_name": "8x8", "is_slippery": False}
     methods = {**METHODS, "mine": SARSA.create}
-    answer = repeat("FrozenLake-v1", methods, exercises.N_STEPS, repetitions=5, parameters=lake, jobs=1)
+    answer = repeat("FrozenLake-v1", methods, N_STEPS, repetitions=5, parameters=lake, jobs=1)
     assert exercises.exercise_4(answer, 0).startswith(
         "Right. Runs that solve the lake: ε-greedy 0 of 5, novelty reward 0 of 5, Go-Explore 2 of 5, mine 5 of 5. "
     )

@@ -13,13 +13,14 @@ from edugym.grading.results import check_results
 from edugym.results.tables import Results
 
 WALL = {"height": 3, "layout_seed": 0}
-METHODS: dict[str, Callable[[Any], Any]] = {
+Methods = dict[str, Callable[[Any], Any]]
+METHODS: Methods = {
     "slow": partial(QLearning.create, learning_rate=0.1),
     "fast": partial(QLearning.create, learning_rate=0.9),
 }
 
 
-def results(methods: dict[str, Callable[[Any], Any]], **how: Any) -> Results:
+def results(methods: Methods, **how: Any) -> Results:
     """An experiment of ten steps."""
     how = {"repetitions": 2, "evaluate_every": 10, "jobs": 1, **how}
     return repeat("Boulder", methods, 10, parameters=WALL, **how)
@@ -49,8 +50,8 @@ def test_an_experiment_that_was_stopped() -> None:
 
 def test_other_experiments() -> None:
     """What differs is named."""
-    other = {**METHODS, "fast": partial(QLearning.create, learning_rate=0.8)}
-    same = {**METHODS, "third": METHODS["slow"]}
+    other: Methods = {**METHODS, "fast": partial(QLearning.create, learning_rate=0.8)}
+    same: Methods = {**METHODS, "third": METHODS["slow"]}
     for answer, says in (
         (results(METHODS, repetitions=3), "mine should be an experiment with repetitions 2, but it has repetitions 3"),
         (results(other), "mine should have for 'fast' the learning_rate 0.9, but it has 0.8"),
