@@ -19,6 +19,7 @@ def untrained(environment, agent, n_steps, *, seed, **how):
 edugym.training.repeat.train = untrained
 
 # %% exercise 1, right: by logarithms
+# says: Right: ε = 1.38 % is little, and yet one wrong grip in 145 costs half of the climbs.
 epsilon = 2 - 2 * math.exp(math.log(0.5) / 100)
 
 # %% exercise 1, right: four digits
@@ -54,72 +55,76 @@ epsilon = -2 * np.expm1(np.log(0.5) / 100)
 
 # %% exercise 1, wrong: nothing was done
 # says: with ε = 0.1, 0.59% of the climbs
-# says: the value with which the cell began
+# says: that is the value with which the cell began
 epsilon = 0.1
 
 # %% exercise 1, wrong: still the placeholder
 # says: Not solved yet
+# says: is still `...`; put your answer there.
 epsilon = ...
 
 # %% exercise 1, wrong: none
 # says: Not solved yet
+# says: is None; give it a value.
 epsilon = None
 
 # %% exercise 1, wrong: the wrong grip every time
-# says: of two grips a random action takes the wrong one half of the time
+# says: that is ε/2, the probability of a wrong grip; of two grips a random action takes the wrong one half of the time
 epsilon = 1 - 0.5 ** (1 / 100)
 
 # %% exercise 1, wrong: the logarithm's approximation
-# says: an approximation
+# says: that is ln 2/50, an approximation which is a little too large; solve (1 − ε/2)^100 = 1/2 exactly
 epsilon = math.log(2) / 50
 
 # %% exercise 1, wrong: 99 steps
-# says: for 99 steps
+# says: that is for 99 steps; from the ground, position 0, to the top, position 100, there are 100
 epsilon = 2 * (1 - 0.5 ** (1 / 99))
 
 # %% exercise 1, wrong: 101 steps
-# says: for 101 steps
+# says: that is for 101 steps; from the ground, position 0, to the top, position 100, there are 100
 epsilon = 2 * (1 - 0.5 ** (1 / 101))
 
 # %% exercise 1, wrong: probabilities added up
-# says: do not add up
+# says: 100 steps that go wrong with probability ε/2 do not add up to 100 · ε/2; multiply the probabilities that they go
+#   right
 epsilon = 0.5 / 100 * 2
 
 # %% exercise 1, wrong: probabilities added up, wrong every time
-# says: do not add up
+# says: the probabilities of 100 steps do not add up; multiply the probabilities that they go right
 epsilon = 0.5 / 100
 
 # %% exercise 1, wrong: another wall
-# says: for a wall of height 30
+# says: that is for a wall of height 30, and this one has 100
 epsilon = 2 * (1 - 0.5 ** (1 / 30))
 
 # %% exercise 1, wrong: a step goes right with probability ε/2
 # says: is no probability
-# says: goes right with probability 1 − ε/2
+# says: a step goes right with probability 1 − ε/2, not ε/2
 epsilon = 2 * 0.5 ** (1 / 100)
 
 # %% exercise 1, wrong: the probability of a right step
-# says: a *right* step
+# says: that is the probability of a *right* step
 epsilon = 0.5 ** (1 / 100)
 
 # %% exercise 1, wrong: in percent
-# says: in percent
+# says: that is in percent; a probability lies between 0 and 1
 epsilon = 1.38
 
 # %% exercise 1, wrong: a text
-# says: leave the quotes out
+# says: : leave the quotes out
 epsilon = "0.0138"
 
 # %% exercise 1, wrong: a list
-# says: take an entry
+# says: : take an entry of it
 epsilon = [0.0138]
 
 # %% exercise 1, wrong: a truth value
-# says: truth value
+# says: should be a number, but is the truth value
 epsilon = (1 - 0.0138 / 2) ** 100 == 0.5
 
 # %% exercise 1, wrong: rounded
-# says: four digits
+# says: , by a little: give four digits or more
+# says: half should, so ε must be
 epsilon = 0.014
 
 # %% exercise 1, wrong: much too large
@@ -131,7 +136,7 @@ epsilon = 0.3
 epsilon = 0
 
 # %% exercise 1, wrong: a function
-# says: call it
+# says: should be a number, but is a function: call it, with parentheses
 epsilon = lambda height: 2 * (1 - 0.5 ** (1 / height))
 
 # %% exercise 1, wrong: a tuple by a comma
@@ -143,7 +148,24 @@ epsilon = (2 * (1 - 0.5 ** (1 / 100)),)
 epsilon = 2 * (1 - 0.5 ** (1 // 100))
 
 
+# %% exercise 1, wrong: two thirds
+# says: of two grips a random action takes the wrong one with probability 1/2, not 2/3
+epsilon = 1.5 * (1 - 0.5 ** (1 / 100))
+
+
+# %% exercise 1, wrong: two logarithms
+# says: natural and decimal logarithms are mixed up
+epsilon = 2 * (1 - 10 ** (math.log(0.5) / 100))
+
+
+# %% exercise 1, wrong: below 0
+# says: the sign is wrong: ε = 2 (1 − 0.5^(1/100))
+epsilon = -2 * (1 - 0.5 ** (1 / 100))
+
+
 # %% exercise 2, right: the constructor with all fields
+# says: Right: it never takes a random action, and yet it tries everything, for whatever it tries disappoints it. See it
+#   race:
 def optimist(wall):
     Q = np.ones((wall.height + 1, wall.n_grips))
     return QLearning(Q, 0.5, 0.9, EpsilonGreedy(0.0))
@@ -220,6 +242,7 @@ def optimist(wall):
 
 # %% exercise 2, wrong: called already
 # says: should be a function of the wall
+# says: the wall that returns an agent
 optimist = QLearning.create((31, 2), learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=1.0)
 
 
@@ -255,13 +278,14 @@ def optimist(wall):
 
 
 # %% exercise 2, wrong: not optimistic
-# says: the usual first value
+# says: that is the usual first value: `create` has a setting `initial_value`
 def optimist(wall):
     return QLearning.create(wall, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0))
 
 
 # %% exercise 2, wrong: too optimistic
 # says: every value in Q[0] should be 1, but is 10
+# says: all values should start at 1
 def optimist(wall):
     return QLearning.create(wall, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=10)
 
@@ -276,6 +300,7 @@ def optimist(wall):
 
 # %% exercise 2, wrong: still exploring
 # says: ε should be 0, but it is 0.1
+# says: the optimist explores by its values alone, so ε should be 0, but it is
 def optimist(wall):
     return QLearning.create(wall, learning_rate=0.5, discount=0.9, initial_value=1.0)
 
@@ -300,7 +325,8 @@ def optimist(wall):
 
 
 # %% exercise 2, wrong: a table of whole numbers
-# says: every update loses what is behind the decimal point
+# says: numbers, so every update loses what is behind the decimal point: make it with np.zeros(shape) or np.full(shape,
+#   1.0)
 def optimist(wall):
     return QLearning(np.ones((wall.height + 1, wall.n_grips), int), 0.5, 0.9, EpsilonGreedy(0.0))
 
@@ -324,7 +350,7 @@ def optimist(wall):
 
 
 # %% exercise 2, wrong: one agent for all walls
-# says: two calls of optimist(wall) share one table
+# says: two calls of optimist(wall) share one table: make a new one in every call
 made = QLearning.create((31, 2), learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=1.0)
 
 
@@ -360,11 +386,49 @@ def optimist(wall, height):
 
 # %% exercise 2, wrong: the table is returned
 # says: has no `act`
+# says: should give an agent, but what it gives, of the type
 def optimist(wall):
     return QLearning.create(wall, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=1.0).Q
 
 
+# %% exercise 2, wrong: the lowest value
+# says: it takes the worst grip
+class Pessimist(QLearning):
+    __slots__ = ()
+
+    def greedy(self, state, rng):
+        return int(np.argmin(self.Q[state]))
+
+    def act(self, state, rng):
+        return self.greedy(state, rng)
+
+
+def optimist(wall):
+    Q = np.ones((wall.height + 1, wall.n_grips))
+    return Pessimist(Q, 0.5, 0.9, EpsilonGreedy(0.0))
+
+
+# %% exercise 2, wrong: the last of equals
+# says: ties should be broken at random, and it takes the last of equals
+# says: act(2, rng)
+class Late(QLearning):
+    __slots__ = ()
+
+    def greedy(self, state, rng):
+        return int(np.flatnonzero(self.Q[state] == self.Q[state].max())[-1])
+
+    def act(self, state, rng):
+        return self.greedy(state, rng)
+
+
+def optimist(wall):
+    Q = np.ones((wall.height + 1, wall.n_grips))
+    return Late(Q, 0.5, 0.9, EpsilonGreedy(0.0))
+
+
 # %% exercise 3, right: roots and branches
+# says: Right: counting tries says what is new here, the bonus says where to go, and no random step is needed. See it
+#   race:
 def act(self, state, rng):
     untried = [action for action in range(self.Q.shape[1]) if self.tries[state, action] == 0]
     return untried[0] if untried else self.greedy(state, rng)
@@ -525,6 +589,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 # %% exercise 3, wrong: a visit is noted, not counted
 # says: `visits` is set to 1 there
+# says: ` is set to 1 there, and it should become one more: write `+= 1`
 def learn(self, state, action, reward, next_state, terminated):
     self.tries[state, action] += 1
     self.visits[next_state] = 1
@@ -532,6 +597,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 # %% exercise 3, wrong: counted down
 # says: `tries` changes by -1 there
+# says: there, and every time it should be one more
 def learn(self, state, action, reward, next_state, terminated):
     self.visits[next_state] += 1
     self.tries[state, action] -= 1
@@ -557,7 +623,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: the state that was left
-# says: count the one that was *entered*, next_state
+# says: it counts the state that was left; count the one that was *entered*, next_state
 def learn(self, state, action, reward, next_state, terminated):
     self.tries[state, action] += 1
     self.visits[state] += 1
@@ -567,7 +633,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: counted too late
-# says: count first
+# says: the bonus comes from the old count: count first, so that a first visit has n = 1
 def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else max(self.Q[next_state])
     target = reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * value
@@ -577,7 +643,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: one visit too many
-# says: one visit too many
+# says: the bonus is β/√(n + 1), one visit too many
 def learn(self, state, action, reward, next_state, terminated):
     self.tries[state, action] += 1
     self.visits[next_state] += 1
@@ -587,7 +653,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: no root
-# says: the root is missing
+# says: the root is missing: the bonus is β/√n
 def learn(self, state, action, reward, next_state, terminated):
     self.tries[state, action] += 1
     self.visits[next_state] += 1
@@ -715,7 +781,8 @@ def learn(self, state, action, reward, next_state, done):
 
 
 # %% exercise 3, wrong: act always greedy
-# says: a grip that was never tried comes first
+# says: a grip that was never tried comes first, whatever Q says of it
+# says: , rng), where tries[
 def act(self, state, rng):
     return self.greedy(state, rng)
 
@@ -733,12 +800,14 @@ def act(self, state, rng):
 
 # %% exercise 3, wrong: act at random
 # says: act(0, rng)
+# says: it acts at random
 def act(self, state, rng):
     return int(rng.random() * self.Q.shape[1])
 
 
 # %% exercise 3, wrong: always the least tried
-# says: the *best* one counts, and it takes the one that was tried least
+# says: once all grips were tried the *best* one counts, and it takes the one that was tried least
+# says: act(3, rng)
 def act(self, state, rng):
     return int(np.argmin(self.tries[state]))
 
@@ -780,7 +849,7 @@ def act(self, state, rng):
 
 
 # %% exercise 3, wrong: ties not broken
-# says: ties should be broken at random
+# says: ties should be broken at random, and it takes the first of equals
 def act(self, state, rng):
     for action in range(self.Q.shape[1]):
         if self.tries[state, action] == 0:
@@ -819,7 +888,7 @@ class MyExplorer(NamedTuple):
 
 
 # %% exercise 3, wrong: precedence of the root
-# says: `** 1 / 2` is
+# says: `** 1 / 2` is `(... ** 1) / 2`: write `** 0.5` for the root
 def learn(self, state, action, reward, next_state, terminated):
     self.tries[state, action] += 1
     self.visits[next_state] += 1
@@ -830,7 +899,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: the bonus under the discount
-# says: the bonus is discounted
+# says: the bonus is discounted; γ belongs to the value of the next state only
 def learn(self, state, action, reward, next_state, terminated):
     self.tries[state, action] += 1
     self.visits[next_state] += 1
@@ -920,7 +989,7 @@ def learn(state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: counts the visit after it has divided
-# says: count before you divide
+# says: the bonus comes from the old count, or from 1 at the first visit: count before you divide
 def learn(self, state, action, reward, next_state, terminated):
     n = max(1, self.visits[next_state])  # not by zero
     target = reward + self.bonus / np.sqrt(n)
@@ -947,7 +1016,170 @@ def act(self, state, rng):
     return self.greedy(state, rng)
 
 
+# %% exercise 3, wrong: the count of the wrong state
+# says: `visits` counts the state that was left; count the one that was *entered*, next_state
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[state] += 1
+    self.tries[state, action] += 1
+    bonus = self.bonus / max(self.visits[next_state], 0) ** 0.5
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% exercise 3, wrong: the bonus of the wrong state
+# says: the bonus is that of the state that was left; it belongs to the one that was *entered*, next_state
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+    bonus = self.bonus / np.sqrt(self.visits[state])
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% exercise 3, wrong: the bonus of the action
+# says: the bonus is computed from the number of tries of the action, n(s, a), and it should come from visits, n(s')
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+    bonus = self.bonus / np.sqrt(self.tries[state, action])
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% exercise 3, wrong: no count of states
+# says: `visits` does not count
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    bonus = self.bonus / np.sqrt(self.visits[next_state])
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% exercise 3, wrong: the last step is not counted
+# says: `tries` does not change there, and every time it should be one more
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    if not terminated:
+        self.tries[state, action] += 1
+    target = reward + self.bonus / np.sqrt(self.visits[next_state])
+    if not terminated:
+        target += self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% exercise 3, wrong: tries of the next state
+# says: `tries` counts next_state; count the state in which the action was *taken*
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[next_state, action] += 1
+    bonus = self.bonus / np.sqrt(self.visits[next_state])
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% exercise 3, wrong: indices exchanged
+# says: state and action have changed places in `tries`
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[action % len(self.tries), state % self.tries.shape[1]] += 1
+    bonus = self.bonus / np.sqrt(self.visits[next_state])
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% exercise 3, wrong: all is discounted
+# says: the whole target is discounted; γ belongs to the value of the next state only
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+    bonus = self.bonus / np.sqrt(self.visits[next_state])
+    future = 0.0 if terminated else self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (self.discount * (reward + bonus + future) - self.Q[state, action])
+
+
+# %% exercise 3, wrong: times the root
+# says: the bonus grows with the count: it is β *divided* by √n
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+    bonus = self.bonus * np.sqrt(self.visits[next_state])
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% exercise 3, wrong: always the same bonus
+# says: the bonus does not fade with the count: it is β/√n
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+    bonus = self.bonus
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% exercise 3, wrong: for the first visit
+# says: only the first visit earns a bonus; every visit earns β/√n
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+    bonus = self.bonus if self.visits[next_state] == 1 else 0.0
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% exercise 3, wrong: a penalty
+# says: the bonus is subtracted
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+    bonus = self.bonus / np.sqrt(self.visits[next_state])
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward - bonus + future - self.Q[state, action])
+
+
+# %% exercise 3, wrong: no bonus
+# says: the bonus is missing
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+    bonus = self.bonus / np.sqrt(self.visits[next_state])
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + future - self.Q[state, action])
+
+
+# %% exercise 3, wrong: no bonus at the end
+# says: at the end of an episode the bonus is lost: only the *value of the next state* is 0 there
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+    bonus = 0.0 if terminated else self.bonus / np.sqrt(self.visits[next_state])
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% exercise 3, wrong: the worst once all are tried
+# says: once all grips were tried the best one counts, and it takes the worst
+def act(self, state, rng):
+    untried = np.flatnonzero(self.tries[state] == 0)
+    if len(untried):
+        return int(untried[0])
+    worst = np.flatnonzero(self.Q[state] == self.Q[state].min())
+    return int(rng.choice(worst))
+
+
+# %% exercise 3, wrong: the last of equals
+# says: ties should be broken at random, and it takes the last of equals
+def act(self, state, rng):
+    untried = np.flatnonzero(self.tries[state] == 0)
+    if len(untried):
+        return int(untried[0])
+    return int(np.flatnonzero(self.Q[state] == self.Q[state].max())[-1])
+
+
 # %% exercise 4, right: a union of dictionaries
+# says: Right. Runs that solve the lake: ε-greedy 0 of 5, novelty reward 0 of 5, Go-Explore 0 of 5, mine 0 of 5. Novelty
+#   helps less here: a hole ends the episode and all later bonuses with it, and the reward, 14 steps away, is discounted
+#   to a quarter of the first bonus.
 frozen = repeat(
     lake,
     exploration.METHODS | {"mine": lambda e: QLearning.create(e, discount=0.9, initial_value=1.0)},
@@ -1014,7 +1246,7 @@ frozen = repeat(environment=lake, agents={**exploration.METHODS, "mine": SARSA.c
 frozen = None
 
 # %% exercise 4, wrong: three methods
-# says: should have a fourth method
+# says: frozen should have a fourth method, your own, beside the three of the lesson
 frozen = repeat(lake, exploration.METHODS, 20_000, repetitions=5)
 
 # %% exercise 4, wrong: one of the three again

@@ -4,6 +4,8 @@
 
 
 # %% exercise 1, right: one digit
+# says: Right: just above -37. The estimate of the lesson gives -30, since it looks at the last step alone. The safe run
+#   slips too, and for one step more.
 negative_reward = -36.9
 
 # %% exercise 1, right: two digits
@@ -38,7 +40,7 @@ while on_off_policy.switch(finite_model(make_mdp("Roadrunner", negative_reward=n
     negative_reward += 0.05
 
 # %% exercise 1, wrong: nothing was done
-# says: the value with which the cell began
+# says: that is the value with which the cell began
 negative_reward = -100.0
 
 # %% exercise 1, wrong: the placeholder
@@ -54,11 +56,11 @@ negative_reward = None
 negative_reward = -37
 
 # %% exercise 1, wrong: the estimate
-# says: that is the estimate 3/ε
+# says: that is the estimate 3/ε, which leaves out all slips but the last; let best_run work it out exactly
 negative_reward = -30.0
 
 # %% exercise 1, wrong: a slip is always deadly
-# says: that is 1/ε
+# says: that is 1/ε; a random action is the deadly one in only one of three cases, and the rest of the run slips too
 negative_reward = -1 / 0.1
 
 # %% exercise 1, wrong: no minus
@@ -75,6 +77,7 @@ negative_reward = 3 / 0.1
 
 # %% exercise 1, wrong: far too low
 # says: is below -1 000 000
+# says: too low, and the fast run of 4 steps should be best
 negative_reward = -1e9
 
 # %% exercise 1, wrong: rounded to tens
@@ -88,7 +91,7 @@ negative_reward = -40
 negative_reward = -35
 
 # %% exercise 1, wrong: half a point off
-# says: look at every tenth
+# says: ; you are close, look at every tenth
 negative_reward = -36.5
 
 # %% exercise 1, wrong: half a point off on the other side
@@ -112,7 +115,7 @@ negative_reward = on_off_policy.best_run
 negative_reward = 0
 
 # %% exercise 1, wrong: the change of the path
-# says: the *path* of the safe run changes
+# says: there the *path* of the safe run changes; the number of its steps changes elsewhere
 negative_reward = -100.0
 while on_off_policy.best_run(0.1, negative_reward=negative_reward)[2] == (2, 1):
     negative_reward += 0.1
@@ -126,6 +129,8 @@ negative_reward -= 1
 
 
 # %% exercise 2, right: by bisection
+# says: Right: planning on the model finds at once what expected SARSA needs thousands of steps for. (It is close to 3
+#   divided by the cost of a fall where one step more avoids the one deadly action.)
 def switch(model):
     fastest = value_iteration(model, horizon=50).start
     low, high = 0.0, 0.2
@@ -213,6 +218,7 @@ def switch(model):
 
 # %% exercise 2, wrong: no return
 # says: is a `return` missing?
+# says: switch(model) for W =
 def switch(model):
     fastest = value_iteration(model, horizon=50).start
     for epsilon in np.arange(0.0, 0.2, 0.001):
@@ -222,7 +228,8 @@ def switch(model):
 
 
 # %% exercise 2, wrong: the number of the lesson
-# says: the ε of the lesson's road
+# says: that is the ε of the lesson's road; compute it from the `model` that is given
+# says: and negative_reward =
 def switch(model):
     return 0.032
 
@@ -233,7 +240,8 @@ switch = 0.032
 
 
 # %% exercise 2, wrong: the ε-soft return
-# says: played *without* slips
+# says: that is the first ε above 0 of a search: compare the *return* of the greedy policy, played *without* slips,
+#   since the ε-soft return is always lower, and two policies may differ where no run leads
 def switch(model):
     fastest = value_iteration(model, horizon=50).start
     for epsilon in np.arange(0.0, 0.2, 0.001):
@@ -253,7 +261,7 @@ def switch(model):
 
 
 # %% exercise 2, wrong: the ε-soft return of one step more
-# says: the slips lower both
+# says: that is where the ε-soft return falls below that of a run with one step more; the slips lower both
 def switch(model):
     fastest = value_iteration(model, horizon=50).start
     for epsilon in np.arange(0.0, 0.2, 0.0001):
@@ -262,7 +270,7 @@ def switch(model):
 
 
 # %% exercise 2, wrong: too coarse
-# says: look in steps of 0.001 or smaller
+# says: that is close, but look in steps of 0.001 or smaller
 def switch(model):
     fastest = value_iteration(model, horizon=50).start
     for epsilon in np.arange(0.0, 0.2, 0.01):
@@ -272,7 +280,7 @@ def switch(model):
 
 
 # %% exercise 2, wrong: in percent
-# says: in percent
+# says: that is in percent
 def switch(model):
     fastest = value_iteration(model, horizon=50).start
     for epsilon in np.arange(0.0, 0.2, 0.0001):
@@ -282,7 +290,8 @@ def switch(model):
 
 
 # %% exercise 2, wrong: the comparison the wrong way round
-# says: the search ends at its first ε
+# says: the search ends at its first ε: is the return of the fastest run that of *this* `model`, and is it compared,
+#   with `<`, with the greedy policy for ε, played *without* slips?
 def switch(model):
     fastest = value_iteration(model, horizon=50).start
     for epsilon in np.arange(0.0, 0.2, 0.001):
@@ -292,7 +301,7 @@ def switch(model):
 
 
 # %% exercise 2, wrong: never found
-# says: the end of the search
+# says: that is the end of the search: the change was never found; is the comparison the right way round?
 def switch(model):
     fastest = value_iteration(model, horizon=50).start
     for epsilon in np.arange(0.0, 0.2, 0.001):
@@ -303,7 +312,7 @@ def switch(model):
 
 
 # %% exercise 2, wrong: the estimate
-# says: that is the estimate, 3 divided by
+# says: that is the estimate, 3 divided by the cost of a fall, not the exact value: plan on the model
 def switch(model):
     return 3 / abs(model.mdp.negative_reward)
 
@@ -362,7 +371,75 @@ def switch():
     return 0.032
 
 
+# %% exercise 2, wrong: the reciprocal
+# says: that is 1/ε
+def switch(model):
+    return 1 / on_off_policy.switch(model, tolerance=1e-7)
+
+
+# %% exercise 2, wrong: the other probability
+# says: that is 1 − ε
+def switch(model):
+    fastest = value_iteration(model, horizon=50).start
+    epsilon = 0.0
+    while epsilon < 0.2:
+        epsilon += 0.001
+        policy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
+        if policy_evaluation(model, policy, horizon=50).start < fastest:
+            return 1 - epsilon
+    return 0.2
+
+
+# %% exercise 2, wrong: below 0
+# says: the sign is wrong
+def switch(model):
+    fastest = value_iteration(model, horizon=50).start
+    epsilon = 0.0
+    while epsilon < 0.2:
+        epsilon += 0.001
+        policy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
+        if policy_evaluation(model, policy, horizon=50).start < fastest:
+            return -epsilon
+    return 0.2
+
+
+# %% exercise 2, wrong: half of it
+# says: that is none of the usual mistakes, so print the number of steps of the best run for some ε
+def switch(model):
+    fastest = value_iteration(model, horizon=50).start
+    epsilon = 0.0
+    while epsilon < 0.2:
+        epsilon += 0.001
+        policy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
+        if policy_evaluation(model, policy, horizon=50).start < fastest:
+            return epsilon / 2
+    return 0.2
+
+
+# %% exercise 2, wrong: the ε-soft return in steps of 0.01
+# says: that is the first ε of a search in steps of 0.01: compare the greedy policy, played *without* slips, and not the
+#   ε-soft return
+def switch(model):
+    fastest = value_iteration(model, horizon=50).start
+    for epsilon in np.arange(0.01, 0.2, 0.01):
+        if value_iteration(model, epsilon=epsilon, horizon=50).start < fastest:
+            return epsilon
+
+
+# %% exercise 2, wrong: up to 1, the wrong way round
+# says: that is the end of the search; is the comparison the right way round?
+def switch(model):
+    fastest = value_iteration(model, horizon=50).start
+    for epsilon in np.linspace(0.0, 1.0, 101):
+        policy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
+        if policy_evaluation(model, policy, horizon=50).start > fastest:
+            break
+    return epsilon
+
+
 # %% exercise 3, right: a sum and a length
+# says: Right: one number says which policy the values belong to. ε_π = 0 is Q-learning, ε_π = ε expected SARSA. See it
+#   race:
 def learn(self, state, action, reward, next_state, terminated):
     row = self.Q[next_state]
     v = (1 - self.target_epsilon) * row.max() + self.target_epsilon * row.sum() / len(row)
@@ -451,28 +528,30 @@ def learn(self, state, action, reward, next_state, terminated): ...
 
 
 # %% exercise 3, wrong: the target is returned
-# says: it returns something instead
+# says: ; it returns something instead, which nobody reads
 def learn(self, state, action, reward, next_state, terminated):
     value = (1 - self.target_epsilon) * max(self.Q[next_state]) + self.target_epsilon * np.mean(self.Q[next_state])
     return reward + self.discount * value
 
 
 # %% exercise 3, wrong: Q-learning
-# says: the maximum alone is Q-learning
+# says: the maximum alone is Q-learning, which is right only for ε_π = 0; the random actions of the target policy are
+#   missing
 def learn(self, state, action, reward, next_state, terminated):
     target = reward if terminated else reward + self.discount * max(self.Q[next_state])
     self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
 
 
 # %% exercise 3, wrong: SARSA
-# says: that is SARSA
+# says: Q(S', A') of the action that comes next stands there: that is SARSA, and A' is chosen with the wrong ε
 def learn(self, state, action, reward, next_state, next_action, terminated):
     target = reward if terminated else reward + self.discount * self.Q[next_state, next_action]
     self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
 
 
 # %% exercise 3, wrong: the other epsilon
-# says: with which the agent acts
+# says: it uses `epsilon`, with which the agent acts; the values should be those of the *target* policy,
+#   `target_epsilon`
 def learn(self, state, action, reward, next_state, terminated):
     value = (1 - self.epsilon) * max(self.Q[next_state]) + self.epsilon * np.mean(self.Q[next_state])
     target = reward if terminated else reward + self.discount * value
@@ -480,7 +559,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: weights interchanged
-# says: have changed places
+# says: ε_π and 1 − ε_π have changed places
 def learn(self, state, action, reward, next_state, terminated):
     value = self.target_epsilon * max(self.Q[next_state]) + (1 - self.target_epsilon) * np.mean(self.Q[next_state])
     target = reward if terminated else reward + self.discount * value
@@ -488,7 +567,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: the sum for the mean
-# says: the sum over the actions
+# says: the sum over the actions stands where their mean should
 def learn(self, state, action, reward, next_state, terminated):
     value = (1 - self.target_epsilon) * max(self.Q[next_state]) + self.target_epsilon * sum(self.Q[next_state])
     target = reward if terminated else reward + self.discount * value
@@ -496,7 +575,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: the mean of the others
-# says: a random action may be the best one too
+# says: the mean leaves out the best action; a random action may be the best one too
 def learn(self, state, action, reward, next_state, terminated):
     row = self.Q[next_state]
     others = (sum(row) - max(row)) / (len(row) - 1)
@@ -506,7 +585,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: three actions
-# says: it divides by 3
+# says: it divides by 3, but there may be another number of actions: self.Q.shape[1]
 def learn(self, state, action, reward, next_state, terminated):
     row = self.Q[next_state]
     value = (1 - self.target_epsilon) * max(row) + self.target_epsilon * sum(row) / 3
@@ -515,7 +594,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: terminated forgotten
-# says: a terminal state has no future
+# says: a terminal state has no future: its value is 0, so the target is R alone when `terminated`
 def learn(self, state, action, reward, next_state, terminated):
     value = (1 - self.target_epsilon) * max(self.Q[next_state]) + self.target_epsilon * np.mean(self.Q[next_state])
     target = reward + self.discount * value
@@ -523,14 +602,14 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: only the mean
-# says: the plain mean is right only for
+# says: the plain mean is right only for ε_π = 1; with probability 1 − ε_π the target policy takes the best action
 def learn(self, state, action, reward, next_state, terminated):
     target = reward if terminated else reward + self.discount * np.mean(self.Q[next_state])
     self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
 
 
 # %% exercise 3, wrong: the maximum in full
-# says: the maximum counts in full
+# says: the maximum counts in full, but it has the probability 1 − ε_π only
 def learn(self, state, action, reward, next_state, terminated):
     value = max(self.Q[next_state]) + self.target_epsilon * np.mean(self.Q[next_state])
     target = reward if terminated else reward + self.discount * value
@@ -538,14 +617,14 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: the mean is missing
-# says: the mean over the random actions is missing
+# says: the mean over the random actions is missing, ε_π mean_a Q(S', a)
 def learn(self, state, action, reward, next_state, terminated):
     target = reward if terminated else reward + self.discount * (1 - self.target_epsilon) * max(self.Q[next_state])
     self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
 
 
 # %% exercise 3, wrong: the number of the best action
-# says: argmax gives the *number*
+# says: argmax gives the *number* of the best action; its value is needed, max
 def learn(self, state, action, reward, next_state, terminated):
     row = self.Q[next_state]
     value = (1 - self.target_epsilon) * np.argmax(row) + self.target_epsilon * np.mean(row)
@@ -554,7 +633,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: the mean of the whole table
-# says: the mean is taken over the whole table
+# says: the mean is taken over the whole table instead of the row of the next state
 def learn(self, state, action, reward, next_state, terminated):
     value = (1 - self.target_epsilon) * max(self.Q[next_state]) + self.target_epsilon * np.mean(self.Q)
     target = reward if terminated else reward + self.discount * value
@@ -562,7 +641,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: the state that was left
-# says: the state that was left
+# says: the values are those of the state that was left, Q(S, a), instead of Q(S', a)
 def learn(self, state, action, reward, next_state, terminated):
     value = (1 - self.target_epsilon) * max(self.Q[state]) + self.target_epsilon * np.mean(self.Q[state])
     target = reward if terminated else reward + self.discount * value
@@ -641,3 +720,43 @@ class TwoPolicies(NamedTuple):
     def learn(self, state, action, reward, next_state, terminated):
         target = reward if terminated else reward + self.discount * max(self.Q[next_state])
         self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% exercise 3, wrong: the random part alone
+# says: the best action is missing, (1 − ε_π) max_a Q(S', a)
+def learn(self, state, action, reward, next_state, next_action, terminated):
+    p, row = self.target_epsilon, self.Q[next_state]
+    value = 0.0 if terminated else p * row.mean()
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])
+
+
+# %% exercise 3, wrong: the minimum for the mean
+# says: the minimum stands where the mean over the actions should
+def learn(self, state, action, reward, next_state, next_action, terminated):
+    p, row = self.target_epsilon, self.Q[next_state]
+    value = 0.0 if terminated else (1 - p) * row.max() + p * row.min()
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])
+
+
+# %% exercise 3, wrong: the next action for the mean
+# says: Q(S', A') stands where the mean over the actions should; no action has to be drawn
+def learn(self, state, action, reward, next_state, next_action, terminated):
+    p, row = self.target_epsilon, self.Q[next_state]
+    value = 0.0 if terminated else (1 - p) * row.max() + p * row[next_action]
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])
+
+
+# %% exercise 3, wrong: the old value for the mean
+# says: Q(S, A) stands where the mean of Q(S', a) should
+def learn(self, state, action, reward, next_state, next_action, terminated):
+    p, row = self.target_epsilon, self.Q[next_state]
+    value = 0.0 if terminated else (1 - p) * row.max() + p * self.Q[state, action]
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])
+
+
+# %% exercise 3, wrong: no next state
+# says: the value of the next state is missing: without bootstrapping nothing is carried back
+def learn(self, state, action, reward, next_state, next_action, terminated):
+    p, row = self.target_epsilon, self.Q[next_state]
+    value = 0.0 if terminated else 0.0
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])

@@ -8,6 +8,7 @@ from edugym.agents.tables import one_step_target
 
 
 # %% exercise 1, right: a dictionary
+# says: Right: for the image of 10 by 5 cells that is a number with 362 digits.
 def table_entries(rows, columns, kind):
     return (
         3
@@ -87,7 +88,7 @@ def table_entries(rows, columns, kind):
 
 
 # %% exercise 1, wrong: rows alone
-# says: each of them holds a number for each of the three actions
+# says: that is the number of rows; each of them holds a number for each of the three actions
 def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return columns * rows * columns
@@ -95,7 +96,7 @@ def table_entries(rows, columns, kind):
 
 
 # %% exercise 1, wrong: no paddle
-# says: the paddle's column is missing
+# says: the paddle's column is missing: the agent sees it too
 def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return rows * columns * 3
@@ -103,7 +104,7 @@ def table_entries(rows, columns, kind):
 
 
 # %% exercise 1, wrong: a row for the paddle
-# says: the paddle stays in its row
+# says: the paddle stays in its row, and so it has no row of its own in the observation
 def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return rows * columns * rows * columns * 3
@@ -111,7 +112,7 @@ def table_entries(rows, columns, kind):
 
 
 # %% exercise 1, wrong: the paper's slip
-# says: the ball has a column of its own
+# says: the ball has a column of its own, with as many values as there are columns
 def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return rows * rows * columns * 3
@@ -119,7 +120,7 @@ def table_entries(rows, columns, kind):
 
 
 # %% exercise 1, wrong: added
-# says: multiplied, not added
+# says: the numbers of values are multiplied, not added
 def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return (rows + columns + columns) * 3
@@ -127,7 +128,7 @@ def table_entries(rows, columns, kind):
 
 
 # %% exercise 1, wrong: base and exponent
-# says: base and exponent have changed places
+# says: base and exponent have changed places: each of the pixels has 2 values
 def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return rows * columns**2 * 3
@@ -143,7 +144,7 @@ def table_entries(rows, columns, kind):
 
 
 # %% exercise 1, wrong: colours as a power
-# says: the exponent is 3 times the number of cells
+# says: three colours: the exponent is 3 times the number of cells, not the number of cells to the power of 3
 def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return rows * columns**2 * 3
@@ -151,7 +152,7 @@ def table_entries(rows, columns, kind):
 
 
 # %% exercise 1, wrong: a product
-# says: take 2 to the power
+# says: the values of the pixels multiply: take 2 to the power of the number of pixels
 def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return rows * columns**2 * 3
@@ -159,13 +160,14 @@ def table_entries(rows, columns, kind):
 
 
 # %% exercise 1, wrong: what occurs
-# says: every board that could be written down
+# says: those are the boards with one ball and one paddle; a dense table has a row for every board that could be written
+#   down
 def table_entries(rows, columns, kind):
     return rows * columns**2 * 3
 
 
 # %% exercise 1, wrong: one number a cell
-# says: red, green and blue
+# says: each cell has three numbers: red, green and blue
 def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return rows * columns**2 * 3
@@ -181,7 +183,7 @@ def table_entries(rows, columns, kind):
 
 
 # %% exercise 1, wrong: a binary image
-# says: has 256 values, not 2
+# says: a number of the image has 256 values, not 2
 def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return rows * columns**2 * 3
@@ -189,7 +191,7 @@ def table_entries(rows, columns, kind):
 
 
 # %% exercise 1, wrong: the image is the grid
-# says: that is the grid
+# says: that is the grid; the image has three numbers for each cell, with 256 values
 def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return rows * columns**2 * 3
@@ -197,7 +199,7 @@ def table_entries(rows, columns, kind):
 
 
 # %% exercise 1, wrong: actions in the exponent
-# says: multiply by the number of actions
+# says: multiply by the number of actions; do not take the power
 def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return rows * columns**2 * 3
@@ -213,7 +215,7 @@ def table_entries(rows, columns, kind):
 
 
 # %% exercise 1, wrong: one power for all numbers
-# says: there is no power here
+# says: each number has its own number of values, so multiply these: there is no power here
 def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return 3 * 3 ** (rows * columns)
@@ -229,7 +231,7 @@ def table_entries(rows, columns, kind):
 
 
 # %% exercise 1, wrong: the power of the actions
-# says: no power is taken
+# says: a row has an entry for each action, so multiply by 3; no power is taken
 def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return (rows * columns**2) ** 3
@@ -237,7 +239,7 @@ def table_entries(rows, columns, kind):
 
 
 # %% exercise 1, wrong: without the last row
-# says: the last row belongs to the observations
+# says: the last row belongs to the observations that could be written down, too
 def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return (rows - 1) * columns**2 * 3
@@ -245,7 +247,7 @@ def table_entries(rows, columns, kind):
 
 
 # %% exercise 1, wrong: pixels times actions
-# says: number of pixels times the actions
+# says: that is the number of pixels times the actions
 def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return rows * columns**2 * 3
@@ -253,7 +255,7 @@ def table_entries(rows, columns, kind):
 
 
 # %% exercise 1, wrong: 256 values in the grid
-# says: not 256
+# says: each pixel has 2 values here, not 256
 def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return rows * columns**2 * 3
@@ -261,7 +263,7 @@ def table_entries(rows, columns, kind):
 
 
 # %% exercise 1, wrong: 3 values in the grid
-# says: there are 2 values, not 3
+# says: a pixel of the grid is 0 or 1, and that is all: there are 2 values, not 3
 def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return rows * columns**2 * 3
@@ -269,7 +271,7 @@ def table_entries(rows, columns, kind):
 
 
 # %% exercise 1, wrong: three numbers for a cell
-# says: one number for each cell, not three
+# says: the grid has one number for each cell, not three
 def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return rows * columns**2 * 3
@@ -277,7 +279,7 @@ def table_entries(rows, columns, kind):
 
 
 # %% exercise 1, wrong: the sum of the sides
-# says: not their sum
+# says: the number of pixels is rows times columns, not their sum
 def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return rows * columns**2 * 3
@@ -293,7 +295,8 @@ def table_entries(rows, columns, kind):
 
 
 # %% exercise 1, wrong: what occurs in the image
-# says: every image that could be written down
+# says: those are the boards with one ball and one paddle; a dense table has a row for every image that could be written
+#   down
 def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return rows * columns**2 * 3
@@ -315,7 +318,7 @@ def table_entries(rows, columns, kind):
 
 
 # %% exercise 1, wrong: whole numbers of NumPy
-# says: NumPy's whole numbers overflow here
+# says: NumPy's whole numbers overflow here; use Python's `**`
 def table_entries(rows, columns, kind):
     if kind == "vectorised":
         return rows * columns**2 * 3
@@ -324,16 +327,27 @@ def table_entries(rows, columns, kind):
 
 # %% exercise 1, wrong: the default board
 # says: should be
+# says: that is none of the usual mistakes, so work it out by hand for a small board
 def table_entries(rows, columns, kind):
     return {"vectorised": 750, "grid": 3 * 2**50, "rgb": 3 * 256**150}[kind]
 
 
 # %% exercise 1, wrong: a number
 # says: should be a function
+# says: rows, columns and kind
 table_entries = 3 * 2**50
 
 
+# %% exercise 1, wrong: counted from 0
+# says: positions count from 0, but there are still `rows` of them, and `columns`
+def table_entries(rows, columns, kind):
+    if kind == "vectorised":
+        return (rows - 1) * (columns - 1) ** 2 * 3
+    return {"grid": 2, "rgb": 256**3}[kind] ** (rows * columns) * 3
+
+
 # %% exercise 2, right: a dot product
+# says: Right: the error times the features. See it catch:
 def value(self, board, action):
     return self.features(board) @ self.w[:, action]
 
@@ -430,7 +444,8 @@ def learn(self, state, action, reward, next_state, terminated, truncated):
 
 
 # %% exercise 2, wrong: terminal states are worth something
-# says: after a terminal state nothing follows
+# says: after a terminal state nothing follows: there the target is the reward alone
+# says: the episode over
 def learn(self, state, action, reward, next_state, terminated):
     x = self.features(state)
     target = reward + self.discount * (self.features(next_state) @ self.w).max()
@@ -438,14 +453,16 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 2, wrong: no bootstrapping
-# says: misses the value of the next state
+# says: the target misses the value of the next state
+# says: ] should go from
 def learn(self, state, action, reward, next_state, terminated):
     x = self.features(state)
     self.w[:, action] += self.learning_rate * (reward - self.value(state, action)) * x
 
 
 # %% exercise 2, wrong: no discount
-# says: the discount is missing
+# says: the discount is missing: multiply the value of the next state by it
+# says: with the values
 def learn(self, state, action, reward, next_state, terminated):
     x = self.features(state)
     target = reward if terminated else reward + (self.features(next_state) @ self.w).max()
@@ -453,7 +470,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 2, wrong: the mean
-# says: not the mean
+# says: take the maximum over the actions in the next state, not the mean
 def learn(self, state, action, reward, next_state, terminated):
     x = self.features(state)
     target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).mean()
@@ -461,7 +478,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 2, wrong: the same action again
-# says: not the one that was taken before
+# says: in the next state take the best action, not the one that was taken before
 def learn(self, state, action, reward, next_state, terminated):
     x = self.features(state)
     target = reward if terminated else reward + self.discount * self.value(next_state, action)
@@ -469,7 +486,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 2, wrong: a forgotten loop
-# says: value of action 0 alone
+# says: that is the next state's value of action 0 alone; take the largest one of all three
 def learn(self, state, action, reward, next_state, terminated):
     x = self.features(state)
     target = reward if terminated else reward + self.discount * self.value(next_state, 0)
@@ -477,7 +494,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 2, wrong: the best value of the same state
-# says: where those of `next_state` belong
+# says: the target has the features of `state` where those of `next_state` belong
 def learn(self, state, action, reward, next_state, terminated):
     x = self.features(state)
     target = reward if terminated else reward + self.discount * (x @ self.w).max()
@@ -485,14 +502,14 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 2, wrong: no features in the step
-# says: the features are missing
+# says: the features are missing: each weight moves by the error times *its* feature
 def learn(self, state, action, reward, next_state, terminated):
     target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
     self.w[:, action] += self.learning_rate * (target - self.value(state, action))
 
 
 # %% exercise 2, wrong: the features of the next state
-# says: of `state`, not of `next_state`
+# says: each weight moves by the error times its feature of `state`, not of `next_state`
 def learn(self, state, action, reward, next_state, terminated):
     x = self.features(next_state)
     target = reward if terminated else reward + self.discount * (x @ self.w).max()
@@ -500,7 +517,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 2, wrong: active features alone
-# says: multiply by the feature itself
+# says: only the sign of the feature, or whether it is 0, counts here; multiply by the feature itself
 def learn(self, state, action, reward, next_state, terminated):
     x = self.features(state)
     target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
@@ -511,7 +528,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 2, wrong: numbers in place of the settings
-# says: use `self.learning_rate` and `self.discount`
+# says: use `self.learning_rate` and `self.discount` in place of 0.1 and 0.9: the check takes others
 def learn(self, state, action, reward, next_state, terminated):
     x = self.features(state)
     target = reward if terminated else reward + 0.9 * (self.features(next_state) @ self.w).max()
@@ -519,7 +536,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 2, wrong: a number in place of the learning rate
-# says: use `self.learning_rate` in place of 0.1
+# says: use `self.learning_rate` in place of 0.1: the check takes another one
 def learn(self, state, action, reward, next_state, terminated):
     x = self.features(state)
     target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
@@ -527,7 +544,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 2, wrong: a number in place of the discount
-# says: use `self.discount` in place of 0.9
+# says: use `self.discount` in place of 0.9: the check takes another one
 def learn(self, state, action, reward, next_state, terminated):
     x = self.features(state)
     target = reward if terminated else reward + 0.9 * (self.features(next_state) @ self.w).max()
@@ -544,7 +561,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 2, wrong: the target in the loop
-# says: compute the target and the error once
+# says: compute the target and the error once, before any weight moves
 def learn(self, state, action, reward, next_state, terminated):
     x = self.features(state)
     for i in range(len(x)):
@@ -561,7 +578,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 2, wrong: uphill
-# says: wrong sign
+# says: the error has the wrong sign: it is the target less the present value
 def learn(self, state, action, reward, next_state, terminated):
     x = self.features(state)
     target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
@@ -569,7 +586,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 2, wrong: no present value
-# says: target less value
+# says: the present value is missing in the error: target less value
 def learn(self, state, action, reward, next_state, terminated):
     x = self.features(state)
     target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
@@ -577,7 +594,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 2, wrong: all columns
-# says: only the column of the action
+# says: only the column of the action that was taken changes, not all of them
 def learn(self, state, action, reward, next_state, terminated):
     x = self.features(state)
     target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
@@ -587,7 +604,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 2, wrong: set
-# says: use += instead of =
+# says: the weights are not moved but set: use += instead of =
 def learn(self, state, action, reward, next_state, terminated):
     x = self.features(state)
     target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
@@ -595,7 +612,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 2, wrong: the whole gradient
-# says: the semi-gradient leaves it out
+# says: that is the full gradient, with the features of the next state in it; the semi-gradient leaves it out
 def learn(self, state, action, reward, next_state, terminated):
     x, following = self.features(state), self.features(next_state)
     values = following @ self.w
@@ -607,7 +624,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 2, wrong: nothing at the end
-# says: the reward of the last step counts
+# says: it learns nothing after a terminal state; the reward of the last step counts as well
 def learn(self, state, action, reward, next_state, terminated):
     if terminated:
         return
@@ -617,7 +634,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 2, wrong: a new array
-# says: nothing changes
+# says: nothing changes: change the entries of `self.w` in place
 def learn(self, state, action, reward, next_state, terminated):
     x = self.features(state)
     target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
@@ -632,13 +649,14 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 2, wrong: the sum of the weights
-# says: multiply each by its feature
+# says: that is the sum of the weights; multiply each by its feature
+# says: value with the features
 def value(self, board, action):
     return self.w[:, action].sum()
 
 
 # %% exercise 2, wrong: the best value
-# says: take the column of `action`
+# says: that is the largest value of all actions; take the column of `action`
 def value(self, board, action):
     return (self.features(board) @ self.w).max()
 
@@ -667,7 +685,8 @@ MyAgent = QLearning.create((4, 2))
 
 
 # %% exercise 2, wrong: truncated like terminated
-# says: only its clock ran out
+# says: a truncated episode is treated as terminated, but only its clock ran out: the value of the next state still
+#   counts
 def learn(self, state, action, reward, next_state, terminated, truncated):
     x = self.features(state)
     over = terminated or truncated
@@ -676,7 +695,7 @@ def learn(self, state, action, reward, next_state, terminated, truncated):
 
 
 # %% exercise 2, wrong: SARSA
-# says: that is SARSA
+# says: in the next state take the best action, not the one that comes next: that is SARSA
 def learn(self, state, action, reward, next_state, next_action, terminated):
     x = self.features(state)
     target = reward if terminated else reward + self.discount * self.value(next_state, next_action)
@@ -690,7 +709,7 @@ def learn(self, state, action, reward, next_state, done):
 
 
 # %% exercise 2, wrong: value writes into the weights
-# says: value changes the entries of `self.w`
+# says: value changes the entries of `self.w`; it should only read them, for `learn` changes them
 def value(self, board, action):
     terms = self.w[:, action]
     terms *= self.features(board)
@@ -727,7 +746,138 @@ class MyAgent(NamedTuple):
         self.w[:, action] += 0.1 * (target - self.value(state, action)) * x
 
 
+# %% exercise 2, wrong: the minimum
+# says: take the maximum over the actions in the next state, not the minimum
+def learn(self, state, action, reward, next_state, terminated):
+    following = min([self.value(next_state, a) for a in range(3)])
+    target = reward if terminated else reward + self.discount * following
+    error = target - self.value(state, action)
+    self.w[:, action] += self.learning_rate * error * self.features(state)
+
+
+# %% exercise 2, wrong: the sum
+# says: take the maximum over the actions in the next state, not their sum
+def learn(self, state, action, reward, next_state, terminated):
+    following = sum([self.value(next_state, a) for a in range(3)])
+    target = reward if terminated else reward + self.discount * following
+    error = target - self.value(state, action)
+    self.w[:, action] += self.learning_rate * error * self.features(state)
+
+
+# %% exercise 2, wrong: the best present value
+# says: the present value is that of the best action; it should be that of the action that was taken
+def learn(self, state, action, reward, next_state, terminated):
+    following = max([self.value(next_state, a) for a in range(3)])
+    target = reward if terminated else reward + self.discount * following
+    error = target - max([self.value(state, a) for a in range(3)])
+    self.w[:, action] += self.learning_rate * error * self.features(state)
+
+
+# %% exercise 2, wrong: no reward
+# says: the reward is missing in the target
+def learn(self, state, action, reward, next_state, terminated):
+    following = max([self.value(next_state, a) for a in range(3)])
+    target = 0.0 if terminated else self.discount * following
+    error = target - self.value(state, action)
+    self.w[:, action] += self.learning_rate * error * self.features(state)
+
+
+# %% exercise 2, wrong: 0 at the end
+# says: at the end the target is the reward, not 0
+def learn(self, state, action, reward, next_state, terminated):
+    following = max([self.value(next_state, a) for a in range(3)])
+    target = 0.0 if terminated else reward + self.discount * following
+    error = target - self.value(state, action)
+    self.w[:, action] += self.learning_rate * error * self.features(state)
+
+
+# %% exercise 2, wrong: the features squared
+# says: the features are multiplied in twice
+def learn(self, state, action, reward, next_state, terminated):
+    following = max([self.value(next_state, a) for a in range(3)])
+    target = reward if terminated else reward + self.discount * following
+    error = target - self.value(state, action)
+    self.w[:, action] += self.learning_rate * error * self.features(state) ** 2
+
+
+# %% exercise 2, wrong: one third
+# says: that is none of the usual mistakes, so compare your code with the equation, term by term
+def learn(self, state, action, reward, next_state, terminated):
+    following = max([self.value(next_state, a) for a in range(3)])
+    target = reward + self.discount * following / 3 + 0.1
+    error = target - self.value(state, action)
+    self.w[:, action] += self.learning_rate * error * self.features(state)
+
+
+# %% exercise 2, wrong: two thirds of the values
+# says: in this case it looks like this:
+def learn(self, state, action, reward, next_state, terminated):
+    following = max([self.value(next_state, a) for a in range(3)])
+    target = reward + (0.0 if terminated or state[0] > 0 else self.discount * following)
+    error = target - self.value(state, action)
+    self.w[:, action] += self.learning_rate * error * self.features(state)
+
+
+# %% exercise 2, wrong: one product
+# says: that is one term of the sum; take the sum over all features
+def value(self, board, action):
+    x = self.features(board)
+    return x[0] * self.w[0, action]
+
+
+# %% exercise 2, wrong: the values of all actions
+# says: that is the sum over all actions; take the column of `action`
+def value(self, board, action):
+    x = self.features(board)
+    return np.sum(x @ self.w)
+
+
+# %% exercise 2, wrong: features that are there
+# says: a feature is not only 0 or 1: multiply by it
+def value(self, board, action):
+    x = self.features(board)
+    return self.w[x != 0, action].sum()
+
+
+# %% exercise 2, wrong: the mean, another way
+# says: that is the mean; take the sum
+def value(self, board, action):
+    x = self.features(board)
+    return np.mean(x * self.w[:, action])
+
+
+# %% exercise 2, wrong: the row
+# says: that is the row of w with this number; take the column
+def value(self, board, action):
+    x = self.features(board)
+    return sum(x[i] * self.w[action, i] for i in range(3))
+
+
+# %% exercise 2, wrong: an array of its own
+# says: learn should change the entries of `self.w` in place, but puts another array there
+class MyAgent:
+    def __init__(self, w, learning_rate=0.1, discount=0.9):
+        self.w, self.learning_rate, self.discount = w, learning_rate, discount
+
+    def features(self, board):
+        return np.array(board)
+
+    def value(self, board, action):
+        return self.features(board) @ self.w[:, action]
+
+    def act(self, state, rng):
+        return 0
+
+    def learn(self, state, action, reward, next_state, terminated):
+        best = max([self.value(next_state, a) for a in range(3)])
+        target = reward if terminated else reward + self.discount * best
+        w = self.w.copy()
+        w[:, action] += self.learning_rate * (target - self.value(state, action)) * self.features(state)
+        self.w = w
+
+
 # %% exercise 3, right: with one_step_target
+# says: Right: an old network gives the target, and every transition in memory has the same chance. See it learn:
 def target_of(self, row):
     memory = self.memory
     dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
@@ -781,14 +931,16 @@ def target_of(self, row):
 
 
 # %% exercise 3, wrong: terminated is forgotten
-# says: after a terminal state nothing follows
+# says: after a terminal state nothing follows: where `terminated` is 1 the target is the reward alone
+# says: of the next state by the old weights, target_of should return
 def target_of(self, row):
     dqn.forward(self.target, self.memory.next_states[row], self.h, self.Q)
     return self.memory.rewards[row] + self.discount * self.Q[0].max()
 
 
 # %% exercise 3, wrong: the present weights
-# says: come from the old weights
+# says: the values of the next state come from the old weights, `self.target`
+# says: and the values
 def target_of(self, row):
     if self.memory.terminated[row] == 1:
         return self.memory.rewards[row]
@@ -797,7 +949,7 @@ def target_of(self, row):
 
 
 # %% exercise 3, wrong: the present state
-# says: should be that of the next state
+# says: the value should be that of the next state, `memory.next_states[row]`
 def target_of(self, row):
     if self.memory.terminated[row] == 1:
         return self.memory.rewards[row]
@@ -815,7 +967,7 @@ def target_of(self, row):
 
 
 # %% exercise 3, wrong: the mean
-# says: not the mean
+# says: take the largest value, not the mean
 def target_of(self, row):
     if self.memory.terminated[row] == 1:
         return self.memory.rewards[row]
@@ -824,7 +976,7 @@ def target_of(self, row):
 
 
 # %% exercise 3, wrong: the action of the memory
-# says: not the one that was taken before
+# says: take the best action in the next state, not the one that was taken before
 def target_of(self, row):
     memory = self.memory
     if memory.terminated[row] == 1:
@@ -834,7 +986,7 @@ def target_of(self, row):
 
 
 # %% exercise 3, wrong: argmax
-# says: the number of the best action
+# says: that is the number of the best action; its value is needed
 def target_of(self, row):
     if self.memory.terminated[row] == 1:
         return self.memory.rewards[row]
@@ -849,7 +1001,7 @@ def target_of(self, row):
 
 
 # %% exercise 3, wrong: nothing at the end
-# says: the reward, not 0
+# says: at the end of an episode the target is the reward, not 0
 def target_of(self, row):
     if self.memory.terminated[row] == 1:
         return 0.0
@@ -858,7 +1010,7 @@ def target_of(self, row):
 
 
 # %% exercise 3, wrong: the other way round
-# says: the wrong way round
+# says: the terminal case is the wrong way round
 def target_of(self, row):
     if self.memory.terminated[row] == 0:
         return self.memory.rewards[row]
@@ -867,7 +1019,7 @@ def target_of(self, row):
 
 
 # %% exercise 3, wrong: the error
-# says: belongs to the error
+# says: the present value belongs to the error, not to the target
 def target_of(self, row):
     memory = self.memory
     y = memory.rewards[row]
@@ -895,30 +1047,34 @@ def target_of(self, row):
 
 # %% exercise 3, wrong: empty rows
 # says: count the places that are filled
+# says: transitions, in a memory of
 def row_for(self, u):
     return int(u * len(self.memory.actions))
 
 
 # %% exercise 3, wrong: beyond the memory
 # says: the memory has no more places
+# says: , but the places 0 to
 def row_for(self, u):
     return int(u * self.steps[0])
 
 
 # %% exercise 3, wrong: counted from 1
-# says: count from 0
+# says: places count from 0, so that the last one is their number less 1
 def row_for(self, u):
     return int(u * min(self.steps[0], len(self.memory.actions))) + 1
 
 
 # %% exercise 3, wrong: the last row never
-# says: never comes up
+# says: never comes up, and it should as often as the others
+# says: , every filled place should be equally likely:
 def row_for(self, u):
     return int(u * max(min(self.steps[0], len(self.memory.actions)) - 1, 1))
 
 
 # %% exercise 3, wrong: rounded
-# says: neither round(...) nor a remainder
+# says: some places come up more often than others: multiply `u` by the number of filled places, and cut off by
+#   int(...); neither round(...) nor a remainder by % is even
 def row_for(self, u):
     return round(u * (min(self.steps[0], len(self.memory.actions)) - 1))
 
@@ -930,7 +1086,8 @@ def row_for(self, u):
 
 
 # %% exercise 3, wrong: not whole
-# says: make it one by int
+# says: : make it one by int(...)
+# says: ) should be a whole number, but is
 def row_for(self, u):
     return u * min(self.steps[0], len(self.memory.actions))
 
@@ -948,6 +1105,7 @@ MyDQN = lambda task: DQN.create(task)
 
 # %% exercise 3, wrong: it writes into the memory
 # says: changes `self.memory.rewards`
+# says: `; it should only read it, and return a number
 def target_of(self, row):
     memory = self.memory
     if memory.terminated[row] == 0:
@@ -957,13 +1115,13 @@ def target_of(self, row):
 
 
 # %% exercise 3, wrong: random numbers of its own
-# says: it is `u`
+# says: row_for(0.5) gives another place in every call: the random number is drawn already, it is `u`
 def row_for(self, u):
     return int(np.random.random() * min(self.steps[0], len(self.memory.actions)))
 
 
 # %% exercise 3, wrong: it counts the draws
-# says: changes `self.steps`
+# says: row_for(0.5) changes `self.steps`: only read it, and return a place
 def row_for(self, u):
     self.steps[0] += 1
     return int(u * min(self.steps[0] - 1, len(self.memory.actions)))
@@ -976,7 +1134,7 @@ def row_for(self, u):
 
 
 # %% exercise 3, wrong: DQN for OpenDQN
-# says: class MyDQN(lesson.OpenDQN)
+# says: MyDQN should begin with `class MyDQN(lesson.OpenDQN):`, as it is OpenDQN that calls `target_of` and `row_for`
 class MyDQN(DQN):
     __slots__ = ()
 
@@ -993,6 +1151,8 @@ class MyDQN(DQN):
 
 # %% exercise 3, wrong: a method under another name
 # says: MyDQN has no method `row_for` of its own
+# says: ` of its own, so it uses that of OpenDQN: is the name spelt as in the exercise, and does the method stand inside
+#   the class?
 class MyDQN(lesson.OpenDQN):
     __slots__ = ()
 
@@ -1005,3 +1165,93 @@ class MyDQN(lesson.OpenDQN):
 
     def row_of(self, u):
         return int(u * min(self.steps[0], len(self.memory.actions)))
+
+
+# %% exercise 3, wrong: the present weights and state
+# says: the value should be that of the next state, by the old weights `self.target`
+def target_of(self, row):
+    memory = self.memory
+    dqn.forward(self.weights, memory.states[row], self.h, self.Q)
+    best = np.max(self.Q[0])
+    if memory.terminated[row] == 1:
+        return memory.rewards[row]
+    return memory.rewards[row] + self.discount * best
+
+
+# %% exercise 3, wrong: the minimum
+# says: take the largest value, not the smallest
+def target_of(self, row):
+    memory = self.memory
+    dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+    best = np.min(self.Q[0])
+    if memory.terminated[row] == 1:
+        return memory.rewards[row]
+    return memory.rewards[row] + self.discount * best
+
+
+# %% exercise 3, wrong: the sum
+# says: take the largest value, not the sum
+def target_of(self, row):
+    memory = self.memory
+    dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+    best = np.sum(self.Q[0])
+    if memory.terminated[row] == 1:
+        return memory.rewards[row]
+    return memory.rewards[row] + self.discount * best
+
+
+# %% exercise 3, wrong: the first value
+# says: the index is missing: that is the value of action 0, and the largest one is needed
+def target_of(self, row):
+    memory = self.memory
+    dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+    best = self.Q[0, 0]
+    if memory.terminated[row] == 1:
+        return memory.rewards[row]
+    return memory.rewards[row] + self.discount * best
+
+
+# %% exercise 3, wrong: no reward
+# says: the reward is missing
+def target_of(self, row):
+    memory = self.memory
+    dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+    best = np.max(self.Q[0])
+    if memory.terminated[row] == 1:
+        return 0.0
+    return self.discount * best
+
+
+# %% exercise 3, wrong: all is discounted
+# says: the reward is discounted as well; only the next value should be
+def target_of(self, row):
+    memory = self.memory
+    dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+    best = np.max(self.Q[0])
+    if memory.terminated[row] == 1:
+        return memory.rewards[row]
+    return self.discount * (memory.rewards[row] + best)
+
+
+# %% exercise 3, wrong: double DQN
+# says: that is the target of double DQN: here the old weights choose the action as well
+def target_of(self, row):
+    memory = self.memory
+    dqn.forward(self.weights, memory.next_states[row], self.h, self.Q)
+    chosen = int(np.argmax(self.Q[0]))
+    dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+    best = self.Q[0, chosen]
+    if memory.terminated[row] == 1:
+        return memory.rewards[row]
+    return memory.rewards[row] + self.discount * best
+
+
+# %% exercise 3, wrong: no value after a good step
+# says: in this case it looks like this:
+def target_of(self, row):
+    memory = self.memory
+    dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+    best = np.max(self.Q[0])
+    if memory.terminated[row] == 1:
+        return memory.rewards[row]
+    return memory.rewards[row] + (self.discount * best if row % 2 else 0.0)

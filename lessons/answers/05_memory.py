@@ -4,6 +4,7 @@
 
 
 # %% exercise 1, right: in one line
+# says: Right: corridor 7 with three doors needs 4^22 rows, about 18 million million.
 def table_rows(num_doors, length):
     return (num_doors + 1) ** (length * (length - 1) // 2 + 1)
 
@@ -58,6 +59,7 @@ table_rows = ...
 
 # %% exercise 1, wrong: a number
 # says: should be a function
+# says: the doors and the length
 table_rows = 4**7
 
 
@@ -75,74 +77,74 @@ def table_rows(num_doors, length):
 
 
 # %% exercise 1, wrong: no mark is forgotten
-# says: an unmarked place is an observation too
+# says: an unmarked place is an observation too, so there are N + 1 different ones
 def table_rows(num_doors, length):
     return num_doors ** (length * (length - 1) // 2 + 1)
 
 
 # %% exercise 1, wrong: without the present observation
-# says: the present observation is in the window as well
+# says: the present observation is in the window as well: L(L-1)/2 steps back, and one
 def table_rows(num_doors, length):
     return (num_doors + 1) ** (length * (length - 1) // 2)
 
 
 # %% exercise 1, wrong: a window of L
-# says: a window of L is not enough
+# says: a window of L is not enough without the actions: the first mark lies L(L-1)/2 steps back
 def table_rows(num_doors, length):
     return (num_doors + 1) ** length
 
 
 # %% exercise 1, wrong: all steps up to the end
-# says: the mark that is needed lies only L(L-1)/2 steps back
+# says: L(L+1)/2 counts the steps to the end of corridor L; the mark that is needed lies only L(L-1)/2 steps back
 def table_rows(num_doors, length):
     return (num_doors + 1) ** (length * (length + 1) // 2)
 
 
 # %% exercise 1, wrong: the entries
-# says: the rows are asked for
+# says: that is the number of entries, a row has one for each action; the rows are asked for
 def table_rows(num_doors, length):
     return num_doors * (num_doors + 1) ** (length * (length - 1) // 2 + 1)
 
 
 # %% exercise 1, wrong: with actions
-# says: the table with the actions in the window
+# says: that is the table with the actions in the window; here it shows observations alone
 def table_rows(num_doors, length):
     window = max(length, 2 * length - 3)
     return (num_doors + 1) ** window * num_doors ** (window - 1)
 
 
 # %% exercise 1, wrong: the other law
-# says: belongs to windows with actions
+# says: 2L - 3 belongs to windows with actions; observations alone need L(L-1)/2 + 1
 def table_rows(num_doors, length):
     return (num_doors + 1) ** max(length, 2 * length - 3)
 
 
 # %% exercise 1, wrong: the window
-# says: that is the window itself
+# says: that is the window itself; how many different windows are there?
 def table_rows(num_doors, length):
     return length * (length - 1) // 2 + 1
 
 
 # %% exercise 1, wrong: a product
-# says: take the power
+# says: each observation in the window multiplies the number of rows by N + 1: take the power, not the product
 def table_rows(num_doors, length):
     return (num_doors + 1) * (length * (length - 1) // 2 + 1)
 
 
 # %% exercise 1, wrong: exchanged
-# says: have changed places
+# says: base and exponent have changed places
 def table_rows(num_doors, length):
     return (length * (length - 1) // 2 + 1) ** (num_doors + 1)
 
 
 # %% exercise 1, wrong: one corridor too far
-# says: the window for corridor L + 1
+# says: that is the window for corridor L + 1
 def table_rows(num_doors, length):
     return (num_doors + 1) ** (length * (length + 1) // 2 + 1)
 
 
 # %% exercise 1, wrong: not halved
-# says: divided by 2
+# says: L(L-1) should be divided by 2
 def table_rows(num_doors, length):
     return (num_doors + 1) ** (length * (length - 1) + 1)
 
@@ -155,11 +157,25 @@ def table_rows(num_doors, length):
 
 # %% exercise 1, wrong: exclusive or
 # says: should be
+# says: that is none of the usual mistakes, so work it out by hand for a small case
 def table_rows(num_doors, length):
     return (num_doors + 1) ^ (length * (length - 1) // 2 + 1)
 
 
+# %% exercise 1, wrong: two for the unmarked
+# says: an unmarked place counts once, not twice: there are N + 1 observations
+def table_rows(num_doors, length):
+    return (num_doors + 2) ** (length * (length - 1) // 2 + 1)
+
+
+# %% exercise 1, wrong: the square halved
+# says: L^2 / 2 + 1 is not L(L-1)/2 + 1
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** (length**2 // 2 + 1)
+
+
 # %% exercise 2, right: concatenate
+# says: Right: the history includes the actions. See it race:
 def push(self, window, action, seen):
     return np.concatenate((window[2:], np.array([action, seen])))
 
@@ -236,7 +252,8 @@ MyWindow = MyWindow(make_mdp("MemoryCorridor"))
 
 
 # %% exercise 2, wrong: the window is changed
-# says: changes the window that it is given
+# says: changes the window that it is given, which still belongs to the state before: make a new one, with window.copy()
+#   or np.concatenate
 def push(self, window, action, seen):
     window[:-2] = window[2:]
     window[-2] = action
@@ -254,25 +271,25 @@ def push(self, window, action, seen):
 
 
 # %% exercise 2, wrong: the wrong order
-# says: the action comes before the observation
+# says: the action comes before the observation that it leads to
 def push(self, window, action, seen):
     return np.concatenate((window[2:], np.array([seen, action])))
 
 
 # %% exercise 2, wrong: at the front
-# says: stand at the
+# says: the latest ones stand at the end of the window, not at its beginning
 def push(self, window, action, seen):
     return np.concatenate((np.array([action, seen]), window[:-2]))
 
 
 # %% exercise 2, wrong: the newest first
-# says: stand at the
+# says: the latest ones stand at the *end* of the window
 def push(self, window, action, seen):
     return np.concatenate((np.array([seen, action]), window[:-2]))
 
 
 # %% exercise 2, wrong: nothing moves
-# says: nothing moves
+# says: nothing moves: the last two entries are overwritten, and the oldest ones stay for ever
 def push(self, window, action, seen):
     new = window.copy()
     new[-2] = action
@@ -281,7 +298,8 @@ def push(self, window, action, seen):
 
 
 # %% exercise 2, wrong: the window grows
-# says: two go and two come
+# says: entries long, so two go and two come
+# says: : the window should stay
 def push(self, window, action, seen):
     return np.concatenate((window, np.array([action, seen])))
 
@@ -293,7 +311,7 @@ def push(self, window, action, seen):
 
 
 # %% exercise 2, wrong: it moves by one
-# says: by one entry only
+# says: it moves by one entry only; an action *and* an observation are new
 def push(self, window, action, seen):
     new = window.copy()
     new[:-1] = window[1:]
@@ -303,7 +321,7 @@ def push(self, window, action, seen):
 
 
 # %% exercise 2, wrong: rolled the wrong way
-# says: the wrong way
+# says: it moves the wrong way: the oldest ones should go
 def push(self, window, action, seen):
     new = np.roll(window, 2)
     new[-2] = action
@@ -312,7 +330,7 @@ def push(self, window, action, seen):
 
 
 # %% exercise 2, wrong: the action is left out
-# says: the new action is missing
+# says: the new action is missing; the old one stands in its place
 def push(self, window, action, seen):
     new = window.copy()
     new[:-2] = window[2:]
@@ -321,7 +339,7 @@ def push(self, window, action, seen):
 
 
 # %% exercise 2, wrong: only observations move
-# says: only the observations move
+# says: only the observations move; the actions should move with them
 def push(self, window, action, seen):
     new = window.copy()
     new[:-2:2] = window[2::2]
@@ -331,13 +349,14 @@ def push(self, window, action, seen):
 
 
 # %% exercise 2, wrong: a list
-# says: give a NumPy array
+# says: : give a NumPy array, as the window is one
 def push(self, window, action, seen):
     return [*window[2:], action, seen]
 
 
 # %% exercise 2, wrong: a row without the actions
-# says: they differ in an action only
+# says: they differ in an action only, so the action makes no difference to the row
+# says: observations and
 def row(self, window):
     number = 0
     for seen in window[::2]:
@@ -346,13 +365,14 @@ def row(self, window):
 
 
 # %% exercise 2, wrong: a sum
-# says: different windows need different rows
+# says: actions, but different windows need different rows:
 def row(self, window):
     return sum(window)
 
 
 # %% exercise 2, wrong: one base for all digits
 # says: should be from 0 to
+# says: values and an action one with
 def row(self, window):
     number = 0
     for entry in window:
@@ -382,7 +402,8 @@ def row(self, window):
 
 
 # %% exercise 2, wrong: the digit is added too early
-# says: and then add it
+# says: multiply by the number of values of the digit that you add, and then add it: n_observations at even indices,
+#   n_actions at odd ones
 def row(self, window):
     number = 0
     for i in range(len(window)):
@@ -392,7 +413,7 @@ def row(self, window):
 
 
 # %% exercise 2, wrong: the lesson's numbers
-# says: with
+# says: : an observation is a digit with
 def row(self, window):
     number = 0
     for i in range(len(window)):
@@ -410,7 +431,7 @@ def row(self, window):
 
 
 # %% exercise 2, wrong: floats
-# says: whole numbers are needed, so start from window.copy(), or np.zeros(len(window), np.int64)
+# says: numbers, but whole numbers are needed, so start from window.copy(), or np.zeros(len(window), np.int64)
 def push(self, window, action, seen):
     new = np.zeros(len(window))
     new[:-2] = window[2:]
@@ -421,6 +442,7 @@ def push(self, window, action, seen):
 
 # %% exercise 2, wrong: a float for a row
 # says: should be a whole number, but is 0.0
+# says: : use `//` for `/`, and 0 for 0.0
 def row(self, window):
     row = 0.0
     for i in range(len(window)):
@@ -429,14 +451,97 @@ def row(self, window):
 
 
 # %% exercise 2, wrong: the row writes into its window
-# says: changes the window that it is given, and that is still needed
+# says: changes the window that it is given, and that is still needed: only read it
 def row(self, window):
     for i in range(1, len(window)):
         window[i] += window[i - 1] * (self.n_observations if i % 2 == 0 else self.n_actions)
     return window[-1]
 
 
+# %% exercise 2, wrong: at the front, another way
+# says: the latest ones stand at the *end* of the window
+def push(self, window, action, seen):
+    new = window.copy()
+    new[2:] = window[:-2]
+    new[0], new[1] = seen, action
+    return new
+
+
+# %% exercise 2, wrong: the window as it was
+# says: nothing changes; does it return the old window?
+def push(self, window, action, seen):
+    return window.copy()
+
+
+# %% exercise 2, wrong: an observation for the action
+# says: the old observation stands where the new action should: the window moves by *two* entries
+def push(self, window, action, seen):
+    new = window.copy()
+    new[:-2] = window[2:]
+    new[-2], new[-1] = window[-1], seen
+    return new
+
+
+# %% exercise 2, wrong: no action
+# says: the new action is missing: 0 stands in its place
+def push(self, window, action, seen):
+    new = window.copy()
+    new[:-2] = window[2:]
+    new[-2], new[-1] = 0, seen
+    return new
+
+
+# %% exercise 2, wrong: no observation
+# says: the new observation is missing: 0 stands in its place
+def push(self, window, action, seen):
+    new = window.copy()
+    new[:-2] = window[2:]
+    new[-2], new[-1] = action, 0
+    return new
+
+
+# %% exercise 2, wrong: the old observation
+# says: the new observation is missing; the old one stands in its place
+def push(self, window, action, seen):
+    new = window.copy()
+    new[:-2] = window[2:]
+    new[-2] = action
+    return new
+
+
+# %% exercise 2, wrong: actions move
+# says: only the actions move; the observations should move with them
+def push(self, window, action, seen):
+    new = window.copy()
+    new[1:-2:2] = window[3::2]
+    new[-2], new[-1] = action, seen
+    return new
+
+
+# %% exercise 2, wrong: all else is 0
+# says: everything else in the window is lost
+def push(self, window, action, seen):
+    new = np.zeros(len(window), np.int64)
+    new[-2], new[-1] = action, seen
+    return new
+
+
+# %% exercise 2, wrong: exchanged in the middle
+# says: the first two entries should go, and action and observation come at the end
+def push(self, window, action, seen):
+    new = window.copy()
+    new[0], new[-1] = seen, action
+    return new
+
+
+# %% exercise 2, wrong: a text
+# says: : the window is an array
+def push(self, window, action, seen):
+    return str(window)
+
+
 # %% exercise 3, right: the other case first
+# says: Right: the state is one note and what is seen, 16 rows with three doors. See it race:
 def update(self, notes, place, seen, action):
     notes[place] = action
     if seen < self.num_doors:
@@ -513,49 +618,51 @@ def update(self, notes, place, seen, action):
 
 
 # %% exercise 3, wrong: what was seen
-# says: it notes what was *seen*
+# says: it notes what was *seen*, and at an unmarked place that is no door: note the door that was opened
+# says: should leave the notes
 def update(self, notes, place, seen, action):
     notes[place] = seen
     return place + 1 if seen == self.num_doors else 0
 
 
 # %% exercise 3, wrong: never back
-# says: the corridor starts again, so the next place is 0
+# says: after the marked door the corridor starts again, so the next place is 0
+# says: update(notes, place=
 def update(self, notes, place, seen, action):
     notes[place] = action
     return place + 1
 
 
 # %% exercise 3, wrong: exchanged
-# says: have changed places
+# says: the two cases have changed places: after a *marked* door the corridor starts again
 def update(self, notes, place, seen, action):
     notes[place] = action
     return 0 if seen == self.num_doors else place + 1
 
 
 # %% exercise 3, wrong: it stays
-# says: one further
+# says: the next place is one further, place + 1, where no door is marked
 def update(self, notes, place, seen, action):
     notes[place] = action
     return place if seen == self.num_doors else 0
 
 
 # %% exercise 3, wrong: always back
-# says: always 0
+# says: the next place is always 0: compare what was *seen* with num_doors
 def update(self, notes, place, seen, action):
     notes[place] = action
     return 0
 
 
 # %% exercise 3, wrong: from one
-# says: the first place is 0
+# says: the first place is 0, not 1
 def update(self, notes, place, seen, action):
     notes[place] = action
     return place + 1 if seen == self.num_doors else 1
 
 
 # %% exercise 3, wrong: moves before it writes
-# says: write the note before you move on
+# says: the door belongs to the place where it was opened: write the note before you move on
 def update(self, notes, place, seen, action):
     place = place + 1 if seen == self.num_doors else 0
     notes[place] = action
@@ -563,7 +670,7 @@ def update(self, notes, place, seen, action):
 
 
 # %% exercise 3, wrong: wipes the notes
-# says: wiped out
+# says: all notes are wiped out where the corridor starts again, and they are needed there
 def update(self, notes, place, seen, action):
     notes[place] = action
     if seen == self.num_doors:
@@ -573,7 +680,8 @@ def update(self, notes, place, seen, action):
 
 
 # %% exercise 3, wrong: notes nothing
-# says: the marked door is not noted
+# says: the marked door is not noted: write every door into `notes[place]`, marked or not (and into `notes` itself, not
+#   into a copy)
 def update(self, notes, place, seen, action):
     return place + 1 if seen == self.num_doors else 0
 
@@ -596,7 +704,7 @@ def update(self, notes, place, seen, action):
 
 
 # %% exercise 3, wrong: the place is noted
-# says: the place instead of the door
+# says: it notes the place instead of the door
 def update(self, notes, place, seen, action):
     notes[place] = place
     return place + 1 if seen == self.num_doors else 0
@@ -610,7 +718,7 @@ def update(self, notes, place, seen, action):
 
 
 # %% exercise 3, wrong: compared with the place
-# says: the present place is compared
+# says: the present place is compared with the number of doors; compare what was *seen* with it
 def update(self, notes, place, seen, action):
     notes[place] = action
     return place + 1 if place == self.num_doors else 0
@@ -624,14 +732,15 @@ def update(self, notes, place, seen, action):
 
 
 # %% exercise 3, wrong: doors below three
-# says: 3 stands where self.num_doors should: where there are more doors
+# says: 3 stands where self.num_doors should: where there are more doors, 3 is one of them
 def update(self, notes, place, seen, action):
     notes[place] = action
     return 0 if seen < 3 else place + 1
 
 
 # %% exercise 3, wrong: both are returned
-# says: the next place alone
+# says: should return the next place alone, but returns a
+# says: ; the notes are changed in place, so they need not be returned
 def update(self, notes, place, seen, action):
     notes[place] = action
     return notes, place + 1 if seen == self.num_doors else 0
@@ -645,7 +754,7 @@ def update(self, notes, place, seen, action):
 
 
 # %% exercise 3, wrong: the wrong index
-# says: the index is the place
+# says: it writes the note to `notes[action]`; the index is the place
 def update(self, notes, place, seen, action):
     notes[action] = action
     return place + 1 if seen == self.num_doors else 0
@@ -663,3 +772,17 @@ def update(self, notes, place, seen, action):
 def update(self, notes, place, seen, action):
     notes[place] = action
     return (place + 1.0) if seen == self.num_doors else 0
+
+
+# %% exercise 3, wrong: the observation as an index
+# says: it writes the note to `notes[seen]`; the index is the place
+def update(self, notes, place, seen, action):
+    notes[seen] = action
+    return place + 1 if seen == self.num_doors else 0
+
+
+# %% exercise 3, wrong: two places further
+# says: that is none of the usual mistakes, so follow this step by hand
+def update(self, notes, place, seen, action):
+    notes[place] = action
+    return place + 2 if seen == self.num_doors else 0

@@ -4,6 +4,8 @@
 
 
 # %% exercise 1, right: the number
+# says: Right: 22, not 19. The second word tells a part of what the first one has told already, so that information adds
+#   up more and more slowly.
 words = 22
 
 # %% exercise 1, right: as a float
@@ -37,7 +39,7 @@ for n in range(1, 30):
         break
 
 # %% exercise 1, wrong: nothing was done
-# says: the value with which the cell began
+# says: that is the value with which the cell began
 words = 1
 
 # %% exercise 1, wrong: the placeholder
@@ -49,19 +51,20 @@ words = ...
 words = None
 
 # %% exercise 1, wrong: divided
-# says: 0.4 divided by the bits of one word
+# says: that is 0.4 divided by the bits of one word;
+# says: the words repeat each other in part, so more are needed
 words = math.ceil(0.4 / signal.information(0.1))
 
 # %% exercise 1, wrong: divided and rounded down
-# says: rounded down
+# says: that is 0.4 divided by the bits of one word, rounded down;
 words = int(0.4 / signal.information(0.1))
 
 # %% exercise 1, wrong: divided and not rounded
-# says: a whole number
+# says: words should be a whole number, since half a word is never said, but is
 words = 0.4 / signal.information(0.1)
 
 # %% exercise 1, wrong: the last one below
-# says: one word more is enough
+# says: that is the last length that carries less than 0.4 bit; one word more is enough
 words = max(L for L in range(1, 40) if signal.information(0.1, L) < 0.4)
 
 # %% exercise 1, wrong: an index
@@ -70,17 +73,17 @@ bits = [signal.information(0.1, L) for L in range(1, 40)]
 words = next(k for k, b in enumerate(bits) if b >= 0.4)
 
 # %% exercise 1, wrong: one too many
-# says: one word less is enough
+# says: one word less is enough; is the comparison `<`, and the count read before it grows?
 words = 1
 while signal.information(0.1, words - 1) < 0.4:
     words += 1
 
 # %% exercise 1, wrong: the longest message
-# says: fewer are enough
+# says: that is the most that the toy can say, and fewer are enough
 words = 28
 
 # %% exercise 1, wrong: from the figure
-# says: not enough yet
+# says: that is not enough yet
 words = 16
 
 # %% exercise 1, wrong: on the safe side
@@ -92,7 +95,7 @@ words = 25
 words = next(L for L in range(1, 57) if signal.information(0.05, L) >= 0.4)
 
 # %% exercise 1, wrong: half a bit
-# says: *half* a bit
+# says: that is where *half* a bit is reached
 words = next(L for L in range(1, 57) if signal.information(0.1, L) >= 0.5)
 
 # %% exercise 1, wrong: the bits
@@ -113,6 +116,7 @@ words = math.ceil(22 / 4)
 
 
 # %% exercise 2, right: with NumPy
+# says: Right: these are the bits of the figures.
 def bits_in(joint):
     p_x = joint.sum(axis=1, keepdims=True)
     p_y = joint.sum(axis=0, keepdims=True)
@@ -200,13 +204,14 @@ def bits_in(joint):
 
 
 # %% exercise 2, wrong: a whole number beyond all real ones
-# says: should be a finite number
+# says: should be a finite number, but is
+# says: : is something divided by zero?
 def bits_in(joint):
     return 10**400
 
 
 # %% exercise 2, wrong: natural logarithm
-# says: the logarithm has the base e
+# says: the logarithm has the base e; bits need the base 2, `math.log2` or `np.log2`
 def bits_in(joint):
     total = 0.0
     for x in range(joint.shape[0]):
@@ -217,7 +222,7 @@ def bits_in(joint):
 
 
 # %% exercise 2, wrong: base 10
-# says: the logarithm has the base 10
+# says: the logarithm has the base 10; bits need the base 2, `math.log2` or `np.log2`
 def bits_in(joint):
     some = joint > 0
     both = np.outer(joint.sum(axis=1), joint.sum(axis=0))
@@ -225,7 +230,7 @@ def bits_in(joint):
 
 
 # %% exercise 2, wrong: upside down
-# says: the sign is wrong
+# says: the sign is wrong: p(x, y) stands above the line, and p(x) p(y) below
 def bits_in(joint):
     some = joint > 0
     both = np.outer(joint.sum(axis=1), joint.sum(axis=0))
@@ -233,7 +238,7 @@ def bits_in(joint):
 
 
 # %% exercise 2, wrong: zeros
-# says: so leave pairs out that never occur
+# says: ) gives nan: the logarithm of 0 times 0 is not a number, so leave pairs out that never occur
 def bits_in(joint):
     both = np.outer(joint.sum(axis=1), joint.sum(axis=0))
     return np.sum(joint * np.log2(joint / both))
@@ -258,7 +263,7 @@ def bits_in(joint):
 
 
 # %% exercise 2, wrong: the wrong weights
-# says: not p(x) p(y)
+# says: the weight before the logarithm should be p(x, y), not p(x) p(y)
 def bits_in(joint):
     some = joint > 0
     both = np.outer(joint.sum(axis=1), joint.sum(axis=0))
@@ -266,14 +271,14 @@ def bits_in(joint):
 
 
 # %% exercise 2, wrong: the entropy of the pair
-# says: the entropy of the pair
+# says: that is −Σ p(x, y) log p(x, y), the entropy of the pair; p(x, y) has to be divided by p(x) p(y)
 def bits_in(joint):
     p = joint[joint > 0]
     return -np.sum(p * np.log2(p))
 
 
 # %% exercise 2, wrong: no division
-# says: p(x, y) has to be divided by p(x) p(y)
+# says: that is Σ p(x, y) log p(x, y): p(x, y) has to be divided by p(x) p(y)
 def bits_in(joint):
     total = 0.0
     for p in joint.ravel():
@@ -283,21 +288,21 @@ def bits_in(joint):
 
 
 # %% exercise 2, wrong: the entropy of the needs
-# says: the entropy of x alone
+# says: that is the entropy of x alone: it leaves the message out
 def bits_in(joint):
     p = joint.sum(axis=1)
     return -np.sum(p * np.log2(p))
 
 
 # %% exercise 2, wrong: the entropy of the messages
-# says: the entropy of y alone
+# says: that is the entropy of y alone: it leaves the need out
 def bits_in(joint):
     p = joint.sum(axis=0)
     return -np.sum(p * np.log2(p))
 
 
 # %% exercise 2, wrong: what is still open
-# says: what is still open about x
+# says: that is what is still open about x after the message; the information is what the message has told
 def bits_in(joint):
     total = 0.0
     for x in range(joint.shape[0]):
@@ -308,7 +313,7 @@ def bits_in(joint):
 
 
 # %% exercise 2, wrong: the columns are missing
-# says: p(y) is missing
+# says: p(y) is missing: it divides by p(x) alone
 def bits_in(joint):
     total = 0.0
     for x in range(joint.shape[0]):
@@ -319,7 +324,7 @@ def bits_in(joint):
 
 
 # %% exercise 2, wrong: the rows are missing
-# says: p(x) is missing
+# says: p(x) is missing: it divides by p(y) alone
 def bits_in(joint):
     total = 0.0
     for x in range(joint.shape[0]):
@@ -330,7 +335,7 @@ def bits_in(joint):
 
 
 # %% exercise 2, wrong: a mean
-# says: that is the *mean* over the pairs
+# says: that is the *mean* over the pairs; the weights p(x, y) are in the sum already, so add them up
 def bits_in(joint):
     both = np.outer(joint.sum(axis=1), joint.sum(axis=0))
     terms = np.zeros(joint.shape)
@@ -340,7 +345,7 @@ def bits_in(joint):
 
 
 # %% exercise 2, wrong: a mean of those that occur
-# says: mean
+# says: that is the mean over the pairs that occur; the weights p(x, y) are in the sum already
 def bits_in(joint):
     both = np.outer(joint.sum(axis=1), joint.sum(axis=0))
     some = joint > 0
@@ -348,7 +353,7 @@ def bits_in(joint):
 
 
 # %% exercise 2, wrong: return in the loop
-# says: does the `return` stand inside the loop
+# says: only the first row is added up: does the `return` stand inside the loop?
 def bits_in(joint):
     total = 0.0
     for x in range(joint.shape[0]):
@@ -359,7 +364,7 @@ def bits_in(joint):
 
 
 # %% exercise 2, wrong: return in both loops
-# says: does the `return` stand inside the loops
+# says: the first pair alone: does the `return` stand inside the loops?
 def bits_in(joint):
     total = 0.0
     for x in range(joint.shape[0]):
@@ -370,7 +375,7 @@ def bits_in(joint):
 
 
 # %% exercise 2, wrong: the last row is left out
-# says: the last row is missing
+# says: the last row is missing in the sum
 def bits_in(joint):
     total = 0.0
     for x in range(joint.shape[0] - 1):
@@ -387,7 +392,7 @@ def bits_in(joint):
 
 
 # %% exercise 2, wrong: only the right words
-# says: only the diagonal
+# says: only the diagonal is added up; a word that names another need counts too
 def bits_in(joint):
     total = 0.0
     for k in range(min(joint.shape)):
@@ -419,7 +424,7 @@ def bits_in(joint):
 
 
 # %% exercise 2, wrong: it changes the table
-# says: changes the table
+# says: bits_in changes the table that it is given: work with a copy, or with new variables
 def bits_in(joint):
     joint /= joint.sum(axis=0)
     return np.sum(joint)
@@ -447,7 +452,54 @@ def bits_in(joint):
     return round(total, 3)
 
 
+# %% exercise 2, wrong: what is open about y
+# says: that is what is still open about y when x is known; the information is what the message has told
+def bits_in(joint):
+    open_still = 0.0
+    for row in joint:
+        for p in row:
+            if p > 0:
+                open_still -= p * math.log2(p / row.sum())
+    return open_still
+
+
+# %% exercise 2, wrong: both ways
+# says: that is twice the information
+def bits_in(joint):
+    p_x, p_y = joint.sum(axis=1), joint.sum(axis=0)
+    total = 0.0
+    for x in range(0, len(p_x)):
+        for y in range(len(p_y)):
+            if joint[x, y] > 0:
+                total += joint[x, y] * math.log2(joint[x, y] / (p_x[x] * p_y[y]))
+    return 2 * total
+
+
+# %% exercise 2, wrong: from 1 on
+# says: the first row is missing in the sum: indices begin with 0
+def bits_in(joint):
+    p_x, p_y = joint.sum(axis=1), joint.sum(axis=0)
+    total = 0.0
+    for x in range(1, len(p_x)):
+        for y in range(len(p_y)):
+            if joint[x, y] > 0:
+                total += joint[x, y] * math.log2(joint[x, y] / (p_x[x] * p_y[y]))
+    return total
+
+
+# %% exercise 2, wrong: two bits less what is open
+# says: that is 2 bits less the rest; the needs need not be equally likely, and there may be other than four
+def bits_in(joint):
+    total = 2.0
+    for column in joint.T:
+        for p in column:
+            if p > 0:
+                total += p * math.log2(p / column.sum())
+    return total
+
+
 # %% exercise 3, right: with synonyms in a list
+# says: Right: message and memory together. See it race:
 def act(self, observation, rng):
     votes = np.zeros(4)
     for word in observation[1:]:
@@ -561,7 +613,8 @@ def act(self, observation, rng):
 
 
 # %% exercise 3, wrong: the last action from the message
-# says: none of the usual mistakes
+# says: , which is none of the usual mistakes
+# says: where self.last[0] =
 def act(self, observation, rng):
     votes = np.zeros(4)
     for k in range(1, len(observation)):
@@ -599,7 +652,7 @@ def act(self, observation, rng):
 
 
 # %% exercise 3, wrong: the vote alone
-# says: that is the vote alone
+# says: that is the vote alone; the action that was taken last should be left out
 def act(self, observation, rng):
     votes = np.zeros(4)
     for k in range(1, len(observation)):
@@ -610,7 +663,7 @@ def act(self, observation, rng):
 
 
 # %% exercise 3, wrong: the hit points vote
-# says: the hit points are counted as a word
+# says: the hit points are counted as a word; the words begin with observation[1]
 def act(self, observation, rng):
     votes = np.zeros(4)
     for k in range(len(observation)):
@@ -623,7 +676,7 @@ def act(self, observation, rng):
 
 
 # %% exercise 3, wrong: the last word is lost
-# says: the last word is left out
+# says: the last word is left out; range(1, len(observation)) goes through all of them
 def act(self, observation, rng):
     votes = np.zeros(4)
     for k in range(1, len(observation) - 1):
@@ -648,7 +701,7 @@ def act(self, observation, rng):
 
 
 # %% exercise 3, wrong: the loop overwrites
-# says: only the last word is heard
+# says: only the last word is heard; is something overwritten in the loop?
 def act(self, observation, rng):
     for k in range(1, len(observation)):
         votes = np.zeros(4)
@@ -674,7 +727,7 @@ def act(self, observation, rng):
 
 
 # %% exercise 3, wrong: synonyms are not counted
-# says: word k names need k % 4
+# says: words from 4 on are not counted: word k names need k % 4
 def act(self, observation, rng):
     votes = np.zeros(4)
     for need in range(4):
@@ -687,7 +740,7 @@ def act(self, observation, rng):
 
 
 # %% exercise 3, wrong: no votes for the last action
-# says: it can still win
+# says: the last action gets no votes, but it can still win where all others have none; give it -1
 def act(self, observation, rng):
     votes = np.zeros(4)
     for k in range(1, len(observation)):
@@ -700,7 +753,7 @@ def act(self, observation, rng):
 
 
 # %% exercise 3, wrong: one vote less
-# says: loses one vote only
+# says: the last action loses one vote only; it should never be taken
 def act(self, observation, rng):
     votes = np.zeros(4)
     for k in range(1, len(observation)):
@@ -713,7 +766,7 @@ def act(self, observation, rng):
 
 
 # %% exercise 3, wrong: -1 as an index
-# says: as an index it is the last entry
+# says: -1 is no action but says that nothing was done yet, and as an index it is the last entry
 def act(self, observation, rng):
     votes = np.zeros(4)
     for k in range(1, len(observation)):
@@ -725,7 +778,7 @@ def act(self, observation, rng):
 
 
 # %% exercise 3, wrong: action 0 is nothing
-# says: action 0 may have been the last one too
+# says: action 0 may have been the last one too: compare self.last[0] with -1, or with >= 0
 def act(self, observation, rng):
     votes = np.zeros(4)
     for k in range(1, len(observation)):
@@ -739,7 +792,7 @@ def act(self, observation, rng):
 
 
 # %% exercise 3, wrong: argmax
-# says: it takes the first of equals
+# says: ties should be broken at random, and it takes the first of equals: call pick(votes, rng)
 def act(self, observation, rng):
     votes = np.zeros(4)
     for k in range(1, len(observation)):
@@ -752,7 +805,7 @@ def act(self, observation, rng):
 
 
 # %% exercise 3, wrong: argmax of the vote
-# says: and does not leave the last action out
+# says: it takes the first of equals, and does not leave the last action out
 def act(self, observation, rng):
     votes = np.zeros(4)
     for k in range(1, len(observation)):
@@ -763,7 +816,8 @@ def act(self, observation, rng):
 
 
 # %% exercise 3, wrong: it forgets
-# says: write the action into it before you return
+# says: : write the action into it before you return
+# says: , but self.last[0] is still
 def act(self, observation, rng):
     votes = np.zeros(4)
     for k in range(1, len(observation)):
@@ -774,7 +828,7 @@ def act(self, observation, rng):
 
 
 # %% exercise 3, wrong: it remembers another one
-# says: self.last[0] should be
+# says: , self.last[0] should be
 def act(self, observation, rng):
     votes = np.zeros(4)
     for k in range(1, len(observation)):
@@ -810,7 +864,7 @@ def act(self, observation, rng):
 
 
 # %% exercise 3, wrong: the fewest words
-# says: the need with the *fewest* words
+# says: it takes the need with the *fewest* words
 def act(self, observation, rng):
     votes = np.zeros(4)
     for k in range(1, len(observation)):
@@ -823,14 +877,14 @@ def act(self, observation, rng):
 
 
 # %% exercise 3, wrong: in turn
-# says: it takes the actions in turn
+# says: it takes the actions in turn and does not listen
 def act(self, observation, rng):
     self.last[0] = (self.last[0] + 1) % 4
     return int(self.last[0])
 
 
 # %% exercise 3, wrong: any other one
-# says: it takes any other
+# says: where the last action has most votes, it takes any other; it should take the one with most words among them
 def act(self, observation, rng):
     votes = np.zeros(4)
     for k in range(1, len(observation)):
@@ -869,7 +923,7 @@ def act(self, observation, rng):
 
 
 # %% exercise 3, wrong: the words are written over
-# says: changes the observation that it is given
+# says: changes the observation that it is given: only read it, or copy it first
 def act(self, observation, rng):
     observation[1:] %= 4
     votes = np.zeros(4)
@@ -880,3 +934,63 @@ def act(self, observation, rng):
     action = pick(votes, rng)
     self.last[0] = action
     return action
+
+
+# %% exercise 3, wrong: one array for all
+# says: two players share one array `last`: make a new one in every call of `create`
+shared = np.array([-1])
+
+
+class Listener(NamedTuple):
+    last: np.ndarray
+
+    def act(self, observation, rng):
+        votes = np.zeros(4)
+        for word in observation[1:]:
+            votes[word % 4] += 1.0
+        if self.last[0] >= 0:
+            votes[self.last[0]] = -1.0
+        self.last[0] = pick(votes, rng)
+        return self.last[0]
+
+    def learn(self):
+        pass
+
+    @classmethod
+    def create(cls, environment):
+        return cls(shared)
+
+
+# %% exercise 3, wrong: from the second word on
+# says: the first word is left out; the words begin with observation[1]
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(2, len(observation)):
+        votes[observation[k] % 4] += 1.0
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -1.0
+    self.last[0] = pick(votes, rng)
+    return self.last[0]
+
+
+# %% exercise 3, wrong: the last of equals
+# says: ties should be broken at random, and it takes the last of equals: call pick(votes, rng)
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(1, len(observation)):
+        votes[observation[k] % 4] += 1.0
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -1.0
+    self.last[0] = np.flatnonzero(votes == votes.max())[-1]
+    return self.last[0]
+
+
+# %% exercise 3, wrong: the hit points, and no memory
+# says: the hit points are counted as a word, and the last action is not left out
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(0, len(observation)):
+        votes[observation[k] % 4] += 1.0
+    self.last[0] = -1
+    self.last[0] = pick(votes, rng)
+    return self.last[0]

@@ -4,6 +4,8 @@
 
 
 # %% exercise 1, right: four digits
+# says: Right: near 0.0232. By hand: 1.8 p = 0.2, so p = 0.111, which is 1.59 standard deviations on each side: 0.0220.
+#   The dearer a hit, the more risk it is worth.
 level = 0.0232
 
 # %% exercise 1, right: by a loop
@@ -62,7 +64,7 @@ level = ...
 level = None
 
 # %% exercise 1, wrong: the hits are forgotten
-# says: that is the crossing with 10 hits
+# says: that is the crossing with 10 hits; give `max_hits=5` to from_the_tee
 level = stochasticity.crossing()
 
 # %% exercise 1, wrong: the hits are forgotten in a loop
@@ -72,23 +74,24 @@ while stochasticity.from_the_tee(level)["drive"] > stochasticity.from_the_tee(le
     level += 0.00002
 
 # %% exercise 1, wrong: the estimate, measured from the safe plan
-# says: costs 1.8
+# says: that is an estimate with a cost of 1.6 for a lost ball; the fast plan returns 0.8 now, so it costs 1.8
 level = 0.0228
 
 # %% exercise 1, wrong: the estimate by hand
-# says: that is the estimate by hand
+# says: that is the estimate by hand, which takes for granted that both plans do what they should
 level = 0.0220
 
 # %% exercise 1, wrong: the lesson's level
-# says: the lesson's own level
+# says: that is the lesson's own level; look for the one at which drive and chip are worth the same
 level = 0.015
 
 # %% exercise 1, wrong: two digits
 # says: too low, as the drive is worth more there
+# says: , as the drive is worth more there
 level = 0.02
 
 # %% exercise 1, wrong: three digits
-# says: look in steps of 0.0001
+# says: ; you are close, look in steps of 0.0001
 level = 0.023
 
 # %% exercise 1, wrong: too high
@@ -102,7 +105,7 @@ while stochasticity.from_the_tee(level, max_hits=5)["drive"] < stochasticity.fro
     level += 0.0001
 
 # %% exercise 1, wrong: the deviation
-# says: that is the standard deviation of a drive
+# says: that is the standard deviation of a drive, 100 times the level
 level = 2.32
 
 # %% exercise 1, wrong: in percent of one
@@ -118,7 +121,7 @@ level = "0.0232"
 level = stochasticity.from_the_tee(0.0232, max_hits=5)
 
 # %% exercise 1, wrong: a negative level
-# says: is not a level
+# says: the sign is wrong
 level = -0.0232
 
 # %% exercise 1, wrong: the function
@@ -141,6 +144,7 @@ while stochasticity.from_the_tee(level, max_hits=5)["drive"] > stochasticity.fro
 
 
 # %% exercise 2, right: two loops
+# says: Right. To choose between players on the frontier you need a taste: how much mean is less spread worth?
 def frontier(players):
     names = []
     for name, (mean, spread) in players.items():
@@ -224,6 +228,7 @@ def frontier(players):
 
 # %% exercise 2, wrong: no return
 # says: is a `return` missing?
+# says: frontier(players) with
 def frontier(players):
     best = []
     for name, (mean, spread) in players.items():
@@ -232,37 +237,39 @@ def frontier(players):
 
 
 # %% exercise 2, wrong: both really better
-# says: one of the two may be equal
+# says: a player with the same mean and a larger spread is beaten too, and so is one with the same spread and a lower
+#   mean; one of the two may be equal
+# says: it should give
 def frontier(players):
     return [n for n, (m, s) in players.items() if not any(a > m and b < s for a, b in players.values())]
 
 
 # %% exercise 2, wrong: beats itself
-# says: it must not beat itself
+# says: every player is as good as itself, so it must not beat itself: one of the two numbers must be really better
 def frontier(players):
     return [n for n, (m, s) in players.items() if not any(a >= m and b <= s for a, b in players.values())]
 
 
 # %% exercise 2, wrong: equals beat each other
-# says: do not beat each other
+# says: two players with the same two numbers do not beat each other; one of the two must be really better
 def frontier(players):
     return [n for n, (m, s) in players.items() if not any(a >= m and b <= s for o, (a, b) in players.items() if o != n)]
 
 
 # %% exercise 2, wrong: the equal mean
-# says: an equal mean is left out
+# says: an equal mean is left out: a player with the same mean and a larger spread is beaten too
 def frontier(players):
     return [n for n, (m, s) in players.items() if not any(a > m and b <= s for a, b in players.values())]
 
 
 # %% exercise 2, wrong: the equal spread
-# says: an equal spread is left out
+# says: an equal spread is left out: a player with the same spread and a lower mean is beaten too
 def frontier(players):
     return [n for n, (m, s) in players.items() if not any(a >= m and b < s for a, b in players.values())]
 
 
 # %% exercise 2, wrong: more spread is better
-# says: takes a *larger* spread as better
+# says: it takes a *larger* spread as better
 def frontier(players):
     return [
         n
@@ -272,7 +279,7 @@ def frontier(players):
 
 
 # %% exercise 2, wrong: less mean is better
-# says: takes a *lower* mean as better
+# says: it takes a *lower* mean as better
 def frontier(players):
     return [
         n
@@ -282,7 +289,7 @@ def frontier(players):
 
 
 # %% exercise 2, wrong: the wrong way round
-# says: the comparison is the wrong way round
+# says: it takes a lower mean and a larger spread as better: the comparison is the wrong way round
 def frontier(players):
     return [
         n
@@ -300,33 +307,33 @@ def frontier(players):
 
 
 # %% exercise 2, wrong: only the highest mean
-# says: the players with the highest mean
+# says: these are the players with the highest mean; a lower mean with a smaller spread is worth choosing too
 def frontier(players):
     top = max(m for m, s in players.values())
     return [n for n, (m, s) in players.items() if m == top]
 
 
 # %% exercise 2, wrong: only the smallest spread
-# says: the players with the smallest spread
+# says: these are the players with the smallest spread; a larger spread with a higher mean is worth choosing too
 def frontier(players):
     low = min(s for m, s in players.values())
     return [n for n, (m, s) in players.items() if s == low]
 
 
 # %% exercise 2, wrong: one number is enough
-# says: one better number is enough
+# says: one better number is enough there to beat a player; the other one must not be worse
 def frontier(players):
     return [n for n, (m, s) in players.items() if not any(a > m or b < s for a, b in players.values())]
 
 
 # %% exercise 2, wrong: everybody
-# says: nobody is beaten
+# says: these are all the players: nobody is beaten; is the comparison ever true?
 def frontier(players):
     return list(players)
 
 
 # %% exercise 2, wrong: the pairs
-# says: should hold names
+# says: should hold names such as
 def frontier(players):
     return [
         (m, s)
@@ -343,7 +350,8 @@ def frontier(players):
 
 
 # %% exercise 2, wrong: only the first name
-# says: there may be several
+# says: : there may be several
+# says: should be a list of names, but is the text
 def frontier(players):
     for n, (m, s) in players.items():
         if not any(a >= m and b <= s and (a, b) != (m, s) for a, b in players.values()):
@@ -351,7 +359,7 @@ def frontier(players):
 
 
 # %% exercise 2, wrong: appended in the inner loop
-# says: more than once
+# says: more than once: is it appended in the inner loop?
 def frontier(players):
     best = []
     for n, (m, s) in players.items():
@@ -362,21 +370,21 @@ def frontier(players):
 
 
 # %% exercise 2, wrong: by mean less spread
-# says: mean minus spread is largest
+# says: these are the players for whom mean minus spread is largest; that is only one taste
 def frontier(players):
     top = max(m - s for m, s in players.values())
     return [n for n, (m, s) in players.items() if m - s == top]
 
 
 # %% exercise 2, wrong: by mean over spread
-# says: mean divided by spread is largest; that is only one taste
+# says: these are the players for whom mean divided by spread is largest; that is only one taste
 def frontier(players):
     top = max(m / s for m, s in players.values())
     return [n for n, (m, s) in players.items() if m / s == top]
 
 
 # %% exercise 2, wrong: one of two equals
-# says: only one is left
+# says: of players with the same two numbers only one is left; they do not beat each other
 def frontier(players):
     best = {}
     for n, (m, s) in players.items():
@@ -388,7 +396,7 @@ def frontier(players):
 
 
 # %% exercise 2, wrong: beaten by two
-# says: by *one* other player in both numbers
+# says: a player must be beaten by *one* other player in both numbers, not by one in the mean and another in the spread
 def frontier(players):
     names = []
     for n, (m, s) in players.items():
@@ -400,7 +408,7 @@ def frontier(players):
 
 
 # %% exercise 2, wrong: players are removed
-# says: changes the dictionary
+# says: changes the dictionary that it is given; collect the names in a list of their own
 def frontier(players):
     for n, (m, s) in list(players.items()):
         if any(a >= m and b <= s and (a, b) != (m, s) for a, b in players.values()):
@@ -419,6 +427,7 @@ def frontier(players):
 
 # %% exercise 2, wrong: a list, not a function
 # says: should be a function
+# says: the players
 frontier = ["A", "B"]
 
 
@@ -429,12 +438,13 @@ def frontier():
 
 
 # %% exercise 2, wrong: a number
-# says: should be a list of names
+# says: should be a list of names, but is a
 def frontier(players):
     return len(players)
 
 
 # %% exercise 3, right: an if and an else
+# says: Right: two weights are enough to move the crossing. See it race:
 def learn(self, state, action, reward, next_state, terminated):
     target = reward
     if not terminated:
@@ -516,7 +526,8 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: the signs
-# says: have changed places
+# says: good and bad surprises have changed places: κ > 0 avoids risk, so that bad ones weigh 1 + κ (β has the opposite
+#   sign)
 def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else max(self.Q[next_state])
     delta = reward + self.discount * value - self.Q[state, action]
@@ -525,7 +536,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: by the reward
-# says: it asks whether the *reward* is good
+# says: it asks whether the *reward* is good; a surprise is good if δ is above 0
 def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else max(self.Q[next_state])
     delta = reward + self.discount * value - self.Q[state, action]
@@ -534,7 +545,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: by the target
-# says: it asks whether the *target* is above 0
+# says: it asks whether the *target* is above 0; a surprise is good if δ is
 def learn(self, state, action, reward, next_state, terminated):
     target = reward if terminated else reward + self.discount * max(self.Q[next_state])
     w = 1 - self.kappa if target > 0 else 1 + self.kappa
@@ -542,14 +553,14 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: Q-learning
-# says: the weight is missing
+# says: the weight is missing: that is Q-learning
 def learn(self, state, action, reward, next_state, terminated):
     target = reward if terminated else reward + self.discount * max(self.Q[next_state])
     self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
 
 
 # %% exercise 3, wrong: the rule of the lesson
-# says: that is the weight of Delétang
+# says: that is the weight of Delétang et al., 2σ(βδ); here are two weights, whatever the size of δ
 def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else max(self.Q[next_state])
     delta = reward + self.discount * value - self.Q[state, action]
@@ -558,7 +569,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: the rule of the lesson with its sign
-# says: κ has the opposite sign of β
+# says: that is 2σ(κδ), the weight of Delétang et al., and κ has the opposite sign of β
 def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else max(self.Q[next_state])
     delta = reward + self.discount * value - self.Q[state, action]
@@ -567,7 +578,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: only bad surprises
-# says: nothing is learned from good surprises
+# says: nothing is learned from good surprises; they weigh 1 − κ
 def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else max(self.Q[next_state])
     delta = reward + self.discount * value - self.Q[state, action]
@@ -576,7 +587,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: good ones without a weight
-# says: good surprises have no weight of their own
+# says: good surprises have no weight of their own, 1 − κ
 def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else max(self.Q[next_state])
     delta = reward + self.discount * value - self.Q[state, action]
@@ -587,7 +598,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: bad ones without a weight
-# says: bad surprises have no weight of their own
+# says: bad surprises have no weight of their own, 1 + κ
 def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else max(self.Q[next_state])
     delta = reward + self.discount * value - self.Q[state, action]
@@ -598,7 +609,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: the 1 is missing
-# says: the 1 is missing
+# says: the 1 is missing in the weights, which are 1 − κ and 1 + κ
 def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else max(self.Q[next_state])
     delta = reward + self.discount * value - self.Q[state, action]
@@ -607,7 +618,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: one weight
-# says: the weight is 1 − κ always
+# says: the weight is 1 − κ always, for bad surprises too
 def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else max(self.Q[next_state])
     delta = reward + self.discount * value - self.Q[state, action]
@@ -615,7 +626,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: the weight on the target
-# says: the weight belongs to the whole δ
+# says: the weight belongs to the whole δ, not to the target alone
 def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else max(self.Q[next_state])
     target = reward + self.discount * value
@@ -649,7 +660,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: minus
-# says: the sign is wrong
+# says: the sign is wrong: it moves away from the target
 def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else max(self.Q[next_state])
     delta = reward + self.discount * value - self.Q[state, action]
@@ -658,7 +669,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: old less target
-# says: the sign is wrong
+# says: the sign is wrong: it moves away from the target
 def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else max(self.Q[next_state])
     delta = self.Q[state, action] - (reward + self.discount * value)
@@ -667,7 +678,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: the sign of δ
-# says: δ has the wrong sign
+# says: δ has the wrong sign: it is the target less Q(S, A), not Q(S, A) less the target
 def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else max(self.Q[next_state])
     delta = self.Q[state, action] - (reward + self.discount * value)
@@ -768,3 +779,48 @@ class TwoWeights(NamedTuple):
     def learn(self, state, action, reward, next_state, terminated):
         delta = reward - self.Q[state, action]
         self.Q[state, action] += self.learning_rate * (0.5 if delta > 0 else 1.5) * delta
+
+
+# %% exercise 3, wrong: the old value
+# says: it asks whether the old *value* is above 0; a surprise is good if δ is
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.0 if terminated else max(self.Q[next_state])
+    delta = reward + self.discount * value - self.Q[state, action]
+    w = 1 - self.kappa if self.Q[state, action] > 0 else 1 + self.kappa
+    self.Q[state, action] += self.learning_rate * w * delta
+
+
+# %% exercise 3, wrong: always more
+# says: the weight is 1 + κ always, for good surprises too
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.0 if terminated else max(self.Q[next_state])
+    delta = reward + self.discount * value - self.Q[state, action]
+    w = 1 + self.kappa
+    self.Q[state, action] += self.learning_rate * w * delta
+
+
+# %% exercise 3, wrong: κ alone
+# says: κ itself stands where the weight should
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.0 if terminated else max(self.Q[next_state])
+    delta = reward + self.discount * value - self.Q[state, action]
+    w = self.kappa
+    self.Q[state, action] += self.learning_rate * w * delta
+
+
+# %% exercise 3, wrong: half as much
+# says: the weights are half as large as they should be
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.0 if terminated else max(self.Q[next_state])
+    delta = reward + self.discount * value - self.Q[state, action]
+    w = (1 - self.kappa if delta > 0 else 1 + self.kappa) / 2
+    self.Q[state, action] += self.learning_rate * w * delta
+
+
+# %% exercise 3, wrong: good surprises only
+# says: nothing is learned from bad surprises; they weigh 1 + κ
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.0 if terminated else max(self.Q[next_state])
+    delta = reward + self.discount * value - self.Q[state, action]
+    w = 1 - self.kappa if delta > 0 else 0.0
+    self.Q[state, action] += self.learning_rate * w * delta

@@ -26,6 +26,7 @@ methods = {label: model_based.LEARNED[label] for label in ("Q-learning", "Dyna-1
 
 
 # %% exercise 1, right: expanded
+# says: Right: the larger γ is, the smaller an error is enough, since a far-sighted plan adds up more bumps.
 def smallest_error(v, gamma):
     return 1 + v - gamma * v
 
@@ -80,41 +81,42 @@ smallest_error = ...
 
 # %% exercise 1, wrong: a number
 # says: should be a function
+# says: v and gamma
 smallest_error = 3.0
 
 
 # %% exercise 1, wrong: without the cost
-# says: the step costs 1, which the error has to pay first
+# says: the step costs 1, which the error has to pay first: the reward of a bump seems to be e − 1
 def smallest_error(v, gamma):
     return (1 - gamma) * v
 
 
 # %% exercise 1, wrong: the cost with the wrong sign
-# says: it adds 1
+# says: the cost of the step is −1, so solve e − 1 = (1 − γ) v for e: it adds 1
 def smallest_error(v, gamma):
     return (1 - gamma) * v - 1
 
 
 # %% exercise 1, wrong: divided
-# says: *divided* by 1 − γ
+# says: bumping for ever is worth the reward *divided* by 1 − γ
 def smallest_error(v, gamma):
     return 1 + v / (1 - gamma)
 
 
 # %% exercise 1, wrong: the value at once
-# says: leaves the future out
+# says: that leaves the future out: one bump alone need not be worth v, for it is followed by more
 def smallest_error(v, gamma):
     return 1 + v
 
 
 # %% exercise 1, wrong: gamma v
-# says: compares with γ v
+# says: that compares with γ v; compare with v, what the best way is worth from here
 def smallest_error(v, gamma):
     return 1 + gamma * v
 
 
 # %% exercise 1, wrong: 1
-# says: from which a bump pays at all
+# says: that is 1, the error from which a bump pays at all; it must pay more than leaving
 def smallest_error(v, gamma):
     return 1
 
@@ -126,37 +128,37 @@ def smallest_error(v, gamma):
 
 
 # %% exercise 1, wrong: without an error
-# says: without an error
+# says: that is what bumping is worth without an error, −1/(1 − γ)
 def smallest_error(v, gamma):
     return -1 / (1 - gamma)
 
 
 # %% exercise 1, wrong: the cost comes once
-# says: comes with every bump
+# says: that solves e/(1 − γ) − 1 = v: the cost of 1 comes with every bump
 def smallest_error(v, gamma):
     return (1 - gamma) * (v + 1)
 
 
 # %% exercise 1, wrong: plus gamma
-# says: the sign of γ
+# says: the sign of γ is wrong: the sum 1 + γ + γ² + ... is 1/(1 − γ)
 def smallest_error(v, gamma):
     return 1 + (1 + gamma) * v
 
 
 # %% exercise 1, wrong: minus
-# says: the two terms add up
+# says: that is 1 − (1 − γ) v: the two terms add up
 def smallest_error(v, gamma):
     return 1 - (1 - gamma) * v
 
 
 # %% exercise 1, wrong: the cost twice
-# says: subtracted twice
+# says: the cost is subtracted twice
 def smallest_error(v, gamma):
     return 2 + (1 - gamma) * v - gamma
 
 
 # %% exercise 1, wrong: three bumps
-# says: there is no end to them
+# says: only the first three bumps are counted, and there is no end to them
 def smallest_error(v, gamma):
     return 1 + v / (1 + gamma + gamma**2)
 
@@ -185,7 +187,14 @@ def smallest_error(v, gamma):
     return "1 + (1 - gamma) * v"
 
 
+# %% exercise 1, wrong: half of it
+# says: solve (e − 1)/(1 − γ) = v for e
+def smallest_error(v, gamma):
+    return 1 + (1 - gamma) * v / 2
+
+
 # %% exercise 2, right: two branches
+# says: Right: what was not tried for a long time looks better and better, until the agent goes and sees. See its race:
 def imagine(self, s, a):
     tau = self.clock[0] - self.last[s, a]
     bonus = self.kappa * np.sqrt(tau)
@@ -269,6 +278,7 @@ def imagine(self, s, a):
 
 # %% exercise 2, wrong: no bonus
 # says: the bonus is missing
+# says: ), where γ = 0.75, κ = 2,
 def imagine(self, s, a):
     reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
     if self.last[s, a] == 0:
@@ -279,7 +289,7 @@ def imagine(self, s, a):
 
 
 # %% exercise 2, wrong: no root
-# says: the root is missing
+# says: the root is missing: the bonus is κ√τ
 def imagine(self, s, a):
     reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
     if self.last[s, a] == 0:
@@ -290,7 +300,7 @@ def imagine(self, s, a):
 
 
 # %% exercise 2, wrong: kappa under the root
-# says: κ belongs before the root
+# says: κ belongs before the root: κ√τ, not √(κτ)
 def imagine(self, s, a):
     reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
     if self.last[s, a] == 0:
@@ -312,7 +322,8 @@ def imagine(self, s, a):
 
 
 # %% exercise 2, wrong: no bonus for what was never tried
-# says: those that were never tried need it most
+# says: only actions that were tried get a bonus, and those that were never tried need it most
+# says: , the action was never tried and Q[
 def imagine(self, s, a):
     reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
     if self.last[s, a] == 0:
@@ -323,7 +334,7 @@ def imagine(self, s, a):
 
 
 # %% exercise 2, wrong: a bonus for what was never tried only
-# says: every action does
+# says: only actions that were never tried get a bonus; every action does
 def imagine(self, s, a):
     reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
     if self.last[s, a] == 0:
@@ -334,7 +345,7 @@ def imagine(self, s, a):
 
 
 # %% exercise 2, wrong: the time of the last try
-# says: the time *since* the last try
+# says: τ is the time *since* the last try, `now − last`, and that is the time of the last try
 def imagine(self, s, a):
     reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
     if self.last[s, a] == 0:
@@ -345,7 +356,7 @@ def imagine(self, s, a):
 
 
 # %% exercise 2, wrong: the clock
-# says: subtract `last` from the clock
+# says: τ is the time since the last try; subtract `last` from the clock
 def imagine(self, s, a):
     reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
     if self.last[s, a] == 0:
@@ -356,7 +367,7 @@ def imagine(self, s, a):
 
 
 # %% exercise 2, wrong: one more
-# says: one too large
+# says: τ is one too large
 def imagine(self, s, a):
     reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
     if self.last[s, a] == 0:
@@ -367,7 +378,7 @@ def imagine(self, s, a):
 
 
 # %% exercise 2, wrong: the end ignored
-# says: no future
+# says: after a terminal state there is no future: leave γ max_a Q(S', a) out where `ends` is 1
 def imagine(self, s, a):
     reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
     if self.last[s, a] == 0:
@@ -378,7 +389,8 @@ def imagine(self, s, a):
 
 
 # %% exercise 2, wrong: what was never tried is the bonus alone
-# says: lead back to its own state, so
+# says: an action that was never tried is imagined to lead back to its own state, so γ max_a Q(s, a) belongs to its
+#   target
 def imagine(self, s, a):
     reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
     if self.last[s, a] == 0:
@@ -389,7 +401,7 @@ def imagine(self, s, a):
 
 
 # %% exercise 2, wrong: what was never tried is 0
-# says: has a target too
+# says: an action that was never tried has a target too: reward 0, back to its own state, and the bonus
 def imagine(self, s, a):
     if self.last[s, a] == 0:
         return 0.0
@@ -402,7 +414,8 @@ def imagine(self, s, a):
 
 
 # %% exercise 2, wrong: reads the empty tables
-# says: has nothing in the tables yet
+# says: an action that was never tried has nothing in the tables yet, so do not read `next_states` there: it leads back
+#   to its own state
 def imagine(self, s, a):
     reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
     if self.last[s, a] == 0:
@@ -413,7 +426,7 @@ def imagine(self, s, a):
 
 
 # %% exercise 2, wrong: the mean
-# says: the mean over the actions
+# says: the mean over the actions stands where the maximum should
 def imagine(self, s, a):
     reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
     if self.last[s, a] == 0:
@@ -424,7 +437,7 @@ def imagine(self, s, a):
 
 
 # %% exercise 2, wrong: the own state
-# says: of the state itself
+# says: the maximum is taken over Q(s, a) of the state itself instead of the next state
 def imagine(self, s, a):
     reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
     if self.last[s, a] == 0:
@@ -435,7 +448,7 @@ def imagine(self, s, a):
 
 
 # %% exercise 2, wrong: the same action
-# says: *same* action
+# says: the value of the *same* action stands where the maximum over all actions should
 def imagine(self, s, a):
     reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
     if self.last[s, a] == 0:
@@ -457,7 +470,7 @@ def imagine(self, s, a):
 
 
 # %% exercise 2, wrong: no discount
-# says: not discounted
+# says: the value of the next state is not discounted
 def imagine(self, s, a):
     reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
     if self.last[s, a] == 0:
@@ -468,7 +481,7 @@ def imagine(self, s, a):
 
 
 # %% exercise 2, wrong: the bonus discounted
-# says: the bonus is discounted
+# says: the bonus is discounted; γ belongs to the value of the next state only
 def imagine(self, s, a):
     reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
     if self.last[s, a] == 0:
@@ -490,7 +503,7 @@ def imagine(self, s, a):
 
 
 # %% exercise 2, wrong: the TD error
-# says: that is the TD error
+# says: that is the TD error: return the whole target, which `act` puts into Q
 def imagine(self, s, a):
     reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
     if self.last[s, a] == 0:
@@ -501,7 +514,7 @@ def imagine(self, s, a):
 
 
 # %% exercise 2, wrong: no bonus at the end
-# says: the bonus is lost
+# says: at the end of an episode the bonus is lost: only the value of the next state is 0 there
 def imagine(self, s, a):
     reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
     if self.last[s, a] == 0:
@@ -512,7 +525,7 @@ def imagine(self, s, a):
 
 
 # %% exercise 2, wrong: does the update itself
-# says: should only return the target
+# says: changes a table: it should only return the target, and `act` puts that into Q
 def imagine(self, s, a):
     reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
     if self.last[s, a] == 0:
@@ -574,7 +587,7 @@ def imagine(self, s, a):
 
 
 # %% exercise 2, wrong: any action of the state asked
-# says: whether any action of the state was tried
+# says: that asks whether any action of the state was tried; ask whether this *pair* was tried: `self.last[s, a] == 0`
 # says: this *pair*
 def imagine(self, s, a):
     reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
@@ -598,7 +611,8 @@ def imagine(self, s, a):
 
 
 # %% exercise 2, wrong: the value of the action that was never tried
-# says: the *largest* value of the state
+# says: for an action that was never tried the target has the *largest* value of the state, max_a Q(s, a), and not the
+#   value of that action
 def imagine(self, s, a):
     bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
     if self.last[s, a] == 0:
@@ -608,7 +622,8 @@ def imagine(self, s, a):
 
 
 # %% exercise 2, wrong: by the reward asked
-# says: a reward may be 0
+# says: a reward may be 0, so it does not say that nothing was tried; ask whether this *pair* was tried: `self.last[s,
+#   a] == 0`
 # says: this *pair*
 def imagine(self, s, a):
     reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
@@ -620,7 +635,8 @@ def imagine(self, s, a):
 
 
 # %% exercise 2, wrong: by the next state asked
-# says: the next state may be 0
+# says: the next state may be 0, so it does not say that nothing was tried; ask whether this *pair* was tried:
+#   `self.last[s, a] == 0`
 # says: this *pair*
 def imagine(self, s, a):
     reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
@@ -632,7 +648,7 @@ def imagine(self, s, a):
 
 
 # %% exercise 2, wrong: the discount as a number
-# says: a discount of 0.99: use self.discount
+# says: everything fits a discount of 0.99: use self.discount
 def imagine(self, s, a):
     reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
     if self.last[s, a] == 0:
@@ -643,7 +659,7 @@ def imagine(self, s, a):
 
 
 # %% exercise 2, wrong: kappa as a number
-# says: a κ of 0.03: use self.kappa
+# says: everything fits a κ of 0.03: use self.kappa
 def imagine(self, s, a):
     reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
     if self.last[s, a] == 0:
@@ -653,7 +669,33 @@ def imagine(self, s, a):
     return reward + bonus + self.discount * value
 
 
+# %% exercise 2, wrong: another class
+# says: DynaPlus should have the method `imagine`
+class DynaPlus(NamedTuple):
+    Q: np.ndarray
+    discount: float = 0.99
+    kappa: float = 0.03
+
+    def act(self, state, rng):
+        return 0
+
+    def learn(self, state):
+        pass
+
+    @classmethod
+    def create(cls, environment):
+        return cls(np.zeros((6, 3)))
+
+
+# %% exercise 2, wrong: one more, another way
+# says: that is none of the usual mistakes, so compare your code with the equation, term by term
+def imagine(self, s, a):
+    return self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5 + self.discount * self.Q[s].max() + 1.0
+
+
 # %% exercise 3, right: return early
+# says: Right: the unknown is worth U, so the way to it is planned like any other way. In the race its policy goes on
+#   exploring, since it has one table only, until all that matters is known; then it jumps to the optimum:
 def learn(self, state, action, reward, next_state, terminated):
     if self.known[state, action]:
         return
@@ -762,7 +804,8 @@ def sweep(self):
 
 
 # %% exercise 3, wrong: unknown pairs too
-# says: pairs that are not known change as well
+# says: pairs that are not known change as well; leave them at U, which is what makes the agent curious
+# says: after many sweeps with γ = 0.5, Q[
 def sweep(self):
     largest = 0.0
     for s in range(self.Q.shape[0]):
@@ -776,7 +819,8 @@ def sweep(self):
 
 
 # %% exercise 3, wrong: unknown pairs are 0
-# says: are set to 0
+# says: pairs that are not known are set to 0; leave them at U, which is what makes the agent curious
+# says: ], a pair that is
 def sweep(self):
     largest = 0.0
     for s in range(self.Q.shape[0]):
@@ -792,7 +836,7 @@ def sweep(self):
 
 
 # %% exercise 3, wrong: the test the wrong way round
-# says: the wrong way round
+# says: the test of `known` is the wrong way round
 def sweep(self):
     largest = 0.0
     for s in range(self.Q.shape[0]):
@@ -806,7 +850,7 @@ def sweep(self):
 
 
 # %% exercise 3, wrong: the end ignored
-# says: no future
+# says: after a terminal state there is no future: leave γ max_a Q(s', a) out where `ends` is 1
 def sweep(self):
     largest = 0.0
     for s in range(self.Q.shape[0]):
@@ -834,7 +878,7 @@ def sweep(self):
 
 
 # %% exercise 3, wrong: the own state
-# says: the state itself
+# says: the maximum is taken over the state itself instead of the next state
 def sweep(self):
     largest = 0.0
     for s in range(self.Q.shape[0]):
@@ -876,7 +920,7 @@ def sweep(self):
 
 
 # %% exercise 3, wrong: all discounted
-# says: the whole target is discounted
+# says: the whole target is discounted; γ belongs to the value of the next state only
 def sweep(self):
     largest = 0.0
     for s in range(self.Q.shape[0]):
@@ -904,7 +948,7 @@ def sweep(self):
 
 
 # %% exercise 3, wrong: minus
-# says: is subtracted
+# says: the value of the next state is subtracted
 def sweep(self):
     largest = 0.0
     for s in range(self.Q.shape[0]):
@@ -918,7 +962,7 @@ def sweep(self):
 
 
 # %% exercise 3, wrong: plus equals
-# says: not `+=`
+# says: the old value is still in the sum: Q(s, a) *becomes* the target, `=` and not `+=`
 def sweep(self):
     largest = 0.0
     for s in range(self.Q.shape[0]):
@@ -932,7 +976,7 @@ def sweep(self):
 
 
 # %% exercise 3, wrong: returns nothing
-# says: the largest change of a value
+# says: sweep() gives None: it should return the largest change of a value
 def sweep(self):
     largest = 0.0
     for s in range(self.Q.shape[0]):
@@ -945,7 +989,7 @@ def sweep(self):
 
 
 # %% exercise 3, wrong: returns the sum so far of values
-# says: should return 0
+# says: once nothing changes any more, sweep() should return 0, the largest change, but returns
 def sweep(self):
     largest = 0.0
     for s in range(self.Q.shape[0]):
@@ -959,7 +1003,8 @@ def sweep(self):
 
 
 # %% exercise 3, wrong: returns 0
-# says: before you store it
+# says: compare the new value with the old one before you store it, and keep the largest change
+# says: the largest change of the first sweep(), without its sign, is
 def sweep(self):
     largest = 0.0
     for s in range(self.Q.shape[0]):
@@ -974,6 +1019,7 @@ def sweep(self):
 
 # %% exercise 3, wrong: compares after the change
 # says: before you store it
+# says: , but it returns
 def sweep(self):
     largest = 0.0
     for s in range(self.Q.shape[0]):
@@ -1001,7 +1047,7 @@ def sweep(self):
 
 
 # %% exercise 3, wrong: does not plan
-# says: should call self.plan()
+# says: a new pair is known now, so `learn` should call self.plan(), which sweeps until nothing changes
 def learn(self, state, action, reward, next_state, terminated):
     if self.known[state, action] == 0:
         self.known[state, action] = 1
@@ -1022,7 +1068,8 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: overwrites what is known
-# says: nothing should change
+# says: that pair was known already, and then nothing should change
+# says: the pair that was tried
 def learn(self, state, action, reward, next_state, terminated):
     if True:
         self.known[state, action] = 1
@@ -1033,7 +1080,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: forgets known
-# says: is known, 1, as soon as it was tried
+# says: a pair is known, 1, as soon as it was tried once
 def learn(self, state, action, reward, next_state, terminated):
     if self.known[state, action] == 0:
         self.rewards[state, action] = reward
@@ -1044,6 +1091,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 # %% exercise 3, wrong: known of the next state
 # says: known
+# says: it is remembered for next_state; what followed belongs to the pair that was tried, [state, action]
 def learn(self, state, action, reward, next_state, terminated):
     if self.known[state, action] == 0:
         self.known[next_state, action] = 1
@@ -1065,7 +1113,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: no reward kept
-# says: keeps what followed
+# says: [state, action]` keeps what followed
 def learn(self, state, action, reward, next_state, terminated):
     if self.known[state, action] == 0:
         self.known[state, action] = 1
@@ -1096,7 +1144,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: never an end
-# says: `ends` should be 1
+# says: `ends` should be 1 if `terminated`, else 0
 def learn(self, state, action, reward, next_state, terminated):
     if self.known[state, action] == 0:
         self.known[state, action] = 1
@@ -1146,7 +1194,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: no abs
-# says: a fall counts too
+# says: values fall as well as rise, and a fall counts too: `abs(new - old)`
 def sweep(self):
     largest = 0.0
     for s in range(self.Q.shape[0]):
@@ -1161,6 +1209,7 @@ def sweep(self):
 
 # %% exercise 3, wrong: return in the outer loop
 # says: only state 0 is swept
+# says: is swept. `return` ends the loops: write it below both, as far to the left as the first `for`
 def sweep(self):
     largest = 0.0
     for s in range(self.Q.shape[0]):
@@ -1175,6 +1224,7 @@ def sweep(self):
 
 # %% exercise 3, wrong: return in the inner loop
 # says: only state 0 and action 0 is swept
+# says: and action 0
 def sweep(self):
     largest = 0.0
     for s in range(self.Q.shape[0]):
@@ -1188,7 +1238,7 @@ def sweep(self):
 
 
 # %% exercise 3, wrong: never stores
-# says: changes no value
+# says: sweep() changes no value: set Q[s, a] to the target
 def sweep(self):
     largest = 0.0
     for s in range(self.Q.shape[0]):
@@ -1201,7 +1251,7 @@ def sweep(self):
 
 
 # %% exercise 3, wrong: largest of the last state
-# says: a change of the last state
+# says: that is a change of the last state: keep the largest of all, and set it to 0.0 above both loops
 def sweep(self):
     for s in range(self.Q.shape[0]):
         largest = 0.0
@@ -1215,7 +1265,7 @@ def sweep(self):
 
 
 # %% exercise 3, wrong: the sum
-# says: the sum of all changes
+# says: that is the sum of all changes
 def sweep(self):
     largest = 0.0
     for s in range(self.Q.shape[0]):
@@ -1254,7 +1304,7 @@ def learn(self, state, action, reward, next_state, terminated):
 
 
 # %% exercise 3, wrong: plans first
-# says: is set only after self.plan()
+# says: ` is set only after self.plan(), which cannot use it then: remember first, and plan last
 def learn(self, state, action, reward, next_state, terminated):
     if self.known[state, action] == 0:
         self.plan()
@@ -1281,6 +1331,7 @@ MyRMax = RMax.create((6, 3))
 
 # %% exercise 3, wrong: the package's
 # says: known
+# says: the agent should have a table `
 MyRMax = RMax
 
 
@@ -1318,7 +1369,49 @@ def sweep(self):
     return largest
 
 
+# %% exercise 3, wrong: remembered for the next state
+# says: it is remembered for next_state; what followed belongs to the pair that was tried, [state, action]
+def learn(self, state, action, reward, next_state, terminated):
+    if self.known[state, action] == 0:
+        self.known[next_state, action] = 1
+        self.rewards[next_state, action] = reward
+        self.next_states[next_state, action] = next_state
+        self.ends[next_state, action] = terminated
+        self.plan()
+
+
+# %% exercise 3, wrong: all actions of the state
+# says: a pair that was not tried
+def learn(self, state, action, reward, next_state, terminated):
+    if self.known[state, action] == 0:
+        self.known[state] = 1
+        self.rewards[state, action] = reward
+        self.next_states[state, action] = next_state
+        self.ends[state, action] = terminated
+        self.plan()
+
+
+# %% exercise 3, wrong: rewards for the unknown
+# says: sweep() changes the table `
+# says: `: planning changes Q only
+def sweep(self):
+    largest = 0.0
+    for s in range(self.Q.shape[0]):
+        for a in range(self.Q.shape[1]):
+            if self.known[s, a] == 1:
+                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
+                new = self.rewards[s, a] + self.discount * value
+                largest = max(largest, abs(new - self.Q[s, a]))
+                self.Q[s, a] = new
+            else:
+                self.rewards[s, a] = 100.0
+    return largest
+
+
 # %% exercise 4, right: a smaller rate
+# says: Right. Share of evaluation episodes that reach the goal, in the second half of training: Q-learning 0.00,
+#   Dyna-10 0.00, mine 0.50. A learning rate of 1 with sampled updates fails on slippery ice: each value keeps only the
+#   last outcome. Expected updates, or a lower rate, average over all of them.
 lake_results = repeat(
     lake,
     {**methods, "mine": partial(DynaQ.create, learning_rate=0.1, planning_steps=10)},
@@ -1390,7 +1483,9 @@ others["expected"] = partial(DynaQ.create, learning_rate=1.0, planning_steps=10,
 lake_results = repeat(environment=lake, agents=others, n_steps=3000, repetitions=5, jobs=1)
 
 # %% exercise 4, wrong: more sampled updates
-# says: however many updates it makes
+# says: it has a learning rate of 1 and sampled updates, so that a value is whatever the last outcome said, however many
+#   updates it makes
+# says: Share of evaluation episodes that reach the goal, in the second half of training:
 lake_results = repeat(
     lake,
     {**methods, "mine": partial(DynaQ.create, planning_steps=20, learning_rate=1.0)},
@@ -1411,6 +1506,7 @@ lake_results = repeat(
 
 # %% exercise 4, wrong: no model
 # says: should plan, and 'mine' learns from real steps alone
+# says: the third method should plan, and
 lake_results = repeat(
     lake,
     {**methods, "mine": partial(QLearning.create, learning_rate=0.5)},
@@ -1420,7 +1516,8 @@ lake_results = repeat(
 )
 
 # %% exercise 4, wrong: no planning steps
-# says: let `planning_steps` be above 0
+# says: learns from real steps alone: make it with DynaQ, PrioritisedSweeping or RMax, and let `planning_steps` be above
+#   0
 lake_results = repeat(
     lake,
     {**methods, "mine": partial(DynaQ.create, learning_rate=0.5, planning_steps=0)},
@@ -1430,7 +1527,7 @@ lake_results = repeat(
 )
 
 # %% exercise 4, wrong: a rate of nearly 1
-# says: such as 0.1
+# says: let each value average over many outcomes, by expected updates or by a learning rate such as 0.1
 lake_results = repeat(
     lake,
     {**methods, "mine": partial(DynaQ.create, learning_rate=0.95)},
@@ -1448,7 +1545,7 @@ lake_results = None
 lake_results = ...
 
 # %% exercise 4, wrong: two methods
-# says: a third method, your own
+# says: lake_results should have a third method, your own, beside the two of the lesson
 lake_results = repeat(lake, methods, 3_000, repetitions=5)
 
 # %% exercise 4, wrong: one of the two again

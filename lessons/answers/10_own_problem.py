@@ -35,6 +35,8 @@ class Plant(NamedTuple):
 
 
 # %% exercise 1, right: a fraction
+# says: Right: 59/9. Below it the best clock lets her sleep on when she is fast asleep at 8:20. Nothing in its code says
+#   so but a number.
 late = 59 / 9
 
 # %% exercise 1, right: two digits
@@ -69,7 +71,7 @@ while high - low > 1e-4:
 late = high
 
 # %% exercise 1, wrong: nothing was done
-# says: the value with which the cell began
+# says: that is the value with which the cell began
 late = 10.0
 
 # %% exercise 1, wrong: the placeholder
@@ -81,23 +83,23 @@ late = ...
 late = None
 
 # %% exercise 1, wrong: a ring that never fails
-# says: a ring fails with probability 0.1
+# says: a ring fails with probability 0.1; then she is dozing, which is worth 1 and costs `late`
 late = 6
 
 # %% exercise 1, wrong: compared with the chime
-# says: compare the ring with staying quiet
+# says: compare the ring with staying quiet, which is better there than a chime
 late = 5.2 / 0.9
 
 # %% exercise 1, wrong: dozing is worth nothing
-# says: when the ring fails she is dozing
+# says: when the ring fails she is dozing, and that is worth 1
 late = 6 / 0.9
 
 # %% exercise 1, wrong: sleep is worth nothing after silence
-# says: staying quiet is worth 2 − late
+# says: who stays asleep has slept: staying quiet is worth 2 − late
 late = 3.9 / 0.9
 
 # %% exercise 1, wrong: sleep is worth nothing at all
-# says: a failed ring 1 − late
+# says: staying quiet is worth 2 − late, and a failed ring 1 − late, as sleep is worth its depth
 late = 4 / 0.9
 
 # %% exercise 1, wrong: the cost of a ring
@@ -105,11 +107,11 @@ late = 4 / 0.9
 late = 4.0
 
 # %% exercise 1, wrong: the probabilities exchanged
-# says: 0.9 and 0.1 have changed places
+# says: 0.9 and 0.1 have changed places: a ring *wakes* her with probability 0.9
 late = 51
 
 # %% exercise 1, wrong: negative
-# says: it is above 0
+# says: late is a cost, and the reward function subtracts it: it is above 0
 late = -6.5556
 
 # %% exercise 1, wrong: a reward of zero
@@ -122,7 +124,7 @@ late = 2.0
 late = 8
 
 # %% exercise 1, wrong: one digit
-# says: round it to two digits
+# says: ; you are close, round it to two digits after the decimal point
 late = 6.6
 
 # %% exercise 1, wrong: rounded the wrong way
@@ -143,7 +145,13 @@ late = lambda: 59 / 9
 late = [6.5, 7.0]
 
 
+# %% exercise 1, wrong: the decimal point
+# says: that is ten times as much, or the decimal point is in the wrong place
+late = 590 / 9
+
+
 # %% exercise 2, right: in one line
+# says: Right: what is given on the way to a state is taken back when it is left. Here are both policies:
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     return reward + discount * (0 if terminated else potential(next_state)) - potential(state)
 
@@ -187,57 +195,60 @@ shaped_reward = lambda r, p, s, n, end, g: r - p(s) + g * p(n) * (not end)
 
 
 # %% exercise 2, wrong: no discount
-# says: the potential of the next state counts γ φ(s')
+# says: the potential of the next state counts γ φ(s'), with the discount
+# says: , potential, 'bed', 'door',
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     return reward + (0 if terminated else potential(next_state)) - potential(state)
 
 
 # %% exercise 2, wrong: the end has a potential
-# says: its potential is 0 when `terminated`
+# says: after a terminal state there is nothing: its potential is 0 when `terminated`
+# says: ) with potential('bed') =
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     return reward + discount * potential(next_state) - potential(state)
 
 
 # %% exercise 2, wrong: neither discount nor end
-# says: γ
+# says: both mistakes: γ is missing before φ(s'), and the potential of a terminal state is 0
+# says: and potential('door') =
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     return reward + potential(next_state) - potential(state)
 
 
 # %% exercise 2, wrong: the sign
-# says: the sign is wrong
+# says: the sign is wrong: it is what the potential *gains*, γ φ(s') − φ(s)
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     after = 0 if terminated else discount * potential(next_state)
     return reward + potential(state) - after
 
 
 # %% exercise 2, wrong: no bill
-# says: φ(s) is not subtracted
+# says: φ(s) is not subtracted: that is a bonus which can be farmed
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     return reward + (0 if terminated else discount * potential(next_state))
 
 
 # %% exercise 2, wrong: a plain bonus
-# says: without the bill φ(s)
+# says: that is a bonus for the next state, without discount and without the bill φ(s)
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     return reward + potential(next_state)
 
 
 # %% exercise 2, wrong: the reward alone
-# says: that is the reward alone
+# says: that is the reward alone, without shaping
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     return reward
 
 
 # %% exercise 2, wrong: the shaping alone
-# says: add the reward
+# says: that is the shaping reward alone; add the reward
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     after = 0 if terminated else discount * potential(next_state)
     return after - potential(state)
 
 
 # %% exercise 2, wrong: no bill at the end
-# says: the bill still has to be paid
+# says: at the end the bill still has to be paid: − φ(s) counts also when `terminated`
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     if terminated:
         return reward
@@ -245,14 +256,14 @@ def shaped_reward(reward, potential, state, next_state, terminated, discount):
 
 
 # %% exercise 2, wrong: all of it discounted
-# says: only φ(s') is discounted
+# says: only φ(s') is discounted, not φ(s)
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     after = 0 if terminated else potential(next_state)
     return reward + discount * (after - potential(state))
 
 
 # %% exercise 2, wrong: the discount at the other one
-# says: γ belongs before φ(s')
+# says: γ belongs before φ(s'), not before φ(s)
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     after = 0 if terminated else potential(next_state)
     return reward + after - discount * potential(state)
@@ -280,21 +291,21 @@ def shaped_reward(reward, potential, state, next_state, terminated, discount):
 
 
 # %% exercise 2, wrong: the other potential is 0 at the end
-# says: φ(s') is 0, and not φ(s)
+# says: when `terminated`, φ(s') is 0, and not φ(s)
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     before = 0 if terminated else potential(state)
     return reward + discount * potential(next_state) - before
 
 
 # %% exercise 2, wrong: the wrong way round
-# says: `terminated` is the wrong way round
+# says: `terminated` is the wrong way round: φ(s') counts when it is False
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     after = potential(next_state) if terminated else 0
     return reward + discount * after - potential(state)
 
 
 # %% exercise 2, wrong: the other potential, and the wrong way round
-# says: not φ(s) when it is False
+# says: both: when `terminated` is True it is φ(s') that is 0, and not φ(s) when it is False
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     before = potential(state) if terminated else 0
     return reward + discount * potential(next_state) - before
@@ -325,12 +336,18 @@ def shaped_reward(reward, potential, state, next_state, discount):
 
 
 # %% exercise 2, wrong: discount and end exchanged
-# says: γ φ(s') is missing
+# says: γ φ(s') is missing; it counts unless `terminated`
 def shaped_reward(reward, potential, state, next_state, discount, terminated):
     return reward + (0 if terminated else discount * potential(next_state)) - potential(state)
 
 
+# %% exercise 2, wrong: a value
+# says: reward, potential, state, next_state, terminated and discount
+shaped_reward = 1.0
+
+
 # %% exercise 3, right: counts last
+# says: Right: one number more, and the next state depends on the state and the action alone again. See it learn:
 def transition(self, state, action, rng):
     t, d, c = state
     u = rng.random()
@@ -408,7 +425,8 @@ def initial(self, rng):
 
 
 # %% exercise 3, wrong: three chimes work
-# says: is it `chimes < 2`
+# says: she hears every chime; after two of them a chime should be like silence (is it `chimes < 2`?)
+# says: , rng) should lead to
 def transition(self, state, action, rng):
     time, depth, chimes = state
     luck = rng.random()
@@ -424,7 +442,7 @@ def transition(self, state, action, rng):
 
 
 # %% exercise 3, wrong: deaf to rings too
-# says: she is deaf to chimes only
+# says: after two chimes a ring does nothing any more: she is deaf to chimes only
 def transition(self, state, action, rng):
     time, depth, chimes = state
     luck = rng.random()
@@ -440,7 +458,7 @@ def transition(self, state, action, rng):
 
 
 # %% exercise 3, wrong: counted first
-# says: how many chimes came *before*
+# says: the second chime does nothing any more: look at how many chimes came *before* this one
 def transition(self, state, action, rng):
     time, depth, chimes = state
     if action == 1:
@@ -471,7 +489,7 @@ def transition(self, state, action, rng):
 
 
 # %% exercise 3, wrong: rings are counted
-# says: rings are counted as well
+# says: rings are counted as well; count chimes only
 def transition(self, state, action, rng):
     time, depth, chimes = state
     luck = rng.random()
@@ -487,7 +505,7 @@ def transition(self, state, action, rng):
 
 
 # %% exercise 3, wrong: every step is counted
-# says: count a chime only
+# says: every action is counted; count a chime only
 def transition(self, state, action, rng):
     time, depth, chimes = state
     luck = rng.random()
@@ -501,7 +519,7 @@ def transition(self, state, action, rng):
 
 
 # %% exercise 3, wrong: never counted
-# says: chimes are not counted
+# says: chimes are not counted: the third number has to grow with every chime
 def transition(self, state, action, rng):
     time, depth, chimes = state
     luck = rng.random()
@@ -515,7 +533,7 @@ def transition(self, state, action, rng):
 
 
 # %% exercise 3, wrong: the count goes on
-# says: keep it at 2
+# says: the count goes on above 2, and leaves the observation space: keep it at 2
 def transition(self, state, action, rng):
     time, depth, chimes = state
     luck = rng.random()
@@ -529,7 +547,7 @@ def transition(self, state, action, rng):
 
 
 # %% exercise 3, wrong: silence sets it back
-# says: she does not unlearn
+# says: the count is set back by another action; she does not unlearn what she is used to
 def transition(self, state, action, rng):
     time, depth, chimes = state
     luck = rng.random()
@@ -543,7 +561,7 @@ def transition(self, state, action, rng):
 
 
 # %% exercise 3, wrong: an unheard chime changes nothing
-# says: it should be like silence, in which it gets deeper
+# says: a chime that she does not hear leaves her sleep as it is; it should be like silence, in which it gets deeper
 def transition(self, state, action, rng):
     time, depth, chimes = state
     luck = rng.random()
@@ -577,7 +595,7 @@ def transition(self, state, action, rng):
 
 
 # %% exercise 3, wrong: time stands still
-# says: the time stands still
+# says: the time stands still: the first number has to grow by 1
 def transition(self, state, action, rng):
     time, depth, chimes = state
     luck = rng.random()
@@ -607,7 +625,7 @@ def transition(self, state, action, rng):
 
 
 # %% exercise 3, wrong: the count is left out of what is returned
-# says: should return three numbers
+# says: should return three numbers in a tuple, (time, depth, chimes), but returns
 def transition(self, state, action, rng):
     time, depth, chimes = state
     luck = rng.random()
@@ -634,13 +652,14 @@ def initial(self, rng):
 
 
 # %% exercise 3, wrong: a start with chimes
-# says: no chime yet
+# says: initial should return (0, 2, 0), fast asleep and no chime yet, but returns
 def initial(self, rng):
     return 0, 2, 2
 
 
 # %% exercise 3, wrong: two values for the count
-# says: observation_space should be
+# says: observation_space should be MultiDiscrete([self.length + 1, 3, 3]), one number for each part of the state, but
+#   is
 @property
 def observation_space(self):
     return MultiDiscrete([self.length + 1, 3, 2])
@@ -711,7 +730,8 @@ def initial(self, rng):
 
 
 # %% exercise 3, wrong: the count is hidden
-# says: should be the whole state
+# says: should be the whole state, but is
+# says: that method was right as it was, for only `observation_space`, `initial` and `transition` change
 def observation(self, state, rng):
     return state[0], state[1], 0
 
@@ -733,7 +753,17 @@ def reward(self, state, action, next_state, rng):
     return reward
 
 
+# %% exercise 3, wrong: a quarter
+# says: that is none of the usual mistakes: write down by hand what can happen
+def transition(self, state, action, rng):
+    time, depth, chimes = state
+    if rng.random() < 0.25:
+        depth = max(depth - 1, 0)
+    return time + 1, depth, chimes
+
+
 # %% exercise 4, right: a plant
+# says: A problem: 40 states, 2 actions, optimum 7.577.
 my_problem = Plant()
 
 # %% exercise 4, right: a plant for a month
@@ -803,7 +833,8 @@ my_problem = Tills()
 
 
 # %% exercise 4, wrong: a queue with a step limit
-# says: so the best action depends on how many steps are left
+# says: my_problem has `max_steps`, so the best action depends on how many steps are left: keep the time in the state,
+#   and end the episode by `terminal`, as Morning does
 class Queue(NamedTuple):
     """Open a second till when the queue gets long."""
 
@@ -897,11 +928,11 @@ my_problem = BusStop(longest=4)._replace(longest=6)
 my_problem = ...
 
 # %% exercise 4, wrong: the template
-# says: with which the cell began
+# says: that is the problem with which the cell began: write one of your own, under its own name
 my_problem = Template(days=8)
 
 # %% exercise 4, wrong: the problem of the lesson
-# says: the problem of the lesson
+# says: that is the problem of the lesson: write one of your own, under its own name
 my_problem = own_problem.Morning(late=20.0)
 
 
@@ -944,7 +975,8 @@ my_problem = Clock()
 
 
 # %% exercise 4, wrong: no NamedTuple
-# says: should inherit from NamedTuple
+# says: should inherit from NamedTuple, as the form does: class
+# says: (NamedTuple), with its numbers as fields and without __init__
 class Plain:
     days = 3
     action_space = Discrete(2)
@@ -970,7 +1002,8 @@ my_problem = Plain()
 
 
 # %% exercise 4, wrong: a queue without end
-# says: does a number in its state grow without end
+# says: states: does a number in its state grow without end? Give it a largest value, for example by min(queue + 1, 10)
+# says: my_problem has more than
 class Queue(NamedTuple):
     action_space = property(lambda self: Discrete(2))
     observation_space = property(lambda self: MultiDiscrete([1_000_000, 2]))
@@ -1010,7 +1043,7 @@ my_problem = Endless()
 
 
 # %% exercise 4, wrong: no chance
-# says: should have chance
+# says: my_problem should have chance in its dynamics: use `rng` in `transition`
 class Sure(Plant):
     __slots__ = ()
 
@@ -1033,7 +1066,7 @@ my_problem = Named()
 
 
 # %% exercise 4, wrong: the actions do nothing
-# says: no more than random actions
+# says: the best policy of my_problem earns no more than random actions: do the actions matter?
 class Weather(Plant):
     __slots__ = ()
 
@@ -1048,7 +1081,8 @@ my_problem = Weather()
 
 
 # %% exercise 4, wrong: watering is free
-# says: is best in every state
+# says: is best in every state, so there is nothing to decide: give it a price
+# says: in my_problem the action
 class Free(Plant):
     __slots__ = ()
 
@@ -1060,7 +1094,7 @@ my_problem = Free()
 
 
 # %% exercise 4, wrong: one reward for everything
-# says: the same reward
+# says: every transition of my_problem has the same reward, so all policies are equal
 class Flat(Plant):
     __slots__ = ()
 
@@ -1167,7 +1201,7 @@ my_problem = Typo()
 
 
 # %% exercise 4, wrong: too small
-# says: four states or more
+# says: my_problem should have two actions and four states or more, but has
 class Coin(NamedTuple):
     observation_space = property(lambda self: Discrete(2))
     action_space = property(lambda self: Discrete(2))

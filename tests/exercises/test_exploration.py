@@ -5,11 +5,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edugym import CountBased, make_mdp
+from edugym import SARSA, CountBased, make_mdp, repeat
 from edugym.exercises import exploration as exercises
 from edugym.grading.updates import Transition
-from edugym.lessons.exploration import EPSILON_GREEDY, METHODS, compare, race
+from edugym.lessons.exploration import EPSILON_GREEDY, METHODS, N_STEPS, compare, race
 from edugym.plotting import Curves, Lines
+from edugym.training.train import Run
 from tests.lessons.answers import solution
 
 LESSON = "01_exploration"
@@ -91,6 +92,27 @@ def test_epsilon() -> None:
     share = (1 - exercises.EPSILON / 2) ** 100
     assert share == pytest.approx(0.5, abs=1e-12)
     assert round(2 / exercises.EPSILON) == 145
+
+
+def test_runs_that_solve_the_lake_are_counted(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Those that end at 1: here the first two of Go-Explore, and all of the reader's own agent."""
+
+    def trained(environment: Any, agent: Any, n_steps: int, *, seed: int, **how: Any) -> Run:
+        made.append(agent)
+        n_own = sum(isinstance(one, SARSA) for one in made)
+        n_last = sum(type(one).__name__ == "GoExplore" for one in made)
+        solves = n_own > 0 if isinstance(agent, SARSA) else type(agent).__name__ == "GoExplore" and n_last <= 2
+        ends = np.array([1.0, 1.0 if solves else 0.99])
+        return Run(np.array([0, n_steps]), ends, np.zeros(2), np.zeros(2, int), agent, seed, 0.0, True)
+
+    made: list[Any] = []
+    monkeypatch.setattr("edugym.training.repeat.train", trained)
+    lake = {"map_name": "8x8", "is_slippery": False}
+    methods = {**METHODS, "mine": SARSA.create}
+    answer = repeat("FrozenLake-v1", methods, N_STEPS, repetitions=5, parameters=lake, jobs=1)
+    assert exercises.exercise_4(answer, 0).startswith(
+        "Right. Runs that solve the lake: ε-greedy 0 of 5, novelty reward 0 of 5, Go-Explore 2 of 5, mine 5 of 5. "
+    )
 
 
 @pytest.mark.slow

@@ -103,6 +103,8 @@ def test_settings() -> None:
         agent_with_table("Player", Player, (3, 2), {"rate": 0.25}, "w")
     with pytest.raises(WrongAnswer, match="Player should keep its field `speed`"):
         agent_with_table("Player", Player, (3, 2), {"speed": 1.0})
+    with pytest.raises(WrongAnswer, match=r"^Table should have a method `learn`$"):
+        agent_with_table("Table", NamedTuple("Table", [("Q", Any)]), (3, 2), {})
 
 
 def test_a_step_is_told_by_names() -> None:

@@ -1,14 +1,19 @@
 """The open challenge: seeds from names, scores against what is possible, and slips."""
 
+import math
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
+import pandas
 import pytest
 
 from edugym import QLearning
 from edugym.exercises.exploration import CHALLENGE, best_average
 from edugym.grading import WrongAnswer, challenge, seed_from_name
 from edugym.lessons.exploration import GO_EXPLORE, METHODS, best_return
+from edugym.results.statistics import Interval
+from edugym.results.tables import Results
 
 
 class Systematic(NamedTuple):
@@ -71,6 +76,51 @@ def test_scores() -> None:
     text = repr(none)
     assert "Ada: 0 of 100 points, behind" in text
     assert "| your agent | 0.00 | 0.00 |" in none._repr_markdown_()
+
+
+@pytest.mark.parametrize(
+    ("best", "average", "points"),
+    [
+        (4.0, 3.0, 75.0),
+        (4.0, 5.0, 100.0),
+        (4.0, -1.0, 0.0),
+        (-2.0, -8.0, 25.0),
+        (-2.0, -1.0, 100.0),
+        (-2.0, 0.0, 100.0),
+        (4.0, math.nan, 0.0),
+        (-2.0, math.nan, 0.0),
+    ],
+)
+def test_points(best: float, average: float, points: float) -> None:
+    """The share of the best average; where returns are negative it is divided the other way round."""
+    assert replace(CHALLENGE, best_average=best)._points(average) == pytest.approx(points)
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "where"), [(0.1, 0.7, "ahead of"), (-0.1, 0.9, "level with"), (-0.9, -0.1, "behind")]
+)
+def test_the_table_of_a_score(low: float, high: float, where: str) -> None:
+    """As text and in a notebook, to the letter."""
+    ahead = Interval((low + high) / 2, low, high, 10)
+    rows = {"possible": (1.0, 0.8), "your agent": (12.5, 0.25)}
+    score = challenge.Score("Ada", 62.4, rows, ahead, "novelty", Results(pandas.DataFrame()))
+    verdict = f"Ada: 62 of 100 points, {where} novelty (difference {ahead.estimate:+.2f}, "
+    verdict += f"95 % interval {low:+.2f} to {high:+.2f})."
+    assert repr(score).splitlines() == [
+        "            return at the end  average while learning",
+        "possible                 1.00                    0.80",
+        "your agent              12.50                    0.25",
+        "",
+        verdict,
+    ]
+    assert score._repr_markdown_().splitlines() == [
+        "| | return at the end | average while learning |",
+        "|---|---:|---:|",
+        "| possible | 1.00 | 0.80 |",
+        "| your agent | 12.50 | 0.25 |",
+        "",
+        verdict,
+    ]
 
 
 def test_what_is_possible() -> None:

@@ -1,6 +1,7 @@
 """How often an agent chooses each action."""
 
 from collections.abc import Callable
+from itertools import cycle
 from typing import Any
 
 import numpy as np
@@ -48,6 +49,24 @@ def test_wrong_choices(choose: Callable[[Any], Any], says: str) -> None:
     """Each is told what it is."""
     with pytest.raises(WrongAnswer, match=says):
         chosen(choose)
+
+
+@pytest.mark.parametrize(("ones", "accepted"), [(245, True), (355, True), (244, False), (356, False)])
+def test_how_far_shares_may_be(ones: int, accepted: bool) -> None:
+    """Of 600 draws between equals 4.5 standard deviations more or less than half, 55 draws."""
+    draws = cycle([1] * ones + [2] * (600 - ones))
+    if accepted:
+        chosen(lambda rng: next(draws))
+    else:
+        with pytest.raises(WrongAnswer, match="action 1 in 50% and action 2 in 50% of calls, but it chooses"):
+            chosen(lambda rng: next(draws))
+
+
+def test_what_should_never_be_chosen() -> None:
+    """One draw of it in 600 is too many."""
+    draws = cycle([0] + [1] * 300 + [2] * 299)
+    with pytest.raises(WrongAnswer, match="but it chooses action 0 in 0% and action 1 in 50%"):
+        chosen(lambda rng: next(draws))
 
 
 def test_placeholder_and_changed_tables() -> None:

@@ -17,6 +17,7 @@ from edugym.grading import WrongAnswer
 
 FOLDER = build.ROOT / "lessons" / "answers"
 TITLE = re.compile(r"# %% (?:exercise (?P<exercise>\d+), (?P<verdict>right|wrong): (?P<name>.+)|setup)$")
+SAYS = re.compile(r"^# says: (.+\n(?:#   .+\n)*)", flags=re.MULTILINE)
 
 
 class Answer(NamedTuple):
@@ -27,7 +28,7 @@ class Answer(NamedTuple):
         exercise: the number of the exercise, from 1.
         right: whether it is right.
         name: what is special about it.
-        says: what the message must contain if it is wrong.
+        says: what the message must contain; if it is right, the line that is printed.
         code: what stands in the cell, or methods that replace those of the solution.
     """
 
@@ -64,13 +65,13 @@ def read_answers(path: Path) -> tuple[str, list[Answer]]:
         title, _, body = part.partition("\n")
         found = TITLE.match(title)
         assert found, f"{path.name}: {title!r} should be like '# %% exercise 1, wrong: off by one'"
-        says = tuple(re.findall(r"^# says: (.+)$", body, flags=re.MULTILINE))
-        code = re.sub(r"^# says: .+\n", "", body, flags=re.MULTILINE).strip() + "\n"
+        says = tuple(words.strip().replace("\n#  ", "") for words in SAYS.findall(body))
+        code = SAYS.sub("", body).strip() + "\n"
         if found["exercise"] is None:
             setup = code
             continue
         right = found["verdict"] == "right"
-        assert right != bool(says), f"{path.name}: {title!r}: a wrong answer, and no other, has '# says: ...'"
+        assert right or says, f"{path.name}: {title!r}: a wrong answer has a line '# says: ...'"
         answers.append(Answer(path.stem, int(found["exercise"]), right, found["name"], says, code))
     return setup, answers
 

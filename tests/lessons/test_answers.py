@@ -3,15 +3,21 @@
 from collections import Counter
 from functools import cache
 from pathlib import Path
+from types import ModuleType
 
 import build
 import pytest
 
+import edugym.exercises
+from edugym.grading import agents, choices, results, updates, values
+from edugym.grading.one_step import Q_LEARNING
 from edugym.training.train import train
 from tests.lessons.answers import FOLDER, Answer, Exercise, read_answers, read_exercises, verdict
+from tests.lessons.hints import hints
 
 FILES = sorted(FOLDER.glob("*.py"))
 ANSWERS = [answer for path in FILES for answer in read_answers(path)[1]]
+GRADING = build.ROOT / "tests" / "grading"
 FEWEST_WRONG, FEWEST_RIGHT = 12, 6
 
 
@@ -28,21 +34,36 @@ def exercises_of(lesson: str) -> tuple[tuple[str, str], list[Exercise]]:
     return (imports, read_answers(FOLDER / f"{lesson}.py")[0]), exercises
 
 
+@cache
+def hints_of(lesson: str) -> dict[str, bool]:
+    """All that the checks of a lesson may say of a wrong answer, and whether it is a whole sentence."""
+    folder, name = Path(edugym.exercises.__path__[0]), lesson.partition("_")[2]
+    paths = [*folder.glob(f"{name}.py"), *folder.glob(f"{name}/*.py")]
+    return {hint: whole for path in paths for hint, whole in hints(path).items()}
+
+
 @pytest.mark.parametrize("answer", ANSWERS, ids=lambda answer: f"{answer.lesson}-{answer.exercise}-{answer.name}")
-def test_an_answer(answer: Answer) -> None:
-    """A right one passes; a wrong one is refused in one sentence that says which mistake it is."""
+def test_an_answer(answer: Answer, capsys: pytest.CaptureFixture[str]) -> None:
+    """A right one passes, with one line; a wrong one is refused in one sentence that says which mistake it is."""
     before, exercises = exercises_of(answer.lesson)
     said = verdict(answer, exercises[answer.exercise - 1], before)
+    printed = capsys.readouterr().out
     assert (said == "") == answer.right, said or "the check accepts it"
+    assert [line.startswith("✓ ") for line in printed.splitlines()].count(True) == int(answer.right)
+    if answer.right:
+        assert all(f"✓ {words}\n" in printed for words in answer.says)
+        return
     for words in answer.says:
         assert words in said
+        longer = {hint for hint in hints_of(answer.lesson) if words in hint and words != hint and hint in said}
+        assert words not in hints_of(answer.lesson) or not longer, "a hint that contains this one"
     assert "\n" not in said
     assert len(said) < 700
 
 
 @pytest.mark.parametrize("path", sorted((build.ROOT / "lessons").glob("[0-9][0-9]_*.py")), ids=lambda path: path.stem)
 def test_every_exercise_has_answers(path: Path) -> None:
-    """Twelve wrong and six right ones or more for each exercise of each lesson, and no two alike."""
+    """Twelve wrong and six right ones or more for each exercise, one of them with its praise, and no two alike."""
     _, exercises = exercises_of(path.stem)
     answers = [answer for answer in ANSWERS if answer.lesson == path.stem]
     counts = Counter((answer.exercise, answer.right) for answer in answers)
@@ -50,7 +71,32 @@ def test_every_exercise_has_answers(path: Path) -> None:
         assert exercise.check, f"exercise {number} is checked by no call of `check`"
         assert counts[number, False] >= FEWEST_WRONG
         assert counts[number, True] >= FEWEST_RIGHT
+        assert any(answer.says for answer in answers if answer.exercise == number and answer.right)
     assert len({(answer.exercise, answer.code) for answer in answers}) == len(answers)
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+def test_every_hint_is_told(path: Path) -> None:
+    """Whatever a check may say of a wrong answer stands, word for word, behind a `# says:` of its lesson."""
+    told = {words for answer in ANSWERS if answer.lesson == path.stem for words in answer.says}
+    all_of_it = "\n".join(told)
+    assert hints_of(path.stem)
+    assert not {hint for hint, whole in hints_of(path.stem).items() if hint not in (told if whole else all_of_it)}
+
+
+@pytest.mark.parametrize("module", [agents, choices, results, updates, values], ids=lambda module: module.__name__)
+def test_every_shared_hint_is_told(module: ModuleType) -> None:
+    """What the checks of several lessons say stands behind a `# says:`, or in the tests of `edugym.grading`."""
+    told = [words for answer in ANSWERS for words in answer.says]
+    told += [path.read_text(encoding="utf-8").replace("\\", "") for path in GRADING.glob("test_*.py")]
+    all_of_it = "\n".join(told)
+    assert not {hint for hint in hints(Path(str(module.__file__))) if hint not in all_of_it}
+
+
+def test_every_mistake_of_q_learning_is_told() -> None:
+    """Several exercises share them; each is told in one of them or more."""
+    told = {words for answer in ANSWERS for words in answer.says}
+    assert not {sentence for sentence in Q_LEARNING.mistakes if sentence not in told}
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)

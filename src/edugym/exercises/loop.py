@@ -168,22 +168,14 @@ def _choice_mistakes(values: Any, epsilon: float) -> dict[str, list[float]]:
     first, last = np.eye(n)[int(values.argmax())], np.eye(n)[n - 1 - int(values[::-1].argmax())]
     worst = (values == values.min()) / (values == values.min()).sum()
     others = ~best / (~best).sum() if (~best).any() else uniform
-    but_one = np.delete(np.arange(n), int(values.argmax()))
-    others_of_first = np.isin(np.arange(n), but_one) / (n - 1)
     but_last = np.arange(n) < n - 1
     mixed = {
         "ties should be broken at random, and it takes the first of equals": (first, uniform),
         "ties should be broken at random, and it takes the last of equals": (last, uniform),
         "it never explores: what is `epsilon` for?": (greedy, greedy),
-        "it never explores, and takes the first of equals": (first, first),
         "it always acts at random: it should take the highest value with probability 1 − ε": (uniform, uniform),
         "it takes the *lowest* value": (worst, uniform),
         "a random action may be the best one too; this one is drawn among the others only": (greedy, others),
-        "a random action may be the best one too, and ties should be broken at random": (first, others),
-        "a random action may be the best one too; this one is drawn among the others only, and ties go to the first": (
-            first,
-            others_of_first,
-        ),
         "the random action is never the last one: `rng.integers(n)` is from 0 to n − 1 already": (
             greedy,
             but_last / (n - 1),
@@ -196,9 +188,6 @@ def _choice_mistakes(values: Any, epsilon: float) -> dict[str, list[float]]:
     }
     found["ε and 1 − ε have changed places: it explores with probability 1 − ε"] = (
         epsilon * greedy + (1 - epsilon) * uniform
-    ).tolist()
-    found["ε and 1 − ε have changed places, and ties go to the first"] = (
-        epsilon * first + (1 - epsilon) * uniform
     ).tolist()
     return found
 

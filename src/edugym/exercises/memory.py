@@ -72,6 +72,7 @@ def exercise_2(answer: Any, seed: int) -> str:
     """Check the class of a window with actions."""
     require_class("MyWindow", answer)
     rng = np.random.default_rng(seed)
+    pushes: list[tuple[Any, int, int, Any]] = []
     for k, n, m in ((4, 4, 3), (3, 3, 2), (2, 5, 4)):
         with running("MyWindow(...)"):
             made = answer(MemoryCorridor.create(m), k=k, n_observations=n, n_actions=m)
@@ -79,7 +80,9 @@ def exercise_2(answer: Any, seed: int) -> str:
             window = _some_window(k, n, m, rng)
             while len(window) > 3 and np.array_equal(window[:-2], window[2:]):
                 window = _some_window(k, n, m, rng)
-            _check_push(made, window, int(rng.integers(m)), int(rng.integers(n)))
+            action, seen = int(rng.integers(m)), int(rng.integers(n))
+            pushes.append((window, action, seen, _pushed(made, window, action, seen)))
+    _compare_pushes(pushes)
     for k, n, m in ((2, 3, 2), (2, 2, 3), (3, 3, 2), (3, 2, 3)):
         _check_rows(answer(MemoryCorridor.create(m), k=k, n_observations=n, n_actions=m), k, n, m)
     return "Right: the history includes the actions. See it race:"
@@ -112,8 +115,10 @@ PUSHES: Mapping[str, Callable[[Any, int, int], Any]] = MappingProxyType(
         "the new action is missing: 0 stands in its place": lambda w, a, o: [*w[2:], 0, o],
         "the new observation is missing: 0 stands in its place": lambda w, a, o: [*w[2:], a, 0],
         "the new observation is missing; the old one stands in its place": lambda w, a, o: [*w[2:], a, w[-1]],
-        "it moves by one entry only; an action *and* an observation are new": lambda w, a, o: [*w[1:-1], a, o][
-            -len(w) :
+        "it moves by one entry only; an action *and* an observation are new": lambda w, a, o: [
+            *w[1:-1],
+            a,
+            o,
         ],
         "it moves the wrong way: the oldest ones should go": lambda w, a, o: [*np.roll(w, 2)[:-2], a, o],
         "only the observations move; the actions should move with them": lambda w, a, o: _only(w, a, o, 0),
@@ -131,10 +136,9 @@ def _only(window: Any, action: int, seen: int, start: int) -> Any:
     return moved
 
 
-def _check_push(made: Any, window: Any, action: int, seen: int) -> None:
-    """Check one call of `push`."""
-    call = f"push({window.tolist()}, {action}, {seen})"
-    mine = window.copy()
+def _pushed(made: Any, window: Any, action: int, seen: int) -> Any:
+    """Return what a student's `push` gives: as many entries as before."""
+    call, mine = _push(window, action, seen), window.copy()
     with running(call):
         found = made.push(mine, action, seen)
     given(call, found)
@@ -143,8 +147,7 @@ def _check_push(made: Any, window: Any, action: int, seen: int) -> None:
             f"{call} changes the window that it is given, which still belongs to the state before: make a new one, with"
             " window.copy() or np.concatenate"
         )
-    right = [*window[2:].tolist(), action, seen]
-    told = f"{call} should give {right}, but gives"
+    told = f"{call} should give {_moved(window, action, seen)}, but gives"
     if not isinstance(found, np.ndarray | list | tuple):
         raise WrongAnswer(f"{told} {found!r}: the window is an array")
     entries = np.asarray(found)
@@ -152,17 +155,33 @@ def _check_push(made: Any, window: Any, action: int, seen: int) -> None:
         raise WrongAnswer(
             f"{told} {entries.tolist()}: the window should stay {len(window)} entries long, so two go and two come"
         )
-    if not np.array_equal(entries, right):
-        fitting = [why for why, rule in PUSHES.items() if np.array_equal(rule(window, action, seen), entries)]
-        why = fitting[0] if fitting else "the first two entries should go, and action and observation come at the end"
-        raise WrongAnswer(f"{told} {entries.tolist()}: {why}")
-    if not isinstance(found, np.ndarray):
-        raise WrongAnswer(f"{call} gives a {type(found).__name__}: give a NumPy array, as the window is one")
-    if found.dtype.kind not in "iu":
-        raise WrongAnswer(
-            f"{call} gives {found.dtype} numbers, but whole numbers are needed, so start from window.copy(), or"
-            " np.zeros(len(window), np.int64)"
-        )
+    return found
+
+
+def _push(window: Any, action: int, seen: int) -> str:
+    return f"push({window.tolist()}, {action}, {seen})"
+
+
+def _moved(window: Any, action: int, seen: int) -> list[int]:
+    """Return the window that is right."""
+    return [*window[2:].tolist(), action, seen]
+
+
+def _compare_pushes(pushes: list[tuple[Any, int, int, Any]]) -> None:
+    """Compare all windows with those that are right; a mistake is named if it explains them all."""
+    fitting = [why for why, rule in PUSHES.items() if all(np.array_equal(rule(*case), mine) for *case, mine in pushes)]
+    why = [*fitting, "the first two entries should go, and action and observation come at the end"][0]
+    for *case, found in pushes:
+        call, right, entries = _push(*case), _moved(*case), np.asarray(found)
+        if not np.array_equal(entries, right):
+            raise WrongAnswer(f"{call} should give {right}, but gives {entries.tolist()}: {why}")
+        if not isinstance(found, np.ndarray):
+            raise WrongAnswer(f"{call} gives a {type(found).__name__}: give a NumPy array, as the window is one")
+        if found.dtype.kind not in "iu":
+            raise WrongAnswer(
+                f"{call} gives {found.dtype} numbers, but whole numbers are needed, so start from window.copy(), or"
+                " np.zeros(len(window), np.int64)"
+            )
 
 
 DIGITS = (

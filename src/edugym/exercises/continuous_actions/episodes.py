@@ -284,24 +284,24 @@ def _same(one: Any, other: Any) -> bool:
 
 def _told(case: Case, right: Any, found: Any) -> str:
     """Return what was expected, and what came."""
-    for name, before, expected, mine in zip(
-        ("preferences", "V"), (case.preferences, case.V), right, found, strict=True
-    ):
-        wrong = np.argwhere(~np.isclose(expected, mine, rtol=1e-9, atol=1e-9))
-        if len(wrong):
-            entry = tuple(int(i) for i in wrong[0])
-            index = ", ".join(map(str, entry))
-            state = entry[0]
-            from_, to = f"{before[entry]:.4g}", f"{expected[entry]:.4g}"
-            should = f"should stay at {to}" if from_ == to else f"should go from {from_} to {to}"
-            return (
-                f"after the episode with states {case.states}, actions {case.actions} and rewards {case.rewards}, where"
-                f" γ = {SETTINGS['discount']:g}, α^θ = {SETTINGS['learning_rate']:g},"
-                f" α^w = {SETTINGS['value_learning_rate']:g}, V[{state}] = {case.V[state]:g} and"
-                f" preferences[{state}] = {case.preferences[state].tolist()}, {name}[{index}] {should},"
-                f" but is {mine[entry]:.4g}"
-            )
-    return "an entry is not a number"
+    tables = zip(("preferences", "V"), (case.preferences, case.V), right, found, strict=True)
+    name, before, expected, mine = next(four for four in tables if len(_differing(*four[2:])))
+    entry = tuple(int(i) for i in _differing(expected, mine)[0])
+    index, state = ", ".join(map(str, entry)), entry[0]
+    from_, to = f"{before[entry]:.4g}", f"{expected[entry]:.4g}"
+    should = f"should stay at {to}" if from_ == to else f"should go from {from_} to {to}"
+    return (
+        f"after the episode with states {case.states}, actions {case.actions} and rewards {case.rewards}, where"
+        f" γ = {SETTINGS['discount']:g}, α^θ = {SETTINGS['learning_rate']:g},"
+        f" α^w = {SETTINGS['value_learning_rate']:g}, V[{state}] = {case.V[state]:g} and"
+        f" preferences[{state}] = {case.preferences[state].tolist()}, {name}[{index}] {should},"
+        f" but is {mine[entry]:.4g}"
+    )
+
+
+def _differing(expected: Any, mine: Any) -> Any:
+    """Return the indices of the entries that differ."""
+    return np.argwhere(~np.isclose(expected, mine, rtol=1e-9, atol=1e-9))
 
 
 def _learned(kind: Any, case: Case) -> tuple[Any, Any]:

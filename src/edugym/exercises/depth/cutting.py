@@ -46,7 +46,7 @@ def hand_back(
     }[steps]
     if order == "forwards":
         ks = range(last + 1)
-    G = 0.0 if start == "zero" else float(Q[N_STATES - 1].max()) + (1.0 if start == "one" else 0.0)
+    G = 0.0 if start == "zero" else float(Q[N_STATES - 1].max())
     for k in ks:
         s, a, r = episode.states[k], episode.actions[k], episode.rewards[k]
         if index == "k + 1":
@@ -68,7 +68,7 @@ def hand_back(
                 "difference": old + learning_rate * (G - old),
                 "skips exploring": old + learning_rate * (G - old),
                 "no old": old + learning_rate * G,
-                "only": learning_rate * G,
+                "only": learning_rate * (G - old),
                 "weights": learning_rate * old + (1 - learning_rate) * G,
                 "minus": old - learning_rate * (G - old),
                 "replaced": G,

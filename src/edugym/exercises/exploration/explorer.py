@@ -13,6 +13,8 @@ from edugym.grading.updates import Tables, Transition, Update
 from edugym.grading.wrong import WrongAnswer
 
 DRAWS = 20
+LAST_STATE = 4
+"""The top of the lowest wall of the check."""
 UNTRIED = "a grip that was never tried comes first, whatever Q says of it"
 
 
@@ -130,9 +132,15 @@ def check_act(agent: Any, n_grips: int) -> None:
             [*range(3, 3 + others), 0],
             [1.0] * others + [-1.0],
             last,
-            {UNTRIED: [1 / others] * others + [0.0], "it takes the grip that was tried most often": last[::-1]},
+            {UNTRIED: [1 / others] * others + [0.0]},
         ),
         ([0, *range(1, n_grips)], [-1.0] + [1.0] * others, first, {UNTRIED: but_first}),
+        (
+            [1, *range(5, 5 + others)],
+            [2.0] + [1.0] * others,
+            first,
+            {"once all grips were tried the best one counts, and it takes the worst": but_first},
+        ),
         (
             [7, *range(1, n_grips)],
             [2.0] + [1.0] * others,
@@ -143,7 +151,6 @@ def check_act(agent: Any, n_grips: int) -> None:
                     1.0,
                     *[0.0] * (others - 1),
                 ],
-                "once all grips were tried the best one counts, and it takes the worst": but_first,
             },
         ),
         (
@@ -161,7 +168,8 @@ def check_act(agent: Any, n_grips: int) -> None:
             },
         ),
     ]
-    for state, (tries, values, expected, mistakes) in enumerate(cases):
+    for k, (tries, values, expected, mistakes) in enumerate(cases):
+        state = k % LAST_STATE
         agent.tries[state], agent.Q[state] = tries, values
         agent.visits[state] = sum(tries)
         check_choices(
@@ -172,7 +180,7 @@ def check_act(agent: Any, n_grips: int) -> None:
             tables={name: getattr(agent, name) for name in ("Q", "visits", "tries")},
             where=f"where tries[{state}] = {tries} and Q[{state}] = {values}",
         )
-    _check_untried(agent, len(cases), n_grips)
+    _check_untried(agent, LAST_STATE, n_grips)
 
 
 def _check_untried(agent: Any, state: int, n_grips: int) -> None:

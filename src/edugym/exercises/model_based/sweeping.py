@@ -247,7 +247,7 @@ def _compare_memory(
     where = "the pair that was tried" if (s, a) == pair else "a pair that was not tried"
     if again:
         hint = "that pair was known already, and then nothing should change"
-    elif s == next_state != pair[0]:
+    elif next_state != pair[0] and next_state in wrong[:, 0]:
         hint = "it is remembered for next_state; what followed belongs to the pair that was tried, [state, action]"
     elif name == "ends":
         hint = "`ends` should be 1 if `terminated`, else 0"
