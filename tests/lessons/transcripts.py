@@ -1,0 +1,206 @@
+"""What a lesson shows, as text: its claims and figures, and what its cells show, after made-up training.
+
+    python -m tests.lessons.transcripts [NAME ...]
+
+writes the files in the folder `transcripts` again. The difference says what has changed for readers.
+"""
+
+import ast
+import contextlib
+import io
+import json
+import linecache
+import re
+import sys
+import tempfile
+import warnings
+import zlib
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+from unittest.mock import patch
+
+import build
+import gymnasium
+import numpy as np
+from rules import is_check, is_code, without_marks
+
+from edugym.lessons import load_experiments
+from edugym.notebook.prediction import Prediction
+from edugym.results.tables import Results
+from edugym.training.configuration import described
+from edugym.training.repeat import repeat
+from edugym.training.train import Run, train
+from tests.lessons.drawn import drawn
+
+FOLDER = Path(__file__).parent / "transcripts"
+NOTEBOOKS = {path.stem.partition("_")[2]: path for path in sorted((build.ROOT / "lessons").glob("[0-9][0-9]_*.py"))}
+RETURNS = {"exploration": (0.0, 1.0), "signal": (-1_000.0, 7_000.0)}
+"""From where to where the made-up returns are, if not from -20 to 100; those up to 1 are 0 or 1."""
+ANY_RETURN = (-20.0, 100.0)
+STEPS = 50
+"""The steps for which agents really train."""
+LEFT_OUT = ("importlib.util", "arms.trainer(", "best_return(0.1", "crossing_by_attitude()", "repetitions=24)", "play_at_random(env", "after=300")
+"""What is in the cells that are not run: they take long, write files or install the package."""
+NUMBER = re.compile(r"[-+]?\d+(?:[.,]\d+)*(?:e[-+]?\d+)?")
+
+
+def transcript(lesson: str) -> str:
+    """Return all that a lesson shows, after made-up training."""
+    module = load_experiments(lesson)
+    with short_training(module, RETURNS.get(lesson, ANY_RETURN)), warnings.catch_warnings(action="ignore"):
+        report = module.report(repetitions=2, jobs=1)
+        lines = [line for claim in report.claims for line in claimed(claim)]
+        lines += [line for sheet in report.figures for line in drawn(sheet)]
+        lines += shown_by_cells(NOTEBOOKS[lesson])
+    return "\n".join(lines) + "\n"
+
+
+def claimed(claim: Any) -> list[str]:
+    """Return the lines on a claim."""
+    verdict = "holds" if claim.holds else "fails"
+    measured = f"{claim.measured.estimate:.4g} ({claim.measured.low:.4g} to {claim.measured.high:.4g})"
+    return [
+        f"claim: {claim.statement}",
+        f"  {claim.quantity}: {measured}, n = {claim.measured.n}, expected {claim.expected}: {verdict}",
+        *([f"  {claim.reason}"] if claim.reason else []),
+    ]
+
+
+class Again(dict[int, Any]):
+    """The agents of a few runs, which stand for those of all others too."""
+
+    def __missing__(self, run: int) -> Any:
+        """Return an agent of the runs that there are."""
+        return self[run % len(self)]
+
+
+@contextlib.contextmanager
+def short_training(lesson: Any, returns: tuple[float, float]) -> Iterator[None]:
+    """Let agents train for a few steps, twice at most, with returns that depend on all arguments and on nothing else."""
+
+    def made_up(environment: Any, agent: Any, n_steps: int, **how: Any) -> Run:
+        how = {name: value for name, value in how.items() if name not in ("stop", "progress") and value is not None}
+        rng = np.random.default_rng(zlib.crc32(told(environment, agent, n_steps, how).encode()))
+        few = min(n_steps, STEPS)
+        run = train(environment, agent, few, **how | {"evaluate_every": few, "evaluation_episodes": 1})
+        every = how.get("evaluate_every", max(1, n_steps // 100))
+        steps = np.unique(np.append(np.arange(0, n_steps, every), n_steps))
+        made = rng.uniform(*returns, (2, len(steps)))
+        made = np.round(made, 0 if returns[1] <= 1 else 2)
+        made[:, 0] = returns[0]
+        return Run(steps, made[0], made[1], rng.integers(1, 9, len(steps)), run.agent, run.seed, 0.0, complete=True)
+
+    def twice(*arguments: Any, **how: Any) -> Results:
+        results = repeat(*arguments, **how | {"repetitions": min(how.get("repetitions", 10), 2), "jobs": 1})
+        return Results(results.table, {method: Again(agents) for method, agents in results.agents.items()})
+
+    with contextlib.ExitStack() as stack:
+        for module in [module for name, module in sys.modules.items() if name.partition(".")[0] == "edugym"]:
+            for name, real, instead in (("train", train, made_up), ("repeat", repeat, twice)):
+                if vars(module).get(name) is real:
+                    stack.enter_context(patch.object(module, name, instead))
+        if hasattr(lesson, "train_network"):
+            stack.enter_context(patch.object(lesson, "train_network", side_effect=ImportError))
+        stack.enter_context(patch.object(Prediction, "measured", lambda _, value, *more: f"measured: {value}"))
+        yield
+
+
+def told(environment: Any, agent: Any, n_steps: int, how: dict[str, Any]) -> str:
+    """Return what a run is made of, as text: the same on every machine, and without the contents of long tables."""
+    settings = []
+    for part in (environment, agent):
+        part = part.unwrapped if isinstance(part, gymnasium.Env) else part
+        part = getattr(part, "mdp", part) if isinstance(part, gymnasium.Env) else part
+        try:
+            settings.append(described(part, "it"))
+        except TypeError:
+            settings.append({"it": type(part).__name__})
+    plain = json.dumps([settings, n_steps, sorted(how.items())], default=str, ensure_ascii=False)
+    plain = re.sub(r'\\"sha256\\": \\"\w+\\"', "", plain)
+    return re.sub(r"\d+\.\d+(?:e[-+]?\d+)?", lambda found: f"{float(found[0]):.6g}", plain)
+
+
+def shown_by_cells(path: Path) -> list[str]:
+    """Return what the cells of a lesson print and show, each below its first line; exercises are left out."""
+    lines: list[str] = []
+    shown: list[Any] = []
+    namespace: dict[str, Any] = {"__name__": "__main__", "display": lambda *values: shown.extend(values)}
+    for cell in build.read_lesson(path).cells:
+        left_out = not is_code(cell) or is_check(cell)
+        if left_out or any(text in cell.source for text in LEFT_OUT):
+            continue
+        source = without_marks(cell.source)
+        body = ast.parse(source).body
+        last = body.pop().value if body and isinstance(body[-1], ast.Expr) else ast.parse("None", mode="eval").body
+        file = f"<{path.stem}, {cell.id}>"
+        linecache.cache[file] = (len(source), None, source.splitlines(keepends=True), file)
+        printed = io.StringIO()
+        with contextlib.redirect_stdout(printed):
+            exec(compile(ast.Module(body, []), file, "exec"), namespace)
+            shown.append(eval(compile(ast.Expression(last), file, "eval"), namespace))
+        texts = [*printed.getvalue().splitlines(), *(line for value in shown for line in told_of(value))]
+        shown.clear()
+        lines += [f"cell: {cell.source.splitlines()[0]}", *(f"  {text}" for text in texts)] if texts else []
+    return lines
+
+
+def told_of(value: Any) -> Iterator[str]:
+    """Yield lines on a value that a cell shows: figures, controls at their ends, films, scores; not listings of code."""
+    kind = type(value).__name__
+    if hasattr(value, "rows") and hasattr(value, "draw"):
+        yield from drawn(value)
+    elif kind == "Sliders":
+        for name, ends in settings_of(value).items():
+            yield f"{name}: {ends}"
+            for line in told_of(value.function(**ends)):
+                yield f"  {line}"
+    elif kind == "Film":
+        lines = [frame.line for frame in value.frames]
+        yield f"film of {len(lines)} frames, {lines[0]!r} to {lines[-1]!r}"
+    elif kind in ("Comparison", "Score", "str"):
+        yield from str(value).splitlines()
+    elif isinstance(value, int | float | np.number):
+        yield f"{value:.4g}"
+
+
+def settings_of(sliders: Any) -> dict[str, dict[str, Any]]:
+    """Return the arguments at which the controls start, and those at both their ends."""
+    found: dict[str, dict[str, Any]] = {"start": {}, "low": {}, "high": {}}
+    for name, control in sliders.controls.items():
+        found["start"][name] = control.value
+        options = getattr(control, "options", None) or (False, True)
+        values = [option[1] if isinstance(option, tuple) else option for option in options]
+        found["low"][name] = getattr(control, "min", values[0])
+        found["high"][name] = getattr(control, "max", values[-1])
+    return found
+
+
+def difference(old: str, new: str) -> list[str]:
+    """Return the first lines that differ by more than the last digits of a number, as in a diff."""
+    olds, news = old.splitlines(), new.splitlines()
+    for number, (before, now) in enumerate(zip(olds, news, strict=False), start=1):
+        if not alike(before, now):
+            return [f"line {number}:", f"- {before}", f"+ {now}"]
+    return [] if len(olds) == len(news) else [f"{len(olds)} lines before, {len(news)} now"]
+
+
+def alike(before: str, now: str) -> bool:
+    """Whether two lines have the same words, and the same numbers but for their last digits."""
+    if NUMBER.sub("0", before) != NUMBER.sub("0", now):
+        return False
+    numbers = [[float(text.replace(",", "")) for text in NUMBER.findall(line)] for line in (before, now)]
+    return bool(np.allclose(*numbers, rtol=2e-3, atol=1e-6))
+
+
+def main(names: list[str]) -> None:
+    """Write the transcripts again."""
+    FOLDER.mkdir(exist_ok=True)
+    for lesson in names or NOTEBOOKS:
+        with tempfile.TemporaryDirectory() as folder, contextlib.chdir(folder):
+            text = transcript(lesson)
+        (FOLDER / f"{lesson}.txt").write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
