@@ -16,6 +16,7 @@ import tempfile
 import warnings
 import zlib
 from collections.abc import Iterator
+from itertools import zip_longest
 from pathlib import Path
 from typing import Any
 from unittest.mock import patch
@@ -31,7 +32,7 @@ from edugym.results.tables import Results
 from edugym.training.configuration import described
 from edugym.training.repeat import repeat
 from edugym.training.train import Run, train
-from tests.lessons.drawn import drawn
+from tests.lessons.drawn import drawn, numbers
 
 FOLDER = Path(__file__).parent / "transcripts"
 NOTEBOOKS = {path.stem.partition("_")[2]: path for path in sorted((build.ROOT / "lessons").glob("[0-9][0-9]_*.py"))}
@@ -42,7 +43,8 @@ STEPS = 50
 """The steps for which agents really train."""
 LEFT_OUT = ("importlib.util", "arms.trainer(", "best_return(0.1", "crossing_by_attitude()", "repetitions=24)", "play_at_random(env", "after=300")
 """What is in the cells that are not run: they take long, write files or install the package."""
-NUMBER = re.compile(r"[-+]?\d+(?:[.,]\d+)*(?:e[-+]?\d+)?")
+DATA = re.compile(r"\[[^\]]*\]")
+NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 
 
 def transcript(lesson: str) -> str:
@@ -59,10 +61,9 @@ def transcript(lesson: str) -> str:
 def claimed(claim: Any) -> list[str]:
     """Return the lines on a claim."""
     verdict = "holds" if claim.holds else "fails"
-    measured = f"{claim.measured.estimate:.4g} ({claim.measured.low:.4g} to {claim.measured.high:.4g})"
     return [
         f"claim: {claim.statement}",
-        f"  {claim.quantity}: {measured}, n = {claim.measured.n}, expected {claim.expected}: {verdict}",
+        f"  {claim.quantity}: {numbers(claim.measured)}, expected {claim.expected}: {verdict}",
         *([f"  {claim.reason}"] if claim.reason else []),
     ]
 
@@ -177,20 +178,25 @@ def settings_of(sliders: Any) -> dict[str, dict[str, Any]]:
 
 
 def difference(old: str, new: str) -> list[str]:
-    """Return the first lines that differ by more than the last digits of a number, as in a diff."""
+    """Return the first lines that differ by more than the last digits of data, as in a diff."""
     olds, news = old.splitlines(), new.splitlines()
-    for number, (before, now) in enumerate(zip(olds, news, strict=False), start=1):
+    for number, (before, now) in enumerate(zip_longest(olds, news, fillvalue=""), start=1):
         if not alike(before, now):
             return [f"line {number}:", f"- {before}", f"+ {now}"]
-    return [] if len(olds) == len(news) else [f"{len(olds)} lines before, {len(news)} now"]
+    return []
 
 
 def alike(before: str, now: str) -> bool:
-    """Whether two lines have the same words, and the same numbers but for their last digits."""
-    if NUMBER.sub("0", before) != NUMBER.sub("0", now):
+    """Whether two lines are the same but for the last digits of data, which stand in brackets."""
+    if before == now:
+        return True
+    if DATA.sub("", before) != DATA.sub("", now):
         return False
-    numbers = [[float(text.replace(",", "")) for text in NUMBER.findall(line)] for line in (before, now)]
-    return bool(np.allclose(*numbers, rtol=2e-3, atol=1e-6))
+    for one, other in zip(DATA.findall(before), DATA.findall(now), strict=True):
+        values = [[float(number) for number in NUMBER.findall(data)] for data in (one, other)]
+        if NUMBER.sub("0", one) != NUMBER.sub("0", other) or not np.allclose(*values, rtol=2e-3, atol=1e-6):
+            return False
+    return True
 
 
 def main(names: list[str]) -> None:
