@@ -1,9 +1,4 @@
-"""What a lesson shows, as text: its claims and figures, and what its cells show, after made-up training.
-
-    python -m tests.lessons.transcripts [NAME ...]
-
-writes the files in the folder `transcripts` again. The difference says what has changed for readers.
-"""
+"""What a lesson shows, as text: its claims and figures, and what its cells show, after training that is made up."""
 
 import ast
 import contextlib
@@ -12,7 +7,6 @@ import json
 import linecache
 import re
 import sys
-import tempfile
 import warnings
 import zlib
 from collections.abc import Iterator
@@ -24,7 +18,7 @@ from unittest.mock import patch
 import build
 import gymnasium
 import numpy as np
-from rules import is_check, is_code, without_marks
+from rules import is_code, without_marks
 
 from edugym.lessons import load_experiments
 from edugym.notebook.prediction import Prediction
@@ -41,8 +35,13 @@ RETURNS = {"exploration": (0.0, 1.0), "signal": (-1_000.0, 7_000.0)}
 ANY_RETURN = (-20.0, 100.0)
 STEPS = 50
 """The steps for which agents really train."""
-LEFT_OUT = ("importlib.util", "arms.trainer(", "best_return(0.1", "crossing_by_attitude()", "repetitions=24)", "play_at_random(env", "after=300")
-"""What is in the cells that are not run: they take long, write files or install the package."""
+LEFT_OUT = (
+    "importlib.util",  # installs the package
+    "arms.trainer(",  # trains a network
+    "CHALLENGE.score(",
+    "best_return(0.1", "crossing_by_attitude()", "repetitions=24)", "play_at_random(env", "after=300",
+)  # fmt: skip
+"""What is in the cells that are not run; the others in the list take seconds, and show what further cells show."""
 DATA = re.compile(r"\[[^\]]*\]")
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 
@@ -78,7 +77,7 @@ class Again(dict[int, Any]):
 
 @contextlib.contextmanager
 def short_training(lesson: Any, returns: tuple[float, float]) -> Iterator[None]:
-    """Let agents train for a few steps, twice at most, with returns that depend on all arguments and on nothing else."""
+    """Let agents train for a few steps, twice at most, with returns that depend on nothing but the arguments."""
 
     def made_up(environment: Any, agent: Any, n_steps: int, **how: Any) -> Run:
         how = {name: value for name, value in how.items() if name not in ("stop", "progress") and value is not None}
@@ -103,8 +102,13 @@ def short_training(lesson: Any, returns: tuple[float, float]) -> Iterator[None]:
                     stack.enter_context(patch.object(module, name, instead))
         if hasattr(lesson, "train_network"):
             stack.enter_context(patch.object(lesson, "train_network", side_effect=ImportError))
-        stack.enter_context(patch.object(Prediction, "measured", lambda _, value, *more: f"measured: {value}"))
+        stack.enter_context(patch.object(Prediction, "measured", lambda _, value, *more: measured(value)))
         yield
+
+
+def measured(value: Any) -> str:
+    """Return what a prediction is compared with."""
+    return f"measured: {value if isinstance(value, str) else numbers(value)}"
 
 
 def told(environment: Any, agent: Any, n_steps: int, how: dict[str, Any]) -> str:
@@ -123,16 +127,15 @@ def told(environment: Any, agent: Any, n_steps: int, how: dict[str, Any]) -> str
 
 
 def shown_by_cells(path: Path) -> list[str]:
-    """Return what the cells of a lesson print and show, each below its first line; exercises are left out."""
+    """Return what the cells of a lesson print and show, each below its first line; checks are not made."""
     lines: list[str] = []
     shown: list[Any] = []
     namespace: dict[str, Any] = {"__name__": "__main__", "display": lambda *values: shown.extend(values)}
     for cell in build.read_lesson(path).cells:
-        left_out = not is_code(cell) or is_check(cell)
-        if left_out or any(text in cell.source for text in LEFT_OUT):
+        if not is_code(cell) or any(text in cell.source for text in LEFT_OUT):
             continue
         source = without_marks(cell.source)
-        body = ast.parse(source).body
+        body = [part for part in ast.parse(source).body if not ast.unparse(part).startswith("check(")]
         last = body.pop().value if body and isinstance(body[-1], ast.Expr) else ast.parse("None", mode="eval").body
         file = f"<{path.stem}, {cell.id}>"
         linecache.cache[file] = (len(source), None, source.splitlines(keepends=True), file)
@@ -147,7 +150,7 @@ def shown_by_cells(path: Path) -> list[str]:
 
 
 def told_of(value: Any) -> Iterator[str]:
-    """Yield lines on a value that a cell shows: figures, controls at their ends, films, scores; not listings of code."""
+    """Yield lines on what a cell shows: figures, controls at both ends, films and texts; not listings of code."""
     kind = type(value).__name__
     if hasattr(value, "rows") and hasattr(value, "draw"):
         yield from drawn(value)
@@ -159,10 +162,8 @@ def told_of(value: Any) -> Iterator[str]:
     elif kind == "Film":
         lines = [frame.line for frame in value.frames]
         yield f"film of {len(lines)} frames, {lines[0]!r} to {lines[-1]!r}"
-    elif kind in ("Comparison", "Score", "str"):
+    elif kind in ("Score", "str"):
         yield from str(value).splitlines()
-    elif isinstance(value, int | float | np.number):
-        yield f"{value:.4g}"
 
 
 def settings_of(sliders: Any) -> dict[str, dict[str, Any]]:
@@ -197,16 +198,3 @@ def alike(before: str, now: str) -> bool:
         if NUMBER.sub("0", one) != NUMBER.sub("0", other) or not np.allclose(*values, rtol=2e-3, atol=1e-6):
             return False
     return True
-
-
-def main(names: list[str]) -> None:
-    """Write the transcripts again."""
-    FOLDER.mkdir(exist_ok=True)
-    for lesson in names or NOTEBOOKS:
-        with tempfile.TemporaryDirectory() as folder, contextlib.chdir(folder):
-            text = transcript(lesson)
-        (FOLDER / f"{lesson}.txt").write_text(text, encoding="utf-8")
-
-
-if __name__ == "__main__":
-    main(sys.argv[1:])
