@@ -51,7 +51,9 @@ def panel(ax: Any) -> Iterator[str]:
 def described(artist: Any) -> str:
     """Return a line on data that are drawn; "" for patches, texts, and what belongs to the axes."""
     if isinstance(artist, Line2D):
-        style = f"{to_hex(artist.get_color())} {artist.get_linestyle()} {artist.get_linewidth():g} {artist.get_marker()}"
+        style = (
+            f"{to_hex(artist.get_color())} {artist.get_linestyle()} {artist.get_linewidth():g} {artist.get_marker()}"
+        )
         return f"line {style}: {numbers(artist.get_xdata())}; {numbers(artist.get_ydata())}"
     if isinstance(artist, AxesImage):
         return f"image {artist.get_cmap().name} {numbers(artist.get_clim())}: {numbers(artist.get_array())}"

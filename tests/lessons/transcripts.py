@@ -33,8 +33,9 @@ NOTEBOOKS = {path.stem.partition("_")[2]: path for path in sorted((build.ROOT / 
 ANY_RETURN, SOLVED_OR_NOT = (-20.0, 100.0), (0.0, 1.0)
 RETURNS = {"exploration": SOLVED_OR_NOT, "signal": (-1_000.0, 7_000.0)}
 """From where to where the made-up returns of a lesson are, if not those of the others."""
-STEPS = {"depth": 1_500}
-"""The steps for which the agents of a lesson really train, if not 50: here some pass the exam then."""
+IN_SHORT = 2, 50
+AT_LENGTH = {"exploration": (8, 50), "depth": (4, 1_500)}
+"""How many runs there are, and for how many steps agents really train: in some lessons more, for claims on shares."""
 LEFT_OUT = (
     "importlib.util",  # installs the package
     "arms.trainer(",  # trains a network
@@ -50,12 +51,13 @@ def transcript(lesson: str) -> str:
     """Return all that a lesson shows, after made-up training."""
     module = load_experiments(lesson)
     returns = RETURNS.get(lesson, ANY_RETURN)
-    runs = {"exploration": 8, "depth": 3}.get(lesson, 2)
-    with short_training(module, returns, runs, STEPS.get(lesson, 50)), warnings.catch_warnings(action="ignore"):
-        report = module.report(repetitions=runs, seed=1, jobs=1)
+    with warnings.catch_warnings(action="ignore"):
+        with short_training(module, returns, *AT_LENGTH.get(lesson, IN_SHORT)) as runs:
+            report = module.report(repetitions=runs, seed=1, jobs=1)
         lines = [line for claim in report.claims for line in claimed(claim)]
         lines += [line for sheet in report.figures for line in drawn(sheet)]
-        lines += shown_by_cells(NOTEBOOKS[lesson])
+        with short_training(module, returns, *IN_SHORT):
+            lines += shown_by_cells(NOTEBOOKS[lesson])
     return "\n".join(lines) + "\n"
 
 
@@ -78,7 +80,7 @@ class Again(dict[int, Any]):
 
 
 @contextlib.contextmanager
-def short_training(lesson: Any, returns: tuple[float, float], runs: int, most: int) -> Iterator[None]:
+def short_training(lesson: Any, returns: tuple[float, float], runs: int, most: int) -> Iterator[int]:
     """Let agents train for a few steps, in a few runs, with returns that depend on nothing but the arguments."""
 
     def made_up(environment: Any, agent: Any, n_steps: int, **how: Any) -> Run:
@@ -104,7 +106,7 @@ def short_training(lesson: Any, returns: tuple[float, float], runs: int, most: i
         if hasattr(lesson, "train_network"):
             stack.enter_context(patch.object(lesson, "train_network", side_effect=ImportError))
         stack.enter_context(patch.object(Prediction, "measured", lambda _, value, *more: measured(value)))
-        yield
+        yield runs
 
 
 def measured(value: Any) -> str:
