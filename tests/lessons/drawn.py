@@ -40,10 +40,10 @@ def panel(ax: Any) -> Iterator[str]:
     for artist in artists:
         if line := described(artist):
             yield f"  {line}{labelled(artist)}"
-    for kind, alike in groupby(sorted(patches, key=look), look):
-        yield f"  {kind}: {numbers([x for artist in alike for x in corners(artist)])}"
-    for kind, alike in groupby(sorted(texts, key=look), look):
-        those = [*alike]
+    for kind, same in groupby(sorted(patches, key=look), look):
+        yield f"  {kind}: {numbers([x for patch in same for x in corners(patch)])}"
+    for kind, group in groupby(sorted(texts, key=look), look):
+        those = [*group]
         places = numbers([x for text in those for x in text.get_position()])
         yield f"  {kind} at {places}: {' | '.join(text.get_text() for text in those)!r}"
 

@@ -139,14 +139,16 @@ def shown_by_cells(path: Path) -> list[str]:
             continue
         source = without_marks(cell.source)
         body = [part for part in ast.parse(source).body if not ast.unparse(part).startswith("check(")]
-        last = body.pop().value if body and isinstance(body[-1], ast.Expr) else ast.parse("None", mode="eval").body
+        last = body[-1] if body else None
+        value = last.value if isinstance(last, ast.Expr) else None
         file = f"<{path.stem}, {cell.id}>"
         linecache.cache[file] = (len(source), None, source.splitlines(keepends=True), file)
         printed = io.StringIO()
         with contextlib.redirect_stdout(printed):
-            exec(compile(ast.Module(body, []), file, "exec"), namespace)
-            shown.append(eval(compile(ast.Expression(last), file, "eval"), namespace))
-        texts = [*printed.getvalue().splitlines(), *(line for value in shown for line in told_of(value))]
+            exec(compile(ast.Module(body[:-1] if value else body, []), file, "exec"), namespace)
+            if value:
+                shown.append(eval(compile(ast.Expression(value), file, "eval"), namespace))
+        texts = [*printed.getvalue().splitlines(), *(line for thing in shown for line in told_of(thing))]
         shown.clear()
         lines += [f"cell: {cell.source.splitlines()[0]}", *(f"  {text}" for text in texts)] if texts else []
     return lines
@@ -197,7 +199,9 @@ def alike(before: str, now: str) -> bool:
     if DATA.sub("", before) != DATA.sub("", now):
         return False
     for one, other in zip(DATA.findall(before), DATA.findall(now), strict=True):
-        values = [[float(number) for number in NUMBER.findall(data)] for data in (one, other)]
-        if NUMBER.sub("0", one) != NUMBER.sub("0", other) or not np.allclose(*values, rtol=2e-3, atol=1e-6):
+        numbers_before, numbers_now = ([float(text) for text in NUMBER.findall(data)] for data in (one, other))
+        if NUMBER.sub("0", one) != NUMBER.sub("0", other):
+            return False
+        if not np.allclose(numbers_before, numbers_now, rtol=2e-3, atol=1e-6):
             return False
     return True
