@@ -22,6 +22,8 @@ from rules import is_code, without_marks
 
 from edugym.lessons import load_experiments
 from edugym.notebook.prediction import Prediction
+from edugym.rendering.scene import Scene
+from edugym.rendering.svg import to_svg
 from edugym.results.tables import Results
 from edugym.training.configuration import described
 from edugym.training.repeat import repeat
@@ -167,6 +169,9 @@ def told_of(value: Any) -> Iterator[str]:
     elif kind == "Film":
         lines = [frame.line for frame in value.frames]
         yield f"film of {len(lines)} frames, {lines[0]!r} to {lines[-1]!r}"
+        yield from (line for k in (0, len(lines) // 2, -1) for line in told_of(value.frames[k].picture))
+    elif isinstance(value, Scene):
+        yield f"picture of {len(value.shapes)} shapes, {zlib.crc32(to_svg(value).encode()):x}"
     elif kind in ("Score", "str"):
         yield from str(value).splitlines()
 
