@@ -1,0 +1,212 @@
+"""What a lesson shows, as text: its claims and figures, and what its cells show, after training that is made up."""
+
+import ast
+import contextlib
+import io
+import json
+import linecache
+import re
+import sys
+import warnings
+import zlib
+from collections.abc import Iterator
+from itertools import zip_longest
+from pathlib import Path
+from typing import Any
+from unittest.mock import patch
+
+import build
+import gymnasium
+import numpy as np
+from rules import is_code, without_marks
+
+from edugym.lessons import load_experiments
+from edugym.notebook.prediction import Prediction
+from edugym.rendering.scene import Scene
+from edugym.rendering.svg import to_svg
+from edugym.results.tables import Results
+from edugym.training.configuration import described
+from edugym.training.repeat import repeat
+from edugym.training.train import Run, train
+from tests.lessons.drawn import drawn, numbers
+
+FOLDER = Path(__file__).parent / "transcripts"
+NOTEBOOKS = {path.stem.partition("_")[2]: path for path in sorted((build.ROOT / "lessons").glob("[0-9][0-9]_*.py"))}
+ANY_RETURN, SOLVED_OR_NOT = (-20.0, 100.0), (0.0, 1.0)
+RETURNS = {"exploration": SOLVED_OR_NOT, "signal": (-1_000.0, 7_000.0)}
+"""From where to where the made-up returns of a lesson are, if not those of the others."""
+IN_SHORT = 2, 50
+AT_LENGTH = {"exploration": (8, 50), "depth": (4, 1_500)}
+"""How many runs there are, and for how many steps agents really train: in some lessons more, for claims on shares."""
+LEFT_OUT = (
+    "importlib.util",  # installs the package
+    "arms.trainer(",  # trains a network
+    "CHALLENGE.score(",
+    "best_return(0.1", "crossing_by_attitude()", "repetitions=24)", "play_at_random(env", "after=300",
+)  # fmt: skip
+"""What is in the cells that are not run; the others in the list take seconds, and show what further cells show."""
+DATA = re.compile(r"\[[^\]]*\]")
+NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
+
+
+def transcript(lesson: str) -> str:
+    """Return all that a lesson shows, after made-up training."""
+    module = load_experiments(lesson)
+    returns = RETURNS.get(lesson, ANY_RETURN)
+    with warnings.catch_warnings(action="ignore"):
+        with short_training(module, returns, *AT_LENGTH.get(lesson, IN_SHORT)) as runs:
+            report = module.report(repetitions=runs, seed=1, jobs=1)
+        lines = [line for claim in report.claims for line in claimed(claim)]
+        lines += [line for sheet in report.figures for line in drawn(sheet)]
+        with short_training(module, returns, *IN_SHORT):
+            lines += shown_by_cells(NOTEBOOKS[lesson])
+    return "\n".join(lines) + "\n"
+
+
+def claimed(claim: Any) -> list[str]:
+    """Return the lines on a claim."""
+    verdict = "holds" if claim.holds else "fails"
+    return [
+        f"claim: {claim.statement}",
+        f"  {claim.quantity}: {numbers(claim.measured)}, expected {claim.expected}: {verdict}",
+        *([f"  {claim.reason}"] if claim.reason else []),
+    ]
+
+
+class Again(dict[int, Any]):
+    """The agents of a few runs, which stand for those of all others too."""
+
+    def __missing__(self, run: int) -> Any:
+        """Return an agent of the runs that there are."""
+        return self[run % len(self)]
+
+
+@contextlib.contextmanager
+def short_training(lesson: Any, returns: tuple[float, float], runs: int, most: int) -> Iterator[int]:
+    """Let agents train for a few steps, in a few runs, with returns that depend on nothing but the arguments."""
+
+    def made_up(environment: Any, agent: Any, n_steps: int, **how: Any) -> Run:
+        how = {name: value for name, value in how.items() if name not in ("stop", "progress") and value is not None}
+        rng = np.random.default_rng(zlib.crc32(told(environment, agent, n_steps, how).encode()))
+        few = min(n_steps, most)
+        run = train(environment, agent, few, **how | {"evaluate_every": few, "evaluation_episodes": 1})
+        every = how.get("evaluate_every", max(1, n_steps // 100))
+        steps = np.unique(np.append(np.arange(0, n_steps, every), n_steps))
+        made = np.round(rng.uniform(*returns, (2, len(steps))), 0 if returns == SOLVED_OR_NOT else 2)
+        made[:, 0] = returns[0]
+        return Run(steps, made[0], made[1], rng.integers(1, 9, len(steps)), run.agent, run.seed, 0.0, complete=True)
+
+    def seldom(*arguments: Any, **how: Any) -> Results:
+        results = repeat(*arguments, **how | {"repetitions": min(how.get("repetitions", 10), runs), "jobs": 1})
+        return Results(results.table, {method: Again(agents) for method, agents in results.agents.items()})
+
+    with contextlib.ExitStack() as stack:
+        for module in [module for name, module in sys.modules.items() if name.partition(".")[0] == "edugym"]:
+            for name, real, instead in (("train", train, made_up), ("repeat", repeat, seldom)):
+                if vars(module).get(name) is real:
+                    stack.enter_context(patch.object(module, name, instead))
+        if hasattr(lesson, "train_network"):
+            stack.enter_context(patch.object(lesson, "train_network", side_effect=ImportError))
+        stack.enter_context(patch.object(Prediction, "measured", lambda _, value, *more: measured(value)))
+        yield runs
+
+
+def measured(value: Any) -> str:
+    """Return what a prediction is compared with."""
+    return f"measured: {value if isinstance(value, str) else numbers(value)}"
+
+
+def told(environment: Any, agent: Any, n_steps: int, how: dict[str, Any]) -> str:
+    """Return what a run is made of, as text: the same on every machine, and without the contents of long tables."""
+    settings = []
+    for part in (environment, agent):
+        part = part.unwrapped if isinstance(part, gymnasium.Env) else part
+        part = getattr(part, "mdp", part) if isinstance(part, gymnasium.Env) else part
+        try:
+            settings.append(described(part, "it"))
+        except TypeError:
+            settings.append({"it": type(part).__name__})
+    plain = json.dumps([settings, n_steps, sorted(how.items())], default=str, ensure_ascii=False)
+    plain = re.sub(r'\\"sha256\\": \\"\w+\\"', "", plain)
+    return re.sub(r"\d+\.\d+(?:e[-+]?\d+)?", lambda found: f"{float(found[0]):.6g}", plain)
+
+
+def shown_by_cells(path: Path) -> list[str]:
+    """Return what the cells of a lesson print and show, each below its first line; checks are not made."""
+    lines: list[str] = []
+    shown: list[Any] = []
+    namespace: dict[str, Any] = {"__name__": "__main__", "display": lambda *values: shown.extend(values)}
+    for cell in build.read_lesson(path).cells:
+        if not is_code(cell) or any(text in cell.source for text in LEFT_OUT):
+            continue
+        source = without_marks(cell.source)
+        body = [part for part in ast.parse(source).body if not ast.unparse(part).startswith("check(")]
+        last = body[-1] if body else None
+        value = last.value if isinstance(last, ast.Expr) else None
+        file = f"<{path.stem}, {cell.id}>"
+        linecache.cache[file] = (len(source), None, source.splitlines(keepends=True), file)
+        printed = io.StringIO()
+        with contextlib.redirect_stdout(printed):
+            exec(compile(ast.Module(body[:-1] if value else body, []), file, "exec"), namespace)
+            if value:
+                shown.append(eval(compile(ast.Expression(value), file, "eval"), namespace))
+        texts = [*printed.getvalue().splitlines(), *(line for thing in shown for line in told_of(thing))]
+        shown.clear()
+        lines += [f"cell: {cell.source.splitlines()[0]}", *(f"  {text}" for text in texts)] if texts else []
+    return lines
+
+
+def told_of(value: Any) -> Iterator[str]:
+    """Yield lines on what a cell shows: figures, controls at both ends, films and texts; not listings of code."""
+    kind = type(value).__name__
+    if hasattr(value, "rows") and hasattr(value, "draw"):
+        yield from drawn(value)
+    elif kind == "Sliders":
+        for name, ends in settings_of(value).items():
+            yield f"{name}: {ends}"
+            for line in told_of(value.function(**ends)):
+                yield f"  {line}"
+    elif kind == "Film":
+        lines = [frame.line for frame in value.frames]
+        yield f"film of {len(lines)} frames, {lines[0]!r} to {lines[-1]!r}"
+        yield from (line for k in (0, len(lines) // 2, -1) for line in told_of(value.frames[k].picture))
+    elif isinstance(value, Scene):
+        yield f"picture of {len(value.shapes)} shapes, {zlib.crc32(to_svg(value).encode()):x}"
+    elif kind in ("Score", "str"):
+        yield from str(value).splitlines()
+
+
+def settings_of(sliders: Any) -> dict[str, dict[str, Any]]:
+    """Return the arguments at which the controls start, and those at both their ends."""
+    found: dict[str, dict[str, Any]] = {"start": {}, "low": {}, "high": {}}
+    for name, control in sliders.controls.items():
+        found["start"][name] = control.value
+        options = getattr(control, "options", None) or (False, True)
+        values = [option[1] if isinstance(option, tuple) else option for option in options]
+        found["low"][name] = getattr(control, "min", values[0])
+        found["high"][name] = getattr(control, "max", values[-1])
+    return found
+
+
+def difference(old: str, new: str) -> list[str]:
+    """Return the first lines that differ by more than the last digits of data, as in a diff."""
+    olds, news = old.splitlines(), new.splitlines()
+    for number, (before, now) in enumerate(zip_longest(olds, news, fillvalue=""), start=1):
+        if not alike(before, now):
+            return [f"line {number}:", f"- {before}", f"+ {now}"]
+    return []
+
+
+def alike(before: str, now: str) -> bool:
+    """Whether two lines are the same but for the last digits of data, which stand in brackets."""
+    if before == now:
+        return True
+    if DATA.sub("", before) != DATA.sub("", now):
+        return False
+    for one, other in zip(DATA.findall(before), DATA.findall(now), strict=True):
+        numbers_before, numbers_now = ([float(text) for text in NUMBER.findall(data)] for data in (one, other))
+        if NUMBER.sub("0", one) != NUMBER.sub("0", other):
+            return False
+        if not np.allclose(numbers_before, numbers_now, rtol=2e-3, atol=1e-6):
+            return False
+    return True
