@@ -29,6 +29,7 @@ from edugym.training.configuration import described
 from edugym.training.repeat import repeat
 from edugym.training.train import Run, train
 from tests.lessons.drawn import drawn, numbers
+from tests.lessons.figures import check_legends
 
 FOLDER = Path(__file__).parent / "transcripts"
 NOTEBOOKS = {path.stem.partition("_")[2]: path for path in sorted((build.ROOT / "lessons").glob("[0-9][0-9]_*.py"))}
@@ -50,14 +51,16 @@ NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 
 
 def transcript(lesson: str) -> str:
-    """Return all that a lesson shows, after made-up training."""
+    """Return all that a lesson shows, after made-up training; panels that are drawn alone have their legends."""
     module = load_experiments(lesson)
     returns = RETURNS.get(lesson, ANY_RETURN)
     with warnings.catch_warnings(action="ignore"):
         with short_training(module, returns, *AT_LENGTH.get(lesson, IN_SHORT)) as runs:
             report = module.report(repetitions=runs, seed=1, jobs=1)
         lines = [line for claim in report.claims for line in claimed(claim)]
-        lines += [line for sheet in report.figures for line in drawn(sheet)]
+        for sheet in report.figures:
+            lines += drawn(sheet)
+            check_legends(sheet)
         with short_training(module, returns, *IN_SHORT):
             lines += shown_by_cells(NOTEBOOKS[lesson])
     return "\n".join(lines) + "\n"
@@ -151,6 +154,9 @@ def shown_by_cells(path: Path) -> list[str]:
             if value:
                 shown.append(eval(compile(ast.Expression(value), file, "eval"), namespace))
         texts = [*printed.getvalue().splitlines(), *(line for thing in shown for line in told_of(thing))]
+        for sheet in shown:
+            if hasattr(sheet, "rows") and hasattr(sheet, "draw"):
+                check_legends(sheet)
         shown.clear()
         lines += [f"cell: {cell.source.splitlines()[0]}", *(f"  {text}" for text in texts)] if texts else []
     return lines

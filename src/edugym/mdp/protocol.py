@@ -30,9 +30,8 @@ class MDP(Protocol[State, Observation_co]):
     """A Markov decision process (S, A, p, r), and what the agent observes in each state.
 
     If the observation does not determine the state, the problem is partially observable (a POMDP). Actions are usually
-    the numbers 0, 1, 2 and so on. Methods draw every random number from `rng`; this is their only side effect. They
-    must not change `state` or `action`. (The one exception is the optional `observe_into`, which writes into its
-    argument `out`.) The discount belongs to the agent.
+    the numbers 0, 1, 2 and so on. Methods draw every random number from `rng`. They must not change `state` or
+    `action`. The discount belongs to the agent.
 
     An MDP may also have
 
@@ -146,7 +145,7 @@ def _defines(mdp: Any, name: str) -> bool:
 
 
 def coerced(value: Any) -> Any:
-    """A copy of a NamedTuple in which numbers in `float` fields are Python floats.
+    """Copy a NamedTuple, and turn the numbers in its `float` fields into Python floats.
 
     NumPy integers in `int` fields become Python ints. NamedTuples in its fields are treated in the same way. A value
     that is no NamedTuple is returned as it is.
