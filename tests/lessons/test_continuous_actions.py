@@ -1,7 +1,5 @@
 """Bins and continuous actions on Trashbot: the parts of the lesson are right, and its claims hold."""
 
-from typing import Any
-
 import numpy as np
 import pytest
 
@@ -9,7 +7,6 @@ from edugym.envs.trashbot.planning import best_plan
 from edugym.envs.trashbot.task import Trashbot
 from edugym.lessons import continuous_actions as arms
 from edugym.lessons.continuous_actions import Drawing, exact_claims, gradient_claims, peak_claims, ppo_claims
-from tests.lessons.figures import check_legends
 
 
 @pytest.mark.parametrize("n_bins", [2, 3, 4])
@@ -87,28 +84,6 @@ def test_three_bins_are_learned() -> None:
     assert results.late("3 bins").mean() > 3.5
     agent = results.agents["3 bins"][0]
     assert arms.way(arms.in_a_table(3), agent)[0] == pytest.approx([-1.46, 0.395], abs=0.01)
-
-
-def test_figures() -> None:
-    """They draw."""
-    how: dict[str, Any] = {"n_steps": 500, "repetitions": 2}
-    results = arms.learn_all((3, 5), **how)
-    sheets = [
-        arms.exact_figure(0.3, bins=(2, 3)),
-        arms.gradient_figure(),
-        arms.noise_figure({"a": (0.1, 0.2), "b": (0.5, 0.5)}),
-        arms.baseline_figure(n_updates=80),
-        arms.narrowing(n_updates=80, baseline=False),
-        arms.peaks(n_updates=80)[0],
-        arms.climb_race(arms.scores),
-        arms.one_setting(4, n_steps=500, repetitions=2),
-        arms.maps(results.agents["5 bins"][0], results.agents["continuous"][0], n=12),
-        arms.ppo_figure(arms.STORED.load()),
-        arms.lake_figure(arms.frozen_lake(60, repetitions=2)),
-    ]
-    for sheet in sheets:
-        assert all(ax.get_xlabel() for ax in sheet.draw().axes)
-        check_legends(sheet)
 
 
 def test_steps_to_a_goal() -> None:

@@ -8,34 +8,25 @@ import pytest
 
 from edugym.envs.memory_corridor import MemoryCorridor
 from edugym.lessons.memory import (
-    STORED,
     Window,
     action_law,
     best_play,
     blind_lake,
-    compare_windows,
     dense_table,
     is_enough,
     late,
     learn,
-    learn_all,
-    learn_with_network,
     name,
-    network_figure,
     never_errs,
-    one_window,
     perfect_play,
     race,
     remember,
     smallest_window,
     twin_figure,
     twins,
-    walk_figure,
     warm_up,
     window_law,
-    worth,
 )
-from tests.lessons.figures import check_legends
 
 
 @pytest.mark.parametrize("length", [1, 2, 3, 4, 5])
@@ -119,26 +110,6 @@ def test_twins() -> None:
     assert twins(5, 4, actions=True) is None
     with pytest.raises(ValueError, match="enough"):
         twin_figure(5, 4, actions=True)
-
-
-def test_figures() -> None:
-    """They draw."""
-    how: dict[str, Any] = {"n_steps": 500, "repetitions": 2}
-    alone, both = learn_all([1, 2], **how), learn_all([1, 2], actions=True, **how)
-    networks = learn_with_network("7 observations", n_steps=400, repetitions=2)
-    sheets = [
-        compare_windows(alone, both),
-        one_window(2, n_steps=500, repetitions=2),
-        worth((alone, both), networks, windows=4),
-        network_figure(networks, STORED.load()),
-        walk_figure((2, 0, 1), 3, 2, actions=True),
-        walk_figure((2, 0, 1), 0, 4),
-        twin_figure(2, 3),
-        race({"mine": MemoryCorridor.create()}, log=True, **how),
-    ]
-    for sheet in sheets:
-        assert all(ax.get_xlabel() for ax in sheet.draw().axes)
-        check_legends(sheet)
 
 
 def test_race_says_what_it_shows() -> None:
