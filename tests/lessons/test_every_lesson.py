@@ -14,7 +14,7 @@ from edugym.lessons import lesson_names, load_experiments
 CLAIMS = {
     "loop": 15,
     "on_off_policy": 22,
-    "depth": 27,
+    "depth": 28,
     "dimensionality": 25,
     "memory": 19,
     "signal": 24,

@@ -58,7 +58,7 @@ from edugym.plotting.curves import Curves
 from edugym.plotting.report import Report
 from edugym.plotting.sheet import Sheet
 from edugym.results.claims import Above, Below, Claim, Within
-from edugym.results.statistics import Interval, paired_difference
+from edugym.results.statistics import Interval, paired_difference, share_interval
 from edugym.results.tables import Results
 
 __all__ = [
@@ -252,6 +252,13 @@ def meeting_claims(many: Results, wary: Results) -> list[Claim]:
                 "untried actions are worth 0 and tried ones less; bootstrapping hands that on, and returns do not",
             )
             for n in DEPTHS[1:3]
+        ),
+        Claim(
+            "With ten actions some Monte Carlo runs meet the exam",
+            "share of runs that ever passed in training",
+            share_interval(met[MONTE_CARLO]),
+            Above(0.01),
+            "these runs show whether Monte Carlo forgets what it has met",
         ),
         Claim(
             "With ten actions Monte Carlo runs that meet the exam still pass it in the end",
