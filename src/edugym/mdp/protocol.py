@@ -150,9 +150,9 @@ def coerced(value: Any) -> Any:
     NumPy integers in `int` fields become Python ints. NamedTuples in its fields are treated in the same way. A value
     that is no NamedTuple is returned as it is.
 
-    The copy holds the same arrays as the original. It spares Numba from compiling the same agent twice, for
-    `learning_rate=1` (an int) and for `learning_rate=0.1` (a float). It also keeps small NumPy integers, such as an
-    int8, from overflowing.
+    The copy holds the same arrays as the original. The numbers are converted for two reasons. Numba would otherwise
+    compile the same agent twice, for `learning_rate=1` (an int) and for `learning_rate=0.1` (a float). And small NumPy
+    integers, such as an int8, would overflow.
     """
     if not (isinstance(value, tuple) and hasattr(value, "_fields")):
         return value

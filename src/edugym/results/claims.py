@@ -77,7 +77,7 @@ class Claim(NamedTuple):
     Attributes:
         statement: the claim, in one sentence.
         quantity: the name of the measured quantity.
-        measured: the estimate with its 95 % interval. The interval of a computed value is that value alone.
+        measured: the estimate with its 95 % interval. If the number is exact, the interval is this number alone.
         expected: where the interval must lie for the claim to hold.
         reason: why we expect the claim to hold or, if the paper claims something else, why our claim differs. It may be
             empty.

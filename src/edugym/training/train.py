@@ -62,9 +62,9 @@ def train(
 
     Three kinds of environments are trained by the loops of `edugym.training.gymnasium_loops`, which are never compiled:
     (1) Gymnasium environments that do not come from EduGym; (2) EduGym environments inside a wrapper that you have
-    added; (3) Supermarket with a `step_timeout`, whose `step` waits. All others, such as your own MDP in an
-    `edugym.MDPEnv`, are trained by the loops of `edugym.training.loops`. If `n_steps` is 5000 or more, these are
-    compiled to machine code where possible.
+    added; (3) the environment Supermarket if you set its `step_timeout`, which makes each step last some time. All
+    others, such as your own MDP in an `edugym.MDPEnv`, are trained by the loops of `edugym.training.loops`. If
+    `n_steps` is 5000 or more, these are compiled to machine code where possible.
 
     Ctrl-C ends the run within a fifth of a second. The agent keeps what it has learned, and `train` raises
     `Interrupted`. Its attribute `partial` holds the `Run` so far. In a notebook or at the prompt, read it as
@@ -88,9 +88,9 @@ def train(
         stop: a `threading.Event`. When it is set, `train` stops early and returns the `Run` so far.
 
     Warns:
-        UserWarning: `train` warns, once for each class, when it cannot compile your code. At the end of a
-            complete run it also warns if (1) there is no step limit, and in 1000 steps or more no episode of your
-            environment has ended; (2) an array of your agent with a usual name, such as Q, V or weights, holds NaN; (3)
+        UserWarning: `train` warns, once for each class, when it cannot compile your code. At the end of a complete run
+            it also warns if (1) your environment has no step limit, and no episode has ended in the whole run of 1000
+            steps or more; (2) an array of your agent with a usual name, such as Q, V or weights, holds NaN; (3)
             training has changed a table that is a class attribute. (All agents of the class share such a table.)
 
     Raises:
