@@ -89,9 +89,9 @@ def train(
 
     Warns:
         UserWarning: `train` warns, once for each class, when it cannot compile your code. At the end of a complete run
-            it also warns if (1) your environment has no step limit, and no episode has ended in the whole run of 1000
-            steps or more; (2) an array of your agent with a usual name, such as Q, V or weights, holds NaN; (3)
-            training has changed a table that is a class attribute. (All agents of the class share such a table.)
+            it also warns if (1) your environment has no step limit, the run has 1000 steps or more, and no episode has
+            ended in it; (2) an array of your agent with a usual name, such as Q, V or weights, holds NaN; (3) training
+            has changed a table that is a class attribute. (All agents of the class share such a table.)
 
     Raises:
         ValueError: a parameter is not as above, or the observations or actions do not fit a table.
