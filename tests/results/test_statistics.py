@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from edugym.results.claims import Above, Below, Claim, Within
+from edugym.results.claims import Above, Below, Claim, Within, beginning
 from edugym.results.statistics import (
     Interval,
     by_point,
@@ -139,6 +139,13 @@ def test_points_of_a_curve() -> None:
     assert by_point(values, share=True)[0].tolist() == list(proportion_interval(2, 3)[:3])
     assert by_point(values)[1][0] == 1.0
     assert np.isnan(by_point(values)[1][1:]).all()
+    assert by_point(values[:0]).shape == (0, 3)
+
+
+def test_a_sentence_begins_with_a_capital() -> None:
+    """Its other letters stay."""
+    assert beginning("double SARSA") == "Double SARSA"
+    assert beginning("") == ""
 
 
 @pytest.mark.parametrize(

@@ -81,6 +81,8 @@ def test_a_curve_keeps_what_an_interrupted_run_has() -> None:
     curve = RESULTS.curves("1")
     assert (list(curve.index), list(curve.columns)) == (STEPS, [0, 1, 2])
     equal(curve, [[0, 2, 9], [4, 2, 9], [8, 6, NAN]])
+    with pytest.raises(ValueError, match="method must be one of '1', 'NA', but is 'Q'"):
+        RESULTS.curves("Q")
 
 
 def test_averages_over_training() -> None:
@@ -115,6 +117,7 @@ def test_which_runs_are_complete() -> None:
     assert WHOLE.complete
     assert not RESULTS.complete
     assert not NONE_COMPLETE.complete
+    assert Results(table({"1": CURVES["1"][:1]})).complete
     missing = WHOLE.table[(WHOLE.table["method"] == "1") | (WHOLE.table["repetition"] == 0)]
     assert not Results(missing).complete  # a run that never began has no row
     agents = {"1": {0: "first", 1: "second", 2: "third"}, "NA": {2: "third"}}
