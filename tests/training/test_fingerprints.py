@@ -2,9 +2,13 @@
 
 import functools
 import math
+import platform
 import subprocess
 import sys
 import threading
+from importlib.metadata import version
+from pathlib import Path
+from types import ModuleType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,7 +16,7 @@ import pytest
 
 from edugym import QLearning
 from edugym.exact.value_iteration import best_values
-from edugym.training.fingerprints import fingerprint
+from edugym.training.fingerprints import _own_code, fingerprint, versions
 
 CODE = """
 import functools
@@ -125,6 +129,74 @@ def test_a_method_counts(monkeypatch: pytest.MonkeyPatch) -> None:
     before = fingerprint(Counter(1))
     monkeypatch.setattr(Counter, "__init__", lambda self, start: None)
     assert fingerprint(Counter) != before
+
+
+@pytest.mark.parametrize(
+    ("name", "other"),
+    [
+        ("platform.machine", lambda: "another machine"),
+        ("platform.python_version", lambda: "3.99"),
+        ("_version", lambda package: "99"),
+        ("_own_code", lambda: "other code of this package"),
+    ],
+)
+def test_what_the_numbers_depend_on_counts(name: str, other: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The machine, versions, and all files of this package."""
+    before = fingerprint(1)
+    monkeypatch.setattr(f"edugym.training.fingerprints.{name}", other)
+    assert fingerprint(1) != before
+
+
+def test_versions_in_words() -> None:
+    """Of what the numbers depend on, and of what else is installed."""
+    expected = [f"python {platform.python_version()}"]
+    expected += [f"{name} {version(name)}" for name in ("edugym", "numpy", "numba", "gymnasium")]
+    assert versions() == ", ".join(expected)
+    assert versions("pytest", "no_such_package") == ", ".join([*expected, f"pytest {version('pytest')}"])
+
+
+def test_every_file_of_the_package_counts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """By its name and its contents, in folders too."""
+    monkeypatch.setattr("edugym.__file__", str(tmp_path / "__init__.py"))
+    (tmp_path / "inner").mkdir()
+    seen = {_own_code.__wrapped__()}
+    for name, contents in (("a.py", "1"), ("a.py", "2"), ("inner/b.py", ""), ("inner/c.py", "2")):
+        (tmp_path / name).write_text(contents)
+        seen.add(_own_code.__wrapped__())
+    (tmp_path / "a.py").rename(tmp_path / "d.py")
+    seen.add(_own_code.__wrapped__())
+    assert len(seen) == 6
+    (tmp_path / "table.csv").write_text("3")
+    assert _own_code.__wrapped__() in seen
+
+
+def test_a_module_of_ones_own_counts_where_it_is_used(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What a function takes from it, and from a module inside it; the rest does not."""
+    mine, inner = ModuleType("mine"), ModuleType("mine.inner")
+    vars(mine).update(rate=1, other=1, inner=inner)
+    vars(inner).update(deep=1, other=1)
+    names: dict[str, Any] = {"__name__": "__main__", "mine": mine}
+    exec("def use(): return mine.rate + mine.inner.deep", names)
+    before = fingerprint(names["use"])
+    for module in (mine, inner):
+        monkeypatch.setattr(module, "other", 2)
+    assert fingerprint(names["use"]) == before
+    for module, name in ((mine, "rate"), (inner, "deep")):
+        with monkeypatch.context() as changed:
+            changed.setattr(module, name, 2)
+            assert fingerprint(names["use"]) != before
+
+
+@pytest.mark.parametrize("module", ["__main__", "gone"])
+def test_code_of_a_notebook_counts(module: str) -> None:
+    """Its module is the program that runs it, or one that is no file."""
+    prints = set()
+    for body in ("1", "2"):
+        names: dict[str, Any] = {"__name__": module}
+        exec(f"def f(): return {body}\nclass C:\n    def g(self): return {body}", names)
+        prints |= {fingerprint(names["f"]), fingerprint(names["C"])}
+    assert len(prints) == 4
+    assert fingerprint(type(sys.flags)) == fingerprint(type(sys.flags))  # a class of a module that is no file either
 
 
 def test_what_cannot_be_taken_apart_is_an_error() -> None:
