@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from functools import partial
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +13,9 @@ pytest.importorskip("torch")
 
 from edugym.deep import PPO, repeated
 from edugym.deep.repeated import repeat_deep
-from edugym.training.configuration import Planned
+from edugym.results.tables import MEASURED
+from edugym.training.configuration import Planned, planned_runs
+from edugym.training.fingerprints import versions
 from edugym.training.train import Run
 
 
@@ -32,6 +35,29 @@ def test_the_table() -> None:
     assert results.table["seed"].nunique() == 3
     assert '{"more": 0.5}' in results.table["settings"].iloc[-1]
     assert "torch" in results.table["versions"].iloc[0]
+
+
+def test_every_column() -> None:
+    """What was measured, the arguments, and the settings of each method: of a function, a partial, and an agent."""
+    agent = PPO.create("Catch", {"rows": 5}, clip=0.3)
+    results = repeat_deep({"one": pretend, "two": partial(pretend, more=0.5)}, 100, repetitions=2, seed=9, jobs=1)
+    table = results.table
+    columns = ["n_steps", "repetitions", "runs", "experiment_seed", "settings", "versions"]
+    assert list(table.columns) == [*MEASURED, *columns]
+    assert table[columns[:4]].drop_duplicates().to_numpy().tolist() == [[100, 2, 4, 9]]
+    assert table["settings"].unique().tolist() == ['"pretend"', '["pretend", {"more": 0.5}]']
+    assert repeated._settings(agent.train) == ["train", agent._asdict()]
+    expected = versions("torch", "stable-baselines3", "sb3-contrib")
+    assert table["versions"].unique().tolist() == [expected]
+    assert expected.endswith(
+        "".join(f", {name} {version(name)}" for name in ("torch", "stable-baselines3", "sb3-contrib"))
+    )
+    seeds = [planned.repetition.seed for planned in planned_runs(["one"], 2, 9)]
+    assert results.curves("one").columns.tolist() == [0, 1]
+    assert table["seed"].tolist() == [seeds[0]] * 4 + [seeds[1]] * 4
+    assert results.final("one").tolist() == [seed % 7 for seed in seeds]
+    assert table["layout_seed"].isna().all()
+    assert results.agents == {}
 
 
 def rounds(n_steps: int, *, seed: int, complete: bool = True) -> Run:
