@@ -34,7 +34,7 @@ PACKAGES = {"PIL": "matplotlib", "sb3_contrib": "sb3-contrib"}
 def packages_of(extra: str) -> set[str]:
     """The packages that an extra installs, those of the extras in it included."""
     extras = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["optional-dependencies"]
-    found = set()
+    found = set[str]()
     for line in extras[extra]:
         inside = re.match(r"edugym\[(.*)\]", line)
         found |= set().union(*map(packages_of, inside[1].split(","))) if inside else {re.split("[>=<]", line)[0]}

@@ -13,7 +13,7 @@ import pytest
 from gymnasium.spaces import Discrete
 from typer.testing import CliRunner
 
-from edugym import finite_model, read_mdp, share, value_iteration
+from edugym import finite_model, read_mdp, share, value_iteration, wrapper
 from edugym.commands import app
 from edugym.lessons.own_problem import Morning, WithBonus
 from edugym.playing import Game
@@ -217,17 +217,12 @@ class Coin(NamedTuple):
         return state
 
 
+@wrapper
 class Holding(NamedTuple):
-    """Leave it or throw, with a field of any kind."""
+    """A task with a field of any kind."""
 
+    mdp: Any
     held: Any
-    observation_space = Coin.observation_space
-    action_space = Coin.action_space
-    initial = Coin.initial
-    transition = Coin.transition
-    reward = Coin.reward
-    terminal = Coin.terminal
-    observation = Coin.observation
 
 
 @pytest.mark.parametrize(
@@ -242,7 +237,7 @@ class Holding(NamedTuple):
 )  # fmt: skip
 def test_values_of_every_kind(held: Any, tmp_path: Path) -> None:
     """Numbers, texts, containers and arrays come back as they were, each of its type."""
-    read = read_mdp(share(Holding(held), tmp_path / "holding.py")).held
+    read = read_mdp(share(Holding(Coin(), held), tmp_path / "holding.py")).held
     plain = held.item() if isinstance(held, np.generic) else held
     assert type(read) is type(plain)
     if isinstance(held, np.ndarray):

@@ -57,7 +57,7 @@ def test_the_curve_by_hand() -> None:
 
 def test_one_episode_in_each_copy() -> None:
     """One ends after two steps, and what it gets after that does not count; the policy hears where episodes begin."""
-    policies, begun = 0, []
+    policies, begun = 0, list[list[bool]]()
 
     def made() -> Policy:
         nonlocal policies
@@ -93,7 +93,8 @@ def test_the_seed_of_a_curve() -> None:
         curve = Curve("Catch", {}, lambda: lambda observations, first: np.ones(40, np.int64), 10, 40, seed)
         for steps in (0, 10, 20):
             curve.measure(steps)
-        return curve.run(None, 20, 0).returns.tolist()
+        returns: list[float] = curve.run(None, 20, 0).returns.tolist()
+        return returns
 
     assert returns(1) == returns(1)
     assert len({*returns(1), *returns(2)}) > 3

@@ -15,7 +15,7 @@ from edugym.results.tables import MEASURED, joined, with_types
 
 NAN = np.nan
 STEPS = [0, 10, 30]  # not evenly spaced
-CURVES = {  # by method: of each repetition the returns, the training returns and the episodes
+CURVES: dict[str, Any] = {  # by method: of each repetition the returns, the training returns and the episodes
     "1": [([0, 4, 8], [NAN, 1, 5], [0, 3, 1]), ([2, 2, 6], [NAN, NAN, NAN], [0, 0, 0]), ([9, 9], [NAN, 9], [0, 9])],
     "NA": [([0, 1, 2], [NAN, 2, 2], [0, 1, 1]), ([0, 0.1 + 0.2, 5], [NAN, 3, 4], [0, 1, 3]), ([0], [NAN], [0])],
 }
@@ -79,7 +79,8 @@ def test_late_takes_five_points() -> None:
 def test_a_curve_keeps_what_an_interrupted_run_has() -> None:
     """One row a step, one column a repetition."""
     curve = RESULTS.curves("1")
-    assert (list(curve.index), list(curve.columns)) == (STEPS, [0, 1, 2])
+    assert curve.index.tolist() == STEPS
+    assert [*map(int, curve.columns)] == [0, 1, 2]
     equal(curve, [[0, 2, 9], [4, 2, 9], [8, 6, NAN]])
     with pytest.raises(ValueError, match="method must be one of '1', 'NA', but is 'Q'"):
         RESULTS.curves("Q")

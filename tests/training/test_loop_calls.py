@@ -103,7 +103,7 @@ def test_on_policy(end: int, limit: int, second: str, choice: list[str], third: 
     """The same two steps and one more: move, choose the next action, learn."""
     watched, log = Watched(end), new_log()
     mdp: Any = watched
-    start = loops.start_on_policy(mdp, watched, ENV, AGENT)
+    start = loops.start_on_policy(mdp, mdp, ENV, AGENT)
     assert start == (0, "o0", 7, 0, 0.0)
     moment = loops.on_policy(3, mdp, watched, limit, ENV, AGENT, log, start)
     assert watched.calls == [
@@ -121,7 +121,7 @@ def test_playing(end: int, limit: int) -> None:
     """Two episodes of two steps, without learning."""
     watched, returns = Watched(end), np.zeros(2)
     mdp: Any = watched
-    loops.play_episodes(2, mdp, watched, limit, ENV, AGENT, returns)
+    loops.play_episodes(2, mdp, mdp, limit, ENV, AGENT, returns)
     assert watched.calls == [
         call
         for first in (7, 9)
@@ -202,7 +202,7 @@ def test_playing_in_an_environment(end: int, cut: int, limit: int, terminated: b
     """An episode from a seed of the environment's stream."""
     env = WatchedEnvironment(end, cut)
     env_of_any_kind: Any = env
-    total = gymnasium_loops.play_episode(env_of_any_kind, env, limit, np.random.default_rng(3), AGENT)
+    total = gymnasium_loops.play_episode(env_of_any_kind, env_of_any_kind, limit, np.random.default_rng(3), AGENT)
     seed = int(np.random.default_rng(3).integers(2**31))
     assert env.calls == [f"reset {seed}", "act o0 agent", "step 7", "act o1 agent", "step 8"]
     assert total == 71.0 + 182.0
