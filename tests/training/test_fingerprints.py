@@ -1,11 +1,13 @@
 """Fingerprints: the same in every process, and others for other values or code."""
 
+import copy
 import functools
 import math
 import platform
 import subprocess
 import sys
 import threading
+from collections import deque
 from importlib.metadata import version
 from pathlib import Path
 from types import ModuleType
@@ -81,6 +83,29 @@ def make_adder(n: int) -> Any:
     return lambda x: x + n
 
 
+class Word(str):
+    """A text that holds more."""
+
+    def __new__(cls, text: str, more: int) -> "Word":
+        """Both."""
+        word = super().__new__(cls, text)
+        word.more = more
+        return word
+
+    def __getnewargs__(self) -> tuple[Any, ...]:
+        """For a copy."""
+        return str(self), self.more
+
+    more: int
+
+
+def made(body: str, base: type = object) -> Any:
+    """A class of a notebook."""
+    names: dict[str, Any] = {"__name__": "__main__", "functools": functools, "Base": base}
+    exec(f"class Made(Base):\n    {body}", names)
+    return names["Made"]
+
+
 @pytest.mark.parametrize(
     ("one", "other"),
     [
@@ -103,12 +128,41 @@ def make_adder(n: int) -> Any:
         (functools.partial(helper, x=1), functools.partial(helper, x=2)),
         (QLearning.create((2, 2)), QLearning.create((2, 2), learning_rate=0.2)),
         (np.random.default_rng(1), np.random.default_rng(2)),
+        (deque([1, 2]), deque([1, 3])),
+        (np.array([[1], "x"], object), np.array([[2], "x"], object)),
+        (Word("a", 1), Word("a", 2)),
+        (made("x = 1"), made("x = 2")),
+        (made("def f(self): return 1"), made("def f(self): return 2")),
+        (made("@property\n    def f(self): return 1"), made("@property\n    def f(self): return 2")),
+        (
+            made("@functools.cached_property\n    def f(self): return 1"),
+            made("@functools.cached_property\n    def f(self): return 2"),
+        ),
+        (made("@staticmethod\n    def f(): return 1"), made("@staticmethod\n    def f(): return 2")),
+        (made("@classmethod\n    def f(cls): return 1"), made("@classmethod\n    def f(cls): return 2")),
+        (made("@functools.cache\n    def f(self): return 1"), made("@functools.cache\n    def f(self): return 2")),
+        (made("x = 1", made("y = 1")), made("x = 1", made("y = 2"))),
+        (made("def f(self): return 1")().f, made("def f(self): return 2")().f),
+        (made("def f(self, x=1): return x"), made("def f(self, x=2): return x")),
+        (made("def f(self, *, x=1): return x"), made("def f(self, *, x=2): return x")),
     ],
 )
 def test_what_differs_has_another_one(one: Any, other: Any) -> None:
     """Values, types, shapes and code."""
-    assert fingerprint(one) == fingerprint(one)
+    assert fingerprint(one) == fingerprint(one) == fingerprint(copy.deepcopy(one))
     assert fingerprint(one) != fingerprint(other)
+
+
+@pytest.mark.parametrize("kind", ["NamedTuple", "object"])
+def test_copying_changes_nothing(kind: str) -> None:
+    """Python notes the slots of a class in it when a value of it is copied, as every agent is before its run."""
+    names: dict[str, Any] = {"__name__": "__main__", "NamedTuple": NamedTuple}
+    exec(f"class Own({kind}):\n    x: int = 1", names)
+    make = eval("lambda task: Own()", names)
+    before = fingerprint(make, names["Own"])
+    copy.deepcopy(names["Own"]())
+    assert "__slotnames__" in vars(names["Own"])
+    assert fingerprint(make, names["Own"]) == before
 
 
 def test_code_counts_with_what_it_reaches(monkeypatch: pytest.MonkeyPatch) -> None:
