@@ -77,6 +77,20 @@ def test_steps_increase() -> None:
     assert results.average("one")[0] == pytest.approx((60 * 0.5 + 40 * 2) / 100)
 
 
+@pytest.mark.parametrize(
+    ("episodes", "mean"),
+    [([0, 1, 0, 2], (1 * 5 + 2 * 2) / 3), ([0, 0, 0, 0], np.nan), ([4, 0, 0, 1], 2.0)],
+)
+def test_points_without_an_episode(episodes: list[int], mean: float) -> None:
+    """They do not count in the mean of the last point, which is none where no episode ended."""
+    training_returns = np.array([7.0, 5.0, np.nan, 2.0])
+    curve = np.array([0, 90, 102, 103]), np.arange(4.0), training_returns, np.array(episodes)
+    run = repeated._to(80, Run(*curve, None, 0, 0.1, complete=True))
+    assert (run.steps.tolist(), run.returns.tolist()) == ([0, 80], [0.0, 3.0])
+    assert run.episodes.tolist() == [episodes[0], sum(episodes[1:])]
+    np.testing.assert_allclose(run.training_returns, [7.0, mean])
+
+
 def test_a_run_that_was_stopped_keeps_its_steps() -> None:
     """Its last point is where it stopped."""
     results = repeat_deep({"one": partial(rounds, complete=False)}, 10_000, repetitions=1, jobs=1)
