@@ -19,7 +19,7 @@ NOT_AS_ROOT = pytest.mark.skipif(os.geteuid() == 0, reason="root may write every
 
 def test_a_new_file_has_the_mode_of_any_new_file(tmp_path: Path) -> None:
     """As the umask says; nothing else is left in the folder, which is made if need be."""
-    path = tmp_path / "a" / "new"
+    path = tmp_path / "a" / "b" / "new"
     assert write_whole(path, b"contents") == path
     assert path.read_bytes() == b"contents"
     (tmp_path / "plain").touch()
@@ -29,7 +29,7 @@ def test_a_new_file_has_the_mode_of_any_new_file(tmp_path: Path) -> None:
 
 def test_a_check_leaves_nothing_behind(tmp_path: Path) -> None:
     """It makes the folder, but no file, and does not touch the one that is there."""
-    path = tmp_path / "a" / "b.csv"
+    path = tmp_path / "a" / "b" / "c.csv"
     assert check_writable(path) == path
     assert os.listdir(path.parent) == []
     path.write_bytes(b"old")
@@ -49,6 +49,15 @@ def test_a_replaced_file_keeps_its_mode(tmp_path: Path, mode: int) -> None:
         assert reader.read() == b"old"
     assert path.read_bytes() == b"new"
     assert stat.S_IMODE(path.stat().st_mode) == mode
+
+
+def test_nobody_reads_a_private_file_meanwhile(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """While it is written anew, only its owner may open it."""
+    (tmp_path / "file").touch(0o600)
+    modes: list[int] = []
+    monkeypatch.setattr(os, "fsync", lambda file: modes.append(stat.S_IMODE(os.fstat(file).st_mode)))
+    write_whole(tmp_path / "file", b"new")
+    assert modes == [0o600]
 
 
 @AS_ROOT

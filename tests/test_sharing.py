@@ -13,7 +13,7 @@ import pytest
 from gymnasium.spaces import Discrete
 from typer.testing import CliRunner
 
-from edugym import check_mdp, finite_model, read_mdp, share, value_iteration
+from edugym import finite_model, read_mdp, share, value_iteration, wrapper
 from edugym.commands import app
 from edugym.lessons.own_problem import Morning, WithBonus
 from edugym.playing import Game
@@ -217,8 +217,47 @@ class Coin(NamedTuple):
         return state
 
 
-def test_values_of_every_kind(tmp_path: Path) -> None:
-    """Numbers, texts and containers are written so that they come back."""
-    path = share(Coin(4), tmp_path / "coin.py")
-    assert "Coin(max_steps=4)" in path.read_text(encoding="utf-8")
-    assert check_mdp(read_mdp(path))
+@wrapper
+class Holding(NamedTuple):
+    """A task with a field of any kind."""
+
+    mdp: Any
+    held: Any
+
+
+@pytest.mark.parametrize(
+    "held",
+    [
+        None, True, -3, 0.1 + 0.2, -0.0, float("inf"), float("-inf"), "it's\n", (), (1,), (1, (2.0, "x")), [], [1, [2]],
+        {3}, set(), {}, {"a": [1], (1, 2): None}, Coin(4), (Coin(1), Coin(2)), np.float32(0.1), np.int8(3), np.True_,
+        np.array([[1, 2], [3, 4]]), np.array([0.1, -0.0]), np.array([True, False]), np.array([1, 2], np.uint8),
+        np.array([0.1], np.float32), np.zeros((0,)), np.array(2.5),
+    ],
+    ids=repr,
+)  # fmt: skip
+def test_values_of_every_kind(held: Any, tmp_path: Path) -> None:
+    """Numbers, texts, containers and arrays come back as they were, each of its type."""
+    read = read_mdp(share(Holding(Coin(), held), tmp_path / "holding.py")).held
+    plain = held.item() if isinstance(held, np.generic) else held
+    assert type(read) is type(plain)
+    if isinstance(held, np.ndarray):
+        assert (read.dtype, read.shape) == (held.dtype, held.shape)
+    assert repr(read) == repr(plain)
+
+
+def test_the_lines_of_the_file(cell: dict[str, Any], tmp_path: Path) -> None:
+    """How to play it, what is imported, what is used before its use, the MDP, and its registration."""
+    text = share(cell["Slow"](5, steps=np.array([1, 2])), tmp_path / "slow.py").read_text(encoding="utf-8")
+    assert text.startswith(
+        '"""Slow: a problem for reinforcement learning, written with EduGym. To play it: edugym play slow.py"""\n\n'
+        "import edugym\nimport gymnasium\nimport math\nimport numpy as np\n"
+        "from edugym.rendering.scene import Scene\nfrom edugym.rendering.shapes import Circle\n"
+        "from gymnasium.spaces import Discrete as Whole\nfrom typing import NamedTuple\n\n\nclass Place(NamedTuple):\n"
+    )
+    starts = ["\nSIDE = 3\n", "\nends = {'left': 0, 'right': (4,)}\n", "\ndef moved(", "\nclass Walk(", "\nclass Slow("]
+    ends = ["\n\n\nMDP = Slow(size=5, slip=0.25, steps=np.array([1, 2], np.int64))\n\n", 'register("Slow-v0"']
+    places = [text.index(part) for part in starts + ends]
+    assert places == sorted(places)
+    assert [text.count(part) for part in starts + ends] == [1] * 7
+    environment = gymnasium.make("Slow-v0", render_mode="rgb_array")
+    assert environment.render_mode == "rgb_array"

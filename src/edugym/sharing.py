@@ -11,7 +11,6 @@ import importlib.util
 import inspect
 import keyword
 import linecache
-import re
 import symtable
 import sys
 import tempfile
@@ -287,4 +286,4 @@ def _cells() -> Iterator[str]:
 
 def _import_order(line: str) -> tuple[bool, str]:
     """Sort `import ...` before `from ... import ...`."""
-    return line.startswith("from"), re.sub(r"^(from|import) ", "", line)
+    return line.startswith("from"), line

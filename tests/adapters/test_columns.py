@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from edugym.adapters.columns import Listed, columns, storage
+from edugym.adapters.columns import Listed, columns, copy_of, head, listed, loose, storage
 from edugym.compiled.compiler import compiled
 from tests.contract.play import plain
 
@@ -118,3 +118,25 @@ def test_compiled(states: list[Any]) -> None:
             room.store(i, state)
         rooms.append(plain((run(3, room), [room.load(i) for i in range(3)])))
     assert rooms[0] == rooms[1] == (plain(states[1]), plain([*states[1:], states[0]]))
+
+
+@pytest.mark.parametrize("kind", [listed, loose])
+def test_copies_of_listed_values(kind: Any) -> None:
+    """All or the first ones, in storage of the same type; what is stored in a copy stays out of the original."""
+    storage = kind([(k, np.array([0.5 * k])) for k in range(4)])
+    for copied, n in ((copy_of(storage), 4), (head(storage, 2), 2)):
+        assert type(copied.values) is type(storage.values)
+        assert [copied.load(i)[0] for i in range(n)] == [*range(n)]
+        assert len(copied.values) == n
+        assert copied.store(1, (9, np.array([1.5])))
+        assert (copied.load(1)[0], storage.load(1)[0]) == (9, 1)
+
+
+def test_a_list_tells_of_a_loss() -> None:
+    """A number that its place has cut, beside an array, which is not looked at; and a tuple of another length."""
+    kept = listed([(1, (0.5, np.zeros(2)))] * 2).kept
+    assert kept.equal((2, (0.5, np.ones(2))), (2, (0.5, np.zeros(2))))
+    assert kept.equal((2, (np.nan, np.ones(2))), (2, (np.nan, np.zeros(2))))
+    assert not kept.equal((2, (0.5, np.ones(2))), (2.5, (0.5, np.ones(2))))
+    assert not kept.equal((2, (0.5, np.ones(2))), (2, (0.25, np.ones(2))))
+    assert not kept.equal((2, (0.5, np.ones(2))), (2, (0.5, np.ones(2)), 3))

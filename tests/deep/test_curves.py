@@ -8,8 +8,9 @@ import pytest
 pytest.importorskip("torch")
 
 from edugym.adapters.gymnasium_env import MDPEnv
-from edugym.deep.curves import Curve
-from tests.training.tasks import Ring
+from edugym.deep.curves import Curve, Policy
+from tests.playing.tasks import Walk
+from tests.training.tasks import Ring, Stairs
 
 
 @pytest.mark.parametrize(
@@ -29,3 +30,71 @@ def test_the_limit_of_a_gymnasium_id() -> None:
         curve = Curve("Acrobot-v1", parameters, lambda: lambda observations, first: np.ones(1, np.int64), 10, 1, 0)
         curve.measure(0)
         assert curve.run(None, 0, 0).returns.tolist() == [-steps]
+
+
+def test_the_curve_by_hand() -> None:
+    """Two copies: points where they are due, with the episodes that ended since the one before."""
+    curve = Curve(MDPEnv(Stairs()), {}, lambda: lambda observations, first: np.zeros(2, np.int64), 4, 2, 0)
+    curve.measure(0)
+    for steps, rewards, over in (
+        (2, [1, 10], [False, False]),
+        (4, [2, 20], [True, False]),  # 1 + 2
+        (6, [5, 30], [False, True]),  # 10 + 20 + 30
+        (9, [5, 5], [True, False]),  # 5 + 5
+        (12, [1, 1], [False, False]),
+        (13, [1, 1], [False, False]),
+        (14, [9, 1], [True, False]),  # 1 + 1 + 9
+    ):
+        curve.add(steps, np.array(rewards, float), np.array(over))
+    run = curve.run("the agent", 14, 7)
+    assert run.steps.tolist() == [0, 4, 9, 13, 14]
+    assert run.episodes.tolist() == [0, 1, 2, 0, 1]
+    np.testing.assert_array_equal(run.training_returns, [np.nan, 3.0, 35.0, np.nan, 11.0])
+    assert run.returns.tolist() == [6.0] * 5
+    assert (run.agent, run.seed, run.complete) == ("the agent", 7, True)
+    assert curve.run(None, 14, 7).steps.tolist() == run.steps.tolist()  # there is a point at 14 already
+
+
+def test_one_episode_in_each_copy() -> None:
+    """One ends after two steps, and what it gets after that does not count; the policy hears where episodes begin."""
+    policies, begun = 0, list[list[bool]]()
+
+    def made() -> Policy:
+        nonlocal policies
+        policies += 1
+        begun.clear()
+
+        def policy(observations: Any, first: Any) -> Any:
+            begun.append(first.tolist())
+            return np.array([1, len(begun) % 2])  # to the right, which ends with 1.5; to and fro, without an end
+
+        return policy
+
+    curve = Curve(MDPEnv(Walk(max_steps=7)), {}, made, 10, 2, 0)
+    curve.measure(0)
+    curve.measure(10)
+    assert curve.run(None, 10, 0).returns.tolist() == [0.75, 0.75]
+    assert policies == 2
+    assert begun == [
+        [True, True],
+        [False, False],
+        [True, False],
+        [False, False],
+        [True, False],
+        [False, False],
+        [True, False],
+    ]
+
+
+def test_the_seed_of_a_curve() -> None:
+    """It decides on the evaluation episodes, which are others at each point."""
+
+    def returns(seed: int) -> list[float]:
+        curve = Curve("Catch", {}, lambda: lambda observations, first: np.ones(40, np.int64), 10, 40, seed)
+        for steps in (0, 10, 20):
+            curve.measure(steps)
+        returns: list[float] = curve.run(None, 20, 0).returns.tolist()
+        return returns
+
+    assert returns(1) == returns(1)
+    assert len({*returns(1), *returns(2)}) > 3

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from functools import partial
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +13,9 @@ pytest.importorskip("torch")
 
 from edugym.deep import PPO, repeated
 from edugym.deep.repeated import repeat_deep
-from edugym.training.configuration import Planned
+from edugym.results.tables import MEASURED
+from edugym.training.configuration import Planned, planned_runs
+from edugym.training.fingerprints import versions
 from edugym.training.train import Run
 
 
@@ -34,6 +37,29 @@ def test_the_table() -> None:
     assert "torch" in results.table["versions"].iloc[0]
 
 
+def test_every_column() -> None:
+    """What was measured, the arguments, and the settings of each method: of a function, a partial, and an agent."""
+    agent = PPO.create("Catch", {"rows": 5}, clip=0.3)
+    results = repeat_deep({"one": pretend, "two": partial(pretend, more=0.5)}, 100, repetitions=2, seed=9, jobs=1)
+    table = results.table
+    columns = ["n_steps", "repetitions", "runs", "experiment_seed", "settings", "versions"]
+    assert list(table.columns) == [*MEASURED, *columns]
+    assert table[columns[:4]].drop_duplicates().to_numpy().tolist() == [[100, 2, 4, 9]]
+    assert table["settings"].unique().tolist() == ['"pretend"', '["pretend", {"more": 0.5}]']
+    assert repeated._settings(agent.train) == ["train", agent._asdict()]
+    expected = versions("torch", "stable-baselines3", "sb3-contrib")
+    assert table["versions"].unique().tolist() == [expected]
+    assert expected.endswith(
+        "".join(f", {name} {version(name)}" for name in ("torch", "stable-baselines3", "sb3-contrib"))
+    )
+    seeds = [planned.repetition.seed for planned in planned_runs(["one"], 2, 9)]
+    assert sorted(table["repetition"].unique()) == [0, 1]
+    assert table["seed"].tolist() == [seeds[0]] * 4 + [seeds[1]] * 4
+    assert results.final("one").tolist() == [seed % 7 for seed in seeds]
+    assert table["layout_seed"].isna().all()
+    assert results.agents == {}
+
+
 def rounds(n_steps: int, *, seed: int, complete: bool = True) -> Run:
     """A run with points after steps of its own, whatever it is asked for."""
     steps, returns = np.array([0, 60, 105, 108]), np.array([0.0, 1.0, 2.0, 3.0])
@@ -49,6 +75,20 @@ def test_steps_increase() -> None:
     assert results.curves("one", "training_return")[0].tolist()[1:] == [1, 3]
     assert results.table["episodes"].tolist() == [0, 2, 3]
     assert results.average("one")[0] == pytest.approx((60 * 0.5 + 40 * 2) / 100)
+
+
+@pytest.mark.parametrize(
+    ("episodes", "mean"),
+    [([0, 1, 0, 2], (1 * 5 + 2 * 2) / 3), ([0, 0, 0, 0], np.nan), ([4, 0, 0, 1], 2.0)],
+)
+def test_points_without_an_episode(episodes: list[int], mean: float) -> None:
+    """They do not count in the mean of the last point, which is none where no episode ended."""
+    training_returns = np.array([7.0, 5.0, np.nan, 2.0])
+    curve = np.array([0, 90, 102, 103]), np.arange(4.0), training_returns, np.array(episodes)
+    run = repeated._to(80, Run(*curve, None, 0, 0.1, complete=True))
+    assert (run.steps.tolist(), run.returns.tolist()) == ([0, 80], [0.0, 3.0])
+    assert run.episodes.tolist() == [episodes[0], sum(episodes[1:])]
+    np.testing.assert_allclose(run.training_returns, [7.0, mean])
 
 
 def test_a_run_that_was_stopped_keeps_its_steps() -> None:

@@ -98,6 +98,23 @@ def test_kinds_of_controls(allowed: Any, kind: type[Any], value: Any) -> None:
     assert not getattr(control, "continuous_update", False)
 
 
+def test_ends_steps_and_labels() -> None:
+    """As given; whole numbers go by one, others by a hundredth of the range. All labels are as wide as the longest."""
+
+    def function(learning_rate: float = 0.5, x: int = 3, y: int = 4, z: float = 1.5, kind: str = "b") -> None:
+        """Nothing to see."""
+
+    ranges: dict[str, Any] = {"learning_rate": (0.0, 2.0), "x": (1, 9), "y": (0, 8, 2), "z": (1, 3, 0.5)}
+    controls = sliders(function, **ranges, kind=["a", "b"]).controls
+    of_sliders = [(slider.min, slider.max, slider.step) for slider in map(controls.get, ranges) if slider is not None]
+    assert of_sliders == [(0, 2, 0.02), (1, 9, 1), (0, 8, 2), (1, 3, 0.5)]
+    assert [control.description for control in controls.values()] == ["learning rate", "x", "y", "z", "kind"]
+    assert {control.style.description_width for control in controls.values()} == {"13ch"}
+    assert {control.layout.width for control in controls.values()} == {"420px"}
+    assert (controls["kind"].options, controls["kind"].value) == (("a", "b"), "b")
+    assert sliders(lambda x=3: None, x=range(1, 7, 2)).controls["x"].options == (1, 3, 5)
+
+
 def test_controls_without_a_default() -> None:
     """A slider starts at its low end, a list at its first value, a box as given; widgets are taken as they are."""
     seen: list[tuple[Any, ...]] = []

@@ -111,6 +111,7 @@ def test_a_film_of_an_agent() -> None:
         assert texts(film.widget)[1].startswith(f"step {step}: chip, observation 3 {4 * step}")
         seen.add(texts(film.widget)[0])
     assert len(seen) == 4
+    assert frames("Golf", agent, frames_per_second=0.1).player.interval == 10_000  # milliseconds
     with pytest.raises(ValueError, match="frames_per_second must be greater than 0"):
         frames("Golf", agent, frames_per_second=0)
 

@@ -68,6 +68,24 @@ def test_it_shows_the_question() -> None:
     assert "&lt;" in predict("a", ["a < b", "c"]).measured("a < b")._repr_html_()
 
 
+def test_every_word() -> None:
+    """Of the question, the field, the comparison, and what stands where no kernel runs."""
+    prediction: Any = predict("How high?", unit="grips")
+    assert texts(prediction.widget)[0] == "<b>Your prediction.</b> How high?"
+    assert (prediction._field.placeholder, prediction._field.description) == ("a number", "grips")
+    assert prediction.still() == {"text/html": "Your prediction. How high?"}
+    unanswered = "Measured: 41.3 grips. (You made no prediction; the next one is worth a try.) It slips."
+    assert repr(prediction.measured(41.26, "It slips.")) == unanswered
+    answer(prediction, "40")
+    assert repr(prediction.measured(41.26, "It slips.")) == "You predicted 40 grips. Measured: 41.3 grips. It slips."
+    assert prediction.measured(41.26)._repr_html_() == "<p>You predicted 40 grips. Measured: 41.3 grips.</p>"
+    choice: Any = predict("Which?", ["a", "b", "c"])
+    assert choice.still() == {"text/html": "Your prediction. Which?<br>(a) a (b) b (c) c"}
+    assert (choice._field.options, choice._field.value) == (("a", "b", "c"), None)
+    answer(choice, "c")
+    assert repr(choice.measured("b", "By luck.")) == "Measured: b, you predicted: c. By luck."
+
+
 @pytest.mark.parametrize("question", ["", 3, None])
 def test_a_question_must_be_a_text(question: Any) -> None:
     """Or the error says what it is."""

@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from edugym.results.claims import Above, Below, Claim, Within
+from edugym.results.claims import Above, Below, Claim, Within, beginning
 from edugym.results.statistics import (
     Interval,
     by_point,
+    exactly,
     mean_interval,
     paired_difference,
     proportion_interval,
@@ -139,6 +140,13 @@ def test_points_of_a_curve() -> None:
     assert by_point(values, share=True)[0].tolist() == list(proportion_interval(2, 3)[:3])
     assert by_point(values)[1][0] == 1.0
     assert np.isnan(by_point(values)[1][1:]).all()
+    assert by_point(values[:0]).shape == (0, 3)
+
+
+def test_a_sentence_begins_with_a_capital() -> None:
+    """Its other letters stay."""
+    assert beginning("double SARSA") == "Double SARSA"
+    assert beginning("") == ""
 
 
 @pytest.mark.parametrize(
@@ -146,6 +154,10 @@ def test_points_of_a_curve() -> None:
     [
         (Above(0.5), 0.51, 1.0, True),
         (Above(0.5), 0.49, 1.0, False),
+        (Above(0.5), 0.5, 1.0, False),
+        (Below(0.5), 0.0, 0.5, False),
+        (Within(1, 2), 1, 2, True),
+        (Within(1, 1), 1, 1, True),
         (Below(0.5), 0.0, 0.49, True),
         (Below(0.5), 0.0, 0.51, False),
         (Within(1, 2), 1.1, 1.9, True),
@@ -157,6 +169,13 @@ def test_claims_ask_the_whole_interval(expected: Above | Below | Within, low: fl
     """An estimate on the right side is not enough."""
     interval = Interval((low + high) / 2, low, high, 10)
     assert Claim("it is so", "share", interval, expected).holds is holds
+
+
+def test_expectations_in_words() -> None:
+    """As the tables of a report have them."""
+    assert [str(one) for one in (Above(0.5), Below(-2), Within(0.9, 1234.5))] == ["> 0.5", "< -2", "0.9 to 1234"]
+    assert exactly(0.25) == (0.25, 0.25, 0.25, 1)
+    assert str(exactly(1 / 3)) == "0.333 [0.333, 0.333]"
 
 
 def test_what_was_not_measured_does_not_hold() -> None:

@@ -1,10 +1,16 @@
 """Fingerprints: the same in every process, and others for other values or code."""
 
+import copy
 import functools
 import math
+import platform
 import subprocess
 import sys
 import threading
+from collections import deque
+from importlib.metadata import version
+from pathlib import Path
+from types import ModuleType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,7 +18,7 @@ import pytest
 
 from edugym import QLearning
 from edugym.exact.value_iteration import best_values
-from edugym.training.fingerprints import fingerprint
+from edugym.training.fingerprints import _own_code, fingerprint, versions
 
 CODE = """
 import functools
@@ -77,6 +83,29 @@ def make_adder(n: int) -> Any:
     return lambda x: x + n
 
 
+class Word(str):
+    """A text that holds more."""
+
+    def __new__(cls, text: str, more: int) -> "Word":
+        """Both."""
+        word = super().__new__(cls, text)
+        word.more = more
+        return word
+
+    def __getnewargs__(self) -> tuple[Any, ...]:
+        """For a copy."""
+        return str(self), self.more
+
+    more: int
+
+
+def made(body: str, base: type = object) -> Any:
+    """A class of a notebook."""
+    names: dict[str, Any] = {"__name__": "__main__", "functools": functools, "Base": base}
+    exec(f"class Made(Base):\n    {body}", names)
+    return names["Made"]
+
+
 @pytest.mark.parametrize(
     ("one", "other"),
     [
@@ -99,12 +128,41 @@ def make_adder(n: int) -> Any:
         (functools.partial(helper, x=1), functools.partial(helper, x=2)),
         (QLearning.create((2, 2)), QLearning.create((2, 2), learning_rate=0.2)),
         (np.random.default_rng(1), np.random.default_rng(2)),
+        (deque([1, 2]), deque([1, 3])),
+        (np.array([[1], "x"], object), np.array([[2], "x"], object)),
+        (Word("a", 1), Word("a", 2)),
+        (made("x = 1"), made("x = 2")),
+        (made("def f(self): return 1"), made("def f(self): return 2")),
+        (made("@property\n    def f(self): return 1"), made("@property\n    def f(self): return 2")),
+        (
+            made("@functools.cached_property\n    def f(self): return 1"),
+            made("@functools.cached_property\n    def f(self): return 2"),
+        ),
+        (made("@staticmethod\n    def f(): return 1"), made("@staticmethod\n    def f(): return 2")),
+        (made("@classmethod\n    def f(cls): return 1"), made("@classmethod\n    def f(cls): return 2")),
+        (made("@functools.cache\n    def f(self): return 1"), made("@functools.cache\n    def f(self): return 2")),
+        (made("x = 1", made("y = 1")), made("x = 1", made("y = 2"))),
+        (made("def f(self): return 1")().f, made("def f(self): return 2")().f),
+        (made("def f(self, x=1): return x"), made("def f(self, x=2): return x")),
+        (made("def f(self, *, x=1): return x"), made("def f(self, *, x=2): return x")),
     ],
 )
 def test_what_differs_has_another_one(one: Any, other: Any) -> None:
     """Values, types, shapes and code."""
-    assert fingerprint(one) == fingerprint(one)
+    assert fingerprint(one) == fingerprint(one) == fingerprint(copy.deepcopy(one))
     assert fingerprint(one) != fingerprint(other)
+
+
+@pytest.mark.parametrize("kind", ["NamedTuple", "object"])
+def test_copying_changes_nothing(kind: str) -> None:
+    """Python notes the slots of a class in it when a value of it is copied, as every agent is before its run."""
+    names: dict[str, Any] = {"__name__": "__main__", "NamedTuple": NamedTuple}
+    exec(f"class Own({kind}):\n    x: int = 1", names)
+    make = eval("lambda task: Own()", names)
+    before = fingerprint(make, names["Own"])
+    copy.deepcopy(names["Own"]())
+    assert "__slotnames__" in vars(names["Own"])
+    assert fingerprint(make, names["Own"]) == before
 
 
 def test_code_counts_with_what_it_reaches(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -125,6 +183,74 @@ def test_a_method_counts(monkeypatch: pytest.MonkeyPatch) -> None:
     before = fingerprint(Counter(1))
     monkeypatch.setattr(Counter, "__init__", lambda self, start: None)
     assert fingerprint(Counter) != before
+
+
+@pytest.mark.parametrize(
+    ("name", "other"),
+    [
+        ("platform.machine", lambda: "another machine"),
+        ("platform.python_version", lambda: "3.99"),
+        ("_version", lambda package: "99"),
+        ("_own_code", lambda: "other code of this package"),
+    ],
+)
+def test_what_the_numbers_depend_on_counts(name: str, other: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The machine, versions, and all files of this package."""
+    before = fingerprint(1)
+    monkeypatch.setattr(f"edugym.training.fingerprints.{name}", other)
+    assert fingerprint(1) != before
+
+
+def test_versions_in_words() -> None:
+    """Of what the numbers depend on, and of what else is installed."""
+    expected = [f"python {platform.python_version()}"]
+    expected += [f"{name} {version(name)}" for name in ("edugym", "numpy", "numba", "gymnasium")]
+    assert versions() == ", ".join(expected)
+    assert versions("pytest", "no_such_package") == ", ".join([*expected, f"pytest {version('pytest')}"])
+
+
+def test_every_file_of_the_package_counts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """By its name and its contents, in folders too."""
+    monkeypatch.setattr("edugym.__file__", str(tmp_path / "__init__.py"))
+    (tmp_path / "inner").mkdir()
+    seen = {_own_code.__wrapped__()}
+    for name, contents in (("a.py", "1"), ("a.py", "2"), ("inner/b.py", ""), ("inner/c.py", "2")):
+        (tmp_path / name).write_text(contents)
+        seen.add(_own_code.__wrapped__())
+    (tmp_path / "a.py").rename(tmp_path / "d.py")
+    seen.add(_own_code.__wrapped__())
+    assert len(seen) == 6
+    (tmp_path / "table.csv").write_text("3")
+    assert _own_code.__wrapped__() in seen
+
+
+def test_a_module_of_ones_own_counts_where_it_is_used(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What a function takes from it, and from a module inside it; the rest does not."""
+    mine, inner = ModuleType("mine"), ModuleType("mine.inner")
+    vars(mine).update(rate=1, other=1, inner=inner)
+    vars(inner).update(deep=1, other=1)
+    names: dict[str, Any] = {"__name__": "__main__", "mine": mine}
+    exec("def use(): return mine.rate + mine.inner.deep", names)
+    before = fingerprint(names["use"])
+    for module in (mine, inner):
+        monkeypatch.setattr(module, "other", 2)
+    assert fingerprint(names["use"]) == before
+    for module, name in ((mine, "rate"), (inner, "deep")):
+        with monkeypatch.context() as changed:
+            changed.setattr(module, name, 2)
+            assert fingerprint(names["use"]) != before
+
+
+@pytest.mark.parametrize("module", ["__main__", "gone"])
+def test_code_of_a_notebook_counts(module: str) -> None:
+    """Its module is the program that runs it, or one that is no file."""
+    prints = set()
+    for body in ("1", "2"):
+        names: dict[str, Any] = {"__name__": module}
+        exec(f"def f(): return {body}\nclass C:\n    def g(self): return {body}", names)
+        prints |= {fingerprint(names["f"]), fingerprint(names["C"])}
+    assert len(prints) == 4
+    assert fingerprint(type(sys.flags)) == fingerprint(type(sys.flags))  # a class of a module that is no file either
 
 
 def test_what_cannot_be_taken_apart_is_an_error() -> None:

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 
-from edugym import CountBased, GoExplore, QLearning, make_mdp, train
+from edugym import SARSA, CountBased, GoExplore, QLearning, make_mdp, train
 from edugym.agents.tables import greedy_action
 from edugym.mdp.protocol import Random, Reals
 from edugym.training.visits import record_visits
@@ -69,14 +69,55 @@ def test_every_step_counts_once(make: Any) -> None:
     assert recorder.visits[:, :6].sum(axis=1).tolist() == [500] * 6
 
 
-def test_visits_are_where_the_agent_was() -> None:
+@pytest.mark.parametrize("on_policy", [False, True])
+def test_visits_are_where_the_agent_was(on_policy: bool) -> None:
     """A climb by hand: up, up, a fall, and to the top of a wall of two."""
-    recorder: Any = record_visits(QLearning.create((3, 2)), (3, 2), 4, n_intervals=2)
+    recorder: Any = record_visits(
+        SARSA.create((3, 2)) if on_policy else QLearning.create((3, 2)), (3, 2), 4, n_intervals=2
+    )
+    next_action = [0] if on_policy else []
     for state, next_state in ((0, 1), (1, 0), (0, 1), (1, 2)):
-        recorder.learn(state, 0, 0.0, next_state, next_state == 2, False)
+        recorder.learn(state, 0, 0.0, next_state, *next_action, next_state == 2, False)
     assert recorder.visits.tolist() == [[1, 1, 0], [1, 1, 1]]
-    recorder.learn(0, 0, 0.0, 1, False, False)  # beyond the steps that were announced
+    recorder.learn(0, 0, 0.0, 1, *next_action, False, False)  # beyond the steps that were announced
     assert recorder.visits.tolist() == [[1, 1, 0], [2, 1, 1]]
+    assert record_visits(QLearning.create((3, 2)), (3, 2), 4).visits.shape == (100, 3)
+
+
+class Forgetful(NamedTuple):
+    """An agent that remembers the episode."""
+
+    Q: Reals
+    episode: list[int]
+
+    def act(self, state: int, rng: Random) -> int:
+        """Always the same."""
+        return 0
+
+    def learn(self, state: int, action: int, reward: float, next_state: int) -> None:
+        """Remember."""
+
+    def forget_episode(self) -> None:
+        """Forget."""
+        self.episode.clear()
+
+
+class ForgetfulOnPolicy(Forgetful):
+    """The same, which learns from its next action."""
+
+    __slots__ = ()
+
+    def learn(self, state: int, action: int, reward: float, next_state: int, next_action: int) -> None:  # type: ignore[override]
+        """Remember."""
+
+
+@pytest.mark.parametrize("kind", [Forgetful, ForgetfulOnPolicy])
+def test_an_unfinished_episode_is_forgotten(kind: type[Forgetful]) -> None:
+    """When the agent inside is trained again."""
+    agent = kind(np.zeros((3, 2)), [1, 2])
+    record_visits(agent, (3, 2), 4).forget_episode()
+    assert agent.episode == []
+    assert record_visits(agent, (3, 2), 4).recorded is agent
 
 
 @pytest.mark.parametrize("name", ["n_steps", "n_intervals"])

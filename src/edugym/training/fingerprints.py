@@ -152,7 +152,7 @@ class _Walk:
 _PLAIN = frozenset({bool, int, complex, str, bytes})
 _OF_EVERY_CLASS = frozenset(
     {"__module__", "__dict__", "__weakref__", "__doc__", "__qualname__", "__firstlineno__", "__static_attributes__"}
-    | {"__abstractmethods__", "_abc_impl", "__annotations__", "__parameters__", "__orig_bases__"}
+    | {"__abstractmethods__", "_abc_impl", "__slotnames__", "__annotations__", "__parameters__", "__orig_bases__"}
 )
 
 
