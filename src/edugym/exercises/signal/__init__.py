@@ -140,10 +140,10 @@ def _tables(rng: np.random.Generator) -> list[Reals]:
     first = np.array([[6.0, 2.0], [1.0, 7.0]])
     shapes = ((2, 2), (2, 3), (3, 2), (4, 4))
     others = [rng.integers(1, 6, shape).astype(float) for shape in shapes]
-    others[1][0, 0] = 0.0
-    others[3][np.arange(4), (np.arange(4) + 1) % 4] = 0.0
     for table in others:
         table[0] += np.arange(table.shape[1]) + rng.integers(1, 3)  # so that needs and messages are not alike
+    others[1][0, 0] = 0.0
+    others[3][np.arange(4), (np.arange(4) + 1) % 4] = 0.0
     return [table / table.sum() for table in (first, *others)]
 
 
