@@ -2,9 +2,11 @@
 
 from collections.abc import Callable
 from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 import pytest
+from gymnasium.spaces import Discrete
 
 from edugym.exact.branching import branches
 from edugym.exercises import own_problem as exercises
@@ -56,3 +58,55 @@ def test_a_class_in_place_of_a_value() -> None:
     """The sentence says so, and nothing stands before it."""
     with pytest.raises(WrongAnswer, match=r"^my_problem must be a value, but is the class Mine: make one"):
         exercises.exercise_4(type("Mine", (exercises.UsedToChimes,), {"__slots__": ()}), 0)
+
+
+class Stairs(NamedTuple):
+    """Steps that are taken best by every other action in turn; each try but the last costs 1."""
+
+    states: int = 4
+    actions: int = 2
+
+    action_names = property(lambda self: tuple(f"action {a}" for a in range(self.actions)))
+    action_space = property(lambda self: Discrete(self.actions))
+    observation_space = property(lambda self: Discrete(self.states))
+
+    def initial(self, rng: np.random.Generator) -> int:
+        """At the bottom."""
+        return 0
+
+    def transition(self, state: int, action: int, rng: np.random.Generator) -> int:
+        """Up, with a probability of 0.9 or 0.1."""
+        up = rng.random() < 0.9
+        return state + int(up == (action == state % self.actions))
+
+    def reward(self, state: int, action: int, next_state: int, rng: np.random.Generator) -> float:
+        """A cost, but at the top."""
+        return 0.0 if next_state == self.states - 1 else -1.0
+
+    def terminal(self, state: int) -> bool:
+        """At the top."""
+        return state == self.states - 1
+
+    def observation(self, state: int, rng: np.random.Generator) -> int:
+        """The whole state."""
+        return state
+
+
+def test_the_smallest_problem() -> None:
+    """Four states and two actions; 3 steps up take 3 / 0.9 tries, of which the last is free."""
+    assert exercises.exercise_4(Stairs(), 0) == "A problem: 4 states, 2 actions, optimum -2.333."
+    assert exercises.exercise_4(Stairs(states=5, actions=3), 0) == "A problem: 5 states, 3 actions, optimum -3.444."
+
+
+@pytest.mark.parametrize(("states", "actions"), [(3, 2), (4, 1)])
+def test_a_problem_that_is_too_small(states: int, actions: int) -> None:
+    """Three states, or one action."""
+    with pytest.raises(WrongAnswer, match=f"four states or more, but has {actions} and {states}$"):
+        exercises.exercise_4(Stairs(states, actions), 0)
+
+
+def test_a_problem_that_is_refused() -> None:
+    """Its sentence is that of the package, with nothing before it."""
+    broken = type("Broken", (Stairs,), {"__slots__": (), "observation": lambda self, state, rng: state + 1})
+    with pytest.raises(WrongAnswer, match=r"^(?!my_problem raises)"):
+        exercises.exercise_4(broken(), 0)

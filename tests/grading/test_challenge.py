@@ -60,6 +60,37 @@ def test_an_agent_that_is_there_already_is_not_trained(monkeypatch: pytest.Monke
     assert not agent.fell.any()
 
 
+def test_what_is_trained(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The student's agent and all baselines, on ten tasks of the name; the settings are those of the challenge."""
+    asked: dict[str, Any] = {}
+
+    def repeat(environment: Any, methods: dict[str, Any], n_steps: int, **how: Any) -> None:
+        asked.update(how, environment=environment, methods=[*methods], n_steps=n_steps)
+        raise WrongAnswer("enough")
+
+    monkeypatch.setattr(challenge, "repeat", repeat)
+    with pytest.raises(WrongAnswer, match="enough"):
+        CHALLENGE.score(systematic, "Ada Lovelace")
+    assert asked == {
+        "environment": "Boulder",
+        "methods": ["your agent", *CHALLENGE.baselines],
+        "n_steps": 5_000,
+        "repetitions": 10,
+        "seed": 2350958316,
+        "parameters": {"height": 60},
+    }
+
+
+def test_what_an_agent_is_told_of_a_task() -> None:
+    """Nothing but two spaces; who takes it for a table forgot `create`."""
+    sizes = challenge.Sizes("seen", "done")
+    assert (sizes.observation_space, sizes.action_space) == ("seen", "done")
+    with pytest.raises(AttributeError, match=r"where an array should, which has 'shape': is `\.create` missing"):
+        _ = sizes.shape
+    with pytest.raises(AttributeError, match="only, not 'height': it has to find out the rest"):
+        _ = sizes.height
+
+
 @pytest.mark.slow
 def test_scores() -> None:
     """A systematic explorer gets nearly all points, a random one none, and what is possible is above all others."""
