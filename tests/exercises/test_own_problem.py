@@ -1,6 +1,7 @@
 """The exercises of lesson 10: the numbers in the checks are those of the exact model, and mistakes differ."""
 
 from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext
 from functools import partial
 from typing import NamedTuple
 
@@ -10,6 +11,7 @@ from gymnasium.spaces import Discrete
 
 from edugym.exact.branching import branches
 from edugym.exercises import own_problem as exercises
+from edugym.grading.patience import LIMIT
 from edugym.grading.wrong import WrongAnswer
 from edugym.lessons.own_problem import Morning, solve
 
@@ -96,6 +98,19 @@ def test_the_smallest_problem() -> None:
     """Four states and two actions; 3 steps up take 3 / 0.9 tries, of which the last is free."""
     assert exercises.exercise_4(Stairs(), 0) == "A problem: 4 states, 2 actions, optimum -2.333."
     assert exercises.exercise_4(Stairs(states=5, actions=3), 0) == "A problem: 5 states, 3 actions, optimum -3.444."
+
+
+def test_a_large_problem_has_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Five minutes, and half a minute for what should be there at once."""
+    asked = []
+
+    def running(what: str, limit: float = LIMIT) -> AbstractContextManager[None]:
+        asked.append((what, limit))
+        return nullcontext()
+
+    monkeypatch.setattr(exercises, "running", running)
+    exercises.exercise_4(Stairs(), 0)
+    assert asked == [("my_problem", 30.0), ("my_problem", 300.0)]
 
 
 @pytest.mark.parametrize(("states", "actions"), [(3, 2), (4, 1)])

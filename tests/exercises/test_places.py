@@ -339,6 +339,35 @@ def test_a_wrong_image_of_some_pairs(where: Where) -> None:
         model_based.exercise_2(Mine, 0)
 
 
+@pytest.mark.parametrize(
+    "where",
+    [
+        *(lambda words, last, act=act: last == act for act in (-1, 0, 1, 2, 3)),
+        *(lambda words, last, n=n: len(words) == n for n in (1, 3, 4, 5, 6)),
+        lambda words, last: max(words) > 3,
+        lambda words, last: not any(words),
+    ],
+)
+def test_a_listener_that_is_wrong_in_one_place(where: Where) -> None:
+    """With one last action, one number of words, synonyms, or one word only."""
+
+    class Mine(right_answer("06_signal", 3, "Listener")):  # type: ignore[misc]
+        """The solution, but for some messages."""
+
+        __slots__ = ()
+
+        def act(self, observation: Any, rng: np.random.Generator) -> int:
+            """The right need, or the next one."""
+            last = int(self.last[0])
+            action = int(super().act(observation, rng))
+            if where(observation[1:].tolist(), last):
+                action = self.last[0] = (action + 1) % 4
+            return action
+
+    with pytest.raises(WrongAnswer):
+        signal.exercise_3(Mine, 0)
+
+
 MORNING: list[tuple[str, Where, Callable[[Any], Any]]] = [
     *(
         (

@@ -1,6 +1,7 @@
 """The open challenge: seeds from names, scores against what is possible, and slips."""
 
 import math
+from contextlib import AbstractContextManager
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -10,7 +11,7 @@ import pytest
 
 from edugym import QLearning
 from edugym.exercises.exploration import CHALLENGE, best_average
-from edugym.grading import WrongAnswer, challenge, seed_from_name
+from edugym.grading import WrongAnswer, challenge, seed_from_name, student_code
 from edugym.lessons.exploration import GO_EXPLORE, METHODS, best_return
 from edugym.results.statistics import Interval
 from edugym.results.tables import Results
@@ -68,9 +69,17 @@ def test_what_is_trained(monkeypatch: pytest.MonkeyPatch) -> None:
         asked.update(how, environment=environment, methods=[*methods], n_steps=n_steps)
         raise WrongAnswer("enough")
 
+    limits = []
+
+    def running(what: str, limit: float = 30.0) -> AbstractContextManager[None]:
+        limits.append((what, limit))
+        return student_code.running(what, limit)
+
     monkeypatch.setattr(challenge, "repeat", repeat)
+    monkeypatch.setattr(challenge, "running", running)
     with pytest.raises(WrongAnswer, match="enough"):
         CHALLENGE.score(systematic, "Ada Lovelace")
+    assert limits == [("making your agent", 30.0), ("training your agent", 30.0), ("training your agent", math.inf)]
     assert asked == {
         "environment": "Boulder",
         "methods": ["your agent", *CHALLENGE.baselines],
