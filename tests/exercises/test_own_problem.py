@@ -125,3 +125,11 @@ def test_a_problem_that_is_refused() -> None:
     broken = type("Broken", (Stairs,), {"__slots__": (), "observation": lambda self, state, rng: state + 1})
     with pytest.raises(WrongAnswer, match=r"^(?!my_problem raises)"):
         exercises.exercise_4(broken(), 0)
+
+
+def test_where_a_step_can_lead_is_told() -> None:
+    """A ring in light sleep wakes her always; in deep sleep with probability 0.9, and else she is dozing."""
+    asleep = exercises._ways(partial(exercises.UsedToChimes().transition, (3, 2, 1), 2), "")
+    dozing = exercises._ways(partial(exercises.UsedToChimes().transition, (3, 1, 1), 2), "")
+    assert exercises._told(asleep) == "(4, 0, 1) (p = 0.9) or (4, 1, 1) (p = 0.1)"
+    assert exercises._told(dozing) == "(4, 0, 1) (p = 1)"
