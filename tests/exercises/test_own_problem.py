@@ -68,9 +68,20 @@ class Stairs(NamedTuple):
     states: int = 4
     actions: int = 2
 
-    action_names = property(lambda self: tuple(f"action {a}" for a in range(self.actions)))
-    action_space = property(lambda self: Discrete(self.actions))
-    observation_space = property(lambda self: Discrete(self.states))
+    @property
+    def action_names(self) -> tuple[str, ...]:
+        """Names without a meaning."""
+        return tuple(f"action {a}" for a in range(self.actions))
+
+    @property
+    def action_space(self) -> Discrete:
+        """One or more."""
+        return Discrete(self.actions)
+
+    @property
+    def observation_space(self) -> Discrete:
+        """The steps."""
+        return Discrete(self.states)
 
     def initial(self, rng: np.random.Generator) -> int:
         """At the bottom."""
