@@ -391,6 +391,54 @@ def optimist(wall):
     return QLearning.create(wall, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=1.0).Q
 
 
+# %% exercise 2, wrong: at random
+# says: it acts at random
+# says: act(1, rng)
+class Random(QLearning):
+    __slots__ = ()
+
+    def act(self, state, rng):
+        return int(rng.random() * self.Q.shape[1])
+
+
+def optimist(wall):
+    Q = np.ones((wall.height + 1, wall.n_grips))
+    return Random(Q, 0.5, 0.9, EpsilonGreedy(0.0))
+
+
+# %% exercise 2, wrong: at random among equals and all others
+# says: it acts at random
+# says: act(2, rng)
+class Loose(QLearning):
+    __slots__ = ()
+
+    def act(self, state, rng):
+        values = self.Q[state]
+        if np.sum(values == values.max()) > 1:
+            return int(rng.random() * len(values))
+        return int(np.argmax(values))
+
+
+def optimist(wall):
+    Q = np.ones((wall.height + 1, wall.n_grips))
+    return Loose(Q, 0.5, 0.9, EpsilonGreedy(0.0))
+
+
+# %% exercise 2, wrong: the first of equals
+# says: ties should be broken at random, and it takes the first of equals
+# says: act(2, rng)
+class Early(QLearning):
+    __slots__ = ()
+
+    def act(self, state, rng):
+        return int(np.argmax(self.Q[state]))
+
+
+def optimist(wall):
+    Q = np.ones((wall.height + 1, wall.n_grips))
+    return Early(Q, 0.5, 0.9, EpsilonGreedy(0.0))
+
+
 # %% exercise 2, wrong: the lowest value
 # says: it takes the worst grip
 class Pessimist(QLearning):

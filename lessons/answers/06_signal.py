@@ -39,6 +39,7 @@ for n in range(1, 30):
         break
 
 # %% exercise 1, wrong: nothing was done
+# says: 1 word carries
 # says: that is the value with which the cell began
 words = 1
 

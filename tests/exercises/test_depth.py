@@ -6,11 +6,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edugym import EpsilonGreedy, QLearning, TreeBackup
-from edugym.exercises.depth import CHALLENGE
+from edugym import EpsilonGreedy, NStepSARSA, QLearning, TreeBackup
+from edugym.exercises.depth import CHALLENGE, exercise_1
 from edugym.exercises.depth.cutting import MISTAKES, alike, cases, hand_back, outcomes
 from edugym.exercises.depth.episodes import Episode, learn_from
 from edugym.exercises.depth.ratio import ratio
+from edugym.grading import WrongAnswer
 from edugym.lessons.depth import (
     BY_DEPTH,
     MONTE_CARLO,
@@ -27,6 +28,7 @@ from tests.lessons.answers import solution
 
 LESSON = "03_depth"
 SETTINGS = {"learning_rate": 0.25, "discount": 0.5}
+OTHER_RATES = (0.01, 0.05, 0.2, 0.3, 0.5, 0.9, 1.0)
 
 
 def test_the_ratio_by_hand() -> None:
@@ -72,6 +74,32 @@ def test_every_mistake_shows() -> None:
         right = [*outcomes(all_cases, SETTINGS)]
         for sentence, change in MISTAKES.items():
             assert not all(map(alike, right, outcomes(all_cases, {**SETTINGS, **change}))), sentence
+
+
+QUIET = [
+    ({}, "Right"),
+    *(({"learning_rate": rate}, f"it has a learning rate of {rate:g}, and it should be 0.1$") for rate in OTHER_RATES),
+    *(({"discount": gamma}, f"it has a discount of {gamma:g}, and it should be 1$") for gamma in (0, 0.9, 0.95, 0.99)),
+    *(({"n": n}, f"its targets have {n} rewards, and Monte Carlo has n=math.inf$") for n in (2, 3, 9)),
+    ({"n": 1}, "but its targets have 1 reward, and Monte Carlo has n=math.inf$"),
+    ({"n": 3, "learning_rate": 0.5, "discount": 0.9}, "3 rewards, .*; and it has a learning .*; and it has a discount"),
+    ({"learning_rate": 0.7}, "the first action should be .*: that is no n-step SARSA with a usual learning rate$"),
+]
+
+
+@pytest.mark.parametrize(("how", "says"), QUIET)
+def test_how_deep_and_how_fast_the_quiet_agent_learns(how: dict[str, Any], says: str) -> None:
+    """Whatever differs from the agent of the experiment is told, with the number that it has."""
+
+    def quiet(study: Any) -> NStepSARSA:
+        settings = {"n": math.inf, "learning_rate": 0.1, "discount": 1.0, **how}
+        return NStepSARSA.create(study, exploration=EpsilonGreedy(0.0), **settings)
+
+    if not how:
+        assert exercise_1(quiet, 0).startswith(says)
+    else:
+        with pytest.raises(WrongAnswer, match=says):
+            exercise_1(quiet, 0)
 
 
 @pytest.mark.slow

@@ -1,13 +1,17 @@
 """The exercises of lesson 10: the numbers in the checks are those of the exact model, and mistakes differ."""
 
 from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext
 from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 import pytest
+from gymnasium.spaces import Discrete
 
 from edugym.exact.branching import branches
 from edugym.exercises import own_problem as exercises
+from edugym.grading.patience import LIMIT
 from edugym.grading.wrong import WrongAnswer
 from edugym.lessons.own_problem import Morning, solve
 
@@ -56,3 +60,87 @@ def test_a_class_in_place_of_a_value() -> None:
     """The sentence says so, and nothing stands before it."""
     with pytest.raises(WrongAnswer, match=r"^my_problem must be a value, but is the class Mine: make one"):
         exercises.exercise_4(type("Mine", (exercises.UsedToChimes,), {"__slots__": ()}), 0)
+
+
+class Stairs(NamedTuple):
+    """Steps that are taken best by every other action in turn; each try but the last costs 1."""
+
+    states: int = 4
+    actions: int = 2
+
+    @property
+    def action_names(self) -> tuple[str, ...]:
+        """Names without a meaning."""
+        return tuple(f"action {a}" for a in range(self.actions))
+
+    @property
+    def action_space(self) -> Discrete:
+        """One or more."""
+        return Discrete(self.actions)
+
+    @property
+    def observation_space(self) -> Discrete:
+        """The steps."""
+        return Discrete(self.states)
+
+    def initial(self, rng: np.random.Generator) -> int:
+        """At the bottom."""
+        return 0
+
+    def transition(self, state: int, action: int, rng: np.random.Generator) -> int:
+        """Up, with a probability of 0.9 or 0.1."""
+        up = rng.random() < 0.9
+        return state + int(up == (action == state % self.actions))
+
+    def reward(self, state: int, action: int, next_state: int, rng: np.random.Generator) -> float:
+        """A cost, but at the top."""
+        return 0.0 if next_state == self.states - 1 else -1.0
+
+    def terminal(self, state: int) -> bool:
+        """At the top."""
+        return state == self.states - 1
+
+    def observation(self, state: int, rng: np.random.Generator) -> int:
+        """The whole state."""
+        return state
+
+
+def test_the_smallest_problem() -> None:
+    """Four states and two actions; 3 steps up take 3 / 0.9 tries, of which the last is free."""
+    assert exercises.exercise_4(Stairs(), 0) == "A problem: 4 states, 2 actions, optimum -2.333."
+    assert exercises.exercise_4(Stairs(states=5, actions=3), 0) == "A problem: 5 states, 3 actions, optimum -3.444."
+
+
+def test_a_large_problem_has_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Five minutes, and half a minute for what should be there at once."""
+    asked = []
+
+    def running(what: str, limit: float = LIMIT) -> AbstractContextManager[None]:
+        asked.append((what, limit))
+        return nullcontext()
+
+    monkeypatch.setattr(exercises, "running", running)
+    exercises.exercise_4(Stairs(), 0)
+    assert asked == [("my_problem", 30.0), ("my_problem", 300.0)]
+
+
+@pytest.mark.parametrize(("states", "actions"), [(3, 2), (4, 1)])
+def test_a_problem_that_is_too_small(states: int, actions: int) -> None:
+    """Three states, or one action."""
+    with pytest.raises(WrongAnswer, match=f"four states or more, but has {actions} and {states}$"):
+        exercises.exercise_4(Stairs(states, actions), 0)
+
+
+def test_a_problem_that_is_refused() -> None:
+    """Its sentence is that of the package, with nothing before it."""
+    broken = type("Broken", (Stairs,), {"__slots__": (), "observation": lambda self, state, rng: state + 1})
+    with pytest.raises(WrongAnswer, match=r"^(?!my_problem raises)"):
+        exercises.exercise_4(broken(), 0)
+
+
+def test_where_a_step_can_lead_is_told() -> None:
+    """A ring in light sleep wakes her always; in deep sleep with probability 0.9, and else she is dozing."""
+    asleep = exercises._ways(partial(exercises.UsedToChimes().transition, (3, 2, 1), 2), "")
+    dozing = exercises._ways(partial(exercises.UsedToChimes().transition, (3, 1, 1), 2), "")
+    assert exercises._told(asleep) == "(4, 0, 1) (p = 0.9) or (4, 1, 1) (p = 0.1)"
+    assert exercises._told(dozing) == "(4, 0, 1) (p = 1)"

@@ -9,6 +9,7 @@ import pytest
 
 from edugym import QLearning
 from edugym.exercises import stochasticity as exercises
+from edugym.grading import WrongAnswer
 from edugym.grading.one_step import Q_LEARNING
 from edugym.grading.updates import Transition
 from edugym.lessons.stochasticity.exact import crossing, optimum
@@ -110,3 +111,12 @@ def test_the_challenge() -> None:
     )
     assert 70 < score.points < 95
     assert score.rows["possible"] == (exercises.OPTIMUM, exercises.OPTIMUM)
+
+
+@pytest.mark.parametrize(
+    ("names", "strange"), [(["A", "Zoe"], "'Zoe'"), ([0, "A"], "0"), (["A", ("B", 1.0)], r"\('B', 1\.0\)")]
+)
+def test_what_is_no_name_of_a_player(names: list[Any], strange: str) -> None:
+    """Another text, a number, a pair."""
+    with pytest.raises(WrongAnswer, match=f"should hold names such as 'A', but holds {strange}$"):
+        exercises.exercise_2(lambda players: names, 0)

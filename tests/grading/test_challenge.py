@@ -1,6 +1,7 @@
 """The open challenge: seeds from names, scores against what is possible, and slips."""
 
 import math
+from contextlib import AbstractContextManager
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -10,7 +11,7 @@ import pytest
 
 from edugym import QLearning
 from edugym.exercises.exploration import CHALLENGE, best_average
-from edugym.grading import WrongAnswer, challenge, seed_from_name
+from edugym.grading import WrongAnswer, challenge, seed_from_name, student_code
 from edugym.lessons.exploration import GO_EXPLORE, METHODS, best_return
 from edugym.results.statistics import Interval
 from edugym.results.tables import Results
@@ -58,6 +59,45 @@ def test_an_agent_that_is_there_already_is_not_trained(monkeypatch: pytest.Monke
     with pytest.raises(WrongAnswer, match="enough"):
         CHALLENGE.score(lambda wall: agent, "Ada")
     assert not agent.fell.any()
+
+
+def test_what_is_trained(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The student's agent and all baselines, on ten tasks of the name; the settings are those of the challenge."""
+    asked: dict[str, Any] = {}
+
+    def repeat(environment: Any, methods: dict[str, Any], n_steps: int, **how: Any) -> None:
+        asked.update(how, environment=environment, methods=[*methods], n_steps=n_steps)
+        raise WrongAnswer("enough")
+
+    limits = []
+
+    def running(what: str, limit: float = 30.0) -> AbstractContextManager[None]:
+        limits.append((what, limit))
+        return student_code.running(what, limit)
+
+    monkeypatch.setattr(challenge, "repeat", repeat)
+    monkeypatch.setattr(challenge, "running", running)
+    with pytest.raises(WrongAnswer, match="enough"):
+        CHALLENGE.score(systematic, "Ada Lovelace")
+    assert limits == [("making your agent", 30.0), ("training your agent", 30.0), ("training your agent", math.inf)]
+    assert asked == {
+        "environment": "Boulder",
+        "methods": ["your agent", *CHALLENGE.baselines],
+        "n_steps": 5_000,
+        "repetitions": 10,
+        "seed": 2350958316,
+        "parameters": {"height": 60},
+    }
+
+
+def test_what_an_agent_is_told_of_a_task() -> None:
+    """Nothing but two spaces; who takes it for a table forgot `create`."""
+    sizes = challenge.Sizes("seen", "done")
+    assert (sizes.observation_space, sizes.action_space) == ("seen", "done")
+    with pytest.raises(AttributeError, match=r"where an array should, which has 'shape': is `\.create` missing"):
+        _ = sizes.shape
+    with pytest.raises(AttributeError, match="only, not 'height': it has to find out the rest"):
+        _ = sizes.height
 
 
 @pytest.mark.slow

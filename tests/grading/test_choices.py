@@ -69,6 +69,20 @@ def test_what_should_never_be_chosen() -> None:
         chosen(lambda rng: next(draws))
 
 
+@pytest.mark.parametrize(
+    ("mistakes", "why"),
+    [
+        ({"rarely another": [0.01, 0.98, 0.01]}, "rarely another"),
+        ({"rarely another": [0.01, 0.98, 0.01], "always": [0.0, 1.0, 0.0]}, "always"),
+        ({"two of them": [0.012, 0.988, 0.0], "rarely another": [0.01, 0.98, 0.01]}, "two of them"),
+    ],
+)
+def test_the_mistake_that_fits_best_is_told(mistakes: dict[str, list[float]], why: str) -> None:
+    """Also one that may choose what never came; the distances are 0.04, 0, and 0.024."""
+    with pytest.raises(WrongAnswer, match=f"{why}$"):
+        check_choices("act(0, rng)", lambda rng: 1, HALF, mistakes, tables={}, where="where all is well")
+
+
 def test_placeholder_and_changed_tables() -> None:
     """A placeholder is not solved yet; choosing must change nothing."""
     with pytest.raises(Unsolved):

@@ -2,6 +2,7 @@
 
 import linecache
 import math
+import random
 import warnings
 from typing import Any, NamedTuple
 
@@ -10,7 +11,7 @@ import pytest
 
 from edugym import QLearning
 from edugym.grading import Unsolved, WrongAnswer
-from edugym.grading.student_code import HINTS, running
+from edugym.grading.student_code import HINTS, PACKAGE, running
 
 
 def run(code: str, **names: Any) -> str:
@@ -33,6 +34,25 @@ def test_the_line_is_the_students() -> None:
     assert said.startswith("the line `return np.zeros(2).reshape(3)` raises ValueError: cannot reshape")
     said = run("def f():\n    return QLearning.create((2, 2), alpha=1)\n", QLearning=QLearning)
     assert said.startswith("the line `return QLearning.create((2, 2), alpha=1)` raises ValueError: QLearning has no")
+
+
+@pytest.mark.parametrize(
+    ("code", "says"),
+    [
+        ("QLearning.create((2, 2), alpha=1)", "QLearning has no setting 'alpha'"),
+        ("QLearning.create()", "my_agent raises TypeError: "),
+        ("random.sample([], 2)", "my_agent raises ValueError: Sample larger than population"),
+    ],
+)
+def test_without_a_line_of_the_students(code: str, says: str) -> None:
+    """What the package refuses says all that there is to say; of other errors it is told where they come from."""
+    check = f"with running('my_agent'):\n    {code}\n"
+    with pytest.raises(WrongAnswer) as caught:
+        exec(
+            compile(check, f"{PACKAGE}/check.py", "exec"),
+            {"running": running, "QLearning": QLearning, "random": random},
+        )
+    assert str(caught.value).startswith(says)
 
 
 def test_every_error_is_one_line() -> None:

@@ -218,11 +218,12 @@ def two_weights_update(tables: Tables, now: Transition, *, kappa: float, weigh: 
     if step == "next row":
         entry = (now.next_state, now.action)
     old, new = float(before[entry]), float(Q[entry])
-    delta = (new - old) / rate
+    moved = new - old
     if step in SIMPLE:  # the surprise is that of the right step
         plain = {"Q": before.copy()}
         one_step_update(plain, now, **{**one_step, "step": "difference"})
-        delta = (float(plain["Q"][entry]) - old) / rate
+        moved = float(plain["Q"][entry]) - old
+    delta = moved / rate if rate else 0.0  # a rate of 0 is tried when numbers are fitted to an answer
     good, bad = 1 - kappa, 1 + kappa
     target = delta + old
     weight = {

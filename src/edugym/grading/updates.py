@@ -181,9 +181,9 @@ class Update:
                 _entries(self.outcomes(firsts, {**settings, **dict(zip(self.numbers, map(float, point), strict=True))}))
                 for point in points
             )
-            slopes = np.array(beside).T - at[:, np.newaxis]
-            if not (np.isfinite(slopes).all() and np.isfinite(mine).all()):
+            if not all(np.isfinite(entries).all() for entries in (mine, at, *beside)):
                 return {}
+            slopes = np.array(beside).T - at[:, np.newaxis]
             step = np.linalg.lstsq(slopes, mine - at, rcond=None)[0]
             numbers = numbers + step
             if np.abs(step).max(initial=0.0) < TOLERANCE:

@@ -46,7 +46,8 @@ def exercise_1(answer: Any, seed: int) -> str:
     def says(words: float) -> str:
         if not 1 <= words <= 200:
             return f"words = {words:g} is not from 1 to 200"
-        return f"{words:.0f} words carry {information(0.1, int(words)):.3f} bit at τ = 0.1"
+        carry = "1 word carries" if words == 1 else f"{words:.0f} words carry"
+        return f"{carry} {information(0.1, int(words)):.3f} bit at τ = 0.1"
 
     compare(
         "words",
@@ -140,10 +141,10 @@ def _tables(rng: np.random.Generator) -> list[Reals]:
     first = np.array([[6.0, 2.0], [1.0, 7.0]])
     shapes = ((2, 2), (2, 3), (3, 2), (4, 4))
     others = [rng.integers(1, 6, shape).astype(float) for shape in shapes]
-    others[1][0, 0] = 0.0
-    others[3][np.arange(4), (np.arange(4) + 1) % 4] = 0.0
     for table in others:
         table[0] += np.arange(table.shape[1]) + rng.integers(1, 3)  # so that needs and messages are not alike
+    others[1][0, 0] = 0.0
+    others[3][np.arange(4), (np.arange(4) + 1) % 4] = 0.0
     return [table / table.sum() for table in (first, *others)]
 
 
