@@ -6,7 +6,6 @@ from typing import Any
 
 import pytest
 
-import edugym
 from tests.agents.cases import AGENTS
 
 pytest.importorskip("torch")
@@ -110,12 +109,3 @@ def test_tables_begin_with_zeros(kind: Any) -> None:
     """Where nothing else is said."""
     parameter = inspect.signature(kind.create).parameters.get("initial_value")
     assert parameter is None or parameter.default == 0.0
-
-
-def test_numbers_that_are_new_are_noted() -> None:
-    """A function of the package with a number that can be left out is above, except agents, and what holds results."""
-    for name in set(dir(edugym)) - DEFAULTS.keys() - {"MDPVectorEnv"}:
-        subject = getattr(edugym, name)
-        if inspect.isfunction(subject):
-            values = [parameter.default for parameter in inspect.signature(subject).parameters.values()]
-            assert not any(isinstance(value, int | float) for value in values), name

@@ -110,7 +110,6 @@ def train(
             expected = 0 if stop is not None and stop.is_set() else n_steps  # no steps to come: do not compile
             training = trainer(environment, agent, seed, max_steps, expected)
             agent = training.agent
-            work.hold(training.is_compiled)
             curve.measure(done, training, evaluation_episodes, work.stopped)
             while done < n_steps and not work.stopped():
                 # A call of `training.learn` lasts about 0.02 s. While it runs machine code, Ctrl-C waits for its end. A
