@@ -392,6 +392,15 @@ def row(self, window):
     return number
 
 
+# %% exercise 2, wrong: rows from 1
+# says: should be from 0 to
+def row(self, window):
+    number = 0
+    for i in range(len(window)):
+        number = number * (self.n_actions if i % 2 else self.n_observations) + window[i]
+    return number + 1
+
+
 # %% exercise 2, wrong: decimal digits
 # says: should be from 0 to
 def row(self, window):

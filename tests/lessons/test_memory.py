@@ -24,6 +24,7 @@ from edugym.lessons.memory import (
     smallest_window,
     twin_figure,
     twins,
+    walk_figure,
     warm_up,
     window_law,
 )
@@ -145,3 +146,10 @@ def test_a_window_on_a_lake_that_is_seen() -> None:
 def test_warming_up() -> None:
     """It runs."""
     warm_up()
+
+
+@pytest.mark.parametrize(("step", "back"), [(1, 1), (3, 3), (4, 2), (6, 6), (7, 5), (8, 3)])
+def test_the_arrow_points_to_where_the_door_was_marked(step: int, back: int) -> None:
+    """Door p is marked last in corridor p + 1, whose steps come after those of all shorter corridors."""
+    (ax,) = walk_figure((2, 0, 1, 1), step).draw().axes
+    assert f"marked {back} steps ago" in {text.get_text() for text in ax.texts}

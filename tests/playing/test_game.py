@@ -56,6 +56,7 @@ def test_a_long_history_is_shortened() -> None:
     """The last ten returns are shown, the mean is over all."""
     game = Game("Boulder", height=1, max_steps=1)
     for episode in range(12):
+        assert ("..." in game.history()) == (episode > 10)
         game.step("grip 0" if episode < 6 else "grip 1")
         game.reset()
     first, second = (f"{value:g}" for value in (game.returns[0], game.returns[6]))

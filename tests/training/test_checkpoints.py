@@ -83,6 +83,19 @@ def test_other_runs_are_not_mixed_in(tmp_path: Path, trained: list[int], changes
     assert len(trained) == 6
 
 
+def test_a_complete_experiment_removes_its_own_runs_only(tmp_path: Path, trained: list[int]) -> None:
+    """What another experiment keeps at the same place stays there for its next call; what was half written goes."""
+    folder = tmp_path / "results.csv.unfinished"
+    small(folder)
+    kept = sorted(folder.iterdir())
+    (folder / "half.partial").touch()
+    small(None, save_to=tmp_path / "results.csv", seed=1)
+    assert sorted(folder.iterdir()) == kept
+    small(None, save_to=tmp_path / "results.csv")
+    assert len(trained) == 6
+    assert not folder.exists()
+
+
 def test_a_damaged_file_is_computed_again(tmp_path: Path, trained: list[int]) -> None:
     """Cut off, emptied, or with a byte that has changed."""
     whole = small(tmp_path).table
