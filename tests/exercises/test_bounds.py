@@ -99,10 +99,10 @@ def test_not_close_enough(exercise: Exercise, answer: Any, says: str) -> None:
 
 TOO_LOW, TOO_HIGH = "it is too low", "it is higher than it need be"
 TOLD = [
-    (signal.exercise_1, 0, "words = 0 is not from 1 to 200: that is not enough yet"),
+    (signal.exercise_1, 0, "words = 0 is not from 1 to 100: that is not enough yet"),
     (signal.exercise_1, 1, "1 word carries 0.022 bit at τ = 0.1: that is the value with which the cell began"),
     (signal.exercise_1, 20, "20 words carry 0.373 bit at τ = 0.1: that is not enough yet"),
-    (signal.exercise_1, 201, "words = 201 is not from 1 to 200: fewer words are enough"),
+    (signal.exercise_1, 101, "words = 101 is not from 1 to 100: fewer words are enough"),
     (exploration.exercise_1, -0.1, "ε = -0.1 is no probability: half should, so ε must be larger"),
     (exploration.exercise_1, 0, "with ε = 0, 100.00% of the climbs reach the top: half should, so ε must be larger"),
     (exploration.exercise_1, 1, "with ε = 1, 0.00% of the climbs reach the top: half should, so ε must be smaller"),

@@ -115,11 +115,7 @@ PUSHES: Mapping[str, Callable[[Any, int, int], Any]] = MappingProxyType(
         "the new action is missing: 0 stands in its place": lambda w, a, o: [*w[2:], 0, o],
         "the new observation is missing: 0 stands in its place": lambda w, a, o: [*w[2:], a, 0],
         "the new observation is missing; the old one stands in its place": lambda w, a, o: [*w[2:], a, w[-1]],
-        "it moves by one entry only; an action *and* an observation are new": lambda w, a, o: [
-            *w[1:-1],
-            a,
-            o,
-        ],
+        "it moves by one entry only; an action *and* an observation are new": lambda w, a, o: [*w[1:-1], a, o],
         "it moves the wrong way: the oldest ones should go": lambda w, a, o: [*np.roll(w, 2)[:-2], a, o],
         "only the observations move; the actions should move with them": lambda w, a, o: _only(w, a, o, 0),
         "only the actions move; the observations should move with them": lambda w, a, o: _only(w, a, o, 1),
