@@ -23,17 +23,17 @@ def test_attempt_is_an_episode_of_training() -> None:
 
 
 class Notebook(NamedTuple):
-    """An agent that writes down how each step ended."""
+    """An agent that writes down each step."""
 
-    ends: list[tuple[int, bool, bool]]
+    steps: list[tuple[Any, ...]]
 
     def act(self, state: Any, rng: Any) -> int:
         """Always the action 0."""
         return 0
 
-    def learn(self, state: int, terminated: bool, truncated: bool) -> None:
+    def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool, truncated: bool) -> None:
         """Write it down."""
-        self.ends.append((state, terminated, truncated))
+        self.steps.append((state, action, reward, next_state, terminated, truncated))
 
 
 class Steps(NamedTuple):
@@ -60,8 +60,8 @@ class Steps(NamedTuple):
         return state + 1
 
     def reward(self, state: int, action: int, next_state: int, rng: Any) -> float:
-        """Nothing."""
-        return 0.0
+        """Three for the first step, five for the second."""
+        return float(3 * next_state - state)
 
     def terminal(self, state: int) -> bool:
         """After two steps."""
@@ -73,13 +73,22 @@ class Steps(NamedTuple):
 
 
 @pytest.mark.parametrize(
-    ("max_steps", "ends"), [(1, [(10, False, True)]), (2, [(10, False, False), (11, True, False)])]
+    ("max_steps", "steps"),
+    [(1, [(10, 0, 3.0, 11, False, True)]), (2, [(10, 0, 3.0, 11, False, False), (11, 0, 5.0, 12, True, False)])],
 )
-def test_the_agent_gets_what_train_would_give(max_steps: int, ends: list[tuple[int, bool, bool]]) -> None:
+def test_the_agent_gets_what_train_would_give(max_steps: int, steps: list[tuple[Any, ...]]) -> None:
     """Observations, not states; and the last step before the limit is not truncated where it is terminal."""
     agent = Notebook([])
     assert attempt(lambda mdp: agent, Steps(max_steps), after=0) == [0] * max_steps
-    assert agent.ends == ends
+    assert agent.steps == steps
+
+
+@pytest.mark.parametrize(("after", "episodes"), [(0, 1), (1, 2), (2, 2), (3, 3), (4, 3), (5, 4)])
+def test_how_much_is_trained_before(after: int, episodes: int) -> None:
+    """Whole episodes of two steps, until there are as many steps as asked for; then comes the one that counts."""
+    agent = Notebook([])
+    assert attempt(lambda mdp: agent, Steps(2), after=after) == [0, 0]
+    assert len(agent.steps) == 2 * episodes
 
 
 def test_what_it_cannot_do_is_refused() -> None:

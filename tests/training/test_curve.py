@@ -11,6 +11,7 @@ from edugym import CountBased, EpsilonGreedy, QLearning, ScheduledEpsilonGreedy,
 from edugym.agents.strategies import LinearDecay
 from edugym.mdp.protocol import Random
 from edugym.training.trainers import EVALUATION_LIMIT
+from tests.training.experiments import Clicker
 from tests.training.tasks import SlipperyWalk, Stairs
 
 
@@ -164,26 +165,6 @@ def test_stop_ends_a_run_on_the_way(kind: Any) -> None:
     assert not run.complete
     assert run.agent.Q.any()
     assert 0 < len(run.steps) < 10**6
-
-
-class Clicker:
-    """A progress bar that can be read."""
-
-    def __init__(self, total: int, unit: str, **how: Any) -> None:
-        """At 0."""
-        self.total, self.unit, self.done, self.closed = total, unit, 0, False
-
-    def update(self, n: int) -> None:
-        """Go on."""
-        self.done += n
-
-    def __enter__(self) -> "Clicker":
-        """It is open."""
-        return self
-
-    def __exit__(self, *error: object) -> None:
-        """No more of it."""
-        self.closed = True
 
 
 def test_progress_counts_every_step(monkeypatch: pytest.MonkeyPatch) -> None:

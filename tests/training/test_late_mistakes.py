@@ -107,6 +107,8 @@ def test_episodes_that_never_end() -> None:
         train(endless, QLearning.create((6, 2)), 2_000)
     with pytest.warns(UserWarning, match=r"no episode of Rooms has ended .* step never returned terminated True"):
         train(Rooms(0), QLearning.create((3, 2)), 2_000)
+    with pytest.warns(UserWarning, match="has ended in 1000 steps"):
+        train(endless, QLearning.create((6, 2)), 1_000)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         train(endless, QLearning.create((6, 2)), 2_000, max_steps=100)

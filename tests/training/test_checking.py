@@ -1,0 +1,127 @@
+"""What is checked of students' agents and tasks: which actions pass, where the checks sit, and what a class shares."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+from gymnasium import spaces
+
+from edugym import EpsilonGreedy, QLearning
+from edugym.lessons.own_problem import WithBonus
+from edugym.mdp.checking import CheckedMDP
+from edugym.training.checking import CheckedAgent, checked_agent, checked_mdp, shared_by_class, students_parts
+from edugym.training.contract import GreedyActor, learner
+from edugym.training.guarded import FiniteRewards, RowsOfATable, guarded
+from tests.training.tasks import Stairs, StudentsQLearning
+
+RNG = np.random.default_rng(0)
+NAN, INF = float("nan"), float("inf")
+
+
+class Acting:
+    """An agent that takes one action, in a task with these actions."""
+
+    observation_space = spaces.Discrete(2)
+
+    def __init__(self, action: Any, action_space: spaces.Space[Any]) -> None:
+        """Which one."""
+        self.action, self.action_space = action, action_space
+
+    def act(self, state: Any, rng: Any) -> Any:
+        """That one."""
+        return self.action
+
+    greedy = act
+
+
+ACTIONS: dict[str, tuple[spaces.Space[Any], list[Any], list[Any]]] = {
+    "a whole number from 0 to 2": (
+        spaces.Discrete(3),
+        [0, 2, np.int8(1), np.array(2)],
+        [3, -1, True, np.True_, 1.0, None, [1], np.array([1]), np.array(1.0), "1"],
+    ),
+    "a whole number from 5 to 6": (spaces.Discrete(2, start=5), [5, np.int64(6)], [0, 1, 4, 7, True]),
+    r"an element of Box\(-1.0, 1.0, \(2,\), float32\)": (
+        spaces.Box(-1.0, 1.0, (2,)),
+        [(0.5, 0), [3.0, -9], np.array([1, 2])],  # an MDP may cut them off at the bounds itself
+        [(NAN, 0), (INF, 0.0), (0.5,), 0.5, ("a", "b"), None, ((1, 2), (3,)), (True, False), np.zeros((2, 1))],
+    ),
+    r"an element of Box\(-1.0, 1.0, \(1,\), float32\)": (
+        spaces.Box(-1.0, 1.0, (1,)),
+        [0.5, (0.5,), np.array(1), np.array([[0.5]])],
+        [(0.5, 0.5), (), NAN, "x"],
+    ),
+    r"an element of MultiDiscrete\(\[2 3\]\)": (spaces.MultiDiscrete([2, 3]), [(1, 2), [0, 0]], [(2, 0), (1,), 1]),
+}
+
+
+@pytest.mark.parametrize("method", ["act", "greedy"])
+@pytest.mark.parametrize("steps", [0, 9])
+@pytest.mark.parametrize("allowed", ACTIONS)
+def test_which_actions_pass(allowed: str, steps: int, method: str) -> None:
+    """As they are, in the first steps and later; of others it is said what they should be."""
+    space, right, wrong = ACTIONS[allowed]
+    for action in right:
+        agent = Acting(action, space)
+        assert getattr(CheckedAgent(agent, agent, steps), method)(0, RNG) is action
+    for action in wrong:
+        agent = Acting(action, space)
+        says = f"^{method} of Acting must return an action, {allowed}, but returned .* for state 0"
+        with pytest.raises(ValueError, match=says + (r" \(is a return missing\?\)$" if action is None else "$")):
+            getattr(CheckedAgent(agent, agent, steps), method)(0, RNG)
+
+
+def test_only_the_first_steps_are_checked_in_every_way() -> None:
+    """Two of them: a state that is changed in the third is not looked at."""
+
+    class Changing(Acting):
+        def act(self, state: Any, rng: Any) -> Any:
+            state[0] += self.action
+            return 0
+
+    state, agent = np.zeros(1), Changing(0, Stairs().action_space)
+    checked = CheckedAgent(agent, Stairs(), 2)
+    for agent.action in (0, 0, 1):
+        assert checked.act(state, RNG) == 0
+    assert state == 1
+    with pytest.raises(ValueError, match="act of Changing must not change the state"):
+        CheckedAgent(agent, Stairs(), 1).act(state, RNG)
+
+
+def test_checks_are_next_to_the_students_task() -> None:
+    """Inside the package's wrappers, whose classes no message should blame; guards, which say less, are left out."""
+    student = Stairs()
+    assert [type(part) for part in (guarded(student), guarded(student).mdp)] == [FiniteRewards, RowsOfATable]
+    for outside in (student, guarded(student)):
+        checked = checked_mdp(outside)
+        assert type(checked) is CheckedMDP
+        assert checked._mdp is student
+    wrapped = checked_mdp(guarded(WithBonus(student, 3.0)))
+    assert type(wrapped) is WithBonus
+    assert type(wrapped.mdp) is CheckedMDP
+
+
+def test_checks_are_next_to_the_students_agent() -> None:
+    """Inside what the loops make of it; the package's own agents have none."""
+    own, mine = QLearning.create(Stairs()), StudentsQLearning(np.zeros((4, 2)))
+    for made in (learner, GreedyActor):
+        assert type(checked_agent(made(mine), Stairs()).agent) is CheckedAgent
+        assert type(checked_agent(made(own), Stairs()).agent) is QLearning
+    with_strategy = own._replace(exploration=mine)
+    assert type(checked_agent(with_strategy, Stairs())) is CheckedAgent
+    assert students_parts(with_strategy) == ["StudentsQLearning"]
+    assert students_parts(own._replace(exploration=EpsilonGreedy(0.2))) == students_parts(mine) == []
+
+
+def test_what_a_class_shares() -> None:
+    """Lists, dictionaries, sets and arrays of the class or those above it, unless the agent has one of its own."""
+    above = type("Above", (), {"seen": {1}, "old": [1]})
+    of_class = {"old": [2], "table": np.zeros(2), "names": {"a": 1}, "own": [], "rate": 0.5, "_hidden": []}
+    agent: Any = type("Agent", (above,), of_class)()
+    agent.own = []
+    shared = shared_by_class(agent)
+    agent.table[0] = agent.names["b"] = 1
+    assert sorted(shared) == ["names", "old", "seen", "table"]
+    assert (shared["seen"], shared["old"], shared["names"]) == ({1}, [2], {"a": 1})
+    assert not shared["table"].any()
+    assert shared_by_class(QLearning.create((2, 2))) == {}

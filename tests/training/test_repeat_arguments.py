@@ -1,0 +1,86 @@
+"""What `repeat` is told reaches every run, and is in its results."""
+
+import threading
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from edugym import SARSA, QLearning, repeat, train
+from tests.training.experiments import Clicker
+from tests.training.tasks import Ring, SlipperyWalk
+
+AGENTS: dict[str, Any] = {
+    "Q": lambda task: QLearning.create(task, learning_rate=0.25),
+    "SARSA": lambda task: SARSA.create(task, discount=0.5),
+}
+
+
+def test_every_run_is_that_of_train() -> None:
+    """With the same arguments and the seed of its repetition: curve, returns, episodes and tables."""
+    how: dict[str, Any] = {"max_steps": 4, "evaluate_every": 90, "evaluation_episodes": 3}
+    results = repeat(SlipperyWalk(), AGENTS, 300, repetitions=2, seed=7, jobs=2, **how)
+    seeds = results.table.groupby("repetition")["seed"].first()
+    for method, make in AGENTS.items():
+        for repetition in (0, 1):
+            run = train(SlipperyWalk(), make(SlipperyWalk()), 300, seed=int(seeds[repetition]), **how)
+            rows = results.table.query("method == @method and repetition == @repetition")
+            assert rows["step"].tolist() == run.steps.tolist() == [0, 90, 180, 270, 300]
+            assert rows["episodes"].tolist() == run.episodes.tolist()
+            np.testing.assert_array_equal(rows["return"], run.returns)
+            np.testing.assert_array_equal(rows["training_return"], run.training_returns)
+            assert (results.agents[method][repetition].Q == run.agent.Q).all()
+    asked = how | {"n_steps": 300, "repetitions": 2, "runs": 4, "experiment_seed": 7}
+    assert results.table[[*asked]].drop_duplicates().to_dict("records") == [asked]
+    settings = results.table.groupby("method")[["agent", "agent.learning_rate", "agent.discount"]].first()
+    assert settings.to_numpy().tolist() == [["QLearning", 0.25, 0.99], ["SARSA", 0.1, 0.5]]
+
+
+def test_the_runs_come_in_order() -> None:
+    """Repetition by repetition, each with every method, in the order in which the methods are given."""
+    results = repeat(Ring(), dict(reversed(AGENTS.items())), 10, repetitions=2, evaluate_every=10, jobs=1)
+    rows = results.table[["repetition", "method", "step"]].to_numpy().tolist()
+    assert rows == [[i, method, step] for i in (0, 1) for method in ("SARSA", "Q") for step in (0, 10)]
+
+
+def test_progress_counts_the_steps_of_all_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Those of runs that are found on the disk at once; without `progress` nothing is shown."""
+    bars: list[Clicker] = []
+
+    def bar(**how: Any) -> Clicker:
+        bars.append(Clicker(**how))
+        return bars[-1]
+
+    monkeypatch.setattr("tqdm.auto.tqdm", bar)
+    updates: list[int] = []
+    monkeypatch.setattr(Clicker, "update", lambda self, n: updates.append(n))
+    arguments: dict[str, Any] = {"jobs": 1, "checkpoints": tmp_path}
+    repeat(Ring(), AGENTS, 50, repetitions=1, progress=True, **arguments)
+    repeat(Ring(), AGENTS, 50, repetitions=3, progress=True, **arguments)
+    assert [(bar.total, bar.unit, bar.closed) for bar in bars] == [(100, "steps", True), (300, "steps", True)]
+    assert updates == [0, 50, 50, 100, 50, 50, 50, 50]
+    repeat(Ring(), AGENTS, 50, repetitions=1, jobs=1)
+    assert len(updates) == 8
+
+
+def test_an_experiment_that_is_stopped_before_it_begins() -> None:
+    """Has no rows and no agents, and warns of nothing; its methods are known."""
+    stop = threading.Event()
+    stop.set()
+    results = repeat(Ring(), AGENTS, 50, repetitions=2, jobs=1, stop=stop)
+    assert results.methods == ["Q", "SARSA"]
+    assert results.agents == {"Q": {}, "SARSA": {}}
+    assert len(results.table) == 0
+    assert not results.complete
+
+
+def test_what_was_finished_before_it_was_stopped_is_not_loaded(tmp_path: Path) -> None:
+    """Nor does it get lost."""
+    arguments: dict[str, Any] = {"n_steps": 50, "repetitions": 1, "jobs": 1, "checkpoints": tmp_path}
+    whole = repeat(Ring(), AGENTS, **arguments)
+    stop = threading.Event()
+    stop.set()
+    assert len(repeat(Ring(), AGENTS, stop=stop, **arguments).table) == 0
+    pd.testing.assert_frame_equal(repeat(Ring(), AGENTS, **arguments).table, whole.table)
