@@ -1,5 +1,6 @@
 """Training in an MDP: what a run records, that it can be repeated and stopped, and that watching changes nothing."""
 
+import itertools
 import math
 import threading
 from typing import Any, NamedTuple
@@ -10,7 +11,8 @@ import pytest
 from edugym import CountBased, EpsilonGreedy, QLearning, ScheduledEpsilonGreedy, make_mdp, train
 from edugym.agents.strategies import LinearDecay
 from edugym.mdp.protocol import Random
-from edugym.training.trainers import EVALUATION_LIMIT
+from edugym.training.train import _Curve
+from edugym.training.trainers import EVALUATION_LIMIT, new_log
 from tests.training.experiments import Clicker
 from tests.training.tasks import SlipperyWalk, Stairs
 
@@ -52,6 +54,46 @@ def test_a_point_is_the_mean_of_its_evaluation_episodes() -> None:
     assert many.returns == pytest.approx([2 * success - 1] * 2, abs=0.02)
     one = train(mdp, agent, 200)
     assert set(np.sign(one.returns)) == {-1.0, 1.0}
+
+
+class Evaluated:
+    """A trainer whose evaluation episodes return 1, 2, 3, ..., two in a call."""
+
+    agent, is_compiled = None, False
+
+    def __init__(self) -> None:
+        """Nothing was played."""
+        self.asked: list[int] = []
+        self.returns, self.log = itertools.count(1.0), new_log()
+
+    def learn(self, at_most: int) -> int:
+        """No need."""
+        raise NotImplementedError
+
+    def doubts(self, n_steps: int, n_episodes: int) -> list[str]:
+        """None."""
+        return []
+
+    def play_episodes(self, at_most: int) -> list[float]:
+        """Two, or one."""
+        self.asked.append(at_most)
+        return [next(self.returns) for _ in range(min(2, at_most))]
+
+
+def test_as_many_episodes_as_asked_for() -> None:
+    """Five: two, two and one. A point that is stopped on the way is none, and what was counted is for the next."""
+    training, curve = Evaluated(), _Curve()
+    assert curve.last == -1
+    training.log.returns[0], training.log.episodes[0] = 12.0, 3
+    curve.measure(0, training, 5, lambda: True)
+    assert curve.last == -1
+    curve.measure(7, training, 5, lambda: False)
+    curve.measure(9, training, 2, lambda: True)
+    assert training.asked == [5, 5, 3, 1, 2]
+    assert curve.last == 9
+    steps, returns, training_returns, episodes = (column.tolist() for column in curve.columns())
+    assert (steps, returns, episodes) == ([7, 9], [np.mean([3, 4, 5, 6, 7]), 8.5], [3, 0])
+    assert training_returns == pytest.approx([4.0, math.nan], nan_ok=True)
 
 
 def test_training_returns_include_exploration() -> None:

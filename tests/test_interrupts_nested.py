@@ -1,0 +1,146 @@
+"""Signals where works and blocks of machine code stand in each other, and the order to stop in other threads."""
+
+import os
+import pickle
+import signal
+import sys
+import threading
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from edugym import interrupts
+from edugym.interrupts import Stop, Stopped, Work, asked_to_stop, held, ordered_by
+
+
+@pytest.fixture
+def came() -> Iterator[list[int]]:
+    """Where Ctrl-C leaves its number in the next test."""
+    numbers: list[int] = []
+    before = signal.signal(signal.SIGINT, lambda number, frame: numbers.append(number))
+    yield numbers
+    signal.signal(signal.SIGINT, before)
+
+
+def test_a_block_of_python_in_machine_code(came: list[int]) -> None:
+    """What waits comes when it begins, what comes in it waits for nothing, and after it signals wait again."""
+    with Work() as work:
+        work.hold(machine_code=True)
+        signal.raise_signal(signal.SIGINT)
+        assert len(came) == 0
+        with held(machine_code=False):
+            assert len(came) == 1
+            signal.raise_signal(signal.SIGINT)
+            assert len(came) == 2
+        signal.raise_signal(signal.SIGINT)
+        assert len(came) == 2
+        with held():
+            signal.raise_signal(signal.SIGINT)
+        work.hold(machine_code=False)
+        assert len(came) == 2
+        work.stopped()
+        assert len(came) == 4
+
+
+class Late(Exception):
+    """What a handler of a student's own raises."""
+
+
+def test_what_a_handler_raises_waits_for_the_end_of_the_loop() -> None:
+    """Machine code hears that it is to stop; the error comes when the work ends."""
+
+    def expire(number: int, frame: Any) -> None:
+        raise Late
+
+    reached: list[int] = []
+
+    def work() -> None:
+        with Work() as work:
+            work.hold(machine_code=True)
+            signal.raise_signal(signal.SIGALRM)
+            assert asked_to_stop(7)
+            reached.append(work.loop)
+
+    before = signal.signal(signal.SIGALRM, expire)
+    try:
+        with pytest.raises(Late):
+            work()
+    finally:
+        signal.signal(signal.SIGALRM, before)
+    assert reached == [7]
+
+
+def test_the_work_around_goes_on() -> None:
+    """After the one inside it has ended, that one is asked, and its handlers are in place."""
+    stop = threading.Event()
+    stop.set()
+    before = signal.getsignal(signal.SIGINT), sys.unraisablehook
+    with Work(stop) as outer:
+        with Work():
+            assert not asked_to_stop(3)
+        assert asked_to_stop(4)
+        assert outer.loop == 4
+        assert signal.getsignal(signal.SIGINT) == outer._arrive
+    assert not asked_to_stop(5)
+    assert (signal.getsignal(signal.SIGINT), sys.unraisablehook) == before
+
+
+def test_other_errors_that_python_ignores_are_told_as_before(monkeypatch: pytest.MonkeyPatch) -> None:
+    """By the hook that was there."""
+
+    class Failing:
+        def __del__(self) -> None:
+            raise Late
+
+    told: list[Any] = []
+    monkeypatch.setattr(sys, "unraisablehook", lambda unraisable: told.append(unraisable.exc_type))
+    with Work():
+        Failing()
+        assert told == [Late]
+    Failing()
+    assert told == [Late, Late]
+
+
+def test_a_thread_that_does_not_stop_is_ended() -> None:
+    """If it was ordered to; another goes on, and nothing is left of either."""
+    orders = {"ordered": threading.Event(), "free": threading.Event()}
+    orders["ordered"].set()
+    end, ended = threading.Event(), dict[str, str]()
+
+    def run(name: str) -> None:
+        try:
+            with Work(orders[name]):
+                while not end.is_set():
+                    time.sleep(0.001)
+            ended[name] = "end"
+        except Stopped:
+            ended[name] = "stopped"
+
+    threads = [threading.Thread(target=run, args=(name,)) for name in orders]
+    for thread in threads:
+        thread.start()
+    while len(interrupts._in_threads) < 2:
+        time.sleep(0.001)
+    Work()._insist()
+    threads[0].join()
+    assert ended == {"ordered": "stopped"}
+    end.set()
+    threads[1].join()
+    assert ended == {"ordered": "stopped", "free": "end"}
+    assert interrupts._in_threads == {}
+
+
+@pytest.mark.parametrize("by_event", [False, True])
+def test_the_order_to_stop(by_event: bool) -> None:
+    """Given by itself or by the event, and seen in other processes, which get a copy; its folder does not stay."""
+    event = threading.Event()
+    with ordered_by(event) as stop:
+        copy: Stop = pickle.loads(pickle.dumps(stop))
+        folder = Path(stop._file).parent
+        assert (stop.is_set(), copy.is_set(), copy.process) == (False, False, os.getpid())
+        (event if by_event else stop).set()
+        assert (stop.is_set(), copy.is_set(), event.is_set()) == (True, True, by_event)
+    assert not folder.exists()
