@@ -233,6 +233,33 @@ def test_what_is_wrong_is_named_with_its_argument(
     assert asked == []
 
 
+@pytest.mark.parametrize(
+    ("arguments", "right", "wrong"),
+    [
+        (("reproduce", "made_up", "--repetitions"), 2, 1),
+        (("reproduce", "made_up", "--seed"), 0, -1),
+        (("reproduce", "made_up", "--jobs"), -1, -2),
+        (("reproduce", "made_up", "--jobs"), 1_000, 1_001),
+        (("lab", "--port"), 0, -1),
+        (("lab", "--port"), 65_535, 65_536),
+        (("play", "Boulder", "--seed"), 0, -1),
+    ],
+)
+@pytest.mark.usefixtures("asked")
+def test_the_first_and_last_number_that_will_do(
+    arguments: tuple[str, ...], right: int, wrong: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The next one will not, and the message names its option."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(server, "serve", lambda folder, options: None)
+    monkeypatch.setattr(server, "prepare", lambda folder: [])
+    monkeypatch.setattr(playing, "play", lambda *one, **how: None)
+    assert run(*arguments, str(right)).exit_code == 0
+    refused = run(*arguments, str(wrong))
+    assert refused.exit_code == 2
+    assert f"Invalid value for '{arguments[-1]}'" in refused.stderr
+
+
 def test_an_interruption_is_no_output(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """It is said where errors are."""
 

@@ -9,6 +9,7 @@ import pandas as pd
 import pytest
 
 from edugym import SARSA, QLearning, repeat, train
+from edugym.training.configuration import plain
 from tests.training.experiments import Clicker
 from tests.training.tasks import Ring, SlipperyWalk
 
@@ -84,3 +85,30 @@ def test_what_was_finished_before_it_was_stopped_is_not_loaded(tmp_path: Path) -
     stop.set()
     assert len(repeat(Ring(), AGENTS, stop=stop, **arguments).table) == 0
     pd.testing.assert_frame_equal(repeat(Ring(), AGENTS, **arguments).table, whole.table)
+
+
+class Odd:
+    """A value that no text can hold."""
+
+
+@pytest.mark.parametrize(
+    ("value", "written"),
+    [
+        (np.float64(0.5), 0.5),
+        (np.int8(3), 3),
+        (np.True_, True),
+        ("left", "left"),
+        ((1, 2.5), "[1, 2.5]"),
+        ({"a": [None, True]}, '{"a": [null, true]}'),
+        (Odd(), '"Odd"'),
+        (np.arange(4).reshape(2, 2), "[[0, 1], [2, 3]]"),
+        (np.arange(32), str([*range(32)])),
+        (np.full((3, 11), 0.5), '{"shape": [3, 11], "filled_with": 0.5}'),
+        (np.arange(33.0), '{"shape": [33], "sha256": "adea144801c3828f"}'),
+    ],
+    ids=repr,
+)
+def test_how_settings_are_written(value: Any, written: Any) -> None:
+    """As numbers and texts; a long array by its shape, and what is in it in short."""
+    found = plain(value)
+    assert (type(found), found) == (type(written), written)
