@@ -213,6 +213,16 @@ def test_the_table_of_claims_on_a_narrow_terminal(
     assert [line.rstrip() for line in capsys.readouterr().out.splitlines()] == NARROW.splitlines()
 
 
+def test_the_colours_of_a_claim() -> None:
+    """Green or red for whether it holds; grey for the reason, if there is one, and for what was measured."""
+    measured = "0.25 [0.125, 0.5]\n[dim]share of failures[/dim]"
+    assert commands._row(CLAIM) == (
+        "Fails seldom\n[dim]by design[/dim]", measured, "< 0.75", "[green]yes[/green]"
+    )  # fmt: skip
+    fails = commands._row(CLAIM._replace(expected=Below(0.3), reason=""))
+    assert fails == ("Fails seldom", measured, "< 0.3", "[bold red]NO[/bold red]")
+
+
 def test_what_is_wrong_is_named_with_its_argument(
     asked: list[dict[str, Any]], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -41,7 +41,7 @@ class Clicker:
 
     def __init__(self, total: int, unit: str, **how: Any) -> None:
         """At 0."""
-        self.total, self.unit, self.done, self.closed = total, unit, 0, False
+        self.total, self.unit, self.how, self.done, self.closed = total, unit, how, 0, False
 
     def update(self, n: int) -> None:
         """Go on."""
