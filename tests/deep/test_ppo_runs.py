@@ -57,7 +57,8 @@ def test_each_step_is_learned_from_so_many_times(norm: float, stepped: float, mo
     epochs = [seen[k] + seen[k + 1] for k in (0, 2, 4)]
     assert [sorted(epoch) for epoch in epochs] == [[*range(10)]] * 3
     assert len({tuple(epoch) for epoch in epochs}) == 3
-    assert steps == [(pytest.approx(stepped), 0.125)] * 6
+    assert [norm for norm, _ in steps] == pytest.approx([stepped] * 6)
+    assert [rate for _, rate in steps] == [0.125] * 6
 
 
 def always_right(discount: float, max_steps: int) -> tuple[ActorCritic, list[Tensor], Any]:

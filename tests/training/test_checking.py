@@ -103,7 +103,8 @@ def test_checks_are_next_to_the_students_task() -> None:
 
 def test_checks_are_next_to_the_students_agent() -> None:
     """Inside what the loops make of it; the package's own agents have none."""
-    own, mine = QLearning.create(Stairs()), StudentsQLearning(np.zeros((4, 2)))
+    own: QLearning = QLearning.create(Stairs())
+    mine: Any = StudentsQLearning(np.zeros((4, 2)))
     for made in (learner, GreedyActor):
         assert type(checked_agent(made(mine), Stairs()).agent) is CheckedAgent
         assert type(checked_agent(made(own), Stairs()).agent) is QLearning

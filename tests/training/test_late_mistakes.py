@@ -10,7 +10,7 @@ from gymnasium import spaces
 
 from edugym import QLearning, train
 from tests.compiled.cells import LEARNER, WALK, cell
-from tests.training.slips import END, MOVE, PAY, SEE
+from tests.training.slips import ACTS, END, MOVE, PAY, SEE
 
 N_STEPS = 60_000
 RARE = "rng.random() < 0.0002"
@@ -60,6 +60,15 @@ def test_a_rare_action(way: str) -> None:
     source = changed(LEARNER, "if rng.random() < 0.1:", f"{OUTSIDE[way]}{wrong}if rng.random() < 0.1:")
     with pytest.raises(ValueError, match=r"act of Learner .* from 0 to 1, but returned 2 for state \d"):
         train(walk(), learner(source), N_STEPS, seed=2)
+
+
+@pytest.mark.parametrize("way", OUTSIDE)
+@pytest.mark.filterwarnings("ignore:Walk, Learner cannot be compiled")
+def test_a_rare_action_in_evaluation(way: str) -> None:
+    """The method by which the agent is evaluated is named, too."""
+    greedy = f"def greedy(self, state, rng):\n        {OUTSIDE[way]}return 2 if rng.random() < 0.001 else 1\n    {ACTS}"
+    with pytest.raises(ValueError, match=r"greedy of Learner .* from 0 to 1, but returned 2 for state \d"):
+        train(walk(), learner(changed(LEARNER, ACTS, greedy)), 6_000, evaluate_every=2, seed=2)
 
 
 def test_what_is_right_is_left_alone() -> None:
