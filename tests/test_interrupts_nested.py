@@ -73,6 +73,7 @@ def test_what_a_handler_raises_waits_for_the_end_of_the_loop() -> None:
     assert reached == [7]
 
 
+@pytest.mark.usefixtures("came")
 def test_the_work_around_goes_on() -> None:
     """After the one inside it has ended, that one is asked, and its handlers are in place."""
     stop = threading.Event()

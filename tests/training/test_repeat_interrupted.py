@@ -112,8 +112,9 @@ def test_before_the_first_step(tmp_path: Path) -> None:
 def test_an_event_stops_too() -> None:
     """From another thread, such as that of a button; and what comes after it is left out without a warning."""
     stop = threading.Event()
-    with pytest.warns(UserWarning, match="stopped: 1 of 3 runs are complete"):
+    with pytest.warns(UserWarning, match="stopped: 1 of 3 runs are complete") as caught:
         repeat("Boulder", {"Q": stopping(2, stop.set)}, 200, repetitions=3, jobs=1, stop=stop)
+    assert [warning.filename for warning in caught] == [__file__]  # the line that has called `repeat`
     assert stop.is_set()
     assert repeat("Boulder", {"Q": QLearning.create}, 200, repetitions=3, stop=stop).table.empty
 
