@@ -184,9 +184,10 @@ class Careless:
 
 
 def ignored_by_python(work: Work) -> None:
-    """An error in `__del__`."""
+    """An error in `__del__`: what comes after it is interrupted."""
     Careless()
     threading.Event().wait(10)
+    raise AssertionError
 
 
 def ignored_by_a_student(work: Work) -> None:

@@ -120,16 +120,16 @@ def test_a_thread_that_does_not_stop_is_ended() -> None:
         except Stopped:
             ended[name] = "stopped"
 
-    threads = [threading.Thread(target=run, args=(name,)) for name in orders]
+    threads = [threading.Thread(target=run, args=(name,), daemon=True) for name in orders]
     for thread in threads:
         thread.start()
     while len(interrupts._in_threads) < 2:
         time.sleep(0.001)
     Work()._insist()
-    threads[0].join()
+    threads[0].join(10)
     assert ended == {"ordered": "stopped"}
     end.set()
-    threads[1].join()
+    threads[1].join(10)
     assert ended == {"ordered": "stopped", "free": "end"}
     assert interrupts._in_threads == {}
 

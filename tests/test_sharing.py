@@ -166,6 +166,26 @@ def test_a_picture_that_cannot_be_drawn(drawing: str, says: str, tmp_path: Path,
     assert [*tmp_path.iterdir()] == []
 
 
+def test_functions_are_imported_from_where_they_are(tmp_path: Path, cell: dict[str, Any]) -> None:
+    """From the outermost module that has them; one's own that has two names cannot be written."""
+    text = (
+        "def halved(x): return x / 2\n\nclass Rooted(Walk):\n    __slots__ = ()\n"
+        "    def reward(self, state, action, next_state, rng): return sqrt(partial(isqrt, 4)())\n"
+    )
+    file = "/tmp/ipykernel_1/3.py"
+    linecache.cache[file] = (len(text), None, text.splitlines(keepends=True), file)
+    exec(compile("from math import isqrt, sqrt\nfrom functools import partial", "", "exec"), cell)
+    exec(compile(text, file, "exec"), cell)
+    path = share(cell["Rooted"](5, steps=np.array([1, 2])), tmp_path / "rooted.py")
+    lines = path.read_text(encoding="utf-8").splitlines()
+    for line in ("from functools import partial", "from math import isqrt", "from math import sqrt"):
+        assert lines.count(line) == 1
+    assert read_mdp(path).reward(0, 0, 0, None) == 2**0.5
+    cell["sqrt"] = cell["halved"]
+    with pytest.raises(ValueError, match="sqrt must be called halved, as it was defined, to be shared"):
+        share(cell["Rooted"](5, steps=np.array([1, 2])), tmp_path / "renamed.py")
+
+
 def test_what_cannot_be_read(tmp_path: Path) -> None:
     """A file without an MDP, and one whose MDP is wrong."""
     (tmp_path / "empty.py").write_text("x = 1\n")
