@@ -120,6 +120,7 @@ def test_what_is_inside_an_environment() -> None:
 def test_the_history_of_an_episode() -> None:
     """The last state and action, and all actions, from the start of this episode; the random stream goes on."""
     env = MDPEnv(cell(WALK)["Walk"](5))
+    assert (env.state, env.last_state, env.last_action, env.actions, env.steps) == (None, None, None, [], 0)
     for _ in range(2):
         env.reset()
         assert (env.state, env.last_state, env.last_action, env.actions, env.steps) == (0, None, None, [], 0)
