@@ -56,16 +56,14 @@ class ToldInPlace(Told):
         out[...] = state
 
 
-class Hearer(NamedTuple):
-    """An agent that notes what it is given, and takes it as it is.
+class Hearer:
+    """An agent that notes what it is given, and takes it as it is."""
 
-    Attributes:
-        log: what it was given.
-    """
+    tabular: Any = False
 
-    log: list[Any]
-
-    tabular = False
+    def __init__(self, log: list[Any]) -> None:
+        """Note it here."""
+        self.log = log
 
     def act(self, state: Any, rng: Random) -> int:
         """Note it."""
@@ -80,15 +78,11 @@ class Hearer(NamedTuple):
 class VectorHearer(Hearer):
     """One that takes vectors."""
 
-    __slots__ = ()
-
     n_inputs = 2
 
 
 class WritingHearer(VectorHearer):
     """One that writes its actions, which count up."""
-
-    __slots__ = ()
 
     def act_into(self, state: Any, rng: Random, action: Any) -> None:
         """Note it, and write."""
@@ -102,7 +96,7 @@ TWO = spaces.Discrete(2)
 BOARD = spaces.Box(-9.0, 9.0, (2, 2), np.float32)
 PAIR = spaces.Tuple((spaces.Discrete(2, start=5), spaces.Discrete(3, start=-1)))
 
-SEEN = {
+SEEN: dict[str, Any] = {
     "a vector": (PLANE, [np.array([1.0, 2.0]), np.array([3.0, 4.0])], [[1, 2], [3, 4]]),
     "a tuple of reals": (PLANE, [(1.0, 2.0), (3.0, 4.0)], [[1, 2], [3, 4]]),
     "a number": (spaces.Box(-9.0, 9.0, (), np.float32), [1.5, -2.5], [[1.5], [-2.5]]),
@@ -174,15 +168,11 @@ def test_actions_that_are_handed_on(actions: Any, agent: Any, on_policy: bool) -
 class WithTable(Hearer):
     """An agent with a table."""
 
-    __slots__ = ()
-
     tabular = True
 
 
 class Silent(Hearer):
     """One that does not say that it has none."""
-
-    __slots__ = ()
 
     tabular = None
     n_inputs = 2

@@ -1,6 +1,7 @@
 """For how long an MDP is checked, what is checked in wrappers, and the very words of the answers."""
 
 import re
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -48,12 +49,13 @@ def test_states_may_not_change_for_as_many_steps_as_it_says() -> None:
     rng, mdp = np.random.default_rng(0), board()
     checked = CheckedMDP(mdp, 2)
     for _ in range(2):
-        for ask in (
+        asks: list[Callable[[], Any]] = [
             lambda: checked.transition(np.array([5.0, 5.0]), 3, rng),
             lambda: checked.reward(np.array([5.0, 5.0]), 3, np.array([7.0, 7.0]), rng),
             lambda: checked.terminal(np.array([5.0, 5.0])),
             lambda: checked.observation(np.array([5.0, 5.0]), rng),
-        ):
+        ]
+        for ask in asks:
             with pytest.raises(
                 ValueError, match=r"turned array\(\[5., 5.\]\) into array\(\[6., 5.\]\): make a new one"
             ):
@@ -154,7 +156,7 @@ def test_the_mdp_in_a_wrapper_is_looked_at() -> None:
     """The mistake is named with the class that has it."""
     walk = cell(WALK.replace("def transition(self, state, action, rng)", "def transition(self, state, action)"))["Walk"]
     with pytest.raises(ValueError, match=r"^transition of Walk must take"):
-        MDPEnv(around(walk(5)))
+        check_mdp(around(walk(5)))
 
 
 NEAR = {
