@@ -72,9 +72,11 @@ def test_states_may_not_change_for_as_many_steps_as_it_says() -> None:
 
 def test_rewards_and_observations_are_checked_for_ever() -> None:
     """Also after the steps in which everything is."""
-    rng, mdp = np.random.default_rng(0), board(observation_space=spaces.Discrete(2))
-    checked = CheckedMDP(mdp, 0)
+    rng, source = np.random.default_rng(0), BOARD.replace("return 0.5", "return np.nan").replace("return 2", "return 3")
+    checked = CheckedMDP(cell(source)["Board"]([]), 0)
     checked.transition(np.zeros(2), 0, rng)
+    with pytest.raises(ValueError, match="reward of Board must return a finite number, but returned nan"):
+        checked.reward(np.zeros(2), 0, np.zeros(2), rng)
     with pytest.raises(ValueError, match="observation of Board must return an element of Discrete"):
         checked.observation(np.zeros(2), rng)
 
@@ -116,15 +118,15 @@ def test_the_words_of_an_answer() -> None:
     )
 
 
-@pytest.mark.parametrize("seed_of_end", [1, 3])
-def test_the_states_that_are_met(seed_of_end: int) -> None:
+@pytest.mark.parametrize("end", [1, 3])
+def test_the_states_that_are_met(end: int) -> None:
     """Each step gives one, and after the end comes an initial one; it plays 200 steps where no number is given."""
     mdp = cell(
         WALK.replace("return max(0, state + 2 * action - 1)", "return state + 1")
         .replace("return 0\n", "return -1\n")
         .replace("return state\n", "return 0\n")
     )["Walk"]
-    assert check_mdp(mdp(seed_of_end), 7)[: seed_of_end + 4] == [*range(-1, seed_of_end + 1), -1, 0][: seed_of_end + 4]
+    assert check_mdp(mdp(end), 7)[: end + 4] == [*range(-1, end + 1), -1, 0][: end + 4]
     assert len(check_mdp(mdp(10**6))) == 201
     assert CHECKED_STEPS == 200
 
