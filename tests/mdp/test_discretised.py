@@ -117,6 +117,7 @@ def test_numbers_that_are_none() -> None:
     ("arguments", "message"),
     [
         ({"bins": 0}, "bins must be a whole number, 1 or more|bins must be from 1"),
+        ({"bins": 2**31 + 1}, "bins must be from 1 to 2147483648"),
         ({"bins": 2.5}, "bins must be a whole number"),
         ({"bins": [2, 2, 2]}, r"bins must be one number or 2, one for each, but is \[2, 2, 2\]"),
         ({"bins": 2, "low": [1, 2, 3]}, r"low must be one number or 2, one for each, but is \[1, 2, 3\]"),
@@ -157,6 +158,7 @@ def test_actions() -> None:
         (make_mdp("Boulder"), 3, "the actions of mdp must be a Box of one axis with finite bounds"),
         (Shows(), 1, "bins must be from 2|bins must be a whole number, 2"),
         (Shows(), 1_000, "bins must give at most 100000 actions, but 1000 gives 1,000,000"),
+        (Shows(), [2, 50_001], "bins must give at most 100000 actions"),
         (Shows(), [2], "bins must be one number or 2, one for each"),
     ],
 )
@@ -164,6 +166,7 @@ def test_arguments_of_actions(mdp: Any, bins: Any, message: str) -> None:
     """Each is checked, and named."""
     with pytest.raises(ValueError, match=message):
         DiscreteActions.create(mdp, bins)
+    assert DiscreteActions.create(Shows(), [2, 50_000]).action_space.n == 100_000
 
 
 def test_machine_code_does_the_same() -> None:

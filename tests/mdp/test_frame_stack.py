@@ -8,7 +8,7 @@ from gymnasium import spaces
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from edugym import FrameStack, MDPEnv, QLearning, make_mdp, stack_size, table_size, train
+from edugym import Discretised, FrameStack, MDPEnv, QLearning, make_mdp, stack_size, table_size, train
 from edugym.mdp.frame_stack import longest_stack
 from edugym.rendering.ansi import to_text
 from tests.mdp.watch import watched
@@ -122,6 +122,13 @@ def test_the_longest_stack_that_fits() -> None:
     for k, actions, message in refused:
         with pytest.raises(ValueError, match=message):
             FrameStack.create(CORRIDOR, k, actions)
+    unnumbered: Any = Discretised.create(make_mdp("Trashbot"), 2)
+    with pytest.raises(ValueError, match="actions must be False, since the action space is not Discrete but Box"):
+        FrameStack.create(unnumbered, 2, actions=True)
+    assert FrameStack.create(unnumbered, 1, actions=True).n_actions == 1
+    wrong: Any = 1
+    with pytest.raises(ValueError, match="actions must be True or False, but is 1"):
+        FrameStack.create(CORRIDOR, 2, wrong)
     with pytest.raises(ValueError, match="a table needs observations that are whole numbers"):
         FrameStack.create(make_mdp("Catch"), 2)
 

@@ -242,7 +242,7 @@ def _vector_rows(mdp: Any) -> Any:
     space, rng = mdp.observation_space, np.random.default_rng(0)
     n = vector_length(space)
     sample = mdp.observation(mdp.initial(rng), rng)
-    shape = () if isinstance(space, spaces.Discrete) else space.shape or (len(table_sizes(space)),)
+    shape = (len(table_sizes(space)),) if space.shape is None else space.shape
     if sample is None or np.shape(sample) != shape:
         raise ValueError(
             f"observation of {type(innermost(mdp)).__name__} must give what its observation_space says, {space}, but"

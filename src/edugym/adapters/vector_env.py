@@ -58,7 +58,11 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
         max_episode_steps: int | None = None,
     ) -> None:
         """See the class."""
-        env = environment_of(env, "env")
+        try:
+            env = environment_of(env, "env")
+        except Exception as error:
+            end_at_students_line(error)
+            raise
         if not env.only_plays_its_mdp:
             raise ValueError(
                 f"env must do in a step what its MDP does and no more, but {env!r} does more: use Gymnasium's"

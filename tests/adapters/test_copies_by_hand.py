@@ -1,0 +1,197 @@
+"""Several copies of a task that go different ways: what each shows, and what becomes of all where one does not fit."""
+
+import warnings
+from typing import Any, NamedTuple
+
+import gymnasium
+import numpy as np
+import pytest
+from gymnasium import spaces
+from gymnasium.vector import AutoresetMode
+
+from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.adapters.vector_env import MDPVectorEnv
+from edugym.mdp.protocol import Random
+from edugym.rendering.scene import Scene
+from tests.compiled.cells import cell
+from tests.contract.play import Copies, plain
+
+
+class Remembered(NamedTuple):
+    """A task whose info and picture ask for everything; only some actions lead to the end.
+
+    Attributes:
+        action_space: of the actions.
+        max_steps: the limit.
+        end: the last state that is not terminal.
+    """
+
+    action_space: Any
+    max_steps: int = 5
+    end: int = 16
+
+    @property
+    def observation_space(self) -> Any:
+        """Whole numbers."""
+        return spaces.Discrete(100)
+
+    def initial(self, rng: Random) -> int:
+        """One of ten."""
+        return int(rng.random() * 10)
+
+    def transition(self, state: int, action: Any, rng: Random) -> int:
+        """On, by chance."""
+        return state + 1 + int(rng.random() * 3)
+
+    def reward(self, state: int, action: Any, next_state: int, rng: Random) -> float:
+        """As far as it goes."""
+        return float(next_state - state)
+
+    def terminal(self, state: int) -> bool:
+        """Far away."""
+        return state > self.end
+
+    def observation(self, state: int, rng: Random) -> int:
+        """The state."""
+        return state
+
+    def info(self, state: int, last_state: Any, last_action: Any, actions: Any, steps: int) -> dict[str, Any]:
+        """All of it."""
+        return {"all": (state, last_state, last_action, list(actions), steps)}
+
+
+class Latest(Remembered):
+    """Its info asks for the last action and no other."""
+
+    __slots__ = ()
+
+    def info(self, state: int, last_action: Any) -> dict[str, Any]:  # type: ignore[override]
+        """What is known."""
+        return {"last": last_action}
+
+
+class Drawn(Remembered):
+    """Its picture asks, and its info does not."""
+
+    __slots__ = ()
+
+    def info(self, state: int) -> dict[str, Any]:  # type: ignore[override]
+        """Nothing."""
+        return {}
+
+    def scene(self, state: int, last_state: Any, actions: Any) -> Scene:
+        """As wide as what is known."""
+        return Scene(1.0 + state + 100 * (last_state or 0), 1.0 + sum(map(float, np.ravel(actions))), ())
+
+
+KINDS = {
+    "all": Remembered(spaces.Discrete(3)),
+    "many actions": Remembered(spaces.Discrete(1000)),
+    "vectors": Remembered(spaces.Box(0, 1, (2,), np.float32)),
+    "two numbers": Remembered(spaces.MultiDiscrete([3, 200])),
+    "the last action": Latest(spaces.Discrete(128)),
+}
+
+
+@pytest.mark.filterwarnings("ignore:.* interpreted")
+@pytest.mark.parametrize("mode", [AutoresetMode.NEXT_STEP, AutoresetMode.SAME_STEP])
+@pytest.mark.parametrize("name", KINDS)
+def test_what_each_of_several_copies_knows(name: str, mode: AutoresetMode) -> None:
+    """The info of a copy, with its own last state and actions, is that of a single environment."""
+    task: Any = KINDS[name]
+    alone = Copies([MDPEnv(task) for _ in range(3)], mode, seed=4)
+    vector = MDPVectorEnv(MDPEnv(task), 3, mode)
+    vector.reset(seed=4)
+    vector.action_space.seed(0)
+    for _ in range(60):
+        actions = vector.action_space.sample()
+        alone.step([int(action) if np.ndim(action) == 0 else action for action in actions])
+        vector.step(actions)
+        for i in range(3):
+            assert plain(vector.showing(i).info()) == plain(alone.envs[i].info())
+
+
+@pytest.mark.filterwarnings("ignore:.* interpreted")
+def test_what_each_of_several_copies_draws() -> None:
+    """Where the picture alone asks for what was before."""
+    task: Any = Drawn(spaces.Discrete(3))
+    alone = Copies([MDPEnv(task) for _ in range(3)], AutoresetMode.SAME_STEP, seed=4)
+    vector = MDPVectorEnv(MDPEnv(task), 3, "SameStep")
+    vector.reset(seed=4)
+    for step in range(30):
+        actions = [step % 3, (step + 1) % 3, 2]
+        alone.step(actions)
+        vector.step(actions)
+        assert [vector.showing(i).scene() for i in range(3)] == [env.scene() for env in alone.envs]
+
+
+@pytest.mark.parametrize(("asked", "limit"), [(None, 5), (-1, 5), (7, 5), (5, 5), (3, 3)])
+def test_the_lower_limit_counts(asked: int | None, limit: int) -> None:
+    """The task's own, or what is asked for."""
+    task: Any = Remembered(spaces.Discrete(1))._replace(end=40)
+    vector = MDPVectorEnv(MDPEnv(task), 2, max_episode_steps=asked)
+    vector.spec = gymnasium.spec("edugym/Boulder-v0")
+    assert vector.spec.max_episode_steps == limit
+    vector.reset(seed=0)
+    truncated = [vector.step([0, 0])[3].tolist() for _ in range(limit)]
+    assert truncated == [[False, False]] * (limit - 1) + [[True, True]]
+
+
+LEAVING = """
+class Leaving(NamedTuple):
+    max_steps: int = 170
+    def initial(self, rng): return int(rng.random() * 10)
+    def transition(self, state, action, rng):
+        return state + int(rng.random() * 3) if state < 150 else state + rng.random()
+    def reward(self, state, action, next_state, rng): return state + rng.random()
+    def terminal(self, state): return state > 160
+    def observation(self, state, rng): return rng.random()
+    observation_space = property(lambda self: spaces.Box(0, 1, (), np.float64))
+    action_space = property(lambda self: spaces.Discrete(2))
+"""
+"""A student's task whose states are no longer whole from 150 on, with chance in everything."""
+
+
+def test_all_copies_go_on_where_the_state_of_one_does_not_fit() -> None:
+    """The whole step is taken again, with the same chances, from the same states, after as many steps."""
+    task = cell(LEAVING)["Leaving"]()
+    alone = Copies([MDPEnv(task) for _ in range(3)], AutoresetMode.NEXT_STEP, seed=8)
+    vector = MDPVectorEnv(MDPEnv(task), 3)
+    vector.reset(seed=8)
+    compiled = []
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        for _ in range(250):
+            rewards, terminations, truncations, _ = alone.step([1, 1, 1])
+            observations, *seen, _ = vector.step([1, 1, 1])
+            assert observations.tolist() == [float(seen) for seen in alone.observations]
+            assert [part.tolist() for part in seen] == [rewards, terminations, truncations]
+            assert plain([vector.state(i) for i in range(3)]) == plain([env.state for env in alone.envs])
+            assert [vector.showing(i).steps for i in range(3)] == [env.steps for env in alone.envs]
+            compiled.append(vector.is_compiled)
+    assert compiled[0]
+    assert not compiled[-1]
+
+
+SETS = """
+class Sets(NamedTuple):
+    observation_space: object = spaces.Discrete(1)
+    action_space: object = spaces.Discrete(2)
+    def initial(self, rng): return {1}
+    def transition(self, state, action, rng): return state
+    def reward(self, state, action, next_state, rng): return 1.0
+    def terminal(self, state): return False
+    def observation(self, state, rng): return 0
+"""
+"""A student's task whose states are no numbers."""
+
+
+def test_who_is_told_that_nothing_is_compiled() -> None:
+    """The line that resets the copies, with the class and why."""
+    vector = MDPVectorEnv(MDPEnv(cell(SETS)["Sets"]()), 2)
+    with pytest.warns(
+        UserWarning, match=r"^Sets cannot be compiled and runs interpreted, .* tuples of numbers"
+    ) as told:
+        vector.reset(seed=0)
+    assert [one.filename for one in told] == [__file__]
+    assert not vector.is_compiled
