@@ -12,7 +12,16 @@ from edugym.envs.roadrunner import Roadrunner
 from edugym.envs.study import Study
 from edugym.exact.model import finite_model
 from edugym.exact.value_iteration import value_iteration
-from edugym.lessons import continuous_actions, depth, exploration, loop, model_based, on_off_policy, stochasticity
+from edugym.lessons import (
+    continuous_actions,
+    depth,
+    dimensionality,
+    exploration,
+    loop,
+    model_based,
+    on_off_policy,
+    stochasticity,
+)
 from edugym.lessons.exploration import climbs, fork, stalling
 from edugym.lessons.model_based.plans import Plan
 from edugym.lessons.stochasticity.methods import Played
@@ -206,6 +215,22 @@ def test_continuous_actions() -> None:
     }
     claims = continuous_actions.learning_claims(made_up(curves, 100), made_up(narrow, 100))
     assert measured(claims) == [0.0, 0.5, -10.0, -30.0, -20.0, 0.0, -1.0, -2.0]
+
+
+def test_dimensionality_on_columns_of_training_and_others() -> None:
+    """Of each column k two runs return k² and 3 more: 20/3 on columns 0, 2 and 4, and 5 on 1 and 3; then the mean."""
+    labels = (*dimensionality.GENERAL, dimensionality.SMALL, dimensionality.COLUMN)
+    squares = np.arange(5.0)[:, None] ** 2 + [[0.0, 3.0]]
+    tests = {label: squares + 100.0 * k for k, label in enumerate(labels)}
+    at = {label: 100.0 * k + 1.5 for k, label in enumerate(labels)}
+    table, linear, offset = (
+        at[label] for label in (dimensionality.TABLE, dimensionality.LINEAR, dimensionality.OFFSET)
+    )
+    assert measured(dimensionality.general_claims(tests)) == pytest.approx(
+        [table + 20 / 3, table + 5.0, linear + 20 / 3, offset + 5.0]
+    )
+    networks = (dimensionality.NETWORK, dimensionality.SMALL, dimensionality.COLUMN)
+    assert measured(dimensionality.sharing_claims(tests)) == [at[label] + 5.0 for label in networks]
 
 
 def test_exploration() -> None:
