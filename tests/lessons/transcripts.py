@@ -164,7 +164,7 @@ def shown_by_cells(path: Path) -> list[str]:
 
 
 def told_of(value: Any) -> Iterator[str]:
-    """Yield lines on what a cell shows: figures, controls in four positions, films and texts; not listings of code."""
+    """Yield lines on what a cell shows: figures, controls in four positions, films, texts; not listings of code."""
     kind = type(value).__name__
     if hasattr(value, "rows") and hasattr(value, "draw"):
         yield from drawn(value)
@@ -179,7 +179,7 @@ def told_of(value: Any) -> Iterator[str]:
         yield from (line for k in (0, len(lines) // 2, -1) for line in told_of(value.frames[k].picture))
     elif isinstance(value, Scene):
         yield f"picture of {len(value.shapes)} shapes, {zlib.crc32(to_svg(value).encode()):x}"
-    elif kind in ("Score", "str"):
+    elif kind in ("Score", "str", "dict"):
         yield from str(value).splitlines()
 
 

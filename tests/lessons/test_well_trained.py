@@ -1,0 +1,107 @@
+"""What figures and tables of the lessons show of agents that have learned, on numbers made up by hand."""
+
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from edugym.envs.golf import Golf
+from edugym.lessons import depth, model_based, stochasticity
+from edugym.lessons.stochasticity.figures import Dots, Games
+from edugym.lessons.stochasticity.methods import Played, played
+from edugym.plotting.style import STROKES
+from edugym.results.statistics import mean_interval
+from tests.lessons.made_up import made_up
+from tests.plotting.samples import heights, new_axes
+
+SHARES = [0.1, 0.0, 0.2, 0.3, 0.1, 0.1, 0.05, 0.05, 0.0, 0.05, 0.05]
+"""Of games of golf: lost, and won with 1 to 10 hits."""
+
+
+def test_mean_and_spread_of_games() -> None:
+    """A win with k hits returns 1.1 - k / 10, a lost game -1."""
+    one = played([np.array(SHARES), np.eye(11)[3]], 10)
+    returns = np.array([-1.0, 1.0, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1])
+    mean = float(np.dot(SHARES, returns))
+    assert one.mean.tolist() == pytest.approx([mean, 0.8])
+    assert one.spread.tolist() == pytest.approx([np.dot(SHARES, (returns - mean) ** 2) ** 0.5, 0.0], abs=1e-7)
+    assert one.lost.tolist() == [0.1, 0.0]
+
+
+def test_bars_of_games() -> None:
+    """Lost ones first, and those with six hits or more in one bar; the bars of two methods stand side by side."""
+    two = {"one": played([np.array(SHARES)], 10), "other": played([np.eye(11)[2], np.eye(11)[0]], 10)}
+    ax = Games(two).draw(new_axes())
+    bars: list[Any] = [*ax.patches]
+    assert [bar.get_height() for bar in bars[:7]] == pytest.approx([0.1, 0.0, 0.2, 0.3, 0.1, 0.1, 0.2])
+    assert [bar.get_height() for bar in bars[7:]] == [0.5, 0.0, 0.5, 0.0, 0.0, 0.0, 0.0]
+    assert [bar.get_x() for bar in (bars[0], bars[7], bars[8])] == pytest.approx([-0.4, 0.0, 1.0])
+    assert [label.get_text() for label in ax.get_xticklabels()] == ["lost", "1", "2", "3", "4", "5", "6+"]
+
+
+def test_dots_have_intervals() -> None:
+    """Each method has a dot at its mean, on a line from one end of the interval to the other, in its colour."""
+    values = np.array([1.0, 2.0, 6.0])
+    ax = Dots({"one": np.zeros(3), "other": values}).draw(new_axes())
+    interval = mean_interval(values)
+    assert [heights(line) for line in ax.lines[2:]] == [[interval.low, interval.high], [3.0]]
+    assert [line.get_color() for line in ax.lines] == [STROKES[k].color for k in (0, 0, 1, 1)]
+    assert [np.asarray(line.get_xdata()).tolist() for line in ax.lines] == [[0, 0], [0], [1, 1], [1]]
+    assert ax.get_xlim() == (-0.6, 1.6)
+
+
+def test_mean_spread_and_lost_balls() -> None:
+    """Each has a panel, with all players; who loses more than 1 ball in 100 drives."""
+    lost = np.array([0.0, 0.01, 0.011, 0.02])
+    one = Played(np.full(4, 0.7), np.full(4, 0.2), lost, np.zeros((4, 11)))
+    other = Played(np.full(4, 0.6), np.full(4, 0.3), lost[::-1], np.zeros((4, 11)))
+    panels: Any = stochasticity.outcomes({"one": one, "other": other}).rows[0]
+    assert [panel.title for panel in panels] == ["mean", "spread", "lost balls"]
+    assert [[values.tolist()[0] for values in panel.measured.values()] for panel in panels] == [
+        [0.7, 0.6], [0.2, 0.3], [0.0, 0.02],
+    ]  # fmt: skip
+    assert stochasticity.share_of_drivers(one) == 0.5
+    assert stochasticity.lead(one, other).estimate == pytest.approx(0.1)
+    learned: Any = stochasticity.frontier_figure({"a": (0.5, 0.1), "b": (0.6, 0.2)}, ["b"], {"one": one})
+    assert learned.learned == {"one": (pytest.approx(0.7), pytest.approx(0.2))}
+
+
+def test_runs_by_their_first_swing() -> None:
+    """Two of three drive: how many, their mean return, and their share of lost balls."""
+    task = Golf.create(observe_hits=True)
+    rng = np.random.default_rng(0)
+    shape = (task.width, task.length, task.max_hits + 1)
+    tee = np.ravel_multi_index(tuple(task.observation(task.initial(rng), rng)), shape)
+    agents = [SimpleNamespace(Q=np.zeros((int(np.prod(shape)), 3))) for _ in range(3)]
+    for agent, swing in zip(agents, (2, 1, 2), strict=True):
+        agent.Q[tee, swing] = swing
+    label = stochasticity.NEUTRAL
+    results = made_up({label: [{10: 0.0}] * 3}, agents={label: agents})
+    one = Played(np.array([0.5, 0.7, 0.9]), np.zeros(3), np.array([0.02, 0.0, 0.04]), np.zeros((3, 11)))
+    groups = stochasticity.by_first_swing(results, {label: one})[label]
+    assert groups == {"chip": (1, 0.7, 0.0), "drive": (2, pytest.approx(0.7), pytest.approx(0.03))}
+    assert stochasticity.values_on_the_tee(results)[label] == pytest.approx([0.0, 1 / 3, 4 / 3])
+
+
+def test_items_that_were_found() -> None:
+    """Item 1 counts 4 in a state, item 2 counts 2 and item 3 counts 1; a run has found what it has acted with."""
+    tables = np.zeros((2, 800, 4))
+    tables[0, 8 * 50 + 4, 2] = tables[0, 8 * 20 + 6, 0] = tables[1, 8 * 30 + 4, 1] = 1.0
+    kinds = [
+        [SimpleNamespace(Q=-table) for table in tables],
+        [SimpleNamespace(Q=table, known=table) for table in tables],
+        [SimpleNamespace(Q=table, last=table) for table in tables],
+        [SimpleNamespace(Q=0 * table, model=SimpleNamespace(visits=table)) for table in tables],
+    ]
+    for agents in kinds:
+        results = made_up({"one": [{10: 0.0}] * 2}, agents={"one": agents})
+        assert model_based.items_found(results, "one").tolist() == [1.0, 0.5, 0.0]
+
+
+def test_the_best_rate_of_each_depth() -> None:
+    """By the return averaged over training, not by that of the end."""
+    names = [depth.methods.label(n) for n in depth.BY_DEPTH]
+    low = made_up({name: [{0: 0.0, 5: 2.0 * k, 10: 0.0}] for k, name in enumerate(names)})
+    high = made_up({name: [{0: 0.0, 5: 3.0, 10: 9.0 - 4.0 * k}] for k, name in enumerate(names)})
+    assert depth.best_rates({0.1: low, 0.3: high}) == dict(zip(depth.BY_DEPTH, (0.3, 0.3, 0.1, 0.1), strict=True))
