@@ -25,6 +25,7 @@ from edugym.lessons import (
 from edugym.lessons.exploration import climbs, fork, stalling
 from edugym.lessons.model_based.plans import Plan
 from edugym.lessons.stochasticity.methods import Played
+from edugym.registration import make_mdp
 from tests.lessons.made_up import finals, follower, made_up, measured
 
 
@@ -260,6 +261,40 @@ def test_exploration() -> None:
     assert measured(exploration.optimism_claims({2: two, 3: three}, patient)) == [
         0.5, -quarter / 2, -0.75, 0.25, 0.0, 1.0, 0.75,
     ]  # fmt: skip
+
+
+def test_who_leads_to_the_frontier() -> None:
+    """Who takes the right grips of its own wall up to its frontier, whatever it does beyond."""
+    walls = [make_mdp("Boulder", height=5, layout_seed=seed).grips.tolist() for seed in (3, 4)]
+    assert walls[0][:3] != walls[1][:3]
+    visits = np.array([[3, 2, 0, 0, 0, 0], [3, 1, 1, 1, 0, 0]])
+    right = [follower(dict(enumerate([*wall[:3], 1 - wall[3]])), visits=visits) for wall in walls]
+    method = exploration.NOVELTY
+    results = made_up({method: [{10: 0.0}] * 2}, agents={method: right}, layout_seed=[3, 4])
+    assert climbs.greedy_leads_to_frontier(results, method, 5) == [True, True]
+    exchanged = made_up({method: [{10: 0.0}] * 2}, agents={method: right[::-1]}, layout_seed=[3, 4])
+    assert climbs.greedy_leads_to_frontier(exchanged, method, 5) == [False, False]
+
+
+def test_climbs_of_who_knows_the_wall() -> None:
+    """On a wall of three 0.95³ of the climbs get up; a wrong grip is a new climb."""
+    share = climbs.watch_climbs(3, n_steps=20_000, repetitions=2, jobs=1)
+    assert share.estimate == pytest.approx(0.95**3, abs=0.012)
+
+
+def test_two_branches() -> None:
+    """Three turns and one, half of the runs come back to both frontiers, and the frontiers are 2 and 1, below 3."""
+    runs = [
+        follower({}, visits=np.array(visits))
+        for visits in (
+            [[1, 3, 0, 1, 0], [1, 1, 0, 2, 1], [1, 4, 1, 1, 0], [1, 2, 0, 3, 1]],
+            [[1, 3, 0, 1, 0], [1, 3, 0, 1, 0], [1, 3, 0, 0, 0], [1, 0, 0, 0, 0]],
+        )
+    ]
+    wall = follower({}, visits=np.array([[2, 1, 1, 0], [1, 1, 1, 1]]))
+    method = exploration.NOVELTY
+    results, one_wall = (made_up({method: [{10: 0.0}] * 2}, agents={method: agents}) for agents in (runs, [wall, wall]))
+    assert measured(fork.fork_claims(results, one_wall)) == [2.0, 0.5, -1.5]
 
 
 def test_grips_at_the_frontier() -> None:

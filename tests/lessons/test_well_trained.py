@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from edugym.envs.golf import Golf
-from edugym.lessons import depth, model_based, stochasticity
+from edugym.lessons import depth, model_based, signal, stochasticity
+from edugym.lessons.signal.figures import Greedy
 from edugym.lessons.stochasticity.figures import Dots, Games
 from edugym.lessons.stochasticity.methods import Played, played
 from edugym.plotting.style import STROKES
@@ -105,3 +106,35 @@ def test_the_best_rate_of_each_depth() -> None:
     low = made_up({name: [{0: 0.0, 5: 2.0 * k, 10: 0.0}] for k, name in enumerate(names)})
     high = made_up({name: [{0: 0.0, 5: 3.0, 10: 9.0 - 4.0 * k}] for k, name in enumerate(names)})
     assert depth.best_rates({0.1: low, 0.3: high}) == dict(zip(depth.BY_DEPTH, (0.3, 0.3, 0.1, 0.1), strict=True))
+
+
+def test_the_second_half_of_training() -> None:
+    """The last three of five points, whose mean, median and share below 5 count in lesson 6."""
+    results = made_up(
+        {"Q-learning": [{0: 0.0, 10: 1.0, 20: 5.0, 30: 9.0, 40: 2.0}, dict.fromkeys(range(0, 50, 10), 4.0)]}, 40
+    )
+    assert signal.late(results, "Q-learning").tolist() == pytest.approx([16 / 3, 4.0])
+    assert signal.median_late(results).tolist() == [5.0, 4.0]
+    assert signal.time_below(results, "Q-learning", 5.0).tolist() == pytest.approx([1 / 3, 1.0])
+    assert signal.after(results, 30).tolist() == [9.0, 4.0]
+
+
+def test_how_words_are_answered() -> None:
+    """Half of the players obey, the others take 1 for 0 and 0 for 1; each word has a row, each action a column."""
+    obeys, confused = (
+        SimpleNamespace(greedy=lambda row, rng, of=of: of[row % 4]) for of in ((0, 1, 2, 3), (1, 0, 2, 3))
+    )
+    shares = [
+        signal.answers(made_up({"Q-learning": [{10: 0.0}]}, agents={"Q-learning": [agent]}), 0.0).shares
+        for agent in (obeys, confused)
+    ]
+    assert shares[0].tolist() == np.eye(4).tolist()
+    assert shares[1][:2].tolist() == np.eye(4)[[1, 0]].tolist()
+    bars: list[Any] = [*Greedy(np.array([[0.1, 0.2, 0.3, 0.4], [0.4, 0.3, 0.2, 0.1]])).draw(new_axes()).patches]
+    assert [(round(bar.get_x(), 6), round(bar.get_width(), 6)) for bar in bars[::2]] == [
+        (0, 0.1),
+        (0.1, 0.2),
+        (0.3, 0.3),
+        (0.6, 0.4),
+    ]
+    assert [bar.get_y() + bar.get_height() / 2 for bar in bars[:2]] == [0.0, 1.0]
