@@ -8,6 +8,7 @@ import pytest
 
 from edugym.envs.golf import Golf
 from edugym.lessons import depth, model_based, signal, stochasticity
+from edugym.lessons.dimensionality.figures import Dots as Columns
 from edugym.lessons.signal.figures import Greedy
 from edugym.lessons.stochasticity.figures import Dots, Games
 from edugym.lessons.stochasticity.methods import Played, played
@@ -138,3 +139,17 @@ def test_how_words_are_answered() -> None:
         (0.6, 0.4),
     ]
     assert [bar.get_y() + bar.get_height() / 2 for bar in bars[:2]] == [0.0, 1.0]
+
+
+def test_returns_on_columns_of_training_and_on_others() -> None:
+    """The first are a full dot above an empty one for the others; bars end where returns do."""
+    by_column = np.array([[0.9, 0.7], [-0.5, 0.1], [0.9, 0.7], [-0.5, 0.1], [0.9, 0.7]])
+    ax = Columns({"one": by_column, "other": np.ones((5, 3))}).draw(new_axes())
+    bars, dots = ax.lines[0:4:2], ax.lines[1:4:2]
+    places = [(float(np.asarray(dot.get_xdata())[0]), heights(dot)[0]) for dot in dots]
+    assert places == [pytest.approx((0.8, -0.14)), pytest.approx((-0.2, 0.14))]
+    assert [str(dot.get_markerfacecolor()) for dot in dots] == [str(dots[0].get_color()), "white"]
+    ends = [np.asarray(bar.get_xdata()).tolist() for bar in bars]
+    assert ends == [pytest.approx([-0.4706, 1.0], abs=1e-3), [-1.0, 1.0]]
+    assert [label.get_text() for label in ax.get_yticklabels()] == ["one", "other"]
+    assert ax.get_ylim()[0] > ax.get_ylim()[1]

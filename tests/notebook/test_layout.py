@@ -7,6 +7,7 @@ import ipywidgets
 
 from edugym.notebook import frames, play, predict
 from edugym.notebook.film import side_by_side
+from edugym.notebook.widget import WIDGET
 from edugym.rendering.scene import Scene
 
 
@@ -47,3 +48,10 @@ def test_a_film_of_no_step() -> None:
     """Is one picture."""
     film = frames("Golf", [])
     assert film.still()["image/svg+xml"].count("<svg") == 2
+
+
+def test_what_jupyter_is_told() -> None:
+    """By which version of its protocol the widget is shown; with another one nothing would be."""
+    panel = play("Golf")
+    view = panel._repr_mimebundle_()[WIDGET]
+    assert view == {"version_major": 2, "version_minor": 0, "model_id": panel.widget.model_id}
