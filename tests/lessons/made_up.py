@@ -12,7 +12,7 @@ from edugym.results.tables import Results
 Curve = Mapping[int, float]
 
 
-def finals(n_steps: int = 10, **returns: Sequence[float]) -> Results:
+def finals(returns: Mapping[str, Sequence[float]], n_steps: int = 10) -> Results:
     """Return results with one point, after the last step: the return of each run, by method."""
     return made_up({method: [{n_steps: value} for value in values] for method, values in returns.items()}, n_steps)
 
