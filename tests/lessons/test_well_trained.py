@@ -1,5 +1,6 @@
 """What figures and tables of the lessons show of agents that have learned, on numbers made up by hand."""
 
+import inspect
 from types import SimpleNamespace
 from typing import Any
 
@@ -153,3 +154,9 @@ def test_returns_on_columns_of_training_and_on_others() -> None:
     assert ends == [pytest.approx([-0.4706, 1.0], abs=1e-3), [-1.0, 1.0]]
     assert [label.get_text() for label in ax.get_yticklabels()] == ["one", "other"]
     assert ax.get_ylim()[0] > ax.get_ylim()[1]
+
+
+def test_levels_at_which_attitudes_are_compared() -> None:
+    """From 0.0075 to 0.0225: that takes too long for the transcript."""
+    levels = inspect.signature(stochasticity.crossing_by_attitude).parameters["levels"].default
+    assert levels == pytest.approx(np.arange(0.0075, 0.0226, 0.0015))
