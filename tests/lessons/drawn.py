@@ -54,6 +54,9 @@ def described(artist: Any) -> str:
         style = (
             f"{to_hex(artist.get_color())} {artist.get_linestyle()} {artist.get_linewidth():g} {artist.get_marker()}"
         )
+        filled = to_hex(artist.get_markerfacecolor(), keep_alpha=True)
+        if artist.get_marker() != "None" and filled != to_hex(artist.get_color(), keep_alpha=True):
+            style += f" in {filled}"
         return f"line {style}: {numbers(artist.get_xdata())}; {numbers(artist.get_ydata())}"
     if isinstance(artist, AxesImage):
         return f"image {artist.get_cmap().name} {numbers(artist.get_clim())}: {numbers(artist.get_array())}"

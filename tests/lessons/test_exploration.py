@@ -206,3 +206,10 @@ def test_progress_is_drawn_over_the_whole_training() -> None:
     assert ax.get_xlim() == (0.0, exploration.N_STEPS)
     curves = [np.asarray(line.get_ydata()) for line in ax.get_lines()]
     assert [(curve[0], curve[-1]) for curve in curves] == [(0, 2)] * 3
+
+
+def test_best_returns_by_hand() -> None:
+    """On a wall of one a random climber fails ten times with probability 1 / 2^10; with three grips more often."""
+    assert best_return(1, 1.0) == pytest.approx(1 - 0.5**10)
+    assert best_return(1, 1.0, 3) == pytest.approx(1 - (2 / 3) ** 10)
+    assert best_return(30) == 1.0

@@ -1,11 +1,13 @@
 """What each lesson shows is what its transcript says: every claim, figure and printed line."""
 
 from pathlib import Path
+from types import SimpleNamespace
 
+import ipywidgets
 import pytest
 
 from tests.lessons.drawn import numbers
-from tests.lessons.transcripts import FOLDER, NOTEBOOKS, difference, transcript
+from tests.lessons.transcripts import FOLDER, NOTEBOOKS, difference, settings_of, transcript
 
 
 @pytest.mark.parametrize("lesson", NOTEBOOKS)
@@ -53,3 +55,16 @@ def test_many_numbers() -> None:
     assert numbers([1.0, 2.0, 3.0, 4.0, float("nan")]) == "[1 .. nan, 5 of mean 2.5, 6]"
     assert numbers([1, 3, 2, 4, 0]) != numbers([1, 2, 3, 4, 0])
     assert numbers([[1, 2], [3, 4]]) == "[1, 2, 3, 4]"
+
+
+def test_positions_of_sliders() -> None:
+    """In the middle nothing stands where it starts, nor at an end if there is more."""
+    numbers_of, few = ipywidgets.IntSlider(value=6, min=4, max=12, step=2), ipywidgets.Dropdown(options=["a", "b"])
+    tenths, ticked = ipywidgets.FloatSlider(value=0.4, min=0.1, max=0.55, step=0.1), ipywidgets.Checkbox(value=True)
+    controls = {"n": numbers_of, "x": tenths, "word": few, "on": ticked}
+    assert settings_of(SimpleNamespace(controls=controls)) == {
+        "start": {"n": 6, "x": 0.4, "word": "a", "on": True},
+        "low": {"n": 4, "x": 0.1, "word": "a", "on": False},
+        "middle": {"n": 8, "x": 0.3, "word": "b", "on": False},
+        "high": {"n": 12, "x": 0.5, "word": "b", "on": True},
+    }

@@ -10,6 +10,7 @@ import sys
 import warnings
 import zlib
 from collections.abc import Iterator
+from decimal import Decimal
 from itertools import zip_longest
 from pathlib import Path
 from typing import Any
@@ -163,7 +164,7 @@ def shown_by_cells(path: Path) -> list[str]:
 
 
 def told_of(value: Any) -> Iterator[str]:
-    """Yield lines on what a cell shows: figures, controls at both ends, films and texts; not listings of code."""
+    """Yield lines on what a cell shows: figures, controls in four positions, films, texts; not listings of code."""
     kind = type(value).__name__
     if hasattr(value, "rows") and hasattr(value, "draw"):
         yield from drawn(value)
@@ -178,20 +179,30 @@ def told_of(value: Any) -> Iterator[str]:
         yield from (line for k in (0, len(lines) // 2, -1) for line in told_of(value.frames[k].picture))
     elif isinstance(value, Scene):
         yield f"picture of {len(value.shapes)} shapes, {zlib.crc32(to_svg(value).encode()):x}"
-    elif kind in ("Score", "str"):
+    elif kind in ("Score", "str", "dict"):
         yield from str(value).splitlines()
 
 
 def settings_of(sliders: Any) -> dict[str, dict[str, Any]]:
-    """Return the arguments at which the controls start, and those at both their ends."""
-    found: dict[str, dict[str, Any]] = {"start": {}, "low": {}, "high": {}}
-    for name, control in sliders.controls.items():
+    """Return the arguments at which the controls start, those at both their ends, and others in between."""
+    found: dict[str, dict[str, Any]] = {"start": {}, "low": {}, "middle": {}, "high": {}}
+    for place, (name, control) in enumerate(sliders.controls.items()):
+        values = positions(control)
+        others = [value for value in values if value != control.value]
+        between = [value for value in others if value not in (values[0], values[-1])] or others
         found["start"][name] = control.value
-        options = getattr(control, "options", None) or (False, True)
-        values = [option[1] if isinstance(option, tuple) else option for option in options]
-        found["low"][name] = getattr(control, "min", values[0])
-        found["high"][name] = getattr(control, "max", values[-1])
+        found["low"][name], found["high"][name] = values[0], values[-1]
+        found["middle"][name] = between[len(between) * (1 + place % 3) // 4]  # not all at one height
     return found
+
+
+def positions(control: Any) -> list[Any]:
+    """Return all values that a control may take, in their order."""
+    if hasattr(control, "step"):
+        low, high, step = (Decimal(str(value)) for value in (control.min, control.max, control.step))
+        return [type(control.value)(low + k * step) for k in range(int((high - low) / step) + 1)]
+    options = getattr(control, "options", None) or (False, True)
+    return [option[1] if isinstance(option, tuple) else option for option in options]
 
 
 def difference(old: str, new: str) -> list[str]:

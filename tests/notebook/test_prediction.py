@@ -93,7 +93,7 @@ def test_a_question_must_be_a_text(question: Any) -> None:
         predict(question)
 
 
-@pytest.mark.parametrize("options", [["one"], ["same", "same"], "yes", [1, 2], []])
+@pytest.mark.parametrize("options", [["one"], ["same", "same"], "yes", [1, 2], ["one", 2], []])
 def test_options_must_differ(options: Any) -> None:
     """Two or more different texts."""
     with pytest.raises(ValueError, match="options must be two or more different texts, but are"):

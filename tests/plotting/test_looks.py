@@ -79,6 +79,8 @@ def test_strokes_begin_again() -> None:
         "#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00", "#4d4d4d",
     ]  # fmt: skip
     assert all(str(one.linestyle) != str(other.linestyle) for one, other in pairwise(STROKES))
+    dashes: Any = [one.linestyle[1] for one in STROKES if one.linestyle != "solid"]
+    assert dashes == [(6, 1.5), (2, 1), (6, 1.5, 1.5, 1.5), (6, 1.5), (2, 1)]
 
 
 def test_the_bands_of_a_parameter() -> None:

@@ -6,6 +6,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from PIL import Image
+
 SAVE = """
 import sys
 import numpy as np
@@ -26,3 +28,5 @@ def test_the_same_figure_is_the_same_file(tmp_path: Path) -> None:
         assert len(digests) == 1
     assert (tmp_path / "one.png").read_bytes().startswith(b"\x89PNG")
     assert "<svg" in (tmp_path / "one.svg").read_text()
+    with Image.open(tmp_path / "one.png") as picture:
+        assert picture.size == (806, 464)  # 160 pixels for each of 5.04 and 2.9 inches
