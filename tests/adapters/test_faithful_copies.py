@@ -79,6 +79,21 @@ def test_states_that_change_late(initial: str, transition: str, reward: str, com
             assert vector.is_compiled == (compiles and step < 150)
 
 
+@pytest.mark.filterwarnings("ignore:.* runs interpreted")
+def test_an_end_beside_a_change() -> None:
+    """A step that is done again begins where it began: who has ended in the first try is not reset by the second."""
+    source = TASK.format(initial="0", transition="return state + (0.25 if action and state > 150 else 1)", reward="1.0")
+    ending = cell(source.replace("return False", "return state == 160"))["Task"](1)
+    vector = MDPVectorEnv(MDPEnv(ending), 3)
+    vector.reset(seed=0)
+    for _ in range(159):
+        vector.step([0, 0, 0])
+    assert vector.is_compiled
+    assert [part.tolist() for part in vector.step([0, 0, 1])[1:3]] == [[1.0] * 3, [True, True, False]]
+    assert not vector.is_compiled
+    assert [vector.state(i) for i in range(3)] == [160, 160, 159.25]
+
+
 def test_the_change_is_announced() -> None:
     """Once, with the name of the class."""
     vector = MDPVectorEnv(MDPEnv(task("0", "return state + 1 if state < 120 else state + 0.25", "0.0")), 2)
