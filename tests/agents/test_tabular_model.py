@@ -92,7 +92,8 @@ def test_states_and_tried_actions_are_drawn_evenly() -> None:
 
 
 @pytest.mark.parametrize(
-    ("n_states", "memory"), [(4, 1_000), (62, 1_000), (63, 1_008), (6_250, 100_000), (7_000, 100_000), (30_000, 120_000)]
+    ("n_states", "memory"),
+    [(4, 1_000), (62, 1_000), (63, 1_008), (6_250, 100_000), (7_000, 100_000), (30_000, 120_000)],
 )
 def test_how_much_fits_by_default(n_states: int, memory: int) -> None:
     """Eight outcomes of each pair, or fewer where that is much; but never fewer than two."""

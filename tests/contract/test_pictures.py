@@ -30,9 +30,12 @@ def rounded(number: re.Match[str]) -> str:
 
 def line_of(shape: Any) -> str:
     """The class of a shape, and what differs from its defaults."""
-    values = {field.name: getattr(shape, field.name) for field in dataclasses.fields(shape)}
-    default = {field.name: field.default for field in dataclasses.fields(shape)}
-    return f"{type(shape).__name__} {({name: v for name, v in values.items() if v != default[name]})}"
+    changed = {
+        field.name: value
+        for field in dataclasses.fields(shape)
+        if (value := getattr(shape, field.name)) != field.default
+    }
+    return f"{type(shape).__name__} {changed}"
 
 
 def frames(entry: Entry) -> Iterator[tuple[str, Scene]]:

@@ -166,39 +166,6 @@ def test_stop_ends_a_run_on_the_way(kind: Any) -> None:
     assert 0 < len(run.steps) < 10**6
 
 
-class Clicker:
-    """A progress bar that can be read."""
-
-    def __init__(self, total: int, unit: str, **how: Any) -> None:
-        """At 0."""
-        self.total, self.unit, self.done, self.closed = total, unit, 0, False
-
-    def update(self, n: int) -> None:
-        """Go on."""
-        self.done += n
-
-    def __enter__(self) -> "Clicker":
-        """It is open."""
-        return self
-
-    def __exit__(self, *error: object) -> None:
-        """No more of it."""
-        self.closed = True
-
-
-def test_progress_counts_every_step(monkeypatch: pytest.MonkeyPatch) -> None:
-    """And is closed at the end."""
-    bars: list[Clicker] = []
-
-    def bar(**how: Any) -> Clicker:
-        bars.append(Clicker(**how))
-        return bars[-1]
-
-    monkeypatch.setattr("tqdm.auto.tqdm", bar)
-    train(Stairs(), QLearning.create(Stairs()), 1_234, progress=True)
-    assert (bars[0].total, bars[0].done, bars[0].unit, bars[0].closed) == (1_234, 1_234, "steps", True)
-
-
 @pytest.mark.parametrize(
     ("parameter", "value", "allowed"),
     [
