@@ -94,6 +94,23 @@ def test_an_end_beside_a_change() -> None:
     assert [vector.state(i) for i in range(3)] == [160, 160, 159.25]
 
 
+@pytest.mark.filterwarnings("ignore:.* runs interpreted")
+def test_a_step_that_is_done_again_counts_once() -> None:
+    """It draws the same random numbers, and the step limit is where it was."""
+    changing = "return state + (0.25 if action and state > 150 else 1)"
+    source = TASK.format(initial="0", transition=changing, reward="rng.random()")
+    drawing = cell(f"{source}    max_steps = property(lambda self: 170)")["Task"](1)
+    env, vector = MDPEnv(drawing), MDPVectorEnv(MDPEnv(drawing), 1)
+    env.reset(seed=0)
+    vector.reset(seed=0)
+    for step in range(170):
+        _, reward, _, truncated, _ = env.step(int(step == 160))
+        _, rewards, _, truncations, _ = vector.step([int(step == 160)])
+        assert (rewards.tolist(), truncations.tolist()) == ([reward], [truncated])
+    assert truncated
+    assert not vector.is_compiled
+
+
 def test_the_change_is_announced() -> None:
     """Once, with the name of the class."""
     vector = MDPVectorEnv(MDPEnv(task("0", "return state + 1 if state < 120 else state + 0.25", "0.0")), 2)
