@@ -61,7 +61,7 @@ class Told(NamedTuple):
 def predictions(lesson: str) -> Iterator[Told]:
     """Yield the predictions of a lesson: the text from its source, what was measured from the notebook."""
     path = NOTEBOOKS[lesson]
-    solved = nbformat.read(build.ROOT / f"notebooks/solutions/{path.stem}.ipynb", as_version=4)  # type: ignore[no-untyped-call]
+    solved = nbformat.read(build.ROOT / f"notebooks/solutions/{path.stem}.ipynb", as_version=4)
     shown = iter(re.findall(r"Measured: (.*?)\. \(You made", "\n".join(map(printed, solved.cells)), re.DOTALL))
     options: dict[str, Any] = {}
     cells = build.read_lesson(path).cells

@@ -43,7 +43,7 @@ def is_shown(number: str, shown: list[str]) -> bool:
 def not_shown(lesson: str) -> list[str]:
     """Return the numbers with two digits or more in what was measured that stand nowhere above in their section."""
     path = NOTEBOOKS[lesson]
-    solved = nbformat.read(build.ROOT / f"notebooks/solutions/{path.stem}.ipynb", as_version=4)  # type: ignore[no-untyped-call]
+    solved = nbformat.read(build.ROOT / f"notebooks/solutions/{path.stem}.ipynb", as_version=4)
     outputs = {cell.source: printed(cell) for cell in solved.cells if is_code(cell)}
     found: list[str] = []
     above: list[str] = []
