@@ -15,6 +15,12 @@ from tests.contract.parameters import PARAMETERS
 from tests.contract.play import Player, every_environment
 
 FOLDER = Path(__file__).parent / "pictures"
+LARGE: dict[str, dict[str, Any]] = {
+    "Boulder": {"height": 30, "n_grips": 3},
+    "MemoryCorridor": {"num_doors": 5},
+    "Study": {"total_days": 38},
+}
+"""Tasks of which a picture shows only a part, or more than by default."""
 
 
 def lines_of(scene: Scene) -> list[str]:
@@ -54,11 +60,21 @@ def frames(entry: Entry) -> Iterator[tuple[str, Scene]]:
         yield f"episode {episode}, {'well' if well else 'at random'}, the last step", player.bare.scene()
 
 
+def large(entry: Entry) -> Iterator[tuple[str, Scene]]:
+    """Three frames of an episode of a large task that is played well."""
+    player = Player(entry.load()(**LARGE[entry.name]), entry.name)
+    informed: Any = PARAMETERS[entry.name].informed
+    for step in range(30):
+        if step in (0, 16, 29):
+            yield f"large, step {step}", player.bare.scene()
+        *_, player.info = player.env.step(informed(player.info, player.bare))
+
+
 def pictures(entry: Entry) -> str:
     """What is drawn: of each frame, what differs from the one before."""
     before: list[str] = []
     told = []
-    for name, scene in frames(entry):
+    for name, scene in (*frames(entry), *(large(entry) if entry.name in LARGE else ())):
         now = lines_of(scene)
         told += [name, *(f"  {line}" for line in difflib.ndiff(before, now) if line[0] in "+-")]
         before = now
