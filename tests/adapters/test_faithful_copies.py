@@ -79,6 +79,38 @@ def test_states_that_change_late(initial: str, transition: str, reward: str, com
             assert vector.is_compiled == (compiles and step < 150)
 
 
+@pytest.mark.filterwarnings("ignore:.* runs interpreted")
+def test_an_end_beside_a_change() -> None:
+    """A step that is done again begins where it began: who has ended in the first try is not reset by the second."""
+    source = TASK.format(initial="0", transition="return state + (0.25 if action and state > 150 else 1)", reward="1.0")
+    ending = cell(source.replace("return False", "return state == 160"))["Task"](1)
+    vector = MDPVectorEnv(MDPEnv(ending), 3)
+    vector.reset(seed=0)
+    for _ in range(159):
+        vector.step([0, 0, 0])
+    assert vector.is_compiled
+    assert [part.tolist() for part in vector.step([0, 0, 1])[1:3]] == [[1.0] * 3, [True, True, False]]
+    assert not vector.is_compiled
+    assert [vector.state(i) for i in range(3)] == [160, 160, 159.25]
+
+
+@pytest.mark.filterwarnings("ignore:.* runs interpreted")
+def test_a_step_that_is_done_again_counts_once() -> None:
+    """It draws the same random numbers, and the step limit is where it was."""
+    changing = "return state + (0.25 if action and state > 150 else 1)"
+    source = TASK.format(initial="0", transition=changing, reward="rng.random()")
+    drawing = cell(f"{source}    max_steps = property(lambda self: 170)")["Task"](1)
+    env, vector = MDPEnv(drawing), MDPVectorEnv(MDPEnv(drawing), 1)
+    env.reset(seed=0)
+    vector.reset(seed=0)
+    for step in range(170):
+        _, reward, _, truncated, _ = env.step(int(step == 160))
+        _, rewards, _, truncations, _ = vector.step([int(step == 160)])
+        assert (rewards.tolist(), truncations.tolist()) == ([reward], [truncated])
+    assert truncated
+    assert not vector.is_compiled
+
+
 def test_the_change_is_announced() -> None:
     """Once, with the name of the class."""
     vector = MDPVectorEnv(MDPEnv(task("0", "return state + 1 if state < 120 else state + 0.25", "0.0")), 2)

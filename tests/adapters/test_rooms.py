@@ -207,3 +207,24 @@ def test_an_observation_of_another_shape_is_refused(seen: Any) -> None:
     mdp = Forgetful(seen)
     with pytest.raises(ValueError, match="observation of Forgetful must give what its observation_space says, Box"):
         train(mdp, LinearQLearning.create(mdp), 10)
+
+
+@pytest.mark.parametrize(
+    ("space", "seen", "vector"),
+    [
+        (spaces.Discrete(3, start=5), 6, [0, 1, 0]),
+        (spaces.MultiDiscrete([2, 3], start=[5, -1]), (6, -1), [0, 1, 1, 0, 0]),
+    ],
+)
+def test_whole_numbers_that_do_not_start_at_0(space: spaces.Space[Any], seen: Any, vector: list[int]) -> None:
+    """The lowest is the first place of a vector."""
+
+    class Shifted(Forgetful):
+        """Observes whole numbers."""
+
+        __slots__ = ()
+        observation_space: Any = property(lambda self: space)
+
+    agent = notes(VectorNotes, len(vector))
+    train(Shifted(seen), agent, 40, seed=0)
+    assert agent.before.tolist() == agent.after.tolist() == [vector] * 40

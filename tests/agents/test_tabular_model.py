@@ -91,6 +91,15 @@ def test_states_and_tried_actions_are_drawn_evenly() -> None:
     assert actions.count(1) / 2_000 == pytest.approx(0.5, abs=0.05)
 
 
+@pytest.mark.parametrize(
+    ("n_states", "memory"),
+    [(4, 1_000), (62, 1_000), (63, 1_008), (6_250, 100_000), (7_000, 100_000), (30_000, 120_000)],
+)
+def test_how_much_fits_by_default(n_states: int, memory: int) -> None:
+    """Eight outcomes of each pair, or fewer where that is much; but never fewer than two."""
+    assert len(empty_model((n_states, 2)).states) == memory
+
+
 def test_what_no_longer_fits_is_not_remembered() -> None:
     """The outcomes that are known go on counting."""
     model = empty_model((4, 2), memory=1)

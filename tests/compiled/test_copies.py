@@ -41,6 +41,14 @@ def test_views_stay_views(order: str) -> None:
     assert original.rng.bit_generator.state != copy[1].bit_generator.state
 
 
+def test_what_cannot_be_written_to() -> None:
+    """Neither can its copy: a loop that writes there fails when it is tried, and not later."""
+    original = agent()
+    original.row.flags.writeable = False
+    copy = copied(original)
+    assert [part.flags.writeable for part in copy[:3]] == [True, False, True]
+
+
 def test_put_back() -> None:
     """Tables, views and streams are as they were, each time; what cannot be written to is left alone."""
     original, before = agent(), Snapshot()

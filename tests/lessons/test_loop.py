@@ -140,9 +140,19 @@ def test_figures() -> None:
         assert sheet.draw().axes
         check_legends(sheet)
     assert [len(row) for row in nine_challenges().rows] == [3, 3, 3]
-    assert sorted(BAGS.values()) == [*range(8)]
     mine = race({"mine": lambda shop: agent_after(0)}, n_steps=80, repetitions=2)
     assert {text.get_text() for text in mine.draw().legends[0].get_texts()} >= {"mine", Q_LEARNING, MYOPIC, RANDOM}
+
+
+def test_bags() -> None:
+    """The name of each says which items are in it; a map is that of the bag in its title."""
+    worth = {"empty": 0, "red": 4, "blue": 2, "green": 1, "all three": 7}
+    assert {name: sum(worth[item] for item in name.split(" and ")) for name in BAGS} == BAGS
+    assert sorted(BAGS.values()) == [*range(8)]
+    for sheet in (with_discount(0.9, "blue"), learned_beside_exact(0, "blue")):
+        maps = [panel for row in sheet.rows for panel in row if isinstance(panel, ValueMap)]
+        assert [("bag: blue" in panel.title, panel.items) for panel in maps] == [(True, 2)] * len(maps)
+        assert maps
 
 
 def test_learned_beside_exact_names_the_bag_that_is_drawn() -> None:

@@ -74,6 +74,18 @@ def test_interrupts_end_the_game_with_its_score(monkeypatch: pytest.MonkeyPatch)
     assert screen.getvalue().endswith("Episodes finished: 1. Totals: 1.5. Mean: 1.5.\n")
 
 
+@pytest.mark.parametrize(("name", "coloured"), [("COLOR", True), ("NO_COLOR", False)])
+def test_who_wants_no_colours_gets_none(name: str, coloured: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    """By a variable that many programs heed, whatever its value is; a terminal is cleared all the same."""
+    monkeypatch.delenv("NO_COLOR", raising=False)
+    monkeypatch.setenv(name, "")
+    screen = io.StringIO()
+    monkeypatch.setattr(screen, "isatty", lambda: True)
+    play("Boulder", keyboard=io.StringIO(), screen=screen, height=2)
+    assert screen.getvalue().startswith(CLEAR)
+    assert ("\x1b[38;2;" in screen.getvalue()) == coloured
+
+
 def test_a_screen_with_few_characters() -> None:
     """What its encoding does not have becomes a question mark."""
     written = io.BytesIO()

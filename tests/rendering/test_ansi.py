@@ -63,6 +63,12 @@ def test_text_draws_lines_and_later_shapes_on_top() -> None:
     ]
 
 
+def test_a_line_is_drawn_to_its_ends() -> None:
+    """Both of them; the cells of each, where they do not divide evenly."""
+    lines = (Line(((0.5, 1), (9.5, 1)), glyph="-"), Line(((1.5, 3), (4.5, 3), (4.5, 7)), glyph="+"))
+    assert to_text(Scene(10, 8, lines, columns=10)).splitlines() == ["----------", " ++++", "    +", "    +"]
+
+
 def test_coloured_text() -> None:
     """In colour, a shape has the colour of its edge on that of its inside, and words leave what is behind them."""
     words, block = Text(2, 1, "ab", colour=BLUE), Rectangle(3, 0, 1, 2, fill=GREEN, outline=None, glyph="+")

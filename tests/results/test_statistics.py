@@ -33,6 +33,20 @@ def test_higher_confidence_is_wider() -> None:
     assert mean_interval([1, 2, 3, 4, 5], 0.99).high - 3 == pytest.approx(4.604095 * math.sqrt(0.5), abs=1e-5)
 
 
+@pytest.mark.parametrize(
+    ("found", "margin"),
+    [
+        (mean_interval([1, 2, 3, 4, 5], 0.5), 0.523752),
+        (paired_difference([1, 2, 3, 4, 5], [0, 0, 0, 0, 0], 0.5), 0.523752),
+        (proportion_interval(2, 4, 0.5), 0.159781),
+        (share_interval([1, 0, 1, 0], 0.5), 0.159781),
+    ],
+)
+def test_half_confidence(found: Interval, margin: float) -> None:
+    """By hand: t(4) is 0.740697 then, and z is 0.674490."""
+    assert [found.high - found.estimate, found.estimate - found.low] == pytest.approx([margin, margin], abs=1e-5)
+
+
 def test_one_value_says_nothing_of_its_spread() -> None:
     """A single run has a mean, and no bounds; none has neither."""
     assert mean_interval([7.0]) == (7.0, -math.inf, math.inf, 1)

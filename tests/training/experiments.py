@@ -34,23 +34,3 @@ def same(one: Results, other: Results) -> bool:
         for method, agents in one.agents.items()
         for repetition, agent in agents.items()
     )
-
-
-class Clicker:
-    """A progress bar that can be read."""
-
-    def __init__(self, total: int, unit: str, **how: Any) -> None:
-        """At 0."""
-        self.total, self.unit, self.how, self.done, self.closed = total, unit, how, 0, False
-
-    def update(self, n: int) -> None:
-        """Go on."""
-        self.done += n
-
-    def __enter__(self) -> "Clicker":
-        """It is open."""
-        return self
-
-    def __exit__(self, *error: object) -> None:
-        """No more of it."""
-        self.closed = True

@@ -13,7 +13,6 @@ from edugym.agents.strategies import LinearDecay
 from edugym.mdp.protocol import Random
 from edugym.training.train import _Curve
 from edugym.training.trainers import EVALUATION_LIMIT, new_log
-from tests.training.experiments import Clicker
 from tests.training.tasks import SlipperyWalk, Stairs
 
 
@@ -207,20 +206,6 @@ def test_stop_ends_a_run_on_the_way(kind: Any) -> None:
     assert not run.complete
     assert run.agent.Q.any()
     assert 0 < len(run.steps) < 10**6
-
-
-def test_progress_counts_every_step(monkeypatch: pytest.MonkeyPatch) -> None:
-    """And is closed at the end."""
-    bars: list[Clicker] = []
-
-    def bar(**how: Any) -> Clicker:
-        bars.append(Clicker(**how))
-        return bars[-1]
-
-    monkeypatch.setattr("tqdm.auto.tqdm", bar)
-    train(Stairs(), QLearning.create(Stairs()), 1_234, progress=True)
-    assert (bars[0].total, bars[0].done, bars[0].unit, bars[0].closed) == (1_234, 1_234, "steps", True)
-    assert bars[0].how == {"unit_scale": True, "smoothing": 0.1}  # 1.23k steps, at the speed of late
 
 
 @pytest.mark.parametrize(

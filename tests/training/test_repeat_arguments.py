@@ -10,7 +10,6 @@ import pytest
 
 from edugym import SARSA, QLearning, repeat, train
 from edugym.training.configuration import plain
-from tests.training.experiments import Clicker
 from tests.training.tasks import Ring, SlipperyWalk
 
 AGENTS: dict[str, Any] = {
@@ -44,26 +43,6 @@ def test_the_runs_come_in_order() -> None:
     results = repeat(Ring(), dict(reversed(AGENTS.items())), 10, repetitions=2, evaluate_every=10, jobs=1)
     rows = results.table[["repetition", "method", "step"]].to_numpy().tolist()
     assert rows == [[i, method, step] for i in (0, 1) for method in ("SARSA", "Q") for step in (0, 10)]
-
-
-def test_progress_counts_the_steps_of_all_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Those of runs that are found on the disk at once; without `progress` nothing is shown."""
-    bars: list[Clicker] = []
-
-    def bar(**how: Any) -> Clicker:
-        bars.append(Clicker(**how))
-        return bars[-1]
-
-    monkeypatch.setattr("tqdm.auto.tqdm", bar)
-    updates: list[int] = []
-    monkeypatch.setattr(Clicker, "update", lambda self, n: updates.append(n))
-    arguments: dict[str, Any] = {"jobs": 1, "checkpoints": tmp_path}
-    repeat(Ring(), AGENTS, 50, repetitions=1, progress=True, **arguments)
-    repeat(Ring(), AGENTS, 50, repetitions=3, progress=True, **arguments)
-    assert [(bar.total, bar.unit, bar.closed) for bar in bars] == [(100, "steps", True), (300, "steps", True)]
-    assert updates == [0, 50, 50, 100, 50, 50, 50, 50]
-    repeat(Ring(), AGENTS, 50, repetitions=1, jobs=1)
-    assert len(updates) == 8
 
 
 def test_an_experiment_that_is_stopped_before_it_begins() -> None:
