@@ -21,6 +21,11 @@ LATE = {
     "NaN for a reward": (PAY, f"return np.nan if {RARE} else -0.25", "reward of Walk .* returned nan for state"),
     "an infinite reward": (PAY, f"return np.inf if {RARE} else -0.25", "reward of Walk .* returned inf for state"),
     "below the space": (SEE, f"return -1 if {RARE} else state\n", "observation of Walk .* returned -1 for state"),
+    "no next state": (
+        MOVE,
+        f"if {RARE}:\n            return None\n        {MOVE}",
+        "transition of Walk must return the next state, .* None",
+    ),
     "beyond the space": (SEE, f"return 6 if {RARE} else state\n", "observation of Walk .* returned 6 for state"),
 }
 
@@ -120,6 +125,31 @@ def test_a_table_of_the_class() -> None:
     with pytest.warns(UserWarning, match="seen of Learner has changed, which is not the agent's own") as caught:
         train(walk(), agent, 300)
     assert len(caught) == 1
+
+
+def test_a_table_that_is_a_default() -> None:
+    """The next agent would begin with it: a warning says so after training, and none where the agent has its own."""
+    kind = cell(changed(LEARNER, "Q: np.ndarray", "Q: np.ndarray = np.zeros((6, 2))"))["Learner"]
+    with pytest.warns(UserWarning, match=r"Q of Learner has changed, .* own: pass it, Learner\(...\), without a def"):
+        train(walk(), kind(), 300)
+    plain = cell(PLAIN)["Plain"]
+    with pytest.warns(UserWarning, match="Q of Plain has changed, which is not the agent's own"):
+        train(walk(), plain(), 300)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        train(walk(), kind(np.zeros((6, 2))), 300)
+        train(walk(), plain(np.zeros((6, 2))), 300)
+
+
+PLAIN = """
+class Plain:
+    def __init__(self, Q=np.zeros((6, 2))):
+        self.Q = Q
+    def act(self, state, rng):
+        return 1
+    def learn(self, state, action):
+        self.Q[state, action] += 1
+"""
 
 
 def test_a_table_that_comes_to_hold_nan() -> None:
