@@ -67,6 +67,26 @@ def test_a_rare_action(way: str) -> None:
         train(walk(), learner(source), N_STEPS, seed=2)
 
 
+def test_an_index_of_something_else() -> None:
+    """Only the index of an array is explained by the size of a table, and only where it may be that of the table."""
+    for wrong, says in (
+        ("[0, 1][2]", "list index out of range"),
+        ("'ab'[2]", "string index out of range"),
+        ("np.zeros(4)[4]", "index 4 is out of bounds for axis 0 with size 4"),
+        ("self.Q[state + 7, 0]", r"index \d is out of .* size 7: Q of Learner has the shape \(7, 3\), but this"),
+    ):
+        source = changed(LEARNER, "value = 0.0", f"{wrong}; value = 0.0")
+        with pytest.raises(IndexError, match=f"^{says}") as caught:
+            train(
+                walk(),
+                cell(changed(source, "rng.random() * self.Q.shape[1]", "rng.random() * 2"))["Learner"](
+                    np.zeros((7, 3))
+                ),
+                300,
+            )
+        assert ("shape" in says) == ("shape" in str(caught.value))
+
+
 def test_what_is_right_is_left_alone() -> None:
     """The control: without a mistake there is not a word."""
     with warnings.catch_warnings():

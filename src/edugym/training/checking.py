@@ -7,6 +7,7 @@ each method is called as often as without them. The package's own classes are no
 
 import inspect
 import math
+import re
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -214,16 +215,19 @@ class CheckedAgent:
         try:
             return call()
         except IndexError as error:
-            error.args = (f"{error}{self._sizes()}",)
+            found = re.search(r"out of bounds for axis (\d) with size (\d+)", str(error))  # no list, tuple or text
+            if found:
+                error.args = (f"{error}{self._sizes(int(found[1]), int(found[2]))}",)
             raise
 
-    def _sizes(self) -> str:
-        """Return what is wrong with the size of a table; nothing if all fit."""
+    def _sizes(self, axis: int = 0, size: int | None = None) -> str:
+        """Return what is wrong with the size of a table, or of one with this size along an axis; nothing if all fit."""
         rows, actions = self._task.observation_space, self._task.action_space
         if not (isinstance(rows, spaces.Discrete) and isinstance(actions, spaces.Discrete)):
             return ""
         for name, table in tables_of(self._agent).items():
-            if table.ndim == 2 and table.shape != (rows.n, actions.n):
+            meant = size is None or table.shape[axis : axis + 1] == (size,)
+            if meant and table.ndim == 2 and table.shape != (rows.n, actions.n):
                 return (
                     f": {name} of {self._name} has the shape {table.shape}, but this environment has {rows.n}"
                     f" observations and {actions.n} actions"
