@@ -140,6 +140,54 @@ def test_late_error() -> None:
     assert "np.zeros(150)[state]" in str(students.line)
 
 
+def one_by_one(env: MDPEnv[Any], n: int) -> None:
+    """Take some steps."""
+    for _ in range(n):
+        env.step(0)
+
+
+NOTHING = {
+    "transition": (
+        ("return None if state == 150 else state + 1", "float(state)"),
+        "the next state, .* None for state .*150",
+    ),
+    "reward": (
+        ("return state + 1", "None if state == 150 else 1.0"),
+        "a finite number, but returned None for state .*150",
+    ),
+    "nan": (
+        ("return state + 1", "math.nan if state == 150 else 1.0"),
+        "a finite number, but returned nan for state .*150",
+    ),
+}
+
+
+@pytest.mark.parametrize(("methods", "says"), NOTHING.values(), ids=NOTHING)
+@pytest.mark.parametrize("initial", ["0", "np.int16(0)"], ids=["compiled", "interpreted"])
+@pytest.mark.filterwarnings("ignore:.* interpreted")
+def test_what_is_none_late(methods: tuple[str, str], says: str, initial: str) -> None:
+    """One sentence says what is missing, as in the single environment, and no copy goes on with NaN."""
+    late = task(
+        initial,
+        methods[0].replace("state + 1", "type(state)(state + 1)" if "16" in initial else "state + 1"),
+        methods[1],
+    )
+    vector = MDPVectorEnv(MDPEnv(late), 2)
+    vector.reset(seed=0)
+    several_steps(vector, 150)
+    with pytest.raises(ValueError, match=f" of Task must return {says}") as caught:
+        vector.step([0, 0])
+    assert len(traceback.extract_tb(caught.value.__traceback__)) == 1
+    assert caught.value.__context__ is None
+    vector.reset(seed=0)
+    several_steps(vector, 3)
+    if "nan" not in methods[1]:
+        single = MDPEnv(late)
+        single.reset(seed=0)
+        with pytest.raises(ValueError, match=f" of Task must return {says}"):
+            one_by_one(single, 300)
+
+
 def test_code_that_changes() -> None:
     """A method or a global name that is given another value counts from the next step on."""
     notebook = cell("PAY = 2.0\n" + WALK.replace("else -0.25", "else PAY"))

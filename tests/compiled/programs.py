@@ -18,6 +18,8 @@ N = {"fields": "N: np.ndarray", "values": "np.zeros(9, np.int64)"}
 COMPILED = {
     "plain": program("return 0.5 * s + self.x * rng.random()"),
     "table": program("i = int(rng.random() * 9)\nself.Q[i, 0] += 0.1 * (s - self.Q[i, 0])\nreturn self.Q[i, 0] + 1", **Q),
+    "median with nan": program("self.Q[0, 0] = s\nself.Q[3, 1] = math.nan if s > 30 else 1.0\nm = np.median(self.Q[:, 1])\n"
+        "return s + (0.5 if m != m else 1.0 + m) + 0 * np.median(self.Q[1:, :1])", **Q),
     "power of a number below one": program("return self.x * 0.999 ** int(s) + s", values="0.5"),
     "whole power": program("return s + 3 ** int(rng.random() * 30) % 7"),
     "largest whole power": program("return s + 9223372036854775807 ** int(rng.random() * 2) % 7"),

@@ -23,6 +23,7 @@ def test_reasons() -> None:
         ("return s + 1 if s < 3 else (1, 2)", "one name stands for values of two types, float and tuple "),
         ("a, *b = (s, 1, 2)\n        return a", "it has a statement that Numba does not know, UNPACK_EX "),
         ("return s + A.T", "it takes T from the class A "),
+        ("return s + np.array((s, s), dtype=float)[0]", r"Numba has no array\(tuple, dtype=float\) "),
         ("return s + np.zeros(3)[0.5]", "an index of an array is of type float "),
     ):
         thing = cell(f"class A(NamedTuple):\n    k: int\n    def f(self, s, rng):\n        {method}")["A"](1)

@@ -1,6 +1,7 @@
 """The exact model of small tasks, against tables and formulae worked out by hand."""
 
 import math
+import traceback
 from typing import Any, NamedTuple
 
 import gymnasium
@@ -281,8 +282,29 @@ SLIPS = {
 def test_slips(line: str, slip: str, reason: str) -> None:
     """One sentence says which method is wrong, and how."""
     assert line in WALK
-    with pytest.raises(ValueError, match=f"Walk has no finite model: .*{reason}"):
+    with pytest.raises(ValueError, match=f"Walk has no finite model: .*{reason}") as caught:
         finite_model(cell(WALK.replace(line, slip, 1))["Walk"](4))
+    assert len(frames(caught.value)) <= 3
+
+
+def frames(error: BaseException) -> list[str]:
+    """The lines of the one traceback that is shown."""
+    assert error.__cause__ is None
+    assert error.__context__ is None or error.__suppress_context__
+    return [str(frame.line) for frame in traceback.extract_tb(error.__traceback__)]
+
+
+def test_where_a_slip_is() -> None:
+    """The traceback is one, with one line of the package, and ends at the student's line where there is one."""
+    for line, kind in (("math.sqrt(-1)", ValueError), ("rng.normal()", ValueError), ("stat", NameError)):
+        with pytest.raises(kind) as caught:
+            finite_model(cell(WALK.replace("max(0, ", f"max({line}, ", 1))["Walk"](4))
+        shown = frames(caught.value)
+        assert len(shown) <= 3, shown
+        assert line in shown[-1]
+    with pytest.raises(ValueError, match="a state must be a number or a tuple of numbers, but there is") as caught:
+        finite_model(cell(WALK.replace("return 0\n", "return [0]\n", 1))["Walk"](4))
+    assert len(frames(caught.value)) == 2
 
 
 @pytest.mark.parametrize(("rows", "columns"), [(2, 1), (5, 4), (9, 17), (40, 12)])

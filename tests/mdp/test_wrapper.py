@@ -23,6 +23,7 @@ from edugym import (
     wrapper,
 )
 from edugym.adapters.tabular_observation import tabular
+from edugym.mdp.checking import require_mdp
 from edugym.mdp.protocol import named_actions, step_limit
 from edugym.rendering.ansi import to_text
 
@@ -154,6 +155,19 @@ def test_exact_model_and_training() -> None:
         tables.append(agent.Q)
         assert run.agent.Q.min() < -0.5
     assert all(table.any() for table in tables)
+
+
+def test_a_wrapper_without_the_decorator() -> None:
+    """What it does not define is missing, and the decorator would add it."""
+
+    class Bare(NamedTuple):
+        mdp: Any
+
+        def reward(self, state: Any, action: Any, next_state: Any, rng: Any) -> float:
+            return 1.0
+
+    with pytest.raises(ValueError, match=r"Bare must have a method initial\(self, rng\), or the decorator @edugym.wr"):
+        require_mdp(Bare(make_mdp("Boulder")))
 
 
 def test_a_wrapper_needs_a_field_mdp() -> None:

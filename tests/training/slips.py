@@ -195,7 +195,11 @@ IN_AGENT = {
         AttributeError,
     ),
     "a frozen table": Slip(
-        FIRST, "self.Q = 0; value = 0.0", "learn of Learner assigns self.Q", "self.Q = 0", AttributeError
+        FIRST,
+        "self.Q += 0; value = 0.0",
+        r"learn of Learner assigns self.Q, but .* never change: change the numbers in the array, as in self.Q\[:\] ",
+        "self.Q += 0",
+        AttributeError,
     ),
     "a new agent": Slip(
         FIRST, "return self._replace(rate=0.1)\n        value = 0.0", "learn of Learner returns a new Learn"

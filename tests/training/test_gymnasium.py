@@ -1,5 +1,6 @@
 """Training in Gymnasium environments: what wraps or changes an environment is never left out."""
 
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import gymnasium
@@ -53,6 +54,30 @@ def test_what_an_observation_wrapper_shows_is_what_is_learned_from() -> None:
     train(blind, agent, 1_000)
     assert agent.Q[0].any()
     assert not agent.Q[1:].any()
+
+
+class Sometimes(gymnasium.RewardWrapper[Any, Any]):
+    """A student's wrapper with a return that is missing."""
+
+    def reward(self, reward: Any) -> Any:
+        """Double it, if there is one."""
+        return 2 * reward if reward else None
+
+
+def test_what_a_wrapper_returns_is_checked() -> None:
+    """As what a student's environment returns, also where it is wrapped around a task of the package."""
+    agent = QLearning.create(make_mdp("Boulder"))
+    wrapped: dict[str, Callable[[Any], Any]] = {
+        "step of Sometimes must return a finite number as reward, but returned None": Sometimes,
+        "step of TransformReward must return a finite number": lambda env: TransformReward(env, lambda _: np.nan),
+        "reset of TransformObservation must return an observation in Discrete": lambda env: TransformObservation(
+            env, lambda seen: seen - 1, None
+        ),
+    }
+    for says, wrap in wrapped.items():
+        for env in (wrap(gymnasium.make("edugym/Boulder-v0")), wrap(MDPEnv(make_mdp("Boulder")))):
+            with pytest.raises(ValueError, match=says):
+                train(env, agent, 300)
 
 
 class GenerousBoulder(MDPEnv[Boulder]):

@@ -21,6 +21,11 @@ LATE = {
     "NaN for a reward": (PAY, f"return np.nan if {RARE} else -0.25", "reward of Walk .* returned nan for state"),
     "an infinite reward": (PAY, f"return np.inf if {RARE} else -0.25", "reward of Walk .* returned inf for state"),
     "below the space": (SEE, f"return -1 if {RARE} else state\n", "observation of Walk .* returned -1 for state"),
+    "no next state": (
+        MOVE,
+        f"if {RARE}:\n            return None\n        {MOVE}",
+        "transition of Walk must return the next state, .* None",
+    ),
     "beyond the space": (SEE, f"return 6 if {RARE} else state\n", "observation of Walk .* returned 6 for state"),
 }
 
@@ -69,6 +74,26 @@ def test_a_rare_action_in_evaluation(way: str) -> None:
     greedy = f"def greedy(self, state, rng):\n        {OUTSIDE[way]}return 2 if rng.random() < 0.001 else 1\n    {ACTS}"
     with pytest.raises(ValueError, match=r"greedy of Learner .* from 0 to 1, but returned 2 for state \d"):
         train(walk(), learner(changed(LEARNER, ACTS, greedy)), 6_000, evaluate_every=2, seed=2)
+
+
+def test_an_index_of_something_else() -> None:
+    """Only the index of an array is explained by the size of a table, and only where it may be that of the table."""
+    for wrong, says in (
+        ("[0, 1][2]", "list index out of range"),
+        ("'ab'[2]", "string index out of range"),
+        ("np.zeros(4)[4]", "index 4 is out of bounds for axis 0 with size 4"),
+        ("self.Q[state + 7, 0]", r"index \d is out of .* size 7: Q of Learner has the shape \(7, 3\), but this"),
+    ):
+        source = changed(LEARNER, "value = 0.0", f"{wrong}; value = 0.0")
+        with pytest.raises(IndexError, match=f"^{says}") as caught:
+            train(
+                walk(),
+                cell(changed(source, "rng.random() * self.Q.shape[1]", "rng.random() * 2"))["Learner"](
+                    np.zeros((7, 3))
+                ),
+                300,
+            )
+        assert ("shape" in says) == ("shape" in str(caught.value))
 
 
 def test_what_is_right_is_left_alone() -> None:
@@ -131,6 +156,31 @@ def test_a_table_of_the_class() -> None:
     with pytest.warns(UserWarning, match="seen of Learner has changed, which is not the agent's own") as caught:
         train(walk(), agent, 300)
     assert len(caught) == 1
+
+
+def test_a_table_that_is_a_default() -> None:
+    """The next agent would begin with it: a warning says so after training, and none where the agent has its own."""
+    kind = cell(changed(LEARNER, "Q: np.ndarray", "Q: np.ndarray = np.zeros((6, 2))"))["Learner"]
+    with pytest.warns(UserWarning, match=r"Q of Learner has changed, .* own: pass it, Learner\(...\), without a def"):
+        train(walk(), kind(), 300)
+    plain = cell(PLAIN)["Plain"]
+    with pytest.warns(UserWarning, match="Q of Plain has changed, which is not the agent's own"):
+        train(walk(), plain(), 300)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        train(walk(), kind(np.zeros((6, 2))), 300)
+        train(walk(), plain(np.zeros((6, 2))), 300)
+
+
+PLAIN = """
+class Plain:
+    def __init__(self, Q=np.zeros((6, 2))):
+        self.Q = Q
+    def act(self, state, rng):
+        return 1
+    def learn(self, state, action):
+        self.Q[state, action] += 1
+"""
 
 
 def test_a_table_that_comes_to_hold_nan() -> None:

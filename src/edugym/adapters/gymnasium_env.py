@@ -17,7 +17,7 @@ from edugym.adapters import keys
 from edugym.adapters.actions import checked_action
 from edugym.adapters.specification import filled
 from edugym.checks import one_of
-from edugym.mdp.checking import CHECKED_STEPS, CheckedMDP, checked_step, is_own, require_mdp
+from edugym.mdp.checking import CHECKED_STEPS, CheckedMDP, checked_step, is_own, refuse_nothing, require_mdp
 from edugym.mdp.protocol import MDP, coerced, history_wanted, named_actions, step_limit
 from edugym.mdp.tracebacks import end_at_students_line
 from edugym.mdp.values import shown
@@ -153,7 +153,10 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
                 raise
         else:
             next_state = mdp.transition(state, action, rng)
-            reward = float(mdp.reward(state, action, next_state, rng))
+            paid = mdp.reward(state, action, next_state, rng)
+            if next_state is None or paid is None:
+                refuse_nothing(mdp, state, action, next_state)
+            reward = float(paid)
             terminated = bool(mdp.terminal(next_state))
             observed = mdp.observation(next_state, rng)
         observation = self._shown(observed)

@@ -1,6 +1,7 @@
 """Running the loops over copies: as machine code, and interpreted where that would not give the same results."""
 
 import copy
+import math
 import warnings
 from collections.abc import Callable
 from importlib.util import find_spec
@@ -14,6 +15,7 @@ from edugym.adapters.copies import STATE_LOST, Batch
 from edugym.compiled.code import Code, package
 from edugym.compiled.execution import executable
 from edugym.interrupts import Work
+from edugym.mdp.checking import CheckedMDP
 
 Loop = Callable[..., Any]
 REHEARSED = 100  # copies
@@ -23,8 +25,8 @@ class Runner:
     """Runs loops over the copies of an MDP, whose states it keeps.
 
     Before a call of machine code made from a student's classes it keeps a copy of what the call changes. If the call
-    raises an error, or a state does not fit its storage, it is repeated interpreted, and the copies stay interpreted
-    from then on: an error then shows the student's line, and no digit is lost.
+    raises an error, a reward is no finite number, or a state does not fit its storage, it is repeated interpreted, and
+    the copies stay interpreted from then on: an error then shows the student's line, and no digit is lost.
 
     Args:
         mdp: the task.
@@ -81,33 +83,61 @@ class Runner:
             self._prepare(loop, rng, few, arguments)
         fast = loop if self._interpreted else self._code[loop]
         if self._interpreted or not self._foreign:
+            if self._interpreted and self._foreign:
+                return self._replayable(loop, rng, batch, arguments)
             if self._interpreted:
                 arguments = _plain(arguments)
             done: int = fast(self._n, self._mdp, rng, *arguments, self.states, batch)
             if done == STATE_LOST:
                 raise TypeError(f"states of {type(self._mdp).__name__} do not fit the storage that was made for them")
             return done
-        kept = copy_of(self.states), rng.bit_generator.state, batch.steps.copy(), batch.over.copy()
+        kept = self._kept(rng, batch)
         done = STATE_LOST
         with Work() as work:
             work.hold(machine_code=True)
             try:
                 done = fast(self._n, self._mdp, rng, *arguments, self.states, batch)
-                if done != STATE_LOST:
+                if done != STATE_LOST and np.isfinite(batch.rewards).all():
                     return done
+                done = STATE_LOST
             except Exception:  # the interpreter shows it, at the student's line
                 pass
             finally:
                 if done == STATE_LOST:  # also after Ctrl-C
-                    self.states, rng.bit_generator.state, batch.steps[:], batch.over[:] = kept
+                    self._put_back(kept, rng, batch)
         self._interpret()
-        done = loop(self._n, self._mdp, rng, *_plain(arguments), self.states, batch)
+        done = self._replayable(loop, rng, batch, arguments)
         warnings.warn(
             f"{type(self._mdp).__name__} runs interpreted from here on, some hundred times slower: its states have"
             " changed their type",
             stacklevel=3,
         )
         return done
+
+    def _replayable(self, loop: Loop, rng: np.random.Generator, batch: Batch, arguments: tuple[Any, ...]) -> int:
+        """Run a loop interpreted over a student's MDP; where it fails, run it again with checks that say why."""
+        arguments, kept = _plain(arguments), self._kept(rng, batch)
+        failure: Exception | None = None
+        try:
+            done: int = loop(self._n, self._mdp, rng, *arguments, self.states, batch)
+        except Exception as error:
+            failure = error
+        if failure or not np.isfinite(batch.rewards).all() or _has_none(self.states):
+            self._put_back(kept, rng, batch)
+            done = loop(self._n, _checked(self._mdp), rng, *arguments, self.states, batch)
+        if failure:
+            raise failure
+        if done == STATE_LOST:
+            raise TypeError(f"states of {type(self._mdp).__name__} do not fit the storage that was made for them")
+        return done
+
+    def _kept(self, rng: np.random.Generator, batch: Batch) -> tuple[Any, ...]:
+        """A copy of what a loop changes and goes on from."""
+        return copy_of(self.states), rng.bit_generator.state, batch.steps.copy(), batch.over.copy()
+
+    def _put_back(self, kept: tuple[Any, ...], rng: np.random.Generator, batch: Batch) -> None:
+        """Let a loop begin again."""
+        self.states, rng.bit_generator.state, batch.steps[:], batch.over[:] = kept
 
     def _prepare(
         self, loop: Loop, rng: np.random.Generator, few: Callable[[int], Batch], arguments: tuple[Any, ...]
@@ -172,6 +202,13 @@ class Watched:
         return any(place.get(name, missing) is not value for place, name, value in self._places)
 
 
+def _checked(mdp: Any) -> Any:
+    """An MDP with checks around a student's MDP, also where that is inside the package's wrappers."""
+    if type(mdp).__module__.startswith("edugym.") and hasattr(mdp, "mdp"):
+        return mdp._replace(mdp=_checked(mdp.mdp))
+    return CheckedMDP(mdp, math.inf)
+
+
 def _names(code: CodeType) -> set[str]:
     """The names that a function uses, inner functions included."""
     inner = [_names(part) for part in code.co_consts if isinstance(part, CodeType)]
@@ -184,6 +221,11 @@ def _plain(arguments: tuple[Any, ...]) -> tuple[Any, ...]:
         part.tolist() if isinstance(part, np.ndarray) and part.ndim == 1 and part.dtype == np.int64 else part
         for part in arguments
     )
+
+
+def _has_none(states: Any) -> bool:
+    """Whether a state is None, which a method without a `return` gives."""
+    return isinstance(states, Listed) and any(state is None for state in states.values)
 
 
 def _is_loose(states: Any) -> bool:

@@ -77,6 +77,14 @@ def _pow(base: Any, exponent: Any) -> Any:
     return base**exponent
 
 
+def _median(values: Any) -> Any:
+    """`np.median`, which is NaN if one of the values is; Numba's says so of some places only."""
+    for value in np.asarray(values).flat:
+        if np.isnan(value):
+            return np.nan
+    return np.median(values)
+
+
 def normal(rng: Any, loc: Any = 0.0, scale: Any = 1.0) -> Any:
     """`rng.normal(loc, scale)`."""
     if scale < 0:
@@ -115,8 +123,9 @@ REPLACED: dict[Any, Function] = {
     math.acosh: _within(math.acosh, 1.0, math.inf),
     **{function: _finite(function) for function in (math.exp, math.expm1, math.cosh, math.sinh)},
     **{function: _whole(function) for function in (math.floor, math.ceil, math.trunc)},
+    np.median: _median,
 }
-"""What stands for functions of `math`."""
+"""What stands for functions of `math` and `np`."""
 CALLED: dict[Any, Function] = {
     builtins.int: _whole(int),
     builtins.round: _whole(round),

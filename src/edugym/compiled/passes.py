@@ -13,6 +13,8 @@ from collections.abc import Callable, Iterator
 from types import ModuleType
 from typing import Any
 
+import numpy as np
+
 from edugym.compiled.arithmetic import CALLED, CHECKED, DRAWN, REPLACED
 from edugym.compiled.subset import place, words
 from edugym.compiled.turns import count_turns
@@ -77,8 +79,9 @@ def _before_typing(state: Any) -> bool:
         if isinstance(statement, ir.Assign) and isinstance(value, ir.Expr):
             if value.op == "make_function":
                 _refuse("it has a function inside a function", statement.loc)
-            if value.op == "getattr" and _global(state.func_ir, value.value) is math:
-                _stand_in(statement, getattr(math, value.attr, None))
+            library = _global(state.func_ir, value.value) if value.op == "getattr" else None
+            if library is math or library is np:
+                _stand_in(statement, getattr(library, value.attr, None))
             elif value.op == "call":
                 _replace_called(state.func_ir, block, statement)
         elif isinstance(value, ir.Global | ir.FreeVar):

@@ -26,7 +26,8 @@ WORDS = (
 TYPES = (
     (r"Literal\[(\w+)\]\([^)]*\)", r"\1"),
     (r"OptionalType\((\w+)\)", r"\1 or None"),
-    (r"array\([^)]*\)", "array"),
+    (r"Function\(<class '(\w+)'>\)", r"\1"),
+    (r"array\([\w]+, \d+d, \w\)", "array"),
     (r"(Uni)?Tuple\([^)]*\)", "tuple"),
     (r"unicode_type", "str"),
     (r"\b(int|float)64\b", r"\1"),

@@ -19,6 +19,7 @@ from edugym.exact.branching import branches
 from edugym.exact.checking import compare_with_steps, global_randomness
 from edugym.exact.tables import FiniteModel, plain
 from edugym.mdp.protocol import MDP
+from edugym.mdp.tracebacks import end_at_students_line
 
 MAX_STATES = 50_000
 MAX_WAYS = 20_000
@@ -50,12 +51,16 @@ def finite_model(mdp: MDP[Any, Any], max_states: int = MAX_STATES) -> FiniteMode
         model = _explored(mdp, max_states)
         compare_with_steps(model)
         problem = None
-    except ValueError as error:
+    except Exception as error:
+        end_at_students_line(error)
+        if not isinstance(error, ValueError):
+            raise
         problem = error
     if global_randomness() != before:
         problem = ValueError("its methods draw from np.random or random: use the `rng` that they are given")
     if problem:
-        raise ValueError(f"{type(mdp).__name__} has no finite model: {problem}") from problem
+        reason = f"{type(mdp).__name__} has no finite model: {problem}"
+        raise ValueError(reason).with_traceback(problem.__traceback__) from None
     return model
 
 

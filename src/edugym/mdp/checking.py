@@ -134,6 +134,17 @@ def checked_step(mdp: MDP[Any, Any], state: Any, action: Any, rng: Random) -> tu
     return next_state, float(reward), bool(terminated), checked.observation(next_state, rng)
 
 
+def refuse_nothing(mdp: MDP[Any, Any], state: Any, action: Any, next_state: Any) -> None:
+    """Say of a transition, or else of a reward, that it is None.
+
+    Raises:
+        ValueError: always.
+    """
+    if next_state is None:
+        raise ValueError(_sentence(mdp, "transition", None, "the next state", state, action))
+    raise ValueError(_sentence(mdp, "reward", None, "a finite number", state, action, next_state))
+
+
 class CheckedMDP:
     """An MDP that checks what its methods return: it does what the MDP inside it does, and draws nothing itself.
 
@@ -145,7 +156,7 @@ class CheckedMDP:
 
     def __init__(self, mdp: MDP[Any, Any], steps: float = CHECKED_STEPS) -> None:
         """See the class."""
-        self._mdp, self._left = mdp, steps
+        self._mdp, self._left, self._first = mdp, steps, None
         self._draws, self._space = GlobalDraws(type(mdp).__name__), mdp.observation_space
         self._rows = int(self._space.n) if isinstance(self._space, spaces.Discrete) and self._space.start == 0 else 0
 
@@ -156,7 +167,8 @@ class CheckedMDP:
     def initial(self, rng: Random) -> Any:
         """Draw the state in which an episode starts."""
         with self._draws.refused("initial"):
-            return self._mdp.initial(rng)
+            self._first = self._mdp.initial(rng)
+        return self._first
 
     def transition(self, state: Any, action: Any, rng: Random) -> Any:
         """Draw the next state.
@@ -236,9 +248,10 @@ class CheckedMDP:
     def _require_observation(self, observation: Any, state: Any) -> None:
         space = self._space
         if not fits(space, observation):
-            if state is None:  # an initial one; where nothing is wrong with what is seen, None is a state like others
+            if state is None:  # where nothing is wrong with what is seen, None is a state like others
+                method, which = ("initial", "first") if self._first is None else ("transition", "next")
                 raise ValueError(
-                    f"initial of {_name(self._mdp)} must return the first state, but returned None (is a return"
+                    f"{method} of {_name(self._mdp)} must return the {which} state, but returned None (is a return"
                     " missing?)"
                 )
             raise ValueError(_sentence(self._mdp, "observation", observation, f"an element of {space}", state))
@@ -274,6 +287,8 @@ def require_method(owner: Any, name: str, parameters: tuple[str, ...], others: I
         near = [other for other in OTHER_NAMES.get(name, ()) if other in candidates]
         near = near or difflib.get_close_matches(name, candidates, 1)
         hint = f"; is {near[0]!r} misspelt?" if near else ""
+        if "mdp" in getattr(owner, "_fields", ()) and not near:
+            hint = ", or the decorator @edugym.wrapper, which takes it from the MDP inside"
         raise ValueError(f"{_name(owner)} must have a method {wanted}{hint}")
     method = getattr(owner, name)
     if not callable(method):

@@ -6,6 +6,8 @@ from importlib.util import find_spec
 from pathlib import Path
 from types import TracebackType
 
+import numpy as np
+
 UNSHOWN = frozenset({"edugym", "contextlib", "gymnasium", "joblib", "numpy"})
 """Packages whose frames are no help in finding a mistake."""
 
@@ -57,8 +59,13 @@ def _explain_frozen_field(error: AttributeError, last: TracebackType) -> None:
     fails = [one.opname for one in dis.get_instructions(frame.f_code) if one.offset == last.tb_lasti]
     if fails != ["STORE_ATTR"] or not isinstance(owner, tuple):
         return
+    name = assigned[0]
+    value = getattr(owner, name, None)
+    remedy = f"keep what changes in a field that is an array, {name} = np.array([...]), and assign self.{name}[0]"
+    if isinstance(value, np.ndarray):
+        inside = f"self.{name}[:]" if value.ndim else f"self.{name}[...]"
+        remedy = f"change the numbers in the array, as in {inside} += 1"
     error.args = (
-        f"{frame.f_code.co_name} of {type(owner).__name__} assigns self.{assigned[0]}, but the fields of a NamedTuple"
-        f" never change: keep what changes in a field that is an array, {assigned[0]} = np.array([...]), and assign"
-        f" self.{assigned[0]}[0]",
+        f"{frame.f_code.co_name} of {type(owner).__name__} assigns self.{name}, but the fields of a NamedTuple never"
+        f" change: {remedy}",
     )

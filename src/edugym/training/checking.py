@@ -7,6 +7,7 @@ each method is called as often as without them. The package's own classes are no
 
 import inspect
 import math
+import re
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -14,7 +15,7 @@ from typing import Any
 import gymnasium
 import numpy as np
 from gymnasium import spaces
-from gymnasium.wrappers import FlattenObservation
+from gymnasium.wrappers import FlattenObservation, OrderEnforcing, PassiveEnvChecker
 
 from edugym.adapters.tabular_observation import TabularObservation
 from edugym.mdp.checking import CHECKED_STEPS, CheckedMDP, innermost, is_own, refuse_change
@@ -57,16 +58,28 @@ def checked_agent(agent: Any, task: Any, steps: float = CHECKED_STEPS) -> Any:
 
 
 def shared_by_class(agent: Any) -> dict[str, Any]:
-    """Return copies of the lists, dictionaries, sets and arrays that a student's agent has from its class."""
+    """Return copies of the lists, dictionaries, sets and arrays that a student's agent has from its class.
+
+    Those are attributes of the class, and defaults of its fields, or of its `__init__`, that this agent has.
+    """
     if is_own(agent):
         return {}
-    own = getattr(agent, "__dict__", {})
-    members = {name: member for base in reversed(type(agent).__mro__) for name, member in vars(base).items()}
+    own, kind = _own_values(agent), type(agent)
+    members = {name: member for base in reversed(kind.__mro__) for name, member in vars(base).items()}
+    makers: list[Any] = [getattr(kind, name) for name in ("__init__", "__new__")]
+    defaults = {id(value) for maker in makers for value in getattr(maker, "__defaults__", None) or ()}
+    shared = {name: member for name, member in members.items() if name not in own}
+    shared |= {name: value for name, value in own.items() if id(value) in defaults}
     return {
         name: kept(member)
-        for name, member in members.items()
-        if isinstance(member, list | dict | set | np.ndarray) and name[0] != "_" and name not in own
+        for name, member in shared.items()
+        if isinstance(member, list | dict | set | np.ndarray) and name[0] != "_"
     }
+
+
+def _own_values(agent: Any) -> dict[str, Any]:
+    """Return what an agent has of its own: its fields, or the attributes of an ordinary object."""
+    return agent._asdict() if hasattr(agent, "_asdict") else getattr(agent, "__dict__", {})
 
 
 def doubts(
@@ -96,9 +109,15 @@ def doubts(
             for name, table in tables_of(agent).items()
             if table.dtype.kind == "f" and np.isnan(table).any()
         ]
+        kind, own = type(agent).__name__, _own_values(agent)
         found += [
-            f"{name} of {type(agent).__name__} has changed, which is not the agent's own: all agents of the class share"
-            f" it, so that the next one begins with it. Give each its own: self.{name} = ... in __init__, or a field"
+            f"{name} of {kind} has changed, which is not the agent's own: all agents of the class share it, so that the"
+            " next one begins with it. Give each its own: "
+            + (
+                f"pass it, {kind}(...), without a default"
+                if name in own
+                else f"self.{name} = ... in __init__, or a field"
+            )
             for name, before in shared.items()
             if not same(before, getattr(agent, name, None))
         ]
@@ -186,7 +205,9 @@ class CheckedAgent:
         else:
             action = choose(state, rng)
         if not (type(action) is int and 0 <= action < self._n_actions) and not _is_action(self._space, action):
-            raise ValueError(_of_action(self._name, method, self._task.action_space, action, state) + self._sizes())
+            row = isinstance(action, int | np.integer) and not isinstance(action, bool)
+            sizes = self._sizes() if row else ""
+            raise ValueError(_of_action(self._name, method, self._task.action_space, action, state) + sizes)
         return action
 
     def _with_sizes(self, call: Callable[[], Any]) -> Any:
@@ -194,16 +215,19 @@ class CheckedAgent:
         try:
             return call()
         except IndexError as error:
-            error.args = (f"{error}{self._sizes()}",)
+            found = re.search(r"out of bounds for axis (\d) with size (\d+)", str(error))  # no list, tuple or text
+            if found:
+                error.args = (f"{error}{self._sizes(int(found[1]), int(found[2]))}",)
             raise
 
-    def _sizes(self) -> str:
-        """Return what is wrong with the size of a table; nothing if all fit."""
+    def _sizes(self, axis: int = 0, size: int | None = None) -> str:
+        """Return what is wrong with the size of a table, or of one with this size along an axis; nothing if all fit."""
         rows, actions = self._task.observation_space, self._task.action_space
         if not (isinstance(rows, spaces.Discrete) and isinstance(actions, spaces.Discrete)):
             return ""
         for name, table in tables_of(self._agent).items():
-            if table.ndim == 2 and table.shape != (rows.n, actions.n):
+            meant = size is None or table.shape[axis : axis + 1] == (size,)
+            if meant and table.ndim == 2 and table.shape != (rows.n, actions.n):
                 return (
                     f": {name} of {self._name} has the shape {table.shape}, but this environment has {rows.n}"
                     f" observations and {actions.n} actions"
@@ -238,13 +262,13 @@ def require_env(env: gymnasium.Env[Any, Any]) -> None:
 def checked_env(env: gymnasium.Env[Any, Any], steps: float = CHECKED_STEPS) -> Iterator[gymnasium.Env[Any, Any]]:
     """Yield the environment with checks around what is inside our outermost wrapper, and take them away afterwards.
 
-    An environment that plays an MDP has checks of its own.
+    An environment that plays an MDP has checks of its own; wrappers around it have not.
 
     Args:
         env: the environment.
         steps: how many steps are checked in every way.
     """
-    if is_own(env.unwrapped):
+    if all(map(is_own, _layers(env))):
         yield env
     elif isinstance(env, TabularObservation | FlattenObservation):
         inner = env.env
@@ -255,6 +279,14 @@ def checked_env(env: gymnasium.Env[Any, Any], steps: float = CHECKED_STEPS) -> I
             env.env = inner
     else:
         yield CheckedEnv(env, steps)
+
+
+def _layers(env: gymnasium.Env[Any, Any]) -> list[gymnasium.Env[Any, Any]]:
+    """Return an environment's wrappers from outside in, without those of `gymnasium.make`, and what is in them."""
+    layers = [env]
+    while isinstance(layers[-1], gymnasium.Wrapper):
+        layers.append(layers[-1].env)
+    return [layer for layer in layers if not isinstance(layer, PassiveEnvChecker | OrderEnforcing)]
 
 
 class CheckedEnv(gymnasium.Wrapper[Any, Any, Any, Any]):
@@ -269,7 +301,10 @@ class CheckedEnv(gymnasium.Wrapper[Any, Any, Any, Any]):
         """See the class."""
         super().__init__(env)
         self._left = steps
-        self._of = type(env.unwrapped).__name__
+        layers = [layer for layer in _layers(env) if not is_own(layer)]
+        students = [layer for layer in layers if not type(layer).__module__.startswith("gymnasium.")]
+        inside = env.unwrapped
+        self._of = type((students or layers or [inside])[0] if is_own(inside) else inside).__name__
 
     def reset(self, **options: Any) -> Any:
         """Start an episode.
