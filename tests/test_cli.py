@@ -210,7 +210,7 @@ def test_a_film_needs_a_path() -> None:
     assert "the path is empty" in result.output
 
 
-COMMAND = [sys.executable, "-c", "from edugym.cli import main; main()"]
+COMMAND = [sys.executable, "-m", "edugym"]
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="this system has no /dev/full")

@@ -16,7 +16,7 @@ from rules import is_check, is_code, is_exercise, without_marks, without_solutio
 from edugym.grading import WrongAnswer
 
 FOLDER = build.ROOT / "lessons" / "answers"
-TITLE = re.compile(r"# %% (?:exercise (?P<exercise>\d+), (?P<verdict>right|wrong): (?P<name>.+)|setup)$")
+NAME = re.compile(r"exercise_(?P<exercise>\d+)_(?P<verdict>right|wrong)")
 SAYS = re.compile(r"^# says: (.+\n(?:#   .+\n)*)", flags=re.MULTILINE)
 
 
@@ -54,25 +54,27 @@ class Exercise(NamedTuple):
     check: str
 
 
-def read_answers(path: Path) -> tuple[str, list[Answer]]:
-    """Read a file of answers.
+def read_answers(folder: Path) -> tuple[str, list[Answer]]:
+    """Read the answers to the exercises of a lesson: `exercise_1_right.py`, `exercise_1_wrong.py` and so on.
 
     Returns:
         The code that runs before every answer, and the answers.
     """
     setup, answers = "", []
-    for part in re.split(r"^(?=# %% )", path.read_text(encoding="utf-8"), flags=re.MULTILINE)[1:]:
-        title, _, body = part.partition("\n")
-        found = TITLE.match(title)
-        assert found, f"{path.name}: {title!r} should be like '# %% exercise 1, wrong: off by one'"
-        says = tuple(words.strip().replace("\n#  ", "") for words in SAYS.findall(body))
-        code = SAYS.sub("", body).strip() + "\n"
-        if found["exercise"] is None:
-            setup = code
+    for path in sorted(folder.glob("*.py")):
+        text = path.read_text(encoding="utf-8")
+        if path.stem == "setup":
+            setup = text
             continue
+        found = NAME.fullmatch(path.stem)
+        assert found, f"{path}: its name should be like 'exercise_1_wrong.py'"
         right = found["verdict"] == "right"
-        assert right or says, f"{path.name}: {title!r}: a wrong answer has a line '# says: ...'"
-        answers.append(Answer(path.stem, int(found["exercise"]), right, found["name"], says, code))
+        for part in re.split(r"^# %% ", text, flags=re.MULTILINE)[1:]:
+            name, _, body = part.partition("\n")
+            says = tuple(words.strip().replace("\n#  ", "") for words in SAYS.findall(body))
+            assert right or says, f"{path}: {name!r}: a wrong answer has a line '# says: ...'"
+            code = SAYS.sub("", body).strip() + "\n"
+            answers.append(Answer(folder.name, int(found["exercise"]), right, name, says, code))
     return setup, answers
 
 

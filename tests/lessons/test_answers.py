@@ -1,4 +1,4 @@
-"""Checks of exercises, on right and wrong answers: every file in `lessons/answers` is found by its name."""
+"""Checks of exercises, on right and wrong answers: every folder in `lessons/answers` is found by its name."""
 
 from collections import Counter
 from functools import cache
@@ -15,8 +15,8 @@ from edugym.training.train import train
 from tests.lessons.answers import FOLDER, Answer, Exercise, read_answers, read_exercises, verdict
 from tests.lessons.hints import hints
 
-FILES = sorted(FOLDER.glob("*.py"))
-ANSWERS = [answer for path in FILES for answer in read_answers(path)[1]]
+FOLDERS = sorted(FOLDER.iterdir())
+ANSWERS = [answer for folder in FOLDERS for answer in read_answers(folder)[1]]
 GRADING = build.ROOT / "tests" / "grading"
 FEWEST_WRONG, FEWEST_RIGHT = 12, 6
 
@@ -31,7 +31,7 @@ def training_comes_back(monkeypatch: pytest.MonkeyPatch) -> None:
 def exercises_of(lesson: str) -> tuple[tuple[str, str], list[Exercise]]:
     """What runs before every answer, and the exercises of a lesson."""
     imports, exercises = read_exercises(build.ROOT / "lessons" / f"{lesson}.py")
-    return (imports, read_answers(FOLDER / f"{lesson}.py")[0]), exercises
+    return (imports, read_answers(FOLDER / lesson)[0]), exercises
 
 
 @cache
@@ -75,13 +75,13 @@ def test_every_exercise_has_answers(path: Path) -> None:
     assert len({(answer.exercise, answer.code) for answer in answers}) == len(answers)
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
-def test_every_hint_is_told(path: Path) -> None:
+@pytest.mark.parametrize("lesson", [folder.name for folder in FOLDERS])
+def test_every_hint_is_told(lesson: str) -> None:
     """Whatever a check may say of a wrong answer stands, word for word, behind a `# says:` of its lesson."""
-    told = {words for answer in ANSWERS if answer.lesson == path.stem for words in answer.says}
+    told = {words for answer in ANSWERS if answer.lesson == lesson for words in answer.says}
     all_of_it = "\n".join(told)
-    assert hints_of(path.stem)
-    assert not {hint for hint, whole in hints_of(path.stem).items() if hint not in (told if whole else all_of_it)}
+    assert hints_of(lesson)
+    assert not {hint for hint, whole in hints_of(lesson).items() if hint not in (told if whole else all_of_it)}
 
 
 @pytest.mark.parametrize("module", [agents, choices, results, updates, values], ids=lambda module: module.__name__)
@@ -99,16 +99,16 @@ def test_every_mistake_of_q_learning_is_told() -> None:
     assert not {sentence for sentence in Q_LEARNING.mistakes if sentence not in told}
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
-def test_solutions_pass_and_placeholders_are_not_solved_yet(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("lesson", [folder.name for folder in FOLDERS])
+def test_solutions_pass_and_placeholders_are_not_solved_yet(lesson: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """The lesson's own solution of an exercise is right, and counts; its empty cell is told that it is empty."""
     counted: list[tuple[str, int]] = []
     monkeypatch.setattr("edugym.grading.verdict.record_passed", lambda *passed: counted.append(passed))
-    before, exercises = exercises_of(path.stem)
+    before, exercises = exercises_of(lesson)
     for number, exercise in enumerate(exercises, start=1):
-        solved = Answer(path.stem, number, True, "solution", (), exercise.solution)
-        empty = Answer(path.stem, number, False, "placeholder", (), exercise.placeholder)
+        solved = Answer(lesson, number, True, "solution", (), exercise.solution)
+        empty = Answer(lesson, number, False, "placeholder", (), exercise.placeholder)
         counted.clear()
         assert verdict(solved, exercise, before) == ""
-        assert {*counted} == {(path.stem.partition("_")[2], number)}
+        assert {*counted} == {(lesson.partition("_")[2], number)}
         assert "Not solved yet" in verdict(empty, exercise, before) or "began" in verdict(empty, exercise, before)

@@ -1,0 +1,170 @@
+# %% not solved
+# says: Not solved yet
+def choose(values, epsilon, rng):
+    raise NotImplementedError("not solved yet: replace this line")
+
+
+# %% the first of equals
+# says: ties should be broken at random, and it takes the first of equals
+# says: choose(values, epsilon, rng)
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    return np.argmax(values)
+
+
+# %% the last of equals
+# says: ties should be broken at random, and it takes the last of equals
+# says: , should choose
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    return max(range(len(values)), key=lambda action: (values[action], action))
+
+
+# %% never explores
+# says: it never explores: what is `epsilon` for?
+def choose(values, epsilon, rng):
+    return rng.choice(np.flatnonzero(values == values.max()))
+
+
+# %% the wrong way round
+# says: ε and 1 − ε have changed places: it explores with probability 1 − ε
+def choose(values, epsilon, rng):
+    if rng.random() > epsilon:
+        return rng.integers(len(values))
+    return rng.choice(np.flatnonzero(values == values.max()))
+
+
+# %% the others only
+# says: a random action may be the best one too; this one is drawn among the others only
+def choose(values, epsilon, rng):
+    best = np.flatnonzero(values == values.max())
+    if rng.random() < epsilon:
+        others = np.flatnonzero(values < values.max())
+        return rng.choice(others if len(others) else best)
+    return rng.choice(best)
+
+
+# %% argmin
+# says: it takes the *lowest* value
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    return rng.choice(np.flatnonzero(values == values.min()))
+
+
+# %% the value
+# says: should give the number of an action, a whole number, but gives
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    return values.max()
+
+
+# %% all best actions
+# says: return one of its entries, drawn with rng.choice
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    return np.flatnonzero(values == values.max())
+
+
+# %% four actions
+# says: should give an action from 0 to 2
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(4)
+    return rng.choice(np.flatnonzero(values == values.max())) if len(values) == 4 else 3
+
+
+# %% never the last
+# says: the random action is never the last one: `rng.integers(n)` is from 0 to n − 1 already
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values) - 1)
+    return rng.choice(np.flatnonzero(values == values.max()))
+
+
+# %% one too many
+# says: should give an action from 0 to 3, but gives 4
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values) + 1)
+    return rng.choice(np.flatnonzero(values == values.max()))
+
+
+# %% other random numbers
+# says: does not draw its random numbers from `rng`, so that no run can be repeated: use rng.random()
+def choose(values, epsilon, rng):
+    if np.random.random() < epsilon:
+        return np.random.randint(len(values))
+    return np.random.choice(np.flatnonzero(values == values.max()))
+
+
+# %% a generator of its own
+# says: makes a new generator in each call, so it draws the same number every time: use the `rng` that it is given
+def choose(values, epsilon, rng):
+    rng = np.random.default_rng(0)
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    return rng.choice(np.flatnonzero(values == values.max()))
+
+
+# %% a new seed in each call
+# says: it draws the same number every time: use the `rng`
+def choose(values, epsilon, rng):
+    np.random.seed(1)
+    if np.random.rand() < epsilon:
+        return np.random.randint(len(values))
+    return np.random.choice(np.flatnonzero(values == values.max()))
+
+
+# %% no return when greedy
+# says: is a `return` missing?
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    rng.choice(np.flatnonzero(values == values.max()))
+
+
+# %% starts from zero
+# says: should choose action 3
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    best, highest = 0, 0
+    for action, value in enumerate(values):
+        if value > highest:
+            best, highest = action, value
+    return best
+
+
+# %% sorts the values
+# says: changes the table `values`
+# says: `: choosing must change nothing, `learn` does that
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    best = rng.choice(np.flatnonzero(values == values.max()))
+    values.sort()
+    return best
+
+
+# %% always random
+# says: it always acts at random: it should take the highest value with probability 1 − ε
+def choose(values, epsilon, rng):
+    return rng.integers(len(values))
+
+
+# %% action 0 when exploring
+# says: its random action is always action 0
+def choose(values, epsilon, rng):
+    if rng.random() < epsilon:
+        return 0
+    return rng.choice(np.flatnonzero(values == values.max()))
+
+
+# %% the number of the highest value
+# says: values, epsilon and rng
+choose = 1

@@ -1,0 +1,308 @@
+# %% not solved
+# says: Not solved yet
+def learn(self, state, action, reward, next_state, terminated):
+    raise NotImplementedError("not solved yet: replace this line")
+
+
+# %% nothing after the end is forgotten
+# says: a terminal state has no future: its value is 0, so leave γ max_a Q(S', a) out when `terminated`
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward + self.discount * max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the reward alone
+# says: the value of the next state is missing, γ max_a Q(S', a): without bootstrapping nothing is carried back
+def learn(self, state, action, reward, next_state, terminated):
+    self.Q[state, action] += self.learning_rate * (reward - self.Q[state, action])
+
+
+# %% the mean
+# says: the mean over the actions stands where the maximum should
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * self.Q[next_state].mean()
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% no discount
+# says: the value of the next state is not discounted: multiply it by γ
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the old value is missing
+# says: − Q(S, A) is missing in the brackets: move by a share of the *difference* between target and Q(S, A)
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * target
+
+
+# %% set instead of add
+# says: the old value is lost: write `+=`, for the update is added to Q(S, A)
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * max(self.Q[next_state])
+    self.Q[state, action] = self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the state that was left
+# says: the maximum is taken over Q(S, a), the state that was left, instead of Q(S', a)
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * max(self.Q[state])
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% no self
+# says: write `self.` before a field
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + discount * max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the numbers of the lesson
+# says: a learning rate of 0.5
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + 0.99 * max(self.Q[next_state])
+    self.Q[state, action] += 0.5 * (target - self.Q[state, action])
+
+
+# %% the wrong sign
+# says: the sign is wrong: it moves away from the target
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * max(self.Q[next_state])
+    self.Q[state, action] -= self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the brackets
+# says: α belongs to the whole bracket, not to Q(S, A) alone
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * max(self.Q[next_state])
+    self.Q[state, action] += target - self.learning_rate * self.Q[state, action]
+
+
+# %% the test is the wrong way round
+# says: the test of `terminated` is the wrong way round
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward + self.discount * max(self.Q[next_state]) if terminated else reward
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% truncated like terminated
+# says: a truncated episode is treated as terminated, but only its clock ran out: the value of the next state still
+#   counts
+def learn(self, state, action, reward, next_state, terminated, truncated):
+    target = reward if terminated or truncated else reward + self.discount * max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% nothing is stored
+# says: `learn` changes no table at all; it returns something instead
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * max(self.Q[next_state])
+    return self.Q[state, action] + self.learning_rate * (target - self.Q[state, action])
+
+
+# %% argmax for max
+# says: argmax gives the *number* of the best action; its value is needed, max
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * np.argmax(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the whole row
+# says: and only one should
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * max(self.Q[next_state])
+    self.Q[state] += self.learning_rate * (target - self.Q[state])
+
+
+# %% max of the table
+# says: the maximum is taken over the whole table instead of the row of the next state
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * self.Q.max()
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% an instance
+# says: should be the class
+MyAgent = QLearning.create((6, 3))
+
+
+# %% made with brackets
+# says: MyAgent should be the class itself, but is what MyAgent(...) makes
+# says: (...) makes: leave the brackets out
+class MyAgent(NamedTuple):
+    Q: np.ndarray
+    learning_rate: float = 0.5
+    discount: float = 0.99
+
+    def act(self, state, rng):
+        return 0
+
+    def learn(self, state, action, reward, next_state, terminated):
+        target = reward if terminated else reward + self.discount * max(self.Q[next_state])
+        self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+MyAgent = MyAgent(np.zeros((800, 4)))
+
+
+# %% a discount without its type
+# says: MyAgent should keep its field `discount`
+class MyAgent(NamedTuple):
+    Q: np.ndarray
+    learning_rate: float = 0.5
+    discount = 0.99
+
+    def act(self, state, rng):
+        return 0
+
+    def learn(self, state, action, reward, next_state, terminated):
+        target = reward if terminated else reward + self.discount * max(self.Q[next_state])
+        self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the table has another name
+# says: MyAgent should keep its field `Q`, the table
+class MyAgent(NamedTuple):
+    table: np.ndarray
+    learning_rate: float = 0.5
+    discount: float = 0.99
+
+    def act(self, state, rng):
+        return 0
+
+    def learn(self, state, action, reward, next_state, terminated):
+        target = reward if terminated else reward + self.discount * max(self.table[next_state])
+        self.table[state, action] += self.learning_rate * (target - self.table[state, action])
+
+
+# %% the minimum
+# says: the minimum over the actions stands where the maximum should
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.0 if terminated else min(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])
+
+
+# %% the sum
+# says: the sum over the actions stands where the maximum should
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.0 if terminated else sum(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])
+
+
+# %% the same action
+# says: Q(S', A), the value of the *same* action, stands where the maximum over all actions should
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.0 if terminated else self.Q[next_state, action]
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])
+
+
+# %% the old value
+# says: Q(S, A) stands where the maximum of Q(S', a) should
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.0 if terminated else self.Q[state, action]
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])
+
+
+# %% a maximum that starts from 0
+# says: the maximum starts from 0, so a row of negative values counts as 0
+def learn(self, state, action, reward, next_state, terminated):
+    best = 0.0
+    for a in range(self.Q.shape[1]):
+        if self.Q[next_state, a] > best and not terminated:
+            best = self.Q[next_state, a]
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * best - self.Q[state, action])
+
+
+# %% the first action
+# says: only the first action of the next state is looked at
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.0 if terminated else self.Q[next_state, 0]
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])
+
+
+# %% the last action
+# says: only the last action of the next state is looked at
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.0 if terminated else self.Q[next_state, -1]
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])
+
+
+# %% two actions
+# says: only the first two actions of the next state are looked at, and there may be more
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.0 if terminated else max(self.Q[next_state, 0], self.Q[next_state, 1])
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])
+
+
+# %% the largest size
+# says: the largest absolute value stands where the maximum should
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.0 if terminated else np.abs(self.Q[next_state]).max()
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])
+
+
+# %% nothing at the end
+# says: at the end of an episode the reward is lost: only the *value of the next state* is 0 there
+def learn(self, state, action, reward, next_state, terminated):
+    target = (reward + self.discount * self.Q[next_state].max()) * (not terminated)
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the reward discounted
+# says: the reward is discounted; γ belongs to the value of the next state only
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.0 if terminated else self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (self.discount * (reward + value) - self.Q[state, action])
+
+
+# %% a share of the target
+# says: the old value is lost: α times the target is not Q(S, A) + α [target − Q(S, A)]
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.0 if terminated else self.Q[next_state].max()
+    self.Q[state, action] = self.learning_rate * (reward + self.discount * value)
+
+
+# %% the weights exchanged
+# says: α and 1 − α have changed places
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.0 if terminated else self.Q[next_state].max()
+    self.Q[state, action] += (1 - self.learning_rate) * (reward + self.discount * value - self.Q[state, action])
+
+
+# %% the next row
+# says: it is Q[next_state, action] that changes, and it should be Q[state, action]
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.0 if terminated else self.Q[next_state].max()
+    self.Q[next_state, action] += self.learning_rate * (reward + self.discount * value - self.Q[next_state, action])
+
+
+# %% the old value shrinks first
+# says: Q(S, A) changes before the maximum is taken: compute the whole target from the old Q
+def learn(self, state, action, reward, next_state, terminated):
+    self.Q[state, action] *= 1 - self.learning_rate
+    value = 0.0 if terminated else self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value)
+
+
+# %% nothing is learned at the end
+# says: at the end of an episode nothing is learned, and that is where the reward is
+def learn(self, state, action, reward, next_state, terminated):
+    if not terminated:
+        target = reward + self.discount * self.Q[next_state].max()
+        self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the next action
+# says: Q(S', A'), the value of the action that comes next, stands where the maximum should: that is SARSA
+def learn(self, state, action, reward, next_state, next_action, terminated):
+    value = 0.0 if terminated else self.Q[next_state, next_action]
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])
+
+
+# %% discounted twice
+# says: the value of the next state is discounted twice
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.0 if terminated else self.discount * max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])

@@ -1,0 +1,1 @@
+from edugym.agents.tables import one_step_target

@@ -1,0 +1,105 @@
+# %% nothing was done
+# says: with ε = 0.1, 0.59% of the climbs
+# says: that is the value with which the cell began
+epsilon = 0.1
+
+# %% still the placeholder
+# says: Not solved yet
+# says: is still `...`; put your answer there.
+epsilon = ...
+
+# %% none
+# says: Not solved yet
+# says: is None; give it a value.
+epsilon = None
+
+# %% the wrong grip every time
+# says: that is ε/2, the probability of a wrong grip; of two grips a random action takes the wrong one half of the time
+epsilon = 1 - 0.5 ** (1 / 100)
+
+# %% the logarithm's approximation
+# says: that is ln 2/50, an approximation which is a little too large; solve (1 − ε/2)^100 = 1/2 exactly
+epsilon = math.log(2) / 50
+
+# %% 99 steps
+# says: that is for 99 steps; from the ground, position 0, to the top, position 100, there are 100
+epsilon = 2 * (1 - 0.5 ** (1 / 99))
+
+# %% 101 steps
+# says: that is for 101 steps; from the ground, position 0, to the top, position 100, there are 100
+epsilon = 2 * (1 - 0.5 ** (1 / 101))
+
+# %% probabilities added up
+# says: 100 steps that go wrong with probability ε/2 do not add up to 100 · ε/2; multiply the probabilities that they go
+#   right
+epsilon = 0.5 / 100 * 2
+
+# %% probabilities added up, wrong every time
+# says: the probabilities of 100 steps do not add up; multiply the probabilities that they go right
+epsilon = 0.5 / 100
+
+# %% another wall
+# says: that is for a wall of height 30, and this one has 100
+epsilon = 2 * (1 - 0.5 ** (1 / 30))
+
+# %% a step goes right with probability ε/2
+# says: is no probability
+# says: a step goes right with probability 1 − ε/2, not ε/2
+epsilon = 2 * 0.5 ** (1 / 100)
+
+# %% the probability of a right step
+# says: that is the probability of a *right* step
+epsilon = 0.5 ** (1 / 100)
+
+# %% in percent
+# says: that is in percent; a probability lies between 0 and 1
+epsilon = 1.38
+
+# %% a text
+# says: : leave the quotes out
+epsilon = "0.0138"
+
+# %% a list
+# says: : take an entry of it
+epsilon = [0.0138]
+
+# %% a truth value
+# says: should be a number, but is the truth value
+epsilon = (1 - 0.0138 / 2) ** 100 == 0.5
+
+# %% rounded
+# says: , by a little: give four digits or more
+# says: half should, so ε must be
+epsilon = 0.014
+
+# %% much too large
+# says: ε must be smaller
+epsilon = 0.3
+
+# %% no exploration
+# says: ε must be larger
+epsilon = 0
+
+# %% a function
+# says: should be a number, but is a function: call it, with parentheses
+epsilon = lambda height: 2 * (1 - 0.5 ** (1 / height))
+
+# %% a tuple by a comma
+# says: take an entry
+epsilon = (2 * (1 - 0.5 ** (1 / 100)),)
+
+# %% integer division
+# says: ε must be larger
+epsilon = 2 * (1 - 0.5 ** (1 // 100))
+
+# %% two thirds
+# says: of two grips a random action takes the wrong one with probability 1/2, not 2/3
+epsilon = 1.5 * (1 - 0.5 ** (1 / 100))
+
+# %% two logarithms
+# says: natural and decimal logarithms are mixed up
+epsilon = 2 * (1 - 10 ** (math.log(0.5) / 100))
+
+# %% below 0
+# says: the sign is wrong: ε = 2 (1 − 0.5^(1/100))
+epsilon = -2 * (1 - 0.5 ** (1 / 100))

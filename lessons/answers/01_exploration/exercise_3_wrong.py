@@ -1,0 +1,613 @@
+# %% not solved
+# says: Not solved yet
+def learn(self, state, action, reward, next_state, terminated):
+    raise NotImplementedError("not solved yet: replace this line")
+
+
+# %% act not solved
+# says: Not solved yet
+def act(self, state, rng):
+    raise NotImplementedError
+
+
+# %% nothing
+# says: changes no table at all
+def learn(self, state, action, reward, next_state, terminated): ...
+
+
+# %% the answer of the lesson's novelty agent
+# says: `tries` does not count
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    reward_and_bonus = reward + self.bonus / np.sqrt(self.visits[next_state])
+    target = reward_and_bonus if terminated else reward_and_bonus + self.discount * max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% a visit is noted, not counted
+# says: `visits` is set to 1 there
+# says: ` is set to 1 there, and it should become one more: write `+= 1`
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    self.visits[next_state] = 1
+
+
+# %% counted down
+# says: `tries` changes by -1 there
+# says: there, and every time it should be one more
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] -= 1
+
+
+# %% no bootstrapping
+# says: without bootstrapping
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    self.visits[next_state] += 1
+    target = reward + self.bonus / self.visits[next_state] ** 0.5
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% mean for max
+# says: the mean over the actions
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    self.visits[next_state] += 1
+    value = 0.0 if terminated else self.Q[next_state].mean()
+    target = reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * value
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the state that was left
+# says: it counts the state that was left; count the one that was *entered*, next_state
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    self.visits[state] += 1
+    value = 0.0 if terminated else max(self.Q[next_state])
+    target = reward + self.bonus / self.visits[state] ** 0.5 + self.discount * value
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% counted too late
+# says: the bonus comes from the old count: count first, so that a first visit has n = 1
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.0 if terminated else max(self.Q[next_state])
+    target = reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * value
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+    self.tries[state, action] += 1
+    self.visits[next_state] += 1
+
+
+# %% one visit too many
+# says: the bonus is β/√(n + 1), one visit too many
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    self.visits[next_state] += 1
+    value = 0.0 if terminated else max(self.Q[next_state])
+    target = reward + self.bonus / (self.visits[next_state] + 1) ** 0.5 + self.discount * value
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% no root
+# says: the root is missing: the bonus is β/√n
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    self.visits[next_state] += 1
+    value = 0.0 if terminated else max(self.Q[next_state])
+    target = reward + self.bonus / self.visits[next_state] + self.discount * value
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% terminated forgotten
+# says: a terminal state has no future
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    self.visits[next_state] += 1
+    target = reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% truncated treated as terminated
+# says: only its clock ran out
+def learn(self, state, action, reward, next_state, terminated, truncated):
+    self.tries[state, action] += 1
+    self.visits[next_state] += 1
+    value = 0.0 if terminated or truncated else max(self.Q[next_state])
+    target = reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * value
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% numbers written out
+# says: use self.learning_rate
+# says: use self.discount
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    self.visits[next_state] += 1
+    value = 0.0 if terminated else max(self.Q[next_state])
+    target = reward + self.bonus / self.visits[next_state] ** 0.5 + 0.9 * value
+    self.Q[state, action] += 0.5 * (target - self.Q[state, action])
+
+
+# %% β left out
+# says: a first bonus of 1
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    self.visits[next_state] += 1
+    value = 0.0 if terminated else max(self.Q[next_state])
+    target = reward + 1 / self.visits[next_state] ** 0.5 + self.discount * value
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% max after the update
+# says: compute the whole target from the old Q
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    self.visits[next_state] += 1
+    self.Q[state, action] *= 1 - self.learning_rate
+    value = 0.0 if terminated else max(self.Q[next_state])
+    target = reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * value
+    self.Q[state, action] += self.learning_rate * target
+
+
+# %% the old value forgotten
+# says: − Q(S, A) is missing
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    self.visits[next_state] += 1
+    value = 0.0 if terminated else max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (
+        reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * value
+    )
+
+
+# %% assigned, not added
+# says: write `+=`
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    self.visits[next_state] += 1
+    value = 0.0 if terminated else max(self.Q[next_state])
+    target = reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * value
+    self.Q[state, action] = self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the value is returned
+# says: changes no table at all
+# says: it returns something instead
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.0 if terminated else max(self.Q[next_state])
+    return self.Q[state, action] + self.learning_rate * (reward + self.discount * value - self.Q[state, action])
+
+
+# %% two mistakes
+# says: the mean over the actions
+# says: ; and
+# says: count first
+def learn(self, state, action, reward, next_state, terminated):
+    bonus = self.bonus / self.visits[next_state] ** 0.5
+    self.tries[state, action] += 1
+    self.visits[next_state] += 1
+    value = 0.0 if terminated else sum(self.Q[next_state]) / len(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (reward + bonus + self.discount * value - self.Q[state, action])
+
+
+# %% a field is assigned
+# says: the fields of a NamedTuple are fixed
+# says: self.visits = self.visits + 1
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits = self.visits + 1
+
+
+# %% self forgotten
+# says: write `self.` before a field
+def learn(self, state, action, reward, next_state, terminated):
+    visits[next_state] += 1
+
+
+# %% index out of the table
+# says: the order of the indices
+# says: self.tries[action, state] += 1
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[action, state] += 1
+
+
+# %% another parameter
+# says: has the parameter 'done': is 'terminated' meant?
+def learn(self, state, action, reward, next_state, done):
+    self.tries[state, action] += 1
+
+
+# %% act always greedy
+# says: a grip that was never tried comes first, whatever Q says of it
+# says: , rng), where tries[
+def act(self, state, rng):
+    return self.greedy(state, rng)
+
+
+# %% act slips
+# says: it still explores, with ε = 0.1
+def act(self, state, rng):
+    if rng.random() < 0.1:
+        return int(rng.random() * self.Q.shape[1])
+    for action in range(self.Q.shape[1]):
+        if self.tries[state, action] == 0:
+            return action
+    return self.greedy(state, rng)
+
+
+# %% act at random
+# says: act(0, rng)
+# says: it acts at random
+def act(self, state, rng):
+    return int(rng.random() * self.Q.shape[1])
+
+
+# %% always the least tried
+# says: once all grips were tried the *best* one counts, and it takes the one that was tried least
+# says: act(3, rng)
+def act(self, state, rng):
+    return int(np.argmin(self.tries[state]))
+
+
+# %% act without a return at the end
+# says: is a `return` missing?
+def act(self, state, rng):
+    for action in range(self.Q.shape[1]):
+        if self.tries[state, action] == 0:
+            return action
+    self.greedy(state, rng)
+
+
+# %% only two grips
+# says: a grip that was never tried comes first
+def act(self, state, rng):
+    for action in range(2):
+        if self.tries[state, action] == 0:
+            return action
+    return self.greedy(state, rng)
+
+
+# %% the untried grips as an array
+# says: gives an array
+def act(self, state, rng):
+    untried = np.flatnonzero(self.tries[state] == 0)
+    return untried if len(untried) else self.greedy(state, rng)
+
+
+# %% act counts
+# says: changes the table `tries`
+def act(self, state, rng):
+    best = self.greedy(state, rng)
+    for action in range(self.Q.shape[1]):
+        if self.tries[state, action] == 0:
+            best = action
+    self.tries[state, best] += 1
+    return best
+
+
+# %% ties not broken
+# says: ties should be broken at random, and it takes the first of equals
+def act(self, state, rng):
+    for action in range(self.Q.shape[1]):
+        if self.tries[state, action] == 0:
+            return action
+    return int(np.argmax(self.Q[state]))
+
+
+# %% the value for the action
+# says: should give the number of an action
+def act(self, state, rng):
+    return max(self.Q[state])
+
+
+# %% another random source
+# says: does not draw its random numbers from `rng`
+def act(self, state, rng):
+    for action in range(self.Q.shape[1]):
+        if self.tries[state, action] == 0:
+            return action
+    return int(np.random.choice(np.flatnonzero(self.Q[state] == self.Q[state].max())))
+
+
+# %% an instance for the class
+# says: should be the class
+MyExplorer = QLearning.create((4, 2))
+
+
+# %% Go-Explore under another name
+# says: should keep its field `bonus`
+class MyExplorer(NamedTuple):
+    Q: np.ndarray
+
+    @classmethod
+    def create(cls, wall):
+        return QLearning.create(wall)
+
+
+# %% precedence of the root
+# says: `** 1 / 2` is `(... ** 1) / 2`: write `** 0.5` for the root
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    self.visits[next_state] += 1
+    v = 0.0 if terminated else max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (
+        reward + self.bonus / self.visits[next_state] ** 1 / 2 + self.discount * v - self.Q[state, action]
+    )
+
+
+# %% the bonus under the discount
+# says: the bonus is discounted; γ belongs to the value of the next state only
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    self.visits[next_state] += 1
+    v = 0.0 if terminated else max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (
+        reward + self.discount * (self.bonus / self.visits[next_state] ** 0.5 + v) - self.Q[state, action]
+    )
+
+
+# %% the whole row learns
+# says: 2 entries of `Q` change, and only one should
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    self.visits[next_state] += 1
+    v = 0.0 if terminated else max(self.Q[next_state])
+    self.Q[state] += self.learning_rate * (
+        reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * v - self.Q[state]
+    )
+
+
+# %% visits of both states
+# says: 2 entries of `visits` change
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    self.visits[next_state] += 1
+    self.visits[state] += 1
+    v = 0.0 if terminated else max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (
+        reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * v - self.Q[state, action]
+    )
+
+
+# %% terminated replaced by a reward of 1
+# says: a terminal state has no future
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    self.visits[next_state] += 1
+    v = 0.0 if reward == 1 else max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (
+        reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * v - self.Q[state, action]
+    )
+
+
+# %% discount twice
+# says: discounted twice
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    self.visits[next_state] += 1
+    v = 0.0 if terminated else self.discount * max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (
+        reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * v - self.Q[state, action]
+    )
+
+
+# %% act returns in the loop
+# says: a grip that was never tried comes first
+def act(self, state, rng):
+    for action in range(self.Q.shape[1]):
+        if self.tries[state, action] == 0:
+            return action
+        return self.greedy(state, rng)
+
+
+# %% greedy without rng
+# says: greedy
+def act(self, state, rng):
+    for action in range(self.Q.shape[1]):
+        if self.tries[state, action] == 0:
+            return action
+    return self.greedy(state)
+
+
+# %% act prefers actions up to one try
+# says: the *best* one counts
+def act(self, state, rng):
+    for action in range(self.Q.shape[1]):
+        if self.tries[state, action] <= 1:
+            return action
+    return self.greedy(state, rng)
+
+
+# %% decorated as static
+# says: must have self as its first parameter
+@staticmethod
+def learn(state, action, reward, next_state, terminated):
+    MyExplorer.visits[next_state] += 1
+
+
+# %% counts the visit after it has divided
+# says: the bonus comes from the old count, or from 1 at the first visit: count before you divide
+def learn(self, state, action, reward, next_state, terminated):
+    n = max(1, self.visits[next_state])  # not by zero
+    target = reward + self.bonus / np.sqrt(n)
+    if not terminated:
+        target += self.discount * max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+
+
+# %% one untried grip at most, by item
+# says: `return int(np.where(self.tries[state] == 0)[0].item())` raises ValueError
+def act(self, state, rng):
+    if (self.tries[state] == 0).any():
+        return int(np.where(self.tries[state] == 0)[0].item())
+    return self.greedy(state, rng)
+
+
+# %% only where one grip is left
+# says: should choose a grip that was never tried, but chooses 0
+def act(self, state, rng):
+    if sum(self.tries[state] == 0) == 1:
+        return int(self.tries[state].argmin())
+    return self.greedy(state, rng)
+
+
+# %% the count of the wrong state
+# says: `visits` counts the state that was left; count the one that was *entered*, next_state
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[state] += 1
+    self.tries[state, action] += 1
+    bonus = self.bonus / max(self.visits[next_state], 0) ** 0.5
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% the bonus of the wrong state
+# says: the bonus is that of the state that was left; it belongs to the one that was *entered*, next_state
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+    bonus = self.bonus / np.sqrt(self.visits[state])
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% the bonus of the action
+# says: the bonus is computed from the number of tries of the action, n(s, a), and it should come from visits, n(s')
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+    bonus = self.bonus / np.sqrt(self.tries[state, action])
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% no count of states
+# says: `visits` does not count
+def learn(self, state, action, reward, next_state, terminated):
+    self.tries[state, action] += 1
+    bonus = self.bonus / np.sqrt(self.visits[next_state])
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% the last step is not counted
+# says: `tries` does not change there, and every time it should be one more
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    if not terminated:
+        self.tries[state, action] += 1
+    target = reward + self.bonus / np.sqrt(self.visits[next_state])
+    if not terminated:
+        target += self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% tries of the next state
+# says: `tries` counts next_state; count the state in which the action was *taken*
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[next_state, action] += 1
+    bonus = self.bonus / np.sqrt(self.visits[next_state])
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% indices exchanged
+# says: state and action have changed places in `tries`
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[action % len(self.tries), state % self.tries.shape[1]] += 1
+    bonus = self.bonus / np.sqrt(self.visits[next_state])
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% all is discounted
+# says: the whole target is discounted; γ belongs to the value of the next state only
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+    bonus = self.bonus / np.sqrt(self.visits[next_state])
+    future = 0.0 if terminated else self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (self.discount * (reward + bonus + future) - self.Q[state, action])
+
+
+# %% times the root
+# says: the bonus grows with the count: it is β *divided* by √n
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+    bonus = self.bonus * np.sqrt(self.visits[next_state])
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% always the same bonus
+# says: the bonus does not fade with the count: it is β/√n
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+    bonus = self.bonus
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% for the first visit
+# says: only the first visit earns a bonus; every visit earns β/√n
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+    bonus = self.bonus if self.visits[next_state] == 1 else 0.0
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% a penalty
+# says: the bonus is subtracted
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+    bonus = self.bonus / np.sqrt(self.visits[next_state])
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward - bonus + future - self.Q[state, action])
+
+
+# %% no bonus
+# says: the bonus is missing
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+    bonus = self.bonus / np.sqrt(self.visits[next_state])
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + future - self.Q[state, action])
+
+
+# %% no bonus at the end
+# says: at the end of an episode the bonus is lost: only the *value of the next state* is 0 there
+def learn(self, state, action, reward, next_state, terminated):
+    self.visits[next_state] += 1
+    self.tries[state, action] += 1
+    bonus = 0.0 if terminated else self.bonus / np.sqrt(self.visits[next_state])
+    future = 0.0 if terminated else self.discount * self.Q[next_state].max()
+    self.Q[state, action] += self.learning_rate * (reward + bonus + future - self.Q[state, action])
+
+
+# %% the worst once all are tried
+# says: once all grips were tried the best one counts, and it takes the worst
+def act(self, state, rng):
+    untried = np.flatnonzero(self.tries[state] == 0)
+    if len(untried):
+        return int(untried[0])
+    worst = np.flatnonzero(self.Q[state] == self.Q[state].min())
+    return int(rng.choice(worst))
+
+
+# %% the last of equals
+# says: ties should be broken at random, and it takes the last of equals
+def act(self, state, rng):
+    untried = np.flatnonzero(self.tries[state] == 0)
+    if len(untried):
+        return int(untried[0])
+    return int(np.flatnonzero(self.Q[state] == self.Q[state].max())[-1])

@@ -1,0 +1,80 @@
+# %% by bisection
+# says: Right: planning on the model finds at once what expected SARSA needs thousands of steps for. (It is close to 3
+#   divided by the cost of a fall where one step more avoids the one deadly action.)
+def switch(model):
+    fastest = value_iteration(model, horizon=50).start
+    low, high = 0.0, 0.2
+    while high - low > 1e-4:
+        middle = (low + high) / 2
+        policy = value_iteration(model, epsilon=middle, horizon=50).greedy_policy()
+        if policy_evaluation(model, policy, horizon=50).start < fastest:
+            high = middle
+        else:
+            low = middle
+    return high
+
+
+# %% with bounds for rounding
+def switch(model):
+    best = value_iteration(model).start
+    epsilon = 0.0
+    while True:
+        epsilon += 0.0005
+        values = value_iteration(model, epsilon=epsilon, horizon=50)
+        if policy_evaluation(model, values.greedy_policy(), horizon=50).start < best - 0.5:
+            return epsilon
+
+
+# %% the change of the return
+def switch(model):
+    def greedy_return(epsilon):
+        plan = value_iteration(model, epsilon=epsilon, horizon=60)
+        return policy_evaluation(model, plan.greedy_policy(), horizon=60).start
+
+    epsilons = np.linspace(0, 0.2, 201)
+    returns = np.array([greedy_return(epsilon) for epsilon in epsilons])
+    return epsilons[np.argmax(returns < returns[0])]
+
+
+# %% without a horizon
+def switch(model):
+    fastest = value_iteration(model).start
+    for i in range(201):
+        policy = value_iteration(model, epsilon=i / 1000).greedy_policy()
+        if policy_evaluation(model, policy).start != fastest:
+            return i / 1000
+
+
+# %% from above
+def switch(model):
+    fastest = value_iteration(model, horizon=50).start
+    epsilon = 0.2
+    while epsilon > 0:
+        policy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
+        if policy_evaluation(model, policy, horizon=50).start == fastest:
+            break
+        epsilon -= 0.001
+    return epsilon + 0.001
+
+
+# %% by playing the run
+def switch(model):
+    def steps(epsilon):
+        policy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
+        state, n = (0, 0), 0
+        while not model.terminal[model.row(state)]:
+            action = int(policy[model.row(state)].argmax())
+            state, n = model.outcomes(state, action)[0].next_state, n + 1
+        return n
+
+    return next(e for e in np.arange(0, 0.2, 0.001) if steps(e) > steps(0.0))
+
+
+# %% which of two policies is better
+def switch(model):
+    fast = value_iteration(model, epsilon=1e-6, horizon=50).greedy_policy()
+    fastest = policy_evaluation(model, fast, horizon=50).start
+    for epsilon in np.arange(0.0, 0.2, 0.0005):
+        best = value_iteration(model, epsilon=epsilon, horizon=50)
+        if policy_evaluation(model, best.greedy_policy(), horizon=50).start < fastest - 1e-9:
+            return float(epsilon)

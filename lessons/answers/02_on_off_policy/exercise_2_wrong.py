@@ -1,0 +1,225 @@
+# %% not solved
+# says: Not solved yet
+def switch(model):
+    raise NotImplementedError("not solved yet: replace this line")
+
+
+# %% no return
+# says: is a `return` missing?
+# says: switch(model) for W =
+def switch(model):
+    fastest = value_iteration(model, horizon=50).start
+    for epsilon in np.arange(0.0, 0.2, 0.001):
+        policy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
+        if policy_evaluation(model, policy, horizon=50).start < fastest:
+            break
+
+
+# %% the number of the lesson
+# says: that is the ε of the lesson's road; compute it from the `model` that is given
+# says: and negative_reward =
+def switch(model):
+    return 0.032
+
+
+# %% a number, not a function
+# says: should be a function of the model
+switch = 0.032
+
+
+# %% the ε-soft return
+# says: that is the first ε above 0 of a search: compare the *return* of the greedy policy, played *without* slips,
+#   since the ε-soft return is always lower, and two policies may differ where no run leads
+def switch(model):
+    fastest = value_iteration(model, horizon=50).start
+    for epsilon in np.arange(0.0, 0.2, 0.001):
+        if value_iteration(model, epsilon=epsilon, horizon=50).start < fastest:
+            return epsilon
+
+
+# %% the slipping policy is evaluated
+# says: played *without* slips
+def switch(model):
+    fastest = value_iteration(model, horizon=50).start
+    for epsilon in np.arange(0.0, 0.2, 0.001):
+        greedy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
+        soft = (1 - epsilon) * greedy + epsilon / 3
+        if policy_evaluation(model, soft, horizon=50).start < fastest:
+            return epsilon
+
+
+# %% the ε-soft return of one step more
+# says: that is where the ε-soft return falls below that of a run with one step more; the slips lower both
+def switch(model):
+    fastest = value_iteration(model, horizon=50).start
+    for epsilon in np.arange(0.0, 0.2, 0.0001):
+        if value_iteration(model, epsilon=epsilon, horizon=50).start < fastest - 1:
+            return epsilon
+
+
+# %% too coarse
+# says: that is close, but look in steps of 0.001 or smaller
+def switch(model):
+    fastest = value_iteration(model, horizon=50).start
+    for epsilon in np.arange(0.0, 0.2, 0.01):
+        policy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
+        if policy_evaluation(model, policy, horizon=50).start < fastest:
+            return epsilon
+
+
+# %% in percent
+# says: that is in percent
+def switch(model):
+    fastest = value_iteration(model, horizon=50).start
+    for epsilon in np.arange(0.0, 0.2, 0.0001):
+        policy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
+        if policy_evaluation(model, policy, horizon=50).start < fastest:
+            return 100 * epsilon
+
+
+# %% the comparison the wrong way round
+# says: the search ends at its first ε: is the return of the fastest run that of *this* `model`, and is it compared,
+#   with `<`, with the greedy policy for ε, played *without* slips?
+def switch(model):
+    fastest = value_iteration(model, horizon=50).start
+    for epsilon in np.arange(0.0, 0.2, 0.001):
+        policy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
+        if policy_evaluation(model, policy, horizon=50).start >= fastest:
+            return epsilon
+
+
+# %% never found
+# says: that is the end of the search: the change was never found; is the comparison the right way round?
+def switch(model):
+    fastest = value_iteration(model, horizon=50).start
+    for epsilon in np.arange(0.0, 0.2, 0.001):
+        policy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
+        if policy_evaluation(model, policy, horizon=50).start > fastest:
+            return epsilon
+    return 0.2
+
+
+# %% the estimate
+# says: that is the estimate, 3 divided by the cost of a fall, not the exact value: plan on the model
+def switch(model):
+    return 3 / abs(model.mdp.negative_reward)
+
+
+# %% epsilon is not given to the planner
+# says: is a `return` missing?
+def switch(model):
+    fastest = value_iteration(model, horizon=50).start
+    for epsilon in np.arange(0.0, 0.2, 0.001):
+        policy = value_iteration(model, horizon=50).greedy_policy()
+        if policy_evaluation(model, policy, horizon=50).start < fastest:
+            return epsilon
+
+
+# %% the policy for the values
+# says: raises
+def switch(model):
+    fastest = value_iteration(model, horizon=50).start
+    for epsilon in np.arange(0.0, 0.2, 0.001):
+        policy = value_iteration(model, epsilon=epsilon, horizon=50)
+        if policy_evaluation(model, policy, horizon=50).start < fastest:
+            return epsilon
+
+
+# %% values instead of their start
+# says: raises
+def switch(model):
+    fastest = value_iteration(model, horizon=50)
+    for epsilon in np.arange(0.0, 0.2, 0.001):
+        policy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
+        if policy_evaluation(model, policy, horizon=50) < fastest.start:
+            return epsilon
+
+
+# %% the lesson's model
+# says: the ε of the lesson's road
+def switch(model):
+    return on_off_policy.switch(finite_model(make_mdp("Roadrunner")))
+
+
+# %% a list
+# says: take an entry of it
+def switch(model):
+    fastest = value_iteration(model, horizon=50).start
+    found = []
+    for epsilon in np.arange(0.0, 0.2, 0.01):
+        policy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
+        if policy_evaluation(model, policy, horizon=50).start < fastest:
+            found.append(epsilon)
+    return found
+
+
+# %% no parameter
+# says: its parameters are not those of the exercise
+def switch():
+    return 0.032
+
+
+# %% the reciprocal
+# says: that is 1/ε
+def switch(model):
+    return 1 / on_off_policy.switch(model, tolerance=1e-7)
+
+
+# %% the other probability
+# says: that is 1 − ε
+def switch(model):
+    fastest = value_iteration(model, horizon=50).start
+    epsilon = 0.0
+    while epsilon < 0.2:
+        epsilon += 0.001
+        policy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
+        if policy_evaluation(model, policy, horizon=50).start < fastest:
+            return 1 - epsilon
+    return 0.2
+
+
+# %% below 0
+# says: the sign is wrong
+def switch(model):
+    fastest = value_iteration(model, horizon=50).start
+    epsilon = 0.0
+    while epsilon < 0.2:
+        epsilon += 0.001
+        policy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
+        if policy_evaluation(model, policy, horizon=50).start < fastest:
+            return -epsilon
+    return 0.2
+
+
+# %% half of it
+# says: that is none of the usual mistakes, so print the number of steps of the best run for some ε
+def switch(model):
+    fastest = value_iteration(model, horizon=50).start
+    epsilon = 0.0
+    while epsilon < 0.2:
+        epsilon += 0.001
+        policy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
+        if policy_evaluation(model, policy, horizon=50).start < fastest:
+            return epsilon / 2
+    return 0.2
+
+
+# %% the ε-soft return in steps of 0.01
+# says: that is the first ε of a search in steps of 0.01: compare the greedy policy, played *without* slips, and not the
+#   ε-soft return
+def switch(model):
+    fastest = value_iteration(model, horizon=50).start
+    for epsilon in np.arange(0.01, 0.2, 0.01):
+        if value_iteration(model, epsilon=epsilon, horizon=50).start < fastest:
+            return epsilon
+
+
+# %% up to 1, the wrong way round
+# says: that is the end of the search; is the comparison the right way round?
+def switch(model):
+    fastest = value_iteration(model, horizon=50).start
+    for epsilon in np.linspace(0.0, 1.0, 101):
+        policy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
+        if policy_evaluation(model, policy, horizon=50).start > fastest:
+            break
+    return epsilon

@@ -1,0 +1,244 @@
+# %% not solved
+# says: Not solved yet
+def learn(self, state, action, reward, next_state, terminated):
+    raise NotImplementedError("not solved yet: replace this line")
+
+
+# %% nothing
+# says: changes no table at all
+def learn(self, state, action, reward, next_state, terminated): ...
+
+
+# %% the target is returned
+# says: ; it returns something instead, which nobody reads
+def learn(self, state, action, reward, next_state, terminated):
+    value = (1 - self.target_epsilon) * max(self.Q[next_state]) + self.target_epsilon * np.mean(self.Q[next_state])
+    return reward + self.discount * value
+
+
+# %% Q-learning
+# says: the maximum alone is Q-learning, which is right only for ε_π = 0; the random actions of the target policy are
+#   missing
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% SARSA
+# says: Q(S', A') of the action that comes next stands there: that is SARSA, and A' is chosen with the wrong ε
+def learn(self, state, action, reward, next_state, next_action, terminated):
+    target = reward if terminated else reward + self.discount * self.Q[next_state, next_action]
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the other epsilon
+# says: it uses `epsilon`, with which the agent acts; the values should be those of the *target* policy,
+#   `target_epsilon`
+def learn(self, state, action, reward, next_state, terminated):
+    value = (1 - self.epsilon) * max(self.Q[next_state]) + self.epsilon * np.mean(self.Q[next_state])
+    target = reward if terminated else reward + self.discount * value
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% weights interchanged
+# says: ε_π and 1 − ε_π have changed places
+def learn(self, state, action, reward, next_state, terminated):
+    value = self.target_epsilon * max(self.Q[next_state]) + (1 - self.target_epsilon) * np.mean(self.Q[next_state])
+    target = reward if terminated else reward + self.discount * value
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the sum for the mean
+# says: the sum over the actions stands where their mean should
+def learn(self, state, action, reward, next_state, terminated):
+    value = (1 - self.target_epsilon) * max(self.Q[next_state]) + self.target_epsilon * sum(self.Q[next_state])
+    target = reward if terminated else reward + self.discount * value
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the mean of the others
+# says: the mean leaves out the best action; a random action may be the best one too
+def learn(self, state, action, reward, next_state, terminated):
+    row = self.Q[next_state]
+    others = (sum(row) - max(row)) / (len(row) - 1)
+    value = (1 - self.target_epsilon) * max(row) + self.target_epsilon * others
+    target = reward if terminated else reward + self.discount * value
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% three actions
+# says: it divides by 3, but there may be another number of actions: self.Q.shape[1]
+def learn(self, state, action, reward, next_state, terminated):
+    row = self.Q[next_state]
+    value = (1 - self.target_epsilon) * max(row) + self.target_epsilon * sum(row) / 3
+    target = reward if terminated else reward + self.discount * value
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% terminated forgotten
+# says: a terminal state has no future: its value is 0, so the target is R alone when `terminated`
+def learn(self, state, action, reward, next_state, terminated):
+    value = (1 - self.target_epsilon) * max(self.Q[next_state]) + self.target_epsilon * np.mean(self.Q[next_state])
+    target = reward + self.discount * value
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% only the mean
+# says: the plain mean is right only for ε_π = 1; with probability 1 − ε_π the target policy takes the best action
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * np.mean(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the maximum in full
+# says: the maximum counts in full, but it has the probability 1 − ε_π only
+def learn(self, state, action, reward, next_state, terminated):
+    value = max(self.Q[next_state]) + self.target_epsilon * np.mean(self.Q[next_state])
+    target = reward if terminated else reward + self.discount * value
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the mean is missing
+# says: the mean over the random actions is missing, ε_π mean_a Q(S', a)
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * (1 - self.target_epsilon) * max(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the number of the best action
+# says: argmax gives the *number* of the best action; its value is needed, max
+def learn(self, state, action, reward, next_state, terminated):
+    row = self.Q[next_state]
+    value = (1 - self.target_epsilon) * np.argmax(row) + self.target_epsilon * np.mean(row)
+    target = reward if terminated else reward + self.discount * value
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the mean of the whole table
+# says: the mean is taken over the whole table instead of the row of the next state
+def learn(self, state, action, reward, next_state, terminated):
+    value = (1 - self.target_epsilon) * max(self.Q[next_state]) + self.target_epsilon * np.mean(self.Q)
+    target = reward if terminated else reward + self.discount * value
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the state that was left
+# says: the values are those of the state that was left, Q(S, a), instead of Q(S', a)
+def learn(self, state, action, reward, next_state, terminated):
+    value = (1 - self.target_epsilon) * max(self.Q[state]) + self.target_epsilon * np.mean(self.Q[state])
+    target = reward if terminated else reward + self.discount * value
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% no brackets around the two terms
+# says: Q(S, A)
+def learn(self, state, action, reward, next_state, terminated):
+    value = (1 - self.target_epsilon) * max(self.Q[next_state]) + self.target_epsilon * np.mean(self.Q[next_state])
+    target = reward if terminated else reward + self.discount * value
+    self.Q[state, action] = self.learning_rate * (target - self.Q[state, action])
+
+
+# %% a fixed learning rate
+# says: a learning rate of 0.03
+def learn(self, state, action, reward, next_state, terminated):
+    value = (1 - self.target_epsilon) * max(self.Q[next_state]) + self.target_epsilon * np.mean(self.Q[next_state])
+    target = reward if terminated else reward + self.discount * value
+    self.Q[state, action] += 0.03 * (target - self.Q[state, action])
+
+
+# %% a fixed target policy
+# says: an ε_π of 0.1
+def learn(self, state, action, reward, next_state, terminated):
+    value = 0.9 * max(self.Q[next_state]) + 0.1 * np.mean(self.Q[next_state])
+    target = reward if terminated else reward + self.discount * value
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% no discount
+# says: not discounted
+def learn(self, state, action, reward, next_state, terminated):
+    value = (1 - self.target_epsilon) * max(self.Q[next_state]) + self.target_epsilon * np.mean(self.Q[next_state])
+    target = reward if terminated else reward + value
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% self is forgotten
+# says: write `self.` before a field
+def learn(self, state, action, reward, next_state, terminated):
+    value = (1 - target_epsilon) * max(self.Q[next_state]) + target_epsilon * np.mean(self.Q[next_state])
+    target = reward if terminated else reward + self.discount * value
+    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% nothing is learned at the end
+# says: at the end of an episode nothing is learned
+def learn(self, state, action, reward, next_state, terminated):
+    if terminated:
+        return
+    value = (1 - self.target_epsilon) * max(self.Q[next_state]) + self.target_epsilon * np.mean(self.Q[next_state])
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])
+
+
+# %% an agent instead of the class
+# says: should be the class
+class Agent(NamedTuple):
+    Q: np.ndarray
+
+
+TwoPolicies = Agent(np.zeros((3, 3)))
+
+
+# %% a field is missing
+# says: should keep its field `target_epsilon`
+class TwoPolicies(NamedTuple):
+    Q: np.ndarray
+    learning_rate: float = 0.03
+    discount: float = 1.0
+    epsilon: float = 0.1
+
+    def act(self, state, rng):
+        return 0
+
+    def learn(self, state, action, reward, next_state, terminated):
+        target = reward if terminated else reward + self.discount * max(self.Q[next_state])
+        self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+
+
+# %% the random part alone
+# says: the best action is missing, (1 − ε_π) max_a Q(S', a)
+def learn(self, state, action, reward, next_state, next_action, terminated):
+    p, row = self.target_epsilon, self.Q[next_state]
+    value = 0.0 if terminated else p * row.mean()
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])
+
+
+# %% the minimum for the mean
+# says: the minimum stands where the mean over the actions should
+def learn(self, state, action, reward, next_state, next_action, terminated):
+    p, row = self.target_epsilon, self.Q[next_state]
+    value = 0.0 if terminated else (1 - p) * row.max() + p * row.min()
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])
+
+
+# %% the next action for the mean
+# says: Q(S', A') stands where the mean over the actions should; no action has to be drawn
+def learn(self, state, action, reward, next_state, next_action, terminated):
+    p, row = self.target_epsilon, self.Q[next_state]
+    value = 0.0 if terminated else (1 - p) * row.max() + p * row[next_action]
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])
+
+
+# %% the old value for the mean
+# says: Q(S, A) stands where the mean of Q(S', a) should
+def learn(self, state, action, reward, next_state, next_action, terminated):
+    p, row = self.target_epsilon, self.Q[next_state]
+    value = 0.0 if terminated else (1 - p) * row.max() + p * self.Q[state, action]
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])
+
+
+# %% no next state
+# says: the value of the next state is missing: without bootstrapping nothing is carried back
+def learn(self, state, action, reward, next_state, next_action, terminated):
+    p, row = self.target_epsilon, self.Q[next_state]
+    value = 0.0 if terminated else 0.0
+    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])

@@ -1,0 +1,174 @@
+# %% not solved
+# says: Not solved yet
+def quiet(study):
+    raise NotImplementedError("not solved yet: replace this line")
+
+
+# %% no return
+# says: is a `return` missing?
+def quiet(study):
+    NStepSARSA.create(study, n=math.inf, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0))
+
+
+# %% n left out
+# says: its targets have 4 rewards
+# says: the quiet agent should be that of the experiment, but
+def quiet(study):
+    return NStepSARSA.create(study, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0))
+
+
+# %% one step
+# says: its targets have 1 reward, and Monte Carlo has n=math.inf
+def quiet(study):
+    return NStepSARSA.create(study, n=1, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0))
+
+
+# %% SARSA
+# says: its targets have 1 reward
+def quiet(study):
+    return SARSA.create(study, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0))
+
+
+# %% nine days
+# says: its targets have 9 rewards
+def quiet(study):
+    return NStepSARSA.create(study, n=9, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0))
+
+
+# %% too short a memory
+# says: its targets have 5 rewards
+def quiet(study):
+    return NStepSARSA.create(
+        study, n=math.inf, longest=5, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0)
+    )
+
+
+# %% discount left out
+# says: a discount of 0.99, and it should be 1
+# says: it has a discount of
+def quiet(study):
+    return NStepSARSA.create(study, n=math.inf, learning_rate=0.1, exploration=EpsilonGreedy(0.0))
+
+
+# %% another learning rate
+# says: a learning rate of 0.01, and it should be 0.1
+# says: it has a learning rate of
+def quiet(study):
+    return NStepSARSA.create(study, n=math.inf, learning_rate=0.01, discount=1.0, exploration=EpsilonGreedy(0.0))
+
+
+# %% two settings
+# says: a learning rate of 0.5
+# says: a discount of 0.9
+def quiet(study):
+    return NStepSARSA.create(study, n=math.inf, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0))
+
+
+# %% still exploring
+# says: ε should be 0, but it is 0.1
+# says: the quiet agent never explores, so ε should be 0, but it is
+def quiet(study):
+    return NStepSARSA.create(study, n=math.inf, learning_rate=0.1, discount=1.0)
+
+
+# %% always exploring
+# says: ε should be 0, but it is 1
+def quiet(study):
+    return NStepSARSA.create(study, n=math.inf, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(1.0))
+
+
+# %% softmax
+# says: act(1, rng)
+# says: it acts at random
+def quiet(study):
+    return NStepSARSA.create(study, n=math.inf, learning_rate=0.1, discount=1.0, exploration=Softmax(1.0))
+
+
+# %% optimistic values
+# says: every value in Q should be 0 at first, but one is 10
+def quiet(study):
+    return NStepSARSA.create(
+        study, n=math.inf, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0), initial_value=10.0
+    )
+
+
+# %% the class
+# says: should give an agent, but gives the class NStepSARSA
+def quiet(study):
+    return NStepSARSA
+
+
+# %% called already
+# says: quiet should be a function of the task
+# says: the task that returns an agent
+quiet = (
+    NStepSARSA.create(study, n=math.inf, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0))
+    if "study" in globals()
+    else NStepSARSA.create((220, 5), n=math.inf)
+)
+
+# %% one agent for all
+# says: two calls of quiet(study) share one table: make a new one in every call
+made = NStepSARSA.create((220, 5), n=math.inf, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0))
+
+
+def quiet(study):
+    return made
+
+
+# %% the task is ignored
+# says: should have the shape (220, 2), but has (220, 5)
+def quiet(study):
+    return NStepSARSA.create((220, 5), n=math.inf, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0))
+
+
+# %% a setting misspelt
+# says: has no setting 'epsilon'
+def quiet(study):
+    return NStepSARSA.create(study, n=math.inf, learning_rate=0.1, discount=1.0, epsilon=0.0)
+
+
+# %% ε for the strategy
+# says: exploration must be a strategy
+def quiet(study):
+    return NStepSARSA.create(study, n=math.inf, learning_rate=0.1, discount=1.0, exploration=0.0)
+
+
+# %% n as a text
+# says: n must be
+def quiet(study):
+    return NStepSARSA.create(study, n="inf", learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0))
+
+
+# %% the first of equals
+# says: ties should be broken at random, and it takes the first of equals
+class First(NStepSARSA):
+    __slots__ = ()
+
+    def act(self, state, rng):
+        return int(np.flatnonzero(self.Q[state] == self.Q[state].max())[0])
+
+
+def quiet(study):
+    return First.create(study, n=math.inf, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0))
+
+
+# %% the last of equals
+# says: ties should be broken at random, and it takes the last of equals
+class Last(NStepSARSA):
+    __slots__ = ()
+
+    def act(self, state, rng):
+        return int(np.flatnonzero(self.Q[state] == self.Q[state].max())[-1])
+
+
+def quiet(study):
+    return Last.create(study, n=math.inf, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0))
+
+
+# %% an unusual rate
+# says: after two equal episodes with rewards
+# says: , the value of the first action should be
+# says: : that is no n-step SARSA with a usual learning rate
+def quiet(study):
+    return NStepSARSA.create(study, n=math.inf, learning_rate=0.37, discount=1.0, exploration=EpsilonGreedy(0.0))

@@ -1,0 +1,207 @@
+# %% not solved
+# says: Not solved yet
+def importance_ratio(greedy, epsilon, n_actions):
+    raise NotImplementedError("not solved yet: replace this line")
+
+
+# %% a number
+# says: should be a function
+# says: greedy, epsilon and n_actions
+importance_ratio = 2.1
+
+
+# %% no return
+# says: is a `return` missing?
+def importance_ratio(greedy, epsilon, n_actions):
+    rho = 1.0
+    for is_greedy in greedy[1:]:
+        rho *= 1 / (1 - epsilon + epsilon / n_actions) if is_greedy else 0.0
+
+
+# %% with the first action
+# says: the first entry of `greedy` is A_t, which is not in the product: start at greedy[1]
+def importance_ratio(greedy, epsilon, n_actions):
+    rho = 1.0
+    for is_greedy in greedy:
+        rho *= 1 / (1 - epsilon + epsilon / n_actions) if is_greedy else 0.0
+    return rho
+
+
+# %% two left out
+# says: two actions are left out at the start; only A_t is, so start at greedy[1]
+def importance_ratio(greedy, epsilon, n_actions):
+    rho = 1.0
+    for is_greedy in greedy[2:]:
+        rho *= 1 / (1 - epsilon + epsilon / n_actions) if is_greedy else 0.0
+    return rho
+
+
+# %% the last one left out
+# says: the last action is left out; the product goes to the end of the list
+def importance_ratio(greedy, epsilon, n_actions):
+    rho = 1.0
+    for k in range(1, len(greedy) - 1):
+        rho *= 1 / (1 - epsilon + epsilon / n_actions) if greedy[k] else 0.0
+    return rho
+
+
+# %% a random action is never the best
+# says: a random action may be the best one too, so b takes it with probability 1 − ε + ε/N, not 1 − ε
+def importance_ratio(greedy, epsilon, n_actions):
+    return (1 / (1 - epsilon)) ** (len(greedy) - 1) if all(greedy[1:]) else 0.0
+
+
+# %% one of the others
+# says: a random action is one of *all* N actions, so b takes the best one with probability 1 − ε + ε/N
+def importance_ratio(greedy, epsilon, n_actions):
+    b = 1 - epsilon + epsilon / (n_actions - 1)
+    return b ** -(len(greedy) - 1) if all(greedy[1:]) else 0.0
+
+
+# %% 1 − ε/N
+# says: b takes the best action with probability 1 − ε + ε/N; 1 − ε/N is another number
+def importance_ratio(greedy, epsilon, n_actions):
+    b = 1 - epsilon / n_actions
+    return b ** -(len(greedy) - 1) if all(greedy[1:]) else 0.0
+
+
+# %% other actions left out
+# says: the greedy policy never takes another action, so its ratio there is 0/b = 0, and it is left out here
+def importance_ratio(greedy, epsilon, n_actions):
+    rho = 1.0
+    for is_greedy in greedy[1:]:
+        if is_greedy:
+            rho *= 1 / (1 - epsilon + epsilon / n_actions)
+    return rho
+
+
+# %% the product stops
+# says: the product stops at an action that is not greedy; there the factor is 0, and so is the whole product
+def importance_ratio(greedy, epsilon, n_actions):
+    rho = 1.0
+    for is_greedy in greedy[1:]:
+        if not is_greedy:
+            break
+        rho *= 1 / (1 - epsilon + epsilon / n_actions)
+    return rho
+
+
+# %% one over the probability of what was done
+# says: the greedy policy never takes another action: there π is 0, not 1
+def importance_ratio(greedy, epsilon, n_actions):
+    rho = 1.0
+    for is_greedy in greedy[1:]:
+        rho /= 1 - epsilon + epsilon / n_actions if is_greedy else epsilon / n_actions
+    return rho
+
+
+# %% upside down
+# says: that is b/π, upside down
+def importance_ratio(greedy, epsilon, n_actions):
+    rho = 1.0
+    for is_greedy in greedy[1:]:
+        rho *= (1 - epsilon + epsilon / n_actions) if is_greedy else 0.0
+    return rho
+
+
+# %% added up
+# says: the ratios of the single actions are multiplied, not added
+def importance_ratio(greedy, epsilon, n_actions):
+    return sum(1 / (1 - epsilon + epsilon / n_actions) for is_greedy in greedy[1:] if is_greedy)
+
+
+# %% the mean
+# says: the ratios of the single actions are multiplied; that is their mean
+def importance_ratio(greedy, epsilon, n_actions):
+    return np.mean([1 / (1 - epsilon + epsilon / n_actions) if g else 0.0 for g in greedy[1:]] or [0.0])
+
+
+# %% all or nothing
+# says: π takes a greedy action with probability 1, but b does not: divide by the probability under b
+def importance_ratio(greedy, epsilon, n_actions):
+    return 1.0 if all(greedy[1:]) else 0.0
+
+
+# %% the probability under b
+# says: that is the probability of these actions under b; the ratio is π divided by b
+def importance_ratio(greedy, epsilon, n_actions):
+    p = 1.0
+    for is_greedy in greedy[1:]:
+        p *= 1 - epsilon + epsilon / n_actions if is_greedy else epsilon / n_actions
+    return p
+
+
+# %% set, not multiplied
+# says: that is the ratio of one action alone: multiply all of them (is the `return` inside the loop?)
+def importance_ratio(greedy, epsilon, n_actions):
+    rho = 1.0
+    for is_greedy in greedy[1:]:
+        rho = 1 / (1 - epsilon + epsilon / n_actions) if is_greedy else 0.0
+    return rho
+
+
+# %% integer division
+# says: not 1 − ε
+def importance_ratio(greedy, epsilon, n_actions):
+    b = 1 - epsilon + epsilon // n_actions
+    return b ** -(len(greedy) - 1) if all(greedy[1:]) else 0.0
+
+
+# %% an array
+# says: should be one number, but is a
+def importance_ratio(greedy, epsilon, n_actions):
+    return np.array(greedy[1:]) / (1 - epsilon + epsilon / n_actions)
+
+
+# %% the list is used up
+# says: changes its list `greedy`; leave it as it is, for the caller still needs it
+def importance_ratio(greedy, epsilon, n_actions):
+    greedy.pop(0)
+    return (1 - epsilon + epsilon / n_actions) ** -len(greedy) if all(greedy) else 0.0
+
+
+# %% division by zero
+# says: should be
+def importance_ratio(greedy, epsilon, n_actions):
+    rho = 1.0
+    for is_greedy in greedy[1:]:
+        rho *= 1 / (1 - epsilon) if is_greedy else 0.0 / (epsilon / n_actions)
+    return rho if epsilon < 1 else 1 / (1 - epsilon)
+
+
+# %% two parameters
+# says: its parameters are not those of the exercise
+def importance_ratio(greedy, epsilon):
+    return 1 / (1 - epsilon) ** len(greedy[1:])
+
+
+# %% 0 where nothing is left
+# says: with one action no factor is left, and an empty product is 1
+def importance_ratio(greedy, epsilon, n_actions):
+    if len(greedy) == 1:
+        return 0.0
+    return np.prod([is_greedy / (1 - epsilon + epsilon / n_actions) for is_greedy in greedy[1:]])
+
+
+# %% ε times N
+# says: ε is divided by N, not multiplied: b takes the best action with probability 1 − ε + ε/N
+def importance_ratio(greedy, epsilon, n_actions):
+    b = 1 - epsilon + epsilon * n_actions
+    return math.prod(1 / b if best else 0.0 for best in greedy[1:])
+
+
+# %% b where π is 0
+# says: at an action that is not greedy the ratio is 0/b = 0, not b itself
+def importance_ratio(greedy, epsilon, n_actions):
+    b, other = 1 - epsilon + epsilon / n_actions, epsilon / n_actions
+    return math.prod(1 / b if best else other for best in greedy[1:])
+
+
+# %% it returns in the loop
+# says: that is the ratio of the first action alone: multiply all of them (is the `return` inside the loop?)
+def importance_ratio(greedy, epsilon, n_actions):
+    rho = 1.0
+    for best in greedy[1:]:
+        rho *= best / (1 - epsilon + epsilon / n_actions)
+        return rho
+    return rho

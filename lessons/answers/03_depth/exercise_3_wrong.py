@@ -1,0 +1,499 @@
+# %% not solved
+# says: Not solved yet
+def hand_back(self, length):
+    raise NotImplementedError("not solved yet: replace this line")
+
+
+# %% the smallest value
+# says: Q[
+# says: that is none of the usual mistakes, so compare your loop with the three lines, term by term
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] > min(self.Q[s]):
+            G = min(self.Q[s])
+
+
+# %% the best value goes into the update
+# says: Q[
+# says: episode with states
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+
+
+# %% the numbers of Q-learning
+# says: G is cut at every action, so only one reward is in each target: cut where Q(S, A) is *below* the largest value
+# says: ] should become
+def hand_back(self, length):
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        best = 0.0 if k == length - 1 else max(self.Q[self.states[k + 1]])
+        self.Q[s, a] += self.learning_rate * (self.rewards[k] + self.discount * best - self.Q[s, a])
+
+
+# %% a whole number for G
+# says: Q[
+def hand_back(self, length):
+    G = 0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = int(self.rewards[k] + self.discount * G)
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
+
+
+# %% nothing
+# says: `hand_back` changes nothing in Q
+def hand_back(self, length):
+    pass
+
+
+# %% Monte Carlo
+# says: G is never cut, so this is Monte Carlo: the third line is missing
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+
+
+# %% always cut
+# says: G is cut at every action
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        G = max(self.Q[s])
+
+
+# %% the condition upside down
+# says: the condition is upside down: G is cut where the action is *not* the best
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] == max(self.Q[s]):
+            G = max(self.Q[s])
+
+
+# %% asked before the update
+# says: whether the action is the best is asked before the update; ask it after
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        exploring = self.Q[s, a] < max(self.Q[s])
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if exploring:
+            G = max(self.Q[s])
+
+
+# %% the loop ends
+# says: the loop ends at the exploring action; the steps before it still learn, from the G that was cut
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            break
+
+
+# %% it goes on with its own value
+# says: where G is cut it goes on with the *largest* value of the state, not with that of the action taken
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = self.Q[s, a]
+
+
+# %% it goes on with 0
+# says: where G is cut it goes on with the largest value of the state, not with 0
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = 0.0
+
+
+# %% the mean of the row
+# says: where G is cut it goes on with the *largest* value of the state, not with the mean
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = self.Q[s].mean()
+
+
+# %% the larger of the two
+# says: G takes the largest value also where it is smaller; max(G, ...) keeps lucky returns
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(G, max(self.Q[s]))
+
+
+# %% discounted twice
+# says: the largest value is discounted where G is cut, and once more in the next step
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = self.discount * max(self.Q[s])
+
+
+# %% forwards
+# says: the loop runs forwards; go from the last step to the first
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
+
+
+# %% the first step is left out
+# says: the first step of the episode, number 0, learns nothing: range(length - 1, -1, -1) ends with 0
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, 0, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
+
+
+# %% the last step is left out
+# says: the last step of the episode learns nothing: start at length - 1
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 2, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
+
+
+# %% no discount
+# says: the discount is missing: G becomes R + γ G
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
+
+
+# %% all discounted
+# says: the reward is discounted too; γ belongs to G only
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.discount * (self.rewards[k] + G)
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
+
+
+# %% the reward is not added up
+# says: only one reward is in each target: G becomes R + γ G
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k]
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
+
+
+# %% the old value is not subtracted
+# says: the old value is not subtracted: Q moves by α [G − Q]
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * G
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
+
+
+# %% set at once
+# says: Q is set to G at once: move it by α [G − Q]
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] = G
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
+
+
+# %% the sign
+# says: Q moves away from the target: the sign is wrong
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (self.Q[s, a] - G)
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
+
+
+# %% exploring actions learn nothing
+# says: exploring actions learn nothing; they do, from what came after them
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
+            continue
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
+
+
+# %% a learning rate of its own
+# says: a learning_rate of 0.1: use self.learning_rate
+# says: everything fits
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += 0.1 * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
+
+
+# %% both numbers of its own
+# says: use self.learning_rate
+# says: use self.discount
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + 0.9 * G
+        self.Q[s, a] += 0.1 * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
+
+
+# %% Monte Carlo, and without the discount
+# says: the third line is missing
+# says: discount
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G += self.rewards[k]
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+
+
+# %% self forgotten
+# says: write `self.` before a field
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + discount * G
+        self.Q[s, a] += learning_rate * (G - self.Q[s, a])
+
+
+# %% one step too many
+# says: a value changes that is not on the path: the steps of the episode are 0 to length - 1
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
+
+
+# %% a field is set
+# says: raises AttributeError
+def hand_back(self, length):
+    self.G = 0.0
+
+
+# %% an agent in place of the class
+# says: MyAgent should be the class
+MyAgent = NStepSARSA.create((12, 3))
+
+
+# %% the episode is never begun anew
+# says: after a second episode
+def learn(self, state, action, reward, next_state, terminated):
+    k = self.length[0]
+    self.states[k], self.actions[k], self.rewards[k] = state, action, reward
+    self.length[0] = k + 1
+    if terminated:
+        self.hand_back(k + 1)
+
+
+# %% the reward of the next step
+# says: `rewards[k]` is R_{k+1} already, the reward after step k
+def hand_back(self, length):
+    G = 0.0
+    for k in range(length - 1, -1, -1):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k + 1] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        best = max(self.Q[s])
+        if self.Q[s, a] < best:
+            G = best
+
+
+# %% the old maximum
+# says: the largest value is that of the row before the update; take it after
+def hand_back(self, length):
+    G = 0.0
+    for k in reversed(range(length)):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        best = max(self.Q[s])
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = best
+
+
+# %% added
+# says: where G is cut the largest value takes its place; it is not added
+def hand_back(self, length):
+    G = 0.0
+    for k in reversed(range(length)):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G += max(self.Q[s])
+
+
+# %% the reward discounted
+# says: γ belongs to G, not to the reward
+def hand_back(self, length):
+    G = 0.0
+    for k in reversed(range(length)):
+        s, a = self.states[k], self.actions[k]
+        G = self.discount * self.rewards[k] + G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
+
+
+# %% no rewards
+# says: the rewards are missing: G becomes R + γ G
+def hand_back(self, length):
+    G = 0.0
+    for k in reversed(range(length)):
+        s, a = self.states[k], self.actions[k]
+        G = self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
+
+
+# %% minus
+# says: the future is subtracted: G becomes R + γ G
+def hand_back(self, length):
+    G = 0.0
+    for k in reversed(range(length)):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] - self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
+
+
+# %% set
+# says: the old value is lost: Q moves by α [G − Q], so write +=
+def hand_back(self, length):
+    G = 0.0
+    for k in reversed(range(length)):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] = self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
+
+
+# %% the weights exchanged
+# says: α and 1 − α have changed places
+def hand_back(self, length):
+    G = 0.0
+    for k in reversed(range(length)):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] = self.learning_rate * self.Q[s, a] + (1 - self.learning_rate) * G
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])
+
+
+# %% a value after the end
+# says: G starts with a value of the state after the end; after a terminal state there is no future
+def learn(self, state, action, reward, next_state, terminated):
+    k = self.length[0]
+    self.states[k], self.actions[k], self.rewards[k] = state, action, reward
+    self.states[k + 1] = next_state
+    self.length[0] = k + 1
+    if terminated:
+        self.hand_back(k + 1)
+        self.length[0] = 0
+
+
+def hand_back(self, length):
+    G = max(self.Q[self.states[length]])
+    for k in reversed(range(length)):
+        s, a = self.states[k], self.actions[k]
+        G = self.rewards[k] + self.discount * G
+        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+        if self.Q[s, a] < max(self.Q[s]):
+            G = max(self.Q[s])

@@ -1,0 +1,2 @@
+from functools import partial
+from edugym import Greedy, SARSA, Softmax

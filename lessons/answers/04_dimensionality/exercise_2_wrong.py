@@ -1,0 +1,431 @@
+# %% terminal states are worth something
+# says: after a terminal state nothing follows: there the target is the reward alone
+# says: the episode over
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward + self.discount * (self.features(next_state) @ self.w).max()
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% no bootstrapping
+# says: the target misses the value of the next state
+# says: ] should go from
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    self.w[:, action] += self.learning_rate * (reward - self.value(state, action)) * x
+
+
+# %% no discount
+# says: the discount is missing: multiply the value of the next state by it
+# says: with the values
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + (self.features(next_state) @ self.w).max()
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% the mean
+# says: take the maximum over the actions in the next state, not the mean
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).mean()
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% the same action again
+# says: in the next state take the best action, not the one that was taken before
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * self.value(next_state, action)
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% a forgotten loop
+# says: that is the next state's value of action 0 alone; take the largest one of all three
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * self.value(next_state, 0)
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% the best value of the same state
+# says: the target has the features of `state` where those of `next_state` belong
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * (x @ self.w).max()
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% no features in the step
+# says: the features are missing: each weight moves by the error times *its* feature
+def learn(self, state, action, reward, next_state, terminated):
+    target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action))
+
+
+# %% the features of the next state
+# says: each weight moves by the error times its feature of `state`, not of `next_state`
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(next_state)
+    target = reward if terminated else reward + self.discount * (x @ self.w).max()
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% active features alone
+# says: only the sign of the feature, or whether it is 0, counts here; multiply by the feature itself
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+    error = target - self.value(state, action)
+    for i in range(len(x)):
+        if x[i] != 0:
+            self.w[i, action] += self.learning_rate * error
+
+
+# %% numbers in place of the settings
+# says: use `self.learning_rate` and `self.discount` in place of 0.1 and 0.9: the check takes others
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + 0.9 * (self.features(next_state) @ self.w).max()
+    self.w[:, action] += 0.1 * (target - self.value(state, action)) * x
+
+
+# %% a number in place of the learning rate
+# says: use `self.learning_rate` in place of 0.1: the check takes another one
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+    self.w[:, action] += 0.1 * (target - self.value(state, action)) * x
+
+
+# %% a number in place of the discount
+# says: use `self.discount` in place of 0.9: the check takes another one
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + 0.9 * (self.features(next_state) @ self.w).max()
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% the error in the loop
+# says: compute the error once, before any weight moves
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+    for i in range(len(x)):
+        self.w[i, action] += self.learning_rate * (target - self.value(state, action)) * x[i]
+
+
+# %% the target in the loop
+# says: compute the target and the error once, before any weight moves
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    for i in range(len(x)):
+        target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+        self.w[i, action] += self.learning_rate * (target - self.value(state, action)) * x[i]
+
+
+# %% no learning rate
+# says: the learning rate is missing
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+    self.w[:, action] += (target - self.value(state, action)) * x
+
+
+# %% uphill
+# says: the error has the wrong sign: it is the target less the present value
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+    self.w[:, action] -= self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% no present value
+# says: the present value is missing in the error: target less value
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+    self.w[:, action] += self.learning_rate * target * x
+
+
+# %% all columns
+# says: only the column of the action that was taken changes, not all of them
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+    error = target - self.value(state, action)
+    for a in range(3):
+        self.w[:, a] += self.learning_rate * error * x
+
+
+# %% set
+# says: the weights are not moved but set: use += instead of =
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+    self.w[:, action] = self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% the whole gradient
+# says: that is the full gradient, with the features of the next state in it; the semi-gradient leaves it out
+def learn(self, state, action, reward, next_state, terminated):
+    x, following = self.features(state), self.features(next_state)
+    values = following @ self.w
+    target = reward if terminated else reward + self.discount * values.max()
+    error = target - self.value(state, action)
+    self.w[:, action] += self.learning_rate * error * x
+    if not terminated:
+        self.w[:, values.argmax()] -= self.learning_rate * self.discount * error * following
+
+
+# %% nothing at the end
+# says: it learns nothing after a terminal state; the reward of the last step counts as well
+def learn(self, state, action, reward, next_state, terminated):
+    if terminated:
+        return
+    x = self.features(state)
+    target = reward + self.discount * (self.features(next_state) @ self.w).max()
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% a new array
+# says: nothing changes: change the entries of `self.w` in place
+def learn(self, state, action, reward, next_state, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+    w = self.w.copy()
+    w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% a new field
+# says: change the entries of its arrays instead
+def learn(self, state, action, reward, next_state, terminated):
+    self.w = self.w + self.learning_rate
+
+
+# %% the sum of the weights
+# says: that is the sum of the weights; multiply each by its feature
+# says: value with the features
+def value(self, board, action):
+    return self.w[:, action].sum()
+
+
+# %% the best value
+# says: that is the largest value of all actions; take the column of `action`
+def value(self, board, action):
+    return (self.features(board) @ self.w).max()
+
+
+# %% all values
+# says: should be one number
+def value(self, board, action):
+    return self.features(board) @ self.w
+
+
+# %% a product without a sum
+# says: should be one number
+def value(self, board, action):
+    return self.features(board) * self.w[:, action]
+
+
+# %% a forgotten self
+# says: write `self.` before a field
+def learn(self, state, action, reward, next_state, terminated):
+    self.w[:, action] += learning_rate * reward
+
+
+# %% no class
+# says: should be the class
+MyAgent = QLearning.create((4, 2))
+
+
+# %% truncated like terminated
+# says: a truncated episode is treated as terminated, but only its clock ran out: the value of the next state still
+#   counts
+def learn(self, state, action, reward, next_state, terminated, truncated):
+    x = self.features(state)
+    over = terminated or truncated
+    target = reward if over else reward + self.discount * (self.features(next_state) @ self.w).max()
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% SARSA
+# says: in the next state take the best action, not the one that comes next: that is SARSA
+def learn(self, state, action, reward, next_state, next_action, terminated):
+    x = self.features(state)
+    target = reward if terminated else reward + self.discount * self.value(next_state, next_action)
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% done
+# says: is 'terminated' meant?
+def learn(self, state, action, reward, next_state, done):
+    self.w[:, action] += self.learning_rate * reward
+
+
+# %% value writes into the weights
+# says: value changes the entries of `self.w`; it should only read them, for `learn` changes them
+def value(self, board, action):
+    terms = self.w[:, action]
+    terms *= self.features(board)
+    return terms.sum()
+
+
+# %% nine features written in
+# says: two arrays of different sizes
+def learn(self, state, action, reward, next_state, terminated):
+    x = np.zeros(9)
+    x[4] = 1.0
+    target = reward if terminated else reward + self.discount * max(self.value(next_state, a) for a in range(3))
+    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
+
+
+# %% the learning rate is no field
+# says: MyAgent should keep its field `learning_rate`
+class MyAgent(NamedTuple):
+    w: Any
+    discount: float = 0.9
+
+    def features(self, board):
+        return np.ones(9)
+
+    def act(self, state, rng):
+        return 0
+
+    def value(self, board, action):
+        return self.features(board) @ self.w[:, action]
+
+    def learn(self, state, action, reward, next_state, terminated):
+        x = self.features(state)
+        target = reward if terminated else reward + self.discount * (self.features(next_state) @ self.w).max()
+        self.w[:, action] += 0.1 * (target - self.value(state, action)) * x
+
+
+# %% the minimum
+# says: take the maximum over the actions in the next state, not the minimum
+def learn(self, state, action, reward, next_state, terminated):
+    following = min([self.value(next_state, a) for a in range(3)])
+    target = reward if terminated else reward + self.discount * following
+    error = target - self.value(state, action)
+    self.w[:, action] += self.learning_rate * error * self.features(state)
+
+
+# %% the sum
+# says: take the maximum over the actions in the next state, not their sum
+def learn(self, state, action, reward, next_state, terminated):
+    following = sum([self.value(next_state, a) for a in range(3)])
+    target = reward if terminated else reward + self.discount * following
+    error = target - self.value(state, action)
+    self.w[:, action] += self.learning_rate * error * self.features(state)
+
+
+# %% the best present value
+# says: the present value is that of the best action; it should be that of the action that was taken
+def learn(self, state, action, reward, next_state, terminated):
+    following = max([self.value(next_state, a) for a in range(3)])
+    target = reward if terminated else reward + self.discount * following
+    error = target - max([self.value(state, a) for a in range(3)])
+    self.w[:, action] += self.learning_rate * error * self.features(state)
+
+
+# %% no reward
+# says: the reward is missing in the target
+def learn(self, state, action, reward, next_state, terminated):
+    following = max([self.value(next_state, a) for a in range(3)])
+    target = 0.0 if terminated else self.discount * following
+    error = target - self.value(state, action)
+    self.w[:, action] += self.learning_rate * error * self.features(state)
+
+
+# %% 0 at the end
+# says: at the end the target is the reward, not 0
+def learn(self, state, action, reward, next_state, terminated):
+    following = max([self.value(next_state, a) for a in range(3)])
+    target = 0.0 if terminated else reward + self.discount * following
+    error = target - self.value(state, action)
+    self.w[:, action] += self.learning_rate * error * self.features(state)
+
+
+# %% the features squared
+# says: the features are multiplied in twice
+def learn(self, state, action, reward, next_state, terminated):
+    following = max([self.value(next_state, a) for a in range(3)])
+    target = reward if terminated else reward + self.discount * following
+    error = target - self.value(state, action)
+    self.w[:, action] += self.learning_rate * error * self.features(state) ** 2
+
+
+# %% one third
+# says: that is none of the usual mistakes, so compare your code with the equation, term by term
+def learn(self, state, action, reward, next_state, terminated):
+    following = max([self.value(next_state, a) for a in range(3)])
+    target = reward + self.discount * following / 3 + 0.1
+    error = target - self.value(state, action)
+    self.w[:, action] += self.learning_rate * error * self.features(state)
+
+
+# %% two thirds of the values
+# says: in this case it looks like this:
+def learn(self, state, action, reward, next_state, terminated):
+    following = max([self.value(next_state, a) for a in range(3)])
+    target = reward + (0.0 if terminated or state[0] > 0 else self.discount * following)
+    error = target - self.value(state, action)
+    self.w[:, action] += self.learning_rate * error * self.features(state)
+
+
+# %% one product
+# says: that is one term of the sum; take the sum over all features
+def value(self, board, action):
+    x = self.features(board)
+    return x[0] * self.w[0, action]
+
+
+# %% the values of all actions
+# says: that is the sum over all actions; take the column of `action`
+def value(self, board, action):
+    x = self.features(board)
+    return np.sum(x @ self.w)
+
+
+# %% features that are there
+# says: a feature is not only 0 or 1: multiply by it
+def value(self, board, action):
+    x = self.features(board)
+    return self.w[x != 0, action].sum()
+
+
+# %% the mean, another way
+# says: that is the mean; take the sum
+def value(self, board, action):
+    x = self.features(board)
+    return np.mean(x * self.w[:, action])
+
+
+# %% the row
+# says: that is the row of w with this number; take the column
+def value(self, board, action):
+    x = self.features(board)
+    return sum(x[i] * self.w[action, i] for i in range(3))
+
+
+# %% an array of its own
+# says: learn should change the entries of `self.w` in place, but puts another array there
+class MyAgent:
+    def __init__(self, w, learning_rate=0.1, discount=0.9):
+        self.w, self.learning_rate, self.discount = w, learning_rate, discount
+
+    def features(self, board):
+        return np.array(board)
+
+    def value(self, board, action):
+        return self.features(board) @ self.w[:, action]
+
+    def act(self, state, rng):
+        return 0
+
+    def learn(self, state, action, reward, next_state, terminated):
+        best = max([self.value(next_state, a) for a in range(3)])
+        target = reward if terminated else reward + self.discount * best
+        w = self.w.copy()
+        w[:, action] += self.learning_rate * (target - self.value(state, action)) * self.features(state)
+        self.w = w

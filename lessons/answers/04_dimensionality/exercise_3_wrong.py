@@ -1,0 +1,325 @@
+# %% terminated is forgotten
+# says: after a terminal state nothing follows: where `terminated` is 1 the target is the reward alone
+# says: of the next state by the old weights, target_of should return
+def target_of(self, row):
+    dqn.forward(self.target, self.memory.next_states[row], self.h, self.Q)
+    return self.memory.rewards[row] + self.discount * self.Q[0].max()
+
+
+# %% the present weights
+# says: the values of the next state come from the old weights, `self.target`
+# says: and the values
+def target_of(self, row):
+    if self.memory.terminated[row] == 1:
+        return self.memory.rewards[row]
+    dqn.forward(self.weights, self.memory.next_states[row], self.h, self.Q)
+    return self.memory.rewards[row] + self.discount * self.Q[0].max()
+
+
+# %% the present state
+# says: the value should be that of the next state, `memory.next_states[row]`
+def target_of(self, row):
+    if self.memory.terminated[row] == 1:
+        return self.memory.rewards[row]
+    dqn.forward(self.target, self.memory.states[row], self.h, self.Q)
+    return self.memory.rewards[row] + self.discount * self.Q[0].max()
+
+
+# %% no discount
+# says: the discount is missing
+def target_of(self, row):
+    if self.memory.terminated[row] == 1:
+        return self.memory.rewards[row]
+    dqn.forward(self.target, self.memory.next_states[row], self.h, self.Q)
+    return self.memory.rewards[row] + self.Q[0].max()
+
+
+# %% the mean
+# says: take the largest value, not the mean
+def target_of(self, row):
+    if self.memory.terminated[row] == 1:
+        return self.memory.rewards[row]
+    dqn.forward(self.target, self.memory.next_states[row], self.h, self.Q)
+    return self.memory.rewards[row] + self.discount * self.Q[0].mean()
+
+
+# %% the action of the memory
+# says: take the best action in the next state, not the one that was taken before
+def target_of(self, row):
+    memory = self.memory
+    if memory.terminated[row] == 1:
+        return memory.rewards[row]
+    dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+    return memory.rewards[row] + self.discount * self.Q[0, memory.actions[row]]
+
+
+# %% argmax
+# says: that is the number of the best action; its value is needed
+def target_of(self, row):
+    if self.memory.terminated[row] == 1:
+        return self.memory.rewards[row]
+    dqn.forward(self.target, self.memory.next_states[row], self.h, self.Q)
+    return self.memory.rewards[row] + self.discount * self.Q[0].argmax()
+
+
+# %% the reward alone
+# says: the value of the next state is missing
+def target_of(self, row):
+    return self.memory.rewards[row]
+
+
+# %% nothing at the end
+# says: at the end of an episode the target is the reward, not 0
+def target_of(self, row):
+    if self.memory.terminated[row] == 1:
+        return 0.0
+    dqn.forward(self.target, self.memory.next_states[row], self.h, self.Q)
+    return self.memory.rewards[row] + self.discount * self.Q[0].max()
+
+
+# %% the other way round
+# says: the terminal case is the wrong way round
+def target_of(self, row):
+    if self.memory.terminated[row] == 0:
+        return self.memory.rewards[row]
+    dqn.forward(self.target, self.memory.next_states[row], self.h, self.Q)
+    return self.memory.rewards[row] + self.discount * self.Q[0].max()
+
+
+# %% the error
+# says: the present value belongs to the error, not to the target
+def target_of(self, row):
+    memory = self.memory
+    y = memory.rewards[row]
+    if memory.terminated[row] == 0:
+        dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+        y += self.discount * self.Q[0].max()
+    dqn.forward(self.weights, memory.states[row], self.h, self.Q)
+    return y - self.Q[0, memory.actions[row]]
+
+
+# %% a row of values
+# says: should be one number
+def target_of(self, row):
+    dqn.forward(self.target, self.memory.next_states[row], self.h, self.Q)
+    return self.memory.rewards[row] + self.discount * self.Q[0]
+
+
+# %% forward returns nothing
+# says: NoneType
+def target_of(self, row):
+    return self.memory.rewards[row] + self.discount * dqn.forward(
+        self.target, self.memory.next_states[row], self.h, self.Q
+    )
+
+
+# %% empty rows
+# says: count the places that are filled
+# says: transitions, in a memory of
+def row_for(self, u):
+    return int(u * len(self.memory.actions))
+
+
+# %% beyond the memory
+# says: the memory has no more places
+# says: , but the places 0 to
+def row_for(self, u):
+    return int(u * self.steps[0])
+
+
+# %% counted from 1
+# says: places count from 0, so that the last one is their number less 1
+def row_for(self, u):
+    return int(u * min(self.steps[0], len(self.memory.actions))) + 1
+
+
+# %% the last row never
+# says: never comes up, and it should as often as the others
+# says: , every filled place should be equally likely:
+def row_for(self, u):
+    return int(u * max(min(self.steps[0], len(self.memory.actions)) - 1, 1))
+
+
+# %% rounded
+# says: some places come up more often than others: multiply `u` by the number of filled places, and cut off by
+#   int(...); neither round(...) nor a remainder by % is even
+def row_for(self, u):
+    return round(u * (min(self.steps[0], len(self.memory.actions)) - 1))
+
+
+# %% a remainder
+# says: nor a remainder by % is even
+def row_for(self, u):
+    return int(u * self.steps[0]) % len(self.memory.actions)
+
+
+# %% not whole
+# says: : make it one by int(...)
+# says: ) should be a whole number, but is
+def row_for(self, u):
+    return u * min(self.steps[0], len(self.memory.actions))
+
+
+# %% always the newest
+# says: never comes up
+def row_for(self, u):
+    return (self.steps[0] - 1) % len(self.memory.actions)
+
+
+# %% a function
+# says: should be the class
+MyDQN = lambda task: DQN.create(task)
+
+
+# %% it writes into the memory
+# says: changes `self.memory.rewards`
+# says: `; it should only read it, and return a number
+def target_of(self, row):
+    memory = self.memory
+    if memory.terminated[row] == 0:
+        dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+        memory.rewards[row] += self.discount * self.Q[0].max()
+    return memory.rewards[row]
+
+
+# %% random numbers of its own
+# says: row_for(0.5) gives another place in every call: the random number is drawn already, it is `u`
+def row_for(self, u):
+    return int(np.random.random() * min(self.steps[0], len(self.memory.actions)))
+
+
+# %% it counts the draws
+# says: row_for(0.5) changes `self.steps`: only read it, and return a place
+def row_for(self, u):
+    self.steps[0] += 1
+    return int(u * min(self.steps[0] - 1, len(self.memory.actions)))
+
+
+# %% the array of steps
+# says: take an entry of it
+def row_for(self, u):
+    return int(u * np.minimum(self.steps, len(self.memory.actions) * np.ones(2)))
+
+
+# %% DQN for OpenDQN
+# says: MyDQN should begin with `class MyDQN(lesson.OpenDQN):`, as it is OpenDQN that calls `target_of` and `row_for`
+class MyDQN(DQN):
+    __slots__ = ()
+
+    def target_of(self, row):
+        memory = self.memory
+        if memory.terminated[row] == 1:
+            return memory.rewards[row]
+        dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+        return memory.rewards[row] + self.discount * self.Q[0].max()
+
+    def row_for(self, u):
+        return int(u * min(self.steps[0], len(self.memory.actions)))
+
+
+# %% a method under another name
+# says: MyDQN has no method `row_for` of its own
+# says: ` of its own, so it uses that of OpenDQN: is the name spelt as in the exercise, and does the method stand inside
+#   the class?
+class MyDQN(lesson.OpenDQN):
+    __slots__ = ()
+
+    def target_of(self, row):
+        memory = self.memory
+        if memory.terminated[row] == 1:
+            return memory.rewards[row]
+        dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+        return memory.rewards[row] + self.discount * self.Q[0].max()
+
+    def row_of(self, u):
+        return int(u * min(self.steps[0], len(self.memory.actions)))
+
+
+# %% the present weights and state
+# says: the value should be that of the next state, by the old weights `self.target`
+def target_of(self, row):
+    memory = self.memory
+    dqn.forward(self.weights, memory.states[row], self.h, self.Q)
+    best = np.max(self.Q[0])
+    if memory.terminated[row] == 1:
+        return memory.rewards[row]
+    return memory.rewards[row] + self.discount * best
+
+
+# %% the minimum
+# says: take the largest value, not the smallest
+def target_of(self, row):
+    memory = self.memory
+    dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+    best = np.min(self.Q[0])
+    if memory.terminated[row] == 1:
+        return memory.rewards[row]
+    return memory.rewards[row] + self.discount * best
+
+
+# %% the sum
+# says: take the largest value, not the sum
+def target_of(self, row):
+    memory = self.memory
+    dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+    best = np.sum(self.Q[0])
+    if memory.terminated[row] == 1:
+        return memory.rewards[row]
+    return memory.rewards[row] + self.discount * best
+
+
+# %% the first value
+# says: the index is missing: that is the value of action 0, and the largest one is needed
+def target_of(self, row):
+    memory = self.memory
+    dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+    best = self.Q[0, 0]
+    if memory.terminated[row] == 1:
+        return memory.rewards[row]
+    return memory.rewards[row] + self.discount * best
+
+
+# %% no reward
+# says: the reward is missing
+def target_of(self, row):
+    memory = self.memory
+    dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+    best = np.max(self.Q[0])
+    if memory.terminated[row] == 1:
+        return 0.0
+    return self.discount * best
+
+
+# %% all is discounted
+# says: the reward is discounted as well; only the next value should be
+def target_of(self, row):
+    memory = self.memory
+    dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+    best = np.max(self.Q[0])
+    if memory.terminated[row] == 1:
+        return memory.rewards[row]
+    return self.discount * (memory.rewards[row] + best)
+
+
+# %% double DQN
+# says: that is the target of double DQN: here the old weights choose the action as well
+def target_of(self, row):
+    memory = self.memory
+    dqn.forward(self.weights, memory.next_states[row], self.h, self.Q)
+    chosen = int(np.argmax(self.Q[0]))
+    dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+    best = self.Q[0, chosen]
+    if memory.terminated[row] == 1:
+        return memory.rewards[row]
+    return memory.rewards[row] + self.discount * best
+
+
+# %% no value after a good step
+# says: in this case it looks like this:
+def target_of(self, row):
+    memory = self.memory
+    dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
+    best = np.max(self.Q[0])
+    if memory.terminated[row] == 1:
+        return memory.rewards[row]
+    return memory.rewards[row] + (self.discount * best if row % 2 else 0.0)

@@ -1,0 +1,2 @@
+import math
+from edugym.agents.tables import one_step_target

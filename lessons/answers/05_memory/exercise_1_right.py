@@ -1,0 +1,41 @@
+# %% in one line
+# says: Right: corridor 7 with three doors needs 4^22 rows, about 18 million million.
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** (length * (length - 1) // 2 + 1)
+
+
+# %% with the package's law
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** memory.window_law(length)
+
+
+# %% with stack_size
+def table_rows(num_doors, length):
+    window = length * (length - 1) // 2 + 1
+    return stack_size(num_doors + 1, window)
+
+
+# %% by a loop over the corridors
+def table_rows(num_doors, length):
+    rows = num_doors + 1
+    for corridor in range(1, length):
+        for place in range(corridor):
+            rows *= num_doors + 1
+    return rows
+
+
+# %% with a sum
+def table_rows(num_doors, length):
+    window = sum(range(length)) + 1
+    return float(num_doors + 1) ** window
+
+
+# %% by trying windows
+def table_rows(num_doors, length):
+    k = memory.smallest_window(length)
+    return (num_doors + 1) ** k
+
+
+# %% with numpy
+def table_rows(num_doors, length):
+    return np.prod(np.full(int(length * (length - 1) / 2) + 1, num_doors + 1, dtype=float))

@@ -1,0 +1,125 @@
+# %% no placeholder replaced
+# says: Not solved yet
+def table_rows(num_doors, length):
+    raise NotImplementedError("not solved yet: replace this line")
+
+
+# %% dots
+# says: Not solved yet
+table_rows = ...
+
+# %% a number
+# says: should be a function
+# says: the doors and the length
+table_rows = 4**7
+
+
+# %% no return
+# says: is a `return` missing?
+def table_rows(num_doors, length):
+    window = length * (length - 1) // 2 + 1
+    rows = (num_doors + 1) ** window
+
+
+# %% printed
+# says: is a `return` missing?
+def table_rows(num_doors, length):
+    print((num_doors + 1) ** (length * (length - 1) // 2 + 1))
+
+
+# %% no mark is forgotten
+# says: an unmarked place is an observation too, so there are N + 1 different ones
+def table_rows(num_doors, length):
+    return num_doors ** (length * (length - 1) // 2 + 1)
+
+
+# %% without the present observation
+# says: the present observation is in the window as well: L(L-1)/2 steps back, and one
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** (length * (length - 1) // 2)
+
+
+# %% a window of L
+# says: a window of L is not enough without the actions: the first mark lies L(L-1)/2 steps back
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** length
+
+
+# %% all steps up to the end
+# says: L(L+1)/2 counts the steps to the end of corridor L; the mark that is needed lies only L(L-1)/2 steps back
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** (length * (length + 1) // 2)
+
+
+# %% the entries
+# says: that is the number of entries, a row has one for each action; the rows are asked for
+def table_rows(num_doors, length):
+    return num_doors * (num_doors + 1) ** (length * (length - 1) // 2 + 1)
+
+
+# %% with actions
+# says: that is the table with the actions in the window; here it shows observations alone
+def table_rows(num_doors, length):
+    window = max(length, 2 * length - 3)
+    return (num_doors + 1) ** window * num_doors ** (window - 1)
+
+
+# %% the other law
+# says: 2L - 3 belongs to windows with actions; observations alone need L(L-1)/2 + 1
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** max(length, 2 * length - 3)
+
+
+# %% the window
+# says: that is the window itself; how many different windows are there?
+def table_rows(num_doors, length):
+    return length * (length - 1) // 2 + 1
+
+
+# %% a product
+# says: each observation in the window multiplies the number of rows by N + 1: take the power, not the product
+def table_rows(num_doors, length):
+    return (num_doors + 1) * (length * (length - 1) // 2 + 1)
+
+
+# %% exchanged
+# says: base and exponent have changed places
+def table_rows(num_doors, length):
+    return (length * (length - 1) // 2 + 1) ** (num_doors + 1)
+
+
+# %% one corridor too far
+# says: that is the window for corridor L + 1
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** (length * (length + 1) // 2 + 1)
+
+
+# %% not halved
+# says: L(L-1) should be divided by 2
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** (length * (length - 1) + 1)
+
+
+# %% three doors for ever
+# says: should be
+def table_rows(num_doors, length):
+    return 4 ** (length * (length - 1) // 2 + 1)
+
+
+# %% exclusive or
+# says: should be
+# says: that is none of the usual mistakes, so work it out by hand for a small case
+def table_rows(num_doors, length):
+    return (num_doors + 1) ^ (length * (length - 1) // 2 + 1)
+
+
+# %% two for the unmarked
+# says: an unmarked place counts once, not twice: there are N + 1 observations
+def table_rows(num_doors, length):
+    return (num_doors + 2) ** (length * (length - 1) // 2 + 1)
+
+
+# %% the square halved
+# says: L^2 / 2 + 1 is not L(L-1)/2 + 1
+def table_rows(num_doors, length):
+    return (num_doors + 1) ** (length**2 // 2 + 1)

@@ -1,0 +1,307 @@
+# %% not solved
+# says: Not solved yet
+def push(self, window, action, seen):
+    raise NotImplementedError("not solved yet: replace this line")
+
+
+# %% not a class
+# says: should be the class
+MyWindow = MyWindow(make_mdp("MemoryCorridor"))
+
+
+# %% the window is changed
+# says: changes the window that it is given, which still belongs to the state before: make a new one, with window.copy()
+#   or np.concatenate
+def push(self, window, action, seen):
+    window[:-2] = window[2:]
+    window[-2] = action
+    window[-1] = seen
+    return window
+
+
+# %% no return
+# says: is a `return` missing?
+def push(self, window, action, seen):
+    new = window.copy()
+    new[:-2] = window[2:]
+    new[-2] = action
+    new[-1] = seen
+
+
+# %% the wrong order
+# says: the action comes before the observation that it leads to
+def push(self, window, action, seen):
+    return np.concatenate((window[2:], np.array([seen, action])))
+
+
+# %% at the front
+# says: the latest ones stand at the end of the window, not at its beginning
+def push(self, window, action, seen):
+    return np.concatenate((np.array([action, seen]), window[:-2]))
+
+
+# %% the newest first
+# says: the latest ones stand at the *end* of the window
+def push(self, window, action, seen):
+    return np.concatenate((np.array([seen, action]), window[:-2]))
+
+
+# %% nothing moves
+# says: nothing moves: the last two entries are overwritten, and the oldest ones stay for ever
+def push(self, window, action, seen):
+    new = window.copy()
+    new[-2] = action
+    new[-1] = seen
+    return new
+
+
+# %% the window grows
+# says: entries long, so two go and two come
+# says: : the window should stay
+def push(self, window, action, seen):
+    return np.concatenate((window, np.array([action, seen])))
+
+
+# %% only the oldest observation goes
+# says: two go and two come
+def push(self, window, action, seen):
+    return np.concatenate((window[1:], np.array([action, seen])))
+
+
+# %% it moves by one
+# says: it moves by one entry only; an action *and* an observation are new
+def push(self, window, action, seen):
+    new = window.copy()
+    new[:-1] = window[1:]
+    new[-2] = action
+    new[-1] = seen
+    return new
+
+
+# %% rolled the wrong way
+# says: it moves the wrong way: the oldest ones should go
+def push(self, window, action, seen):
+    new = np.roll(window, 2)
+    new[-2] = action
+    new[-1] = seen
+    return new
+
+
+# %% the action is left out
+# says: the new action is missing; the old one stands in its place
+def push(self, window, action, seen):
+    new = window.copy()
+    new[:-2] = window[2:]
+    new[-1] = seen
+    return new
+
+
+# %% only observations move
+# says: only the observations move; the actions should move with them
+def push(self, window, action, seen):
+    new = window.copy()
+    new[:-2:2] = window[2::2]
+    new[-2] = action
+    new[-1] = seen
+    return new
+
+
+# %% a list
+# says: : give a NumPy array, as the window is one
+def push(self, window, action, seen):
+    return [*window[2:], action, seen]
+
+
+# %% a row without the actions
+# says: they differ in an action only, so the action makes no difference to the row
+# says: observations and
+def row(self, window):
+    number = 0
+    for seen in window[::2]:
+        number = number * self.n_observations + seen
+    return number
+
+
+# %% a sum
+# says: actions, but different windows need different rows:
+def row(self, window):
+    return sum(window)
+
+
+# %% one base for all digits
+# says: should be from 0 to
+# says: values and an action one with
+def row(self, window):
+    number = 0
+    for entry in window:
+        number = number * self.n_observations + entry
+    return number
+
+
+# %% the bases exchanged
+# says: different windows need different rows
+def row(self, window):
+    number = 0
+    for i in range(len(window)):
+        if i % 2 == 0:
+            number = number * self.n_actions + window[i]
+        else:
+            number = number * self.n_observations + window[i]
+    return number
+
+
+# %% rows from 1
+# says: should be from 0 to
+def row(self, window):
+    number = 0
+    for i in range(len(window)):
+        number = number * (self.n_actions if i % 2 else self.n_observations) + window[i]
+    return number + 1
+
+
+# %% decimal digits
+# says: should be from 0 to
+def row(self, window):
+    number = 0
+    for entry in window:
+        number = number * 10 + entry
+    return number
+
+
+# %% the digit is added too early
+# says: multiply by the number of values of the digit that you add, and then add it: n_observations at even indices,
+#   n_actions at odd ones
+def row(self, window):
+    number = 0
+    for i in range(len(window)):
+        base = self.n_observations if i % 2 == 0 else self.n_actions
+        number = (number + window[i]) * base
+    return number
+
+
+# %% the lesson's numbers
+# says: : an observation is a digit with
+def row(self, window):
+    number = 0
+    for i in range(len(window)):
+        number = number * (4 if i % 2 == 0 else 3) + window[i]
+    return number
+
+
+# %% self is missing
+# says: n_observations
+def row(self, window):
+    number = 0
+    for i in range(len(window)):
+        number = number * (n_observations if i % 2 == 0 else n_actions) + window[i]
+    return number
+
+
+# %% floats
+# says: numbers, but whole numbers are needed, so start from window.copy(), or np.zeros(len(window), np.int64)
+def push(self, window, action, seen):
+    new = np.zeros(len(window))
+    new[:-2] = window[2:]
+    new[-2] = action
+    new[-1] = seen
+    return new
+
+
+# %% a float for a row
+# says: should be a whole number, but is 0.0
+# says: : use `//` for `/`, and 0 for 0.0
+def row(self, window):
+    row = 0.0
+    for i in range(len(window)):
+        row = row * (self.n_observations if i % 2 == 0 else self.n_actions) + window[i]
+    return row
+
+
+# %% the row writes into its window
+# says: changes the window that it is given, and that is still needed: only read it
+def row(self, window):
+    for i in range(1, len(window)):
+        window[i] += window[i - 1] * (self.n_observations if i % 2 == 0 else self.n_actions)
+    return window[-1]
+
+
+# %% at the front, another way
+# says: the latest ones stand at the *end* of the window
+def push(self, window, action, seen):
+    new = window.copy()
+    new[2:] = window[:-2]
+    new[0], new[1] = seen, action
+    return new
+
+
+# %% the window as it was
+# says: nothing changes; does it return the old window?
+def push(self, window, action, seen):
+    return window.copy()
+
+
+# %% an observation for the action
+# says: the old observation stands where the new action should: the window moves by *two* entries
+def push(self, window, action, seen):
+    new = window.copy()
+    new[:-2] = window[2:]
+    new[-2], new[-1] = window[-1], seen
+    return new
+
+
+# %% no action
+# says: the new action is missing: 0 stands in its place
+def push(self, window, action, seen):
+    new = window.copy()
+    new[:-2] = window[2:]
+    new[-2], new[-1] = 0, seen
+    return new
+
+
+# %% no observation
+# says: the new observation is missing: 0 stands in its place
+def push(self, window, action, seen):
+    new = window.copy()
+    new[:-2] = window[2:]
+    new[-2], new[-1] = action, 0
+    return new
+
+
+# %% the old observation
+# says: the new observation is missing; the old one stands in its place
+def push(self, window, action, seen):
+    new = window.copy()
+    new[:-2] = window[2:]
+    new[-2] = action
+    return new
+
+
+# %% actions move
+# says: only the actions move; the observations should move with them
+def push(self, window, action, seen):
+    new = window.copy()
+    new[1:-2:2] = window[3::2]
+    new[-2], new[-1] = action, seen
+    return new
+
+
+# %% all else is 0
+# says: everything else in the window is lost
+def push(self, window, action, seen):
+    new = np.zeros(len(window), np.int64)
+    new[-2], new[-1] = action, seen
+    return new
+
+
+# %% exchanged in the middle
+# says: the first two entries should go, and action and observation come at the end
+def push(self, window, action, seen):
+    new = window.copy()
+    new[0], new[-1] = seen, action
+    return new
+
+
+# %% a text
+# says: : the window is an array
+def push(self, window, action, seen):
+    return str(window)

@@ -1,0 +1,309 @@
+# %% nothing
+# says: Not solved yet
+def bits_in(joint):
+    raise NotImplementedError
+
+
+# %% no return
+# says: is a `return` missing?
+def bits_in(joint):
+    total = 0.0
+    for x in range(joint.shape[0]):
+        for y in range(joint.shape[1]):
+            if joint[x, y] > 0:
+                total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
+
+
+# %% a whole number beyond all real ones
+# says: should be a finite number, but is
+# says: : is something divided by zero?
+def bits_in(joint):
+    return 10**400
+
+
+# %% natural logarithm
+# says: the logarithm has the base e; bits need the base 2, `math.log2` or `np.log2`
+def bits_in(joint):
+    total = 0.0
+    for x in range(joint.shape[0]):
+        for y in range(joint.shape[1]):
+            if joint[x, y] > 0:
+                total += joint[x, y] * math.log(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
+    return total
+
+
+# %% base 10
+# says: the logarithm has the base 10; bits need the base 2, `math.log2` or `np.log2`
+def bits_in(joint):
+    some = joint > 0
+    both = np.outer(joint.sum(axis=1), joint.sum(axis=0))
+    return np.sum(joint[some] * np.log10(joint[some] / both[some]))
+
+
+# %% upside down
+# says: the sign is wrong: p(x, y) stands above the line, and p(x) p(y) below
+def bits_in(joint):
+    some = joint > 0
+    both = np.outer(joint.sum(axis=1), joint.sum(axis=0))
+    return np.sum(joint[some] * np.log2(both[some] / joint[some]))
+
+
+# %% zeros
+# says: ) gives nan: the logarithm of 0 times 0 is not a number, so leave pairs out that never occur
+def bits_in(joint):
+    both = np.outer(joint.sum(axis=1), joint.sum(axis=0))
+    return np.sum(joint * np.log2(joint / both))
+
+
+# %% zeros in a loop
+# says: raises ValueError
+def bits_in(joint):
+    total = 0.0
+    for x in range(joint.shape[0]):
+        for y in range(joint.shape[1]):
+            total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
+    return total
+
+
+# %% no weights
+# says: the weight p(x, y) before the logarithm is missing
+def bits_in(joint):
+    some = joint > 0
+    both = np.outer(joint.sum(axis=1), joint.sum(axis=0))
+    return np.sum(np.log2(joint[some] / both[some]))
+
+
+# %% the wrong weights
+# says: the weight before the logarithm should be p(x, y), not p(x) p(y)
+def bits_in(joint):
+    some = joint > 0
+    both = np.outer(joint.sum(axis=1), joint.sum(axis=0))
+    return np.sum(both[some] * np.log2(joint[some] / both[some]))
+
+
+# %% the entropy of the pair
+# says: that is −Σ p(x, y) log p(x, y), the entropy of the pair; p(x, y) has to be divided by p(x) p(y)
+def bits_in(joint):
+    p = joint[joint > 0]
+    return -np.sum(p * np.log2(p))
+
+
+# %% no division
+# says: that is Σ p(x, y) log p(x, y): p(x, y) has to be divided by p(x) p(y)
+def bits_in(joint):
+    total = 0.0
+    for p in joint.ravel():
+        if p > 0:
+            total += p * math.log2(p)
+    return total
+
+
+# %% the entropy of the needs
+# says: that is the entropy of x alone: it leaves the message out
+def bits_in(joint):
+    p = joint.sum(axis=1)
+    return -np.sum(p * np.log2(p))
+
+
+# %% the entropy of the messages
+# says: that is the entropy of y alone: it leaves the need out
+def bits_in(joint):
+    p = joint.sum(axis=0)
+    return -np.sum(p * np.log2(p))
+
+
+# %% what is still open
+# says: that is what is still open about x after the message; the information is what the message has told
+def bits_in(joint):
+    total = 0.0
+    for x in range(joint.shape[0]):
+        for y in range(joint.shape[1]):
+            if joint[x, y] > 0:
+                total -= joint[x, y] * math.log2(joint[x, y] / joint[:, y].sum())
+    return total
+
+
+# %% the columns are missing
+# says: p(y) is missing: it divides by p(x) alone
+def bits_in(joint):
+    total = 0.0
+    for x in range(joint.shape[0]):
+        for y in range(joint.shape[1]):
+            if joint[x, y] > 0:
+                total += joint[x, y] * math.log2(joint[x, y] / joint[x].sum())
+    return total
+
+
+# %% the rows are missing
+# says: p(x) is missing: it divides by p(y) alone
+def bits_in(joint):
+    total = 0.0
+    for x in range(joint.shape[0]):
+        for y in range(joint.shape[1]):
+            if joint[x, y] > 0:
+                total += joint[x, y] * math.log2(joint[x, y] / joint[:, y].sum())
+    return total
+
+
+# %% a mean
+# says: that is the *mean* over the pairs; the weights p(x, y) are in the sum already, so add them up
+def bits_in(joint):
+    both = np.outer(joint.sum(axis=1), joint.sum(axis=0))
+    terms = np.zeros(joint.shape)
+    some = joint > 0
+    terms[some] = joint[some] * np.log2(joint[some] / both[some])
+    return terms.mean()
+
+
+# %% a mean of those that occur
+# says: that is the mean over the pairs that occur; the weights p(x, y) are in the sum already
+def bits_in(joint):
+    both = np.outer(joint.sum(axis=1), joint.sum(axis=0))
+    some = joint > 0
+    return np.mean(joint[some] * np.log2(joint[some] / both[some]))
+
+
+# %% return in the loop
+# says: only the first row is added up: does the `return` stand inside the loop?
+def bits_in(joint):
+    total = 0.0
+    for x in range(joint.shape[0]):
+        for y in range(joint.shape[1]):
+            if joint[x, y] > 0:
+                total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
+        return total
+
+
+# %% return in both loops
+# says: the first pair alone: does the `return` stand inside the loops?
+def bits_in(joint):
+    total = 0.0
+    for x in range(joint.shape[0]):
+        for y in range(joint.shape[1]):
+            if joint[x, y] > 0:
+                total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
+            return total
+
+
+# %% the last row is left out
+# says: the last row is missing in the sum
+def bits_in(joint):
+    total = 0.0
+    for x in range(joint.shape[0] - 1):
+        for y in range(joint.shape[1]):
+            if joint[x, y] > 0:
+                total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
+    return total
+
+
+# %% no logarithm
+# says: the logarithm is missing
+def bits_in(joint):
+    return np.sum(joint * joint / np.outer(joint.sum(axis=1), joint.sum(axis=0)))
+
+
+# %% only the right words
+# says: only the diagonal is added up; a word that names another need counts too
+def bits_in(joint):
+    total = 0.0
+    for k in range(min(joint.shape)):
+        if joint[k, k] > 0:
+            total += joint[k, k] * math.log2(joint[k, k] / (joint[k].sum() * joint[:, k].sum()))
+    return total
+
+
+# %% always four by four
+# says: raises IndexError
+def bits_in(joint):
+    total = 0.0
+    for x in range(4):
+        for y in range(4):
+            if joint[x, y] > 0:
+                total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
+    return total
+
+
+# %% rows and columns changed
+# says: none of the usual mistakes
+def bits_in(joint):
+    total = 0.0
+    for x in range(joint.shape[0]):
+        for y in range(joint.shape[1]):
+            if joint[x, y] > 0:
+                total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint.sum()))
+    return total + 1
+
+
+# %% it changes the table
+# says: bits_in changes the table that it is given: work with a copy, or with new variables
+def bits_in(joint):
+    joint /= joint.sum(axis=0)
+    return np.sum(joint)
+
+
+# %% a number
+# says: should be a function
+bits_in = 2.0
+
+
+# %% an array
+# says: take an entry of it
+def bits_in(joint):
+    return joint * np.log2(np.maximum(joint, 1e-9))
+
+
+# %% rounded
+# says: do not round it
+def bits_in(joint):
+    total = 0.0
+    for x in range(joint.shape[0]):
+        for y in range(joint.shape[1]):
+            if joint[x, y] > 0:
+                total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
+    return round(total, 3)
+
+
+# %% what is open about y
+# says: that is what is still open about y when x is known; the information is what the message has told
+def bits_in(joint):
+    open_still = 0.0
+    for row in joint:
+        for p in row:
+            if p > 0:
+                open_still -= p * math.log2(p / row.sum())
+    return open_still
+
+
+# %% both ways
+# says: that is twice the information
+def bits_in(joint):
+    p_x, p_y = joint.sum(axis=1), joint.sum(axis=0)
+    total = 0.0
+    for x in range(0, len(p_x)):
+        for y in range(len(p_y)):
+            if joint[x, y] > 0:
+                total += joint[x, y] * math.log2(joint[x, y] / (p_x[x] * p_y[y]))
+    return 2 * total
+
+
+# %% from 1 on
+# says: the first row is missing in the sum: indices begin with 0
+def bits_in(joint):
+    p_x, p_y = joint.sum(axis=1), joint.sum(axis=0)
+    total = 0.0
+    for x in range(1, len(p_x)):
+        for y in range(len(p_y)):
+            if joint[x, y] > 0:
+                total += joint[x, y] * math.log2(joint[x, y] / (p_x[x] * p_y[y]))
+    return total
+
+
+# %% two bits less what is open
+# says: that is 2 bits less the rest; the needs need not be equally likely, and there may be other than four
+def bits_in(joint):
+    total = 2.0
+    for column in joint.T:
+        for p in column:
+            if p > 0:
+                total += p * math.log2(p / column.sum())
+    return total

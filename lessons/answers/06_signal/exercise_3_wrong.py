@@ -1,0 +1,382 @@
+# %% the last action from the message
+# says: , which is none of the usual mistakes
+# says: where self.last[0] =
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(1, len(observation)):
+        votes[observation[k] % 4] += 1.0
+    votes[observation[1] % 4] = -1.0
+    action = pick(votes, rng)
+    self.last[0] = action
+    return action
+
+
+# %% a truth value as an action
+# says: should give the number of an action
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(1, len(observation)):
+        votes[observation[k] % 4] += 1.0
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -1.0
+    self.last[0] = pick(votes, rng)
+    return votes
+
+
+# %% the word itself
+# says: should give an action from 0 to 3
+def act(self, observation, rng):
+    word = observation[1]
+    self.last[0] = word
+    return int(word)
+
+
+# %% nothing
+# says: Not solved yet
+def act(self, observation, rng):
+    raise NotImplementedError
+
+
+# %% the vote alone
+# says: that is the vote alone; the action that was taken last should be left out
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(1, len(observation)):
+        votes[observation[k] % 4] += 1.0
+    action = pick(votes, rng)
+    self.last[0] = action
+    return action
+
+
+# %% the hit points vote
+# says: the hit points are counted as a word; the words begin with observation[1]
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(len(observation)):
+        votes[observation[k] % 4] += 1.0
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -1.0
+    action = pick(votes, rng)
+    self.last[0] = action
+    return action
+
+
+# %% the last word is lost
+# says: the last word is left out; range(1, len(observation)) goes through all of them
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(1, len(observation) - 1):
+        votes[observation[k] % 4] += 1.0
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -1.0
+    action = pick(votes, rng)
+    self.last[0] = action
+    return action
+
+
+# %% only the first word
+# says: only the first word is heard
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    votes[observation[1] % 4] += 1.0
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -1.0
+    action = pick(votes, rng)
+    self.last[0] = action
+    return action
+
+
+# %% the loop overwrites
+# says: only the last word is heard; is something overwritten in the loop?
+def act(self, observation, rng):
+    for k in range(1, len(observation)):
+        votes = np.zeros(4)
+        votes[observation[k] % 4] += 1.0
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -1.0
+    action = pick(votes, rng)
+    self.last[0] = action
+    return action
+
+
+# %% no synonyms
+# says: raises IndexError
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(1, len(observation)):
+        votes[observation[k]] += 1.0
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -1.0
+    action = pick(votes, rng)
+    self.last[0] = action
+    return action
+
+
+# %% synonyms are not counted
+# says: words from 4 on are not counted: word k names need k % 4
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for need in range(4):
+        votes[need] = np.sum(observation[1:] == need)
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -1.0
+    action = pick(votes, rng)
+    self.last[0] = action
+    return action
+
+
+# %% no votes for the last action
+# says: the last action gets no votes, but it can still win where all others have none; give it -1
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(1, len(observation)):
+        votes[observation[k] % 4] += 1.0
+    if self.last[0] >= 0:
+        votes[self.last[0]] = 0.0
+    action = pick(votes, rng)
+    self.last[0] = action
+    return action
+
+
+# %% one vote less
+# says: the last action loses one vote only; it should never be taken
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(1, len(observation)):
+        votes[observation[k] % 4] += 1.0
+    if self.last[0] >= 0:
+        votes[self.last[0]] -= 1.0
+    action = pick(votes, rng)
+    self.last[0] = action
+    return action
+
+
+# %% -1 as an index
+# says: -1 is no action but says that nothing was done yet, and as an index it is the last entry
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(1, len(observation)):
+        votes[observation[k] % 4] += 1.0
+    votes[self.last[0]] = -1.0
+    action = pick(votes, rng)
+    self.last[0] = action
+    return action
+
+
+# %% action 0 is nothing
+# says: action 0 may have been the last one too: compare self.last[0] with -1, or with >= 0
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(1, len(observation)):
+        votes[observation[k] % 4] += 1.0
+    if self.last[0]:
+        if self.last[0] > 0:
+            votes[self.last[0]] = -1.0
+    action = pick(votes, rng)
+    self.last[0] = action
+    return action
+
+
+# %% argmax
+# says: ties should be broken at random, and it takes the first of equals: call pick(votes, rng)
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(1, len(observation)):
+        votes[observation[k] % 4] += 1.0
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -1.0
+    action = int(np.argmax(votes))
+    self.last[0] = action
+    return action
+
+
+# %% argmax of the vote
+# says: it takes the first of equals, and does not leave the last action out
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(1, len(observation)):
+        votes[observation[k] % 4] += 1.0
+    action = int(np.argmax(votes))
+    self.last[0] = action
+    return action
+
+
+# %% it forgets
+# says: : write the action into it before you return
+# says: , but self.last[0] is still
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(1, len(observation)):
+        votes[observation[k] % 4] += 1.0
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -1.0
+    return pick(votes, rng)
+
+
+# %% it remembers another one
+# says: , self.last[0] should be
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(1, len(observation)):
+        votes[observation[k] % 4] += 1.0
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -1.0
+    action = pick(votes, rng)
+    self.last[0] = (action + 1) % 4
+    return action
+
+
+# %% no return
+# says: is a `return` missing?
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(1, len(observation)):
+        votes[observation[k] % 4] += 1.0
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -1.0
+    self.last[0] = pick(votes, rng)
+
+
+# %% the field itself
+# says: the fields of a NamedTuple are fixed
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(1, len(observation)):
+        votes[observation[k] % 4] += 1.0
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -1.0
+    self.last = pick(votes, rng)
+    return self.last
+
+
+# %% the fewest words
+# says: it takes the need with the *fewest* words
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(1, len(observation)):
+        votes[observation[k] % 4] -= 1.0
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -1000.0
+    action = pick(votes, rng)
+    self.last[0] = action
+    return action
+
+
+# %% in turn
+# says: it takes the actions in turn and does not listen
+def act(self, observation, rng):
+    self.last[0] = (self.last[0] + 1) % 4
+    return int(self.last[0])
+
+
+# %% any other one
+# says: where the last action has most votes, it takes any other; it should take the one with most words among them
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(1, len(observation)):
+        votes[observation[k] % 4] += 1.0
+    action = pick(votes, rng)
+    if action == self.last[0]:
+        action = (action + 1 + int(rng.random() * 3)) % 4
+    self.last[0] = action
+    return action
+
+
+# %% its own random numbers
+# says: does not draw its random numbers from `rng`
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(1, len(observation)):
+        votes[observation[k] % 4] += 1.0
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -1.0
+    best = np.flatnonzero(votes == votes.max())
+    action = int(np.random.default_rng().choice(best))
+    self.last[0] = action
+    return action
+
+
+# %% without self
+# says: write `self.` before a field
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(1, len(observation)):
+        votes[observation[k] % 4] += 1.0
+    if last[0] >= 0:
+        votes[last[0]] = -1.0
+    self.last[0] = pick(votes, rng)
+    return self.last[0]
+
+
+# %% the words are written over
+# says: changes the observation that it is given: only read it, or copy it first
+def act(self, observation, rng):
+    observation[1:] %= 4
+    votes = np.zeros(4)
+    for k in range(1, len(observation)):
+        votes[observation[k]] += 1.0
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -1.0
+    action = pick(votes, rng)
+    self.last[0] = action
+    return action
+
+
+# %% one array for all
+# says: two players share one array `last`: make a new one in every call of `create`
+shared = np.array([-1])
+
+
+class Listener(NamedTuple):
+    last: np.ndarray
+
+    def act(self, observation, rng):
+        votes = np.zeros(4)
+        for word in observation[1:]:
+            votes[word % 4] += 1.0
+        if self.last[0] >= 0:
+            votes[self.last[0]] = -1.0
+        self.last[0] = pick(votes, rng)
+        return self.last[0]
+
+    def learn(self):
+        pass
+
+    @classmethod
+    def create(cls, environment):
+        return cls(shared)
+
+
+# %% from the second word on
+# says: the first word is left out; the words begin with observation[1]
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(2, len(observation)):
+        votes[observation[k] % 4] += 1.0
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -1.0
+    self.last[0] = pick(votes, rng)
+    return self.last[0]
+
+
+# %% the last of equals
+# says: ties should be broken at random, and it takes the last of equals: call pick(votes, rng)
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(1, len(observation)):
+        votes[observation[k] % 4] += 1.0
+    if self.last[0] >= 0:
+        votes[self.last[0]] = -1.0
+    self.last[0] = np.flatnonzero(votes == votes.max())[-1]
+    return self.last[0]
+
+
+# %% the hit points, and no memory
+# says: the hit points are counted as a word, and the last action is not left out
+def act(self, observation, rng):
+    votes = np.zeros(4)
+    for k in range(0, len(observation)):
+        votes[observation[k] % 4] += 1.0
+    self.last[0] = -1
+    self.last[0] = pick(votes, rng)
+    return self.last[0]

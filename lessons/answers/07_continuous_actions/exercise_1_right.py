@@ -1,0 +1,40 @@
+# %% in one line
+# says: Right: with 6 joints, 30 cells and 5 bins that are 2.3e+13. A Gaussian has one mean for each joint.
+def preferences(joints, bins, cells):
+    return 2 * cells**joints * bins**joints
+
+
+# %% one power
+def preferences(joints, bins, cells):
+    return 2 * (cells * bins) ** joints
+
+
+# %% a loop
+def preferences(joints, bins, cells):
+    n = 2
+    for joint in range(joints):
+        n *= cells * bins
+    return n
+
+
+# %% with pow
+def preferences(joints, bins, cells):
+    return pow(cells, joints) * pow(bins, joints) * 2
+
+
+# %% as a float
+def preferences(joints, bins, cells):
+    return 2.0 * float(cells) ** joints * bins**joints
+
+
+# %% rows and columns
+def preferences(joints, bins, cells):
+    holding = 2
+    angles = math.prod([cells] * joints)
+    actions = len(list(itertools.product(range(bins), repeat=joints)))
+    return holding * angles * actions
+
+
+# %% with numpy
+def preferences(joints, bins, cells):
+    return np.prod(np.full(joints, cells)) * np.prod(np.full(joints, bins)) * 2

@@ -1,0 +1,148 @@
+# %% dots
+# says: Not solved yet
+preferences = ...
+
+
+# %% the placeholder
+# says: Not solved yet
+def preferences(joints, bins, cells):
+    raise NotImplementedError("not solved yet: replace this line")
+
+
+# %% a number
+# says: should be a function
+# says: joints, bins and cells
+preferences = 2 * 30**2 * 5**2
+
+
+# %% no return
+# says: is a `return` missing?
+def preferences(joints, bins, cells):
+    n = 2 * cells**joints * bins**joints
+
+
+# %% printed
+# says: is a `return` missing?
+def preferences(joints, bins, cells):
+    print(2 * cells**joints * bins**joints)
+
+
+# %% without the box
+# says: whether the box is held doubles the number of rows
+def preferences(joints, bins, cells):
+    return cells**joints * bins**joints
+
+
+# %% rows
+# says: that is the number of rows; each row has a column for every action
+def preferences(joints, bins, cells):
+    return 2 * cells**joints
+
+
+# %% actions
+# says: that is the number of actions alone; how many rows are there?
+def preferences(joints, bins, cells):
+    return bins**joints
+
+
+# %% bins added
+# says: the bins of the joints are chosen together: n for each of m joints make n^m actions, not n m
+def preferences(joints, bins, cells):
+    return 2 * cells**joints * bins * joints
+
+
+# %% one joint's bins
+# says: every joint has bins of its own: n^m actions, not n
+def preferences(joints, bins, cells):
+    return 2 * cells**joints * bins
+
+
+# %% one angle
+# says: every joint has an angle of its own: c^m cells, not c
+def preferences(joints, bins, cells):
+    return 2 * cells * bins**joints
+
+
+# %% angles added
+# says: the angles are cut together: c^m cells, not c m
+def preferences(joints, bins, cells):
+    return 2 * cells * joints * bins**joints
+
+
+# %% all added
+# says: both are powers: m joints have c^m cells and n^m actions
+def preferences(joints, bins, cells):
+    return 2 * cells * bins * joints
+
+
+# %% no joints
+# says: both are powers: m joints have c^m cells and n^m actions; the joints are missing
+def preferences(joints, bins, cells):
+    return 2 * cells * bins
+
+
+# %% rows plus columns
+# says: cells and bins multiply, they do not add: every row has all columns
+def preferences(joints, bins, cells):
+    return 2 * cells**joints + bins**joints
+
+
+# %% a box for each joint
+# says: the box is held by the arm, not by each joint: the factor is 2, not 2^m
+def preferences(joints, bins, cells):
+    return (2 * cells * bins) ** joints
+
+
+# %% exchanged
+# says: base and exponent have changed places: n^m, not m^n
+def preferences(joints, bins, cells):
+    return 2 * joints**cells * joints**bins
+
+
+# %% two more
+# says: the 2 multiplies the rows, it is not added to them
+def preferences(joints, bins, cells):
+    return (2 + cells**joints) * bins**joints
+
+
+# %% three cells for holding
+# says: holding has 2 values, yes and no; in the lesson's wrapper one of the 3 cells is never used
+def preferences(joints, bins, cells):
+    return 3 * cells**joints * bins**joints
+
+
+# %% two joints for ever
+# says: that is right for two joints; m joints have c^m cells and n^m actions
+def preferences(joints, bins, cells):
+    return 2 * cells**2 * bins**2
+
+
+# %% the table of the wrist
+# says: that is right for the two coordinates of the wrist in the lesson; here every joint has an angle of its own: c^m
+#   cells, not c^2
+def preferences(joints, bins, cells):
+    return 2 * cells**2 * bins**joints
+
+
+# %% a quarter
+# says: that is none of the usual mistakes, so work it out by hand for a small case
+def preferences(joints, bins, cells):
+    return 2 * (cells * bins) ** joints / 4
+
+
+# %% a text
+# says: should be a number, but is the text
+def preferences(joints, bins, cells):
+    return f"{2 * cells**joints * bins**joints}"
+
+
+# %% another parameter
+# says: its parameters are not those of the exercise
+def preferences(joints, bins):
+    return 2 * 30**joints * bins**joints
+
+
+# %% the cells squared
+# says: the box is a part of the state: multiply by 2, do not square
+def preferences(joints, bins, cells):
+    return (cells**joints) ** 2 * bins**joints

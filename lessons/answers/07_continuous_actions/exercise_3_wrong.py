@@ -1,0 +1,871 @@
+# %% the placeholder
+# says: Not solved yet
+def update(self, n):
+    raise NotImplementedError("not solved yet: replace this line")
+
+
+# %% nothing
+# says: update changes neither `preferences` nor `V`: change the entries of these arrays in place
+def update(self, n):
+    pass
+
+
+# %% no γ^t
+# says: the factor γ^t is missing in the step of the preferences
+# says: and preferences[
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * delta * score
+
+
+# %% γ from the end
+# says: the power of γ counts the steps from the *end*; t counts from the start
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount ** (n - 1 - t) * delta * score
+
+
+# %% one power too many
+# says: the power of γ is one too high: the first step has γ^0 = 1
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount ** (t + 1) * delta * score
+
+
+# %% no baseline
+# says: V(S_t) is not subtracted: δ is the return less the baseline
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% G for δ in the policy
+# says: V moves, but the preferences move by G instead of δ
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * self.rewards[t] * score
+
+
+# %% V stays
+# says: the baseline V does not change
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% V set
+# says: V is set to α^w δ; write `+=`
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] = self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% V by the whole δ
+# says: V moves by the whole δ; multiply it by α^w
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% V by G
+# says: V moves by α^w G instead of α^w δ
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * self.rewards[t]
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% δ after V
+# says: δ is computed again after V has changed; use the one from before
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        delta = self.rewards[t] - self.V[state]
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% the rates exchanged
+# says: the two learning rates have changed places
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.value_learning_rate * self.discount**t * delta * score
+
+
+# %% one rate
+# says: V has a learning rate of its own, value_learning_rate
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% rewards for returns
+# says: that is the reward R_{t+1}, not the return G_t
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% not discounted
+# says: the return is not discounted: G_t = R_{t+1} + γ G_{t+1}
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% the return of the whole episode
+# says: every step gets the return of the whole episode; it should be the one from step t on
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = G - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% without its own reward
+# says: the return G_t begins with the reward R_{t+1} = rewards[t], which is missing
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        reward = self.rewards[t]
+        self.rewards[t] = self.discount * G
+        G = reward + self.discount * G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% from the start
+# says: it adds the rewards from the start up to step t; the return adds those from step t on
+def update(self, n):
+    G = 0.0
+    for t in range(n):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% the reward discounted too
+# says: the reward R_{t+1} itself is discounted; only what follows it should be
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.discount * (self.rewards[t] + G)
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% no π
+# says: π is missing in the score: it is 1{a = A} − π(a|S)
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = 1.0 if a == self.actions[t] else 0.0
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% only the action taken
+# says: only the preference of the action that was taken changes; all others change by −π
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            if a != self.actions[t]:
+                continue
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% the sign
+# says: the sign of the score is wrong: it is 1{a = A} − π(a|S)
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] -= self.learning_rate * self.discount**t * delta * score
+
+
+# %% π added
+# says: π should be subtracted in the score, not added
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) + self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% no 1{a = A}
+# says: 1{a = A} is missing: the action that was taken gets 1 − π, the others −π
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = -self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% not looked
+# says: the probabilities are those of another state: call self.look(state) first
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% the last step missing
+# says: the last step of the episode is left out: its number is n − 1
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n - 1):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% the whole buffer
+# says: it goes through the whole of `rewards`; this episode has only its first n steps
+def update(self, n):
+    G = 0.0
+    for t in range(len(self.rewards) - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% the first step missing
+# says: the first step of the episode is left out: range(n - 1, -1, -1) goes down to 0
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(1, n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% two mistakes
+# says: ; and
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * delta * score
+
+
+# %% self forgotten
+# says: is not defined
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% one index
+# says: after the episode with states
+# says: that is none of the usual mistakes, so follow this episode by hand
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% a list of rewards
+# says: the table `rewards` should be a NumPy array, but is a list
+def create(cls, task):
+    n_states, n_actions = int(np.prod(task.observation_space.nvec)), int(task.action_space.n)
+    episode = np.zeros(200, np.int64), np.zeros(200, np.int64), [0.0] * 200, np.zeros(1, np.int64)
+    return cls(np.zeros((n_states, n_actions)), np.zeros(n_states), np.zeros(n_actions), *episode)
+
+
+# %% lists of preferences
+# says: the table `preferences` should be a NumPy array, but is a list
+def create(cls, task):
+    n_states, n_actions = int(np.prod(task.observation_space.nvec)), int(task.action_space.n)
+    episode = np.zeros(200, np.int64), np.zeros(200, np.int64), np.zeros(200), np.zeros(1, np.int64)
+    return cls([[0.0] * n_actions for _ in range(n_states)], np.zeros(n_states), np.zeros(n_actions), *episode)
+
+
+# %% a baseline for each action
+# says: the table `V` should have the shape (7,)
+def create(cls, task):
+    n_states, n_actions = int(np.prod(task.observation_space.nvec)), int(task.action_space.n)
+    episode = np.zeros(200, np.int64), np.zeros(200, np.int64), np.zeros(200), np.zeros(1, np.int64)
+    return cls(np.zeros((n_states, n_actions)), np.zeros((n_states, n_actions)), np.zeros(n_actions), *episode)
+
+
+# %% whole rewards
+# says: loses what is behind the decimal point
+def create(cls, task):
+    n_states, n_actions = int(np.prod(task.observation_space.nvec)), int(task.action_space.n)
+    episode = np.zeros(200, np.int64), np.zeros(200, np.int64), np.zeros(200, np.int64), np.zeros(1, np.int64)
+    return cls(np.zeros((n_states, n_actions)), np.zeros(n_states), np.zeros(n_actions), *episode)
+
+
+# %% create gives the class back
+# says: gives the class MyREINFORCE
+def create(cls, task):
+    return cls
+
+
+# %% no create
+# says: MyREINFORCE should keep its method `create`
+class MyREINFORCE(NamedTuple):
+    preferences: np.ndarray
+    V: np.ndarray
+
+
+# %% it learns from terminated episodes alone
+# says: an episode that is cut off is over as well: call `update` also when `truncated`
+def learn(self, state, action, reward, terminated, truncated):
+    t = self.length[0]
+    self.states[t], self.actions[t], self.rewards[t] = state, action, reward
+    self.length[0] = t + 1
+    if terminated:
+        self.update(self.length[0])
+    if terminated or truncated:
+        self.length[0] = 0
+
+
+# %% one reward too many
+# says: the return begins with rewards[n], which an earlier episode has left there: the last reward of n steps is
+#   rewards[n - 1]
+def update(self, n):
+    G = 0.0
+    for t in range(n, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% the first visit alone
+# says: a state that comes twice is updated twice, once for each step
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        if state in self.states[:t]:
+            continue
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% the last visit alone
+# says: a state that comes twice is updated twice
+def update(self, n):
+    G, seen = 0.0, []
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        state = self.states[t]
+        if state in seen:
+            continue
+        seen.append(state)
+        delta = G - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% every δ before any change
+# says: δ is computed with V from before the episode; it should be V as the updates so far have left it
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    deltas = self.rewards[:n] - self.V[self.states[:n]]
+    for t in range(n):
+        state = self.states[t]
+        delta = deltas[t]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% every π before any change
+# says: the probabilities are those from before the episode; they should be those of the preferences as the updates so
+#   far have left them
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    scores = np.zeros((n, len(self.probabilities)))
+    for t in range(n):
+        self.look(self.states[t])
+        scores[t] = -self.probabilities
+        scores[t, self.actions[t]] += 1
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.preferences[state] += self.learning_rate * self.discount**t * delta * scores[t]
+
+
+# %% the TD error
+# says: that is the TD error of the actor-critic; here δ is the return less V(S_t)
+def update(self, n):
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        if t < n - 1:
+            delta += self.discount * self.V[self.states[t + 1]]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% the TD error, behind the end too
+# says: that is the TD error of the actor-critic, and at the last step it looks up states[n], which is not of this
+#   episode; here δ is the return less V(S_t)
+def update(self, n):
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] + self.discount * self.V[self.states[t + 1]] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% looked at for each action
+# says: the probabilities change between the actions of one step: call self.look(state) once, before that loop
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        for a in range(len(self.probabilities)):
+            self.look(state)
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% the first return missing
+# says: the return of the first step is missing, rewards[0] is still the reward: range(n - 1, -1, -1) goes down to 0
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, 0, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% the first return 0
+# says: the return of the first step is missing, it is still 0: range(n - 1, -1, -1) goes down to 0
+def update(self, n):
+    G = np.zeros(n + 1)
+    for t in range(n - 1, 0, -1):
+        G[t] = self.rewards[t] + self.discount * G[t + 1]
+    for t in range(n):
+        state = self.states[t]
+        delta = G[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% the state after the step
+# says: that is the state after the step, states[t + 1], not S_t
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t + 1]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% V away
+# says: V moves away from the return: the sign is wrong
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] -= self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% discounted from the start
+# says: G_t is discounted from step t on, and not from the start of the episode
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G += self.discount**t * self.rewards[t]
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% the last reward
+# says: every step gets the last reward alone
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[n - 1]
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% times π
+# says: the score is that of ln π; here the derivative of the preference is multiplied by π
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = self.probabilities[a] if a == self.actions[t] else 0.0
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% divided by π
+# says: that is 1/π for the action taken; the score of a softmax is 1{a = A} − π(a|S)
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = 1.0 / self.probabilities[a] if a == self.actions[t] else 0.0
+            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
+
+
+# %% the last state
+# says: the preferences of the last state change in every step, not those of S_t
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.rewards[t] = G
+    for t in range(n):
+        state = self.states[t]
+        delta = self.rewards[t] - self.V[state]
+        self.V[state] += self.value_learning_rate * delta
+        self.look(state)
+        for a in range(len(self.probabilities)):
+            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
+            self.preferences[self.states[n - 1], a] += self.learning_rate * self.discount**t * delta * score

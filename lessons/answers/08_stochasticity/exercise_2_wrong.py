@@ -1,0 +1,221 @@
+# %% not solved
+# says: Not solved yet
+def frontier(players):
+    raise NotImplementedError("not solved yet: replace this line")
+
+
+# %% no return
+# says: is a `return` missing?
+# says: frontier(players) with
+def frontier(players):
+    best = []
+    for name, (mean, spread) in players.items():
+        if not any(m >= mean and s <= spread and (m, s) != (mean, spread) for m, s in players.values()):
+            best.append(name)
+
+
+# %% both really better
+# says: a player with the same mean and a larger spread is beaten too, and so is one with the same spread and a lower
+#   mean; one of the two may be equal
+# says: it should give
+def frontier(players):
+    return [n for n, (m, s) in players.items() if not any(a > m and b < s for a, b in players.values())]
+
+
+# %% beats itself
+# says: every player is as good as itself, so it must not beat itself: one of the two numbers must be really better
+def frontier(players):
+    return [n for n, (m, s) in players.items() if not any(a >= m and b <= s for a, b in players.values())]
+
+
+# %% equals beat each other
+# says: two players with the same two numbers do not beat each other; one of the two must be really better
+def frontier(players):
+    return [n for n, (m, s) in players.items() if not any(a >= m and b <= s for o, (a, b) in players.items() if o != n)]
+
+
+# %% the equal mean
+# says: an equal mean is left out: a player with the same mean and a larger spread is beaten too
+def frontier(players):
+    return [n for n, (m, s) in players.items() if not any(a > m and b <= s for a, b in players.values())]
+
+
+# %% the equal spread
+# says: an equal spread is left out: a player with the same spread and a lower mean is beaten too
+def frontier(players):
+    return [n for n, (m, s) in players.items() if not any(a >= m and b < s for a, b in players.values())]
+
+
+# %% more spread is better
+# says: it takes a *larger* spread as better
+def frontier(players):
+    return [
+        n
+        for n, (m, s) in players.items()
+        if not any(a >= m and b >= s and (a, b) != (m, s) for a, b in players.values())
+    ]
+
+
+# %% less mean is better
+# says: it takes a *lower* mean as better
+def frontier(players):
+    return [
+        n
+        for n, (m, s) in players.items()
+        if not any(a <= m and b <= s and (a, b) != (m, s) for a, b in players.values())
+    ]
+
+
+# %% the wrong way round
+# says: it takes a lower mean and a larger spread as better: the comparison is the wrong way round
+def frontier(players):
+    return [
+        n
+        for n, (m, s) in players.items()
+        if not any(a <= m and b >= s and (a, b) != (m, s) for a, b in players.values())
+    ]
+
+
+# %% the beaten ones
+# says: these are the players that *are* beaten
+def frontier(players):
+    return [
+        n for n, (m, s) in players.items() if any(a >= m and b <= s and (a, b) != (m, s) for a, b in players.values())
+    ]
+
+
+# %% only the highest mean
+# says: these are the players with the highest mean; a lower mean with a smaller spread is worth choosing too
+def frontier(players):
+    top = max(m for m, s in players.values())
+    return [n for n, (m, s) in players.items() if m == top]
+
+
+# %% only the smallest spread
+# says: these are the players with the smallest spread; a larger spread with a higher mean is worth choosing too
+def frontier(players):
+    low = min(s for m, s in players.values())
+    return [n for n, (m, s) in players.items() if s == low]
+
+
+# %% one number is enough
+# says: one better number is enough there to beat a player; the other one must not be worse
+def frontier(players):
+    return [n for n, (m, s) in players.items() if not any(a > m or b < s for a, b in players.values())]
+
+
+# %% everybody
+# says: these are all the players: nobody is beaten; is the comparison ever true?
+def frontier(players):
+    return list(players)
+
+
+# %% the pairs
+# says: should hold names such as
+def frontier(players):
+    return [
+        (m, s)
+        for m, s in players.values()
+        if not any(a >= m and b <= s and (a, b) != (m, s) for a, b in players.values())
+    ]
+
+
+# %% numbers of players
+# says: should hold names
+def frontier(players):
+    pairs = list(players.values())
+    return [i for i, (m, s) in enumerate(pairs) if not any(a >= m and b <= s and (a, b) != (m, s) for a, b in pairs)]
+
+
+# %% only the first name
+# says: : there may be several
+# says: should be a list of names, but is the text
+def frontier(players):
+    for n, (m, s) in players.items():
+        if not any(a >= m and b <= s and (a, b) != (m, s) for a, b in players.values()):
+            return n
+
+
+# %% appended in the inner loop
+# says: more than once: is it appended in the inner loop?
+def frontier(players):
+    best = []
+    for n, (m, s) in players.items():
+        for a, b in players.values():
+            if not (a >= m and b <= s and (a, b) != (m, s)):
+                best.append(n)
+    return best
+
+
+# %% by mean less spread
+# says: these are the players for whom mean minus spread is largest; that is only one taste
+def frontier(players):
+    top = max(m - s for m, s in players.values())
+    return [n for n, (m, s) in players.items() if m - s == top]
+
+
+# %% by mean over spread
+# says: these are the players for whom mean divided by spread is largest; that is only one taste
+def frontier(players):
+    top = max(m / s for m, s in players.values())
+    return [n for n, (m, s) in players.items() if m / s == top]
+
+
+# %% one of two equals
+# says: of players with the same two numbers only one is left; they do not beat each other
+def frontier(players):
+    best = {}
+    for n, (m, s) in players.items():
+        if (m, s) in best.values():
+            continue
+        if not any(a >= m and b <= s and (a, b) != (m, s) for a, b in players.values()):
+            best[n] = (m, s)
+    return list(best)
+
+
+# %% beaten by two
+# says: a player must be beaten by *one* other player in both numbers, not by one in the mean and another in the spread
+def frontier(players):
+    names = []
+    for n, (m, s) in players.items():
+        better_mean = any(a > m for a, b in players.values())
+        better_spread = any(b < s for a, b in players.values())
+        if not (better_mean and better_spread):
+            names.append(n)
+    return names
+
+
+# %% players are removed
+# says: changes the dictionary that it is given; collect the names in a list of their own
+def frontier(players):
+    for n, (m, s) in list(players.items()):
+        if any(a >= m and b <= s and (a, b) != (m, s) for a, b in players.values()):
+            del players[n]
+    return list(players)
+
+
+# %% removed while looping
+# says: raises RuntimeError
+def frontier(players):
+    for n, (m, s) in players.items():
+        if any(a >= m and b <= s and (a, b) != (m, s) for a, b in players.values()):
+            players.pop(n)
+    return list(players)
+
+
+# %% a list, not a function
+# says: should be a function
+# says: the players
+frontier = ["A", "B"]
+
+
+# %% no parameter
+# says: its parameters are not those of the exercise
+def frontier():
+    return []
+
+
+# %% a number
+# says: should be a list of names, but is a
+def frontier(players):
+    return len(players)

@@ -1,0 +1,122 @@
+# %% nothing
+# says: Not solved yet
+def smallest_error(v, gamma):
+    raise NotImplementedError
+
+
+# %% the placeholder
+# says: Not solved yet
+smallest_error = ...
+
+# %% a number
+# says: should be a function
+# says: v and gamma
+smallest_error = 3.0
+
+
+# %% without the cost
+# says: the step costs 1, which the error has to pay first: the reward of a bump seems to be e − 1
+def smallest_error(v, gamma):
+    return (1 - gamma) * v
+
+
+# %% the cost with the wrong sign
+# says: the cost of the step is −1, so solve e − 1 = (1 − γ) v for e: it adds 1
+def smallest_error(v, gamma):
+    return (1 - gamma) * v - 1
+
+
+# %% divided
+# says: bumping for ever is worth the reward *divided* by 1 − γ
+def smallest_error(v, gamma):
+    return 1 + v / (1 - gamma)
+
+
+# %% the value at once
+# says: that leaves the future out: one bump alone need not be worth v, for it is followed by more
+def smallest_error(v, gamma):
+    return 1 + v
+
+
+# %% gamma v
+# says: that compares with γ v; compare with v, what the best way is worth from here
+def smallest_error(v, gamma):
+    return 1 + gamma * v
+
+
+# %% 1
+# says: that is 1, the error from which a bump pays at all; it must pay more than leaving
+def smallest_error(v, gamma):
+    return 1
+
+
+# %% v
+# says: that is v itself
+def smallest_error(v, gamma):
+    return v
+
+
+# %% without an error
+# says: that is what bumping is worth without an error, −1/(1 − γ)
+def smallest_error(v, gamma):
+    return -1 / (1 - gamma)
+
+
+# %% the cost comes once
+# says: that solves e/(1 − γ) − 1 = v: the cost of 1 comes with every bump
+def smallest_error(v, gamma):
+    return (1 - gamma) * (v + 1)
+
+
+# %% plus gamma
+# says: the sign of γ is wrong: the sum 1 + γ + γ² + ... is 1/(1 − γ)
+def smallest_error(v, gamma):
+    return 1 + (1 + gamma) * v
+
+
+# %% minus
+# says: that is 1 − (1 − γ) v: the two terms add up
+def smallest_error(v, gamma):
+    return 1 - (1 - gamma) * v
+
+
+# %% the cost twice
+# says: the cost is subtracted twice
+def smallest_error(v, gamma):
+    return 2 + (1 - gamma) * v - gamma
+
+
+# %% three bumps
+# says: only the first three bumps are counted, and there is no end to them
+def smallest_error(v, gamma):
+    return 1 + v / (1 + gamma + gamma**2)
+
+
+# %% no return
+# says: is a `return` missing
+def smallest_error(v, gamma):
+    1 + (1 - gamma) * v
+
+
+# %% divided by zero
+# says: ZeroDivisionError
+def smallest_error(v, gamma):
+    return 1 + v / (gamma - gamma)
+
+
+# %% one parameter
+# says: its parameters are not those of the exercise
+def smallest_error(v):
+    return 1 + v
+
+
+# %% a text
+# says: leave the quotes out
+def smallest_error(v, gamma):
+    return "1 + (1 - gamma) * v"
+
+
+# %% half of it
+# says: solve (e − 1)/(1 − γ) = v for e
+def smallest_error(v, gamma):
+    return 1 + (1 - gamma) * v / 2

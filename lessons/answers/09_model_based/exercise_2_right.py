@@ -1,0 +1,81 @@
+# %% two branches
+# says: Right: what was not tried for a long time looks better and better, until the agent goes and sees. See its race:
+def imagine(self, s, a):
+    tau = self.clock[0] - self.last[s, a]
+    bonus = self.kappa * np.sqrt(tau)
+    if self.last[s, a] == 0:
+        return bonus + self.discount * np.max(self.Q[s])
+    if self.ends[s, a]:
+        return self.rewards[s, a] + bonus
+    return self.rewards[s, a] + bonus + self.discount * np.max(self.Q[self.next_states[s, a]])
+
+
+# %% 1 less the end
+def imagine(self, s, a):
+    if self.last[s, a] > 0:
+        future = (1 - self.ends[s, a]) * self.Q[self.next_states[s, a]].max()
+    else:
+        future = self.Q[s].max()
+    return self.rewards[s, a] + self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5 + self.discount * future
+
+
+# %% a loop for the maximum
+def imagine(self, s, a):
+    n = s
+    if self.last[s, a] > 0:
+        n = self.next_states[s, a]
+    best = self.Q[n, 0]
+    for b in range(1, self.Q.shape[1]):
+        if self.Q[n, b] > best:
+            best = self.Q[n, b]
+    target = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    if self.last[s, a] > 0:
+        target += self.rewards[s, a]
+    if self.last[s, a] == 0 or self.ends[s, a] == 0:
+        target += self.discount * best
+    return target
+
+
+# %% math.sqrt
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * math.sqrt(self.clock[0] - self.last[s, a])
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
+# %% argmax and entry
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else self.Q[next_state, np.argmax(self.Q[next_state])]
+    return reward + bonus + self.discount * value
+
+
+# %% other parameter names
+def imagine(self, state, action):
+    reward, next_state, ended = (
+        self.rewards[state, action],
+        self.next_states[state, action],
+        self.ends[state, action] == 1,
+    )
+    if self.last[state, action] == 0:
+        reward, next_state, ended = 0.0, state, False
+    bonus = self.kappa * (self.clock[0] - self.last[state, action]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
+# %% the clock first
+def imagine(self, s, a):
+    now = self.clock[0]
+    known = self.last[s, a] != 0
+    r = self.rewards[s, a] if known else 0.0
+    r = r + self.kappa * (now - self.last[s, a]) ** (1 / 2)
+    if known and self.ends[s, a] == 1:
+        return r
+    return r + self.discount * max(self.Q[self.next_states[s, a] if known else s])

@@ -1,0 +1,415 @@
+# %% no bonus
+# says: the bonus is missing
+# says: ), where γ = 0.75, κ = 2,
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + self.discount * value
+
+
+# %% no root
+# says: the root is missing: the bonus is κ√τ
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a])
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
+# %% kappa under the root
+# says: κ belongs before the root: κ√τ, not √(κτ)
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = (self.kappa * (self.clock[0] - self.last[s, a])) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
+# %% the bonus subtracted
+# says: the bonus is subtracted
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward - bonus + self.discount * value
+
+
+# %% no bonus for what was never tried
+# says: only actions that were tried get a bonus, and those that were never tried need it most
+# says: , the action was never tried and Q[
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = (self.last[s, a] > 0) * self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
+# %% a bonus for what was never tried only
+# says: only actions that were never tried get a bonus; every action does
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = (self.last[s, a] == 0) * self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
+# %% the time of the last try
+# says: τ is the time *since* the last try, `now − last`, and that is the time of the last try
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * self.last[s, a] ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
+# %% the clock
+# says: τ is the time since the last try; subtract `last` from the clock
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * self.clock[0] ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
+# %% one more
+# says: τ is one too large
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a] + 1) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
+# %% the end ignored
+# says: after a terminal state there is no future: leave γ max_a Q(S', a) out where `ends` is 1
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = max(self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
+# %% what was never tried is the bonus alone
+# says: an action that was never tried is imagined to lead back to its own state, so γ max_a Q(s, a) belongs to its
+#   target
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, True
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
+# %% what was never tried is 0
+# says: an action that was never tried has a target too: reward 0, back to its own state, and the bonus
+def imagine(self, s, a):
+    if self.last[s, a] == 0:
+        return 0.0
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
+# %% reads the empty tables
+# says: an action that was never tried has nothing in the tables yet, so do not read `next_states` there: it leads back
+#   to its own state
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward = 0.0
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
+# %% the mean
+# says: the mean over the actions stands where the maximum should
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else self.Q[next_state].mean()
+    return reward + bonus + self.discount * value
+
+
+# %% the own state
+# says: the maximum is taken over Q(s, a) of the state itself instead of the next state
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[s])
+    return reward + bonus + self.discount * value
+
+
+# %% the same action
+# says: the value of the *same* action stands where the maximum over all actions should
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else self.Q[next_state, a]
+    return reward + bonus + self.discount * value
+
+
+# %% no future
+# says: the value of the next state is missing
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus
+
+
+# %% no discount
+# says: the value of the next state is not discounted
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + value
+
+
+# %% the bonus discounted
+# says: the bonus is discounted; γ belongs to the value of the next state only
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + self.discount * (bonus + value)
+
+
+# %% no reward
+# says: the reward is missing
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return bonus + self.discount * value
+
+
+# %% the TD error
+# says: that is the TD error: return the whole target, which `act` puts into Q
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value - self.Q[s, a]
+
+
+# %% no bonus at the end
+# says: at the end of an episode the bonus is lost: only the value of the next state is 0 there
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + (0.0 if ended else bonus) + self.discount * value
+
+
+# %% does the update itself
+# says: changes a table: it should only return the target, and `act` puts that into Q
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    self.Q[s, a] = reward + bonus + self.discount * value
+
+
+# %% does the update and returns it
+# says: `act` puts that into Q
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    self.Q[s, a] = reward + bonus + self.discount * value
+    return self.Q[s, a]
+
+
+# %% no return
+# says: is a `return` missing
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    total = reward + bonus + self.discount * value
+
+
+# %% self forgotten
+# says: NameError
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
+# %% not solved
+# says: Not solved yet
+def imagine(self, s, a):
+    raise NotImplementedError
+
+
+# %% the clock as an array
+# says: take an entry
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
+# %% any action of the state asked
+# says: that asks whether any action of the state was tried; ask whether this *pair* was tried: `self.last[s, a] == 0`
+# says: this *pair*
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if max(self.last[s]) == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
+# %% the list of states asked
+# says: whether any action of the state was tried
+# says: this *pair*
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if s not in self.seen[: self.n_seen[0]]:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
+# %% the value of the action that was never tried
+# says: for an action that was never tried the target has the *largest* value of the state, max_a Q(s, a), and not the
+#   value of that action
+def imagine(self, s, a):
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    if self.last[s, a] == 0:
+        return bonus + self.discount * self.Q[s, a]
+    value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
+    return self.rewards[s, a] + bonus + self.discount * value
+
+
+# %% by the reward asked
+# says: a reward may be 0, so it does not say that nothing was tried; ask whether this *pair* was tried: `self.last[s,
+#   a] == 0`
+# says: this *pair*
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.rewards[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
+# %% by the next state asked
+# says: the next state may be 0, so it does not say that nothing was tried; ask whether this *pair* was tried:
+#   `self.last[s, a] == 0`
+# says: this *pair*
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.next_states[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
+# %% the discount as a number
+# says: everything fits a discount of 0.99: use self.discount
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + 0.99 * value
+
+
+# %% kappa as a number
+# says: everything fits a κ of 0.03: use self.kappa
+def imagine(self, s, a):
+    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
+    if self.last[s, a] == 0:
+        reward, next_state, ended = 0.0, s, False
+    bonus = 0.03 * (self.clock[0] - self.last[s, a]) ** 0.5
+    value = 0.0 if ended else max(self.Q[next_state])
+    return reward + bonus + self.discount * value
+
+
+# %% another class
+# says: DynaPlus should have the method `imagine`
+class DynaPlus(NamedTuple):
+    Q: np.ndarray
+    discount: float = 0.99
+    kappa: float = 0.03
+
+    def act(self, state, rng):
+        return 0
+
+    def learn(self, state):
+        pass
+
+    @classmethod
+    def create(cls, environment):
+        return cls(np.zeros((6, 3)))
+
+
+# %% one more, another way
+# says: that is none of the usual mistakes, so compare your code with the equation, term by term
+def imagine(self, s, a):
+    return self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5 + self.discount * self.Q[s].max() + 1.0

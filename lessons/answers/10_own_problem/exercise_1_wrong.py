@@ -1,0 +1,77 @@
+# %% nothing was done
+# says: that is the value with which the cell began
+late = 10.0
+
+# %% the placeholder
+# says: Not solved yet
+late = ...
+
+# %% none
+# says: Not solved yet
+late = None
+
+# %% a ring that never fails
+# says: a ring fails with probability 0.1; then she is dozing, which is worth 1 and costs `late`
+late = 6
+
+# %% compared with the chime
+# says: compare the ring with staying quiet, which is better there than a chime
+late = 5.2 / 0.9
+
+# %% dozing is worth nothing
+# says: when the ring fails she is dozing, and that is worth 1
+late = 6 / 0.9
+
+# %% sleep is worth nothing after silence
+# says: who stays asleep has slept: staying quiet is worth 2 − late
+late = 3.9 / 0.9
+
+# %% sleep is worth nothing at all
+# says: staying quiet is worth 2 − late, and a failed ring 1 − late, as sleep is worth its depth
+late = 4 / 0.9
+
+# %% the cost of a ring
+# says: that is the cost of a ring alone
+late = 4.0
+
+# %% the probabilities exchanged
+# says: 0.9 and 0.1 have changed places: a ring *wakes* her with probability 0.9
+late = 51
+
+# %% negative
+# says: late is a cost, and the reward function subtracts it: it is above 0
+late = -6.5556
+
+# %% a reward of zero
+# says: best to stay quiet
+# says: too low for a ring
+late = 2.0
+
+# %% too large
+# says: higher than it need be
+late = 8
+
+# %% one digit
+# says: ; you are close, round it to two digits after the decimal point
+late = 6.6
+
+# %% rounded the wrong way
+# says: best to stay quiet
+# says: round it to two digits
+late = 6.55
+
+# %% a text
+# says: leave the quotes out
+late = "6.56"
+
+# %% a function
+# says: is a function
+late = lambda: 59 / 9
+
+# %% the slider's list
+# says: should be one number
+late = [6.5, 7.0]
+
+# %% the decimal point
+# says: that is ten times as much, or the decimal point is in the wrong place
+late = 590 / 9

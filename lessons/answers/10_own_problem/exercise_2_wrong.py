@@ -1,0 +1,150 @@
+# %% no discount
+# says: the potential of the next state counts γ φ(s'), with the discount
+# says: , potential, 'bed', 'door',
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    return reward + (0 if terminated else potential(next_state)) - potential(state)
+
+
+# %% the end has a potential
+# says: after a terminal state there is nothing: its potential is 0 when `terminated`
+# says: ) with potential('bed') =
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    return reward + discount * potential(next_state) - potential(state)
+
+
+# %% neither discount nor end
+# says: both mistakes: γ is missing before φ(s'), and the potential of a terminal state is 0
+# says: and potential('door') =
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    return reward + potential(next_state) - potential(state)
+
+
+# %% the sign
+# says: the sign is wrong: it is what the potential *gains*, γ φ(s') − φ(s)
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    after = 0 if terminated else discount * potential(next_state)
+    return reward + potential(state) - after
+
+
+# %% no bill
+# says: φ(s) is not subtracted: that is a bonus which can be farmed
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    return reward + (0 if terminated else discount * potential(next_state))
+
+
+# %% a plain bonus
+# says: that is a bonus for the next state, without discount and without the bill φ(s)
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    return reward + potential(next_state)
+
+
+# %% the reward alone
+# says: that is the reward alone, without shaping
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    return reward
+
+
+# %% the shaping alone
+# says: that is the shaping reward alone; add the reward
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    after = 0 if terminated else discount * potential(next_state)
+    return after - potential(state)
+
+
+# %% no bill at the end
+# says: at the end the bill still has to be paid: − φ(s) counts also when `terminated`
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    if terminated:
+        return reward
+    return reward + discount * potential(next_state) - potential(state)
+
+
+# %% all of it discounted
+# says: only φ(s') is discounted, not φ(s)
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    after = 0 if terminated else potential(next_state)
+    return reward + discount * (after - potential(state))
+
+
+# %% the discount at the other one
+# says: γ belongs before φ(s'), not before φ(s)
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    after = 0 if terminated else potential(next_state)
+    return reward + after - discount * potential(state)
+
+
+# %% the reward discounted
+# says: the reward itself is not discounted
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    after = 0 if terminated else potential(next_state)
+    return discount * (reward + after) - potential(state)
+
+
+# %% states exchanged
+# says: the two states have changed places
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    before = 0 if terminated else potential(state)
+    return reward + discount * before - potential(next_state)
+
+
+# %% both added
+# says: + φ(s) stands where − φ(s) should
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    after = 0 if terminated else potential(next_state)
+    return reward + discount * after + potential(state)
+
+
+# %% the other potential is 0 at the end
+# says: when `terminated`, φ(s') is 0, and not φ(s)
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    before = 0 if terminated else potential(state)
+    return reward + discount * potential(next_state) - before
+
+
+# %% the wrong way round
+# says: `terminated` is the wrong way round: φ(s') counts when it is False
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    after = potential(next_state) if terminated else 0
+    return reward + discount * after - potential(state)
+
+
+# %% the other potential, and the wrong way round
+# says: both: when `terminated` is True it is φ(s') that is 0, and not φ(s) when it is False
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    before = potential(state) if terminated else 0
+    return reward + discount * potential(next_state) - before
+
+
+# %% no return
+# says: is a `return` missing
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    reward += discount * potential(next_state) * (not terminated) - potential(state)
+
+
+# %% the potential as a table
+# says: a function is called, with parentheses
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    return reward + discount * potential[next_state] - potential[state]
+
+
+# %% printed
+# says: is a `return` missing
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    print(reward - potential(state))
+
+
+# %% an argument left out
+# says: its parameters are not those of the exercise
+def shaped_reward(reward, potential, state, next_state, discount):
+    return reward + discount * potential(next_state) - potential(state)
+
+
+# %% discount and end exchanged
+# says: γ φ(s') is missing; it counts unless `terminated`
+def shaped_reward(reward, potential, state, next_state, discount, terminated):
+    return reward + (0 if terminated else discount * potential(next_state)) - potential(state)
+
+
+# %% a value
+# says: reward, potential, state, next_state, terminated and discount
+shaped_reward = 1.0

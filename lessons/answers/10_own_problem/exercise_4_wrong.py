@@ -1,0 +1,329 @@
+# %% a queue with a step limit
+# says: my_problem has `max_steps`, so the best action depends on how many steps are left: keep the time in the state,
+#   and end the episode by `terminal`, as Morning does
+class Queue(NamedTuple):
+    """Open a second till when the queue gets long."""
+
+    max_steps: int = 20
+    observation_space = property(lambda self: Discrete(7))
+    action_space = property(lambda self: Discrete(2))
+
+    def initial(self, rng):
+        return 0
+
+    def transition(self, state, action, rng):
+        comes = 2 if rng.random() < 0.5 else 0
+        return min(max(state + comes - 1 - action, 0), 6)
+
+    def reward(self, state, action, next_state, rng):
+        return -1.0 * next_state - 1.5 * action
+
+    def terminal(self, state):
+        return False
+
+    def observation(self, state, rng):
+        return state
+
+
+my_problem = Queue()
+
+# %% the placeholder
+# says: Not solved yet
+my_problem = ...
+
+# %% the template
+# says: that is the problem with which the cell began: write one of your own, under its own name
+my_problem = Template(days=8)
+
+# %% the problem of the lesson
+# says: that is the problem of the lesson: write one of your own, under its own name
+my_problem = own_problem.Morning(late=20.0)
+
+
+# %% the class
+# says: is the class Thirsty
+class Thirsty(Plant):
+    __slots__ = ()
+
+
+my_problem = Thirsty
+
+# %% a name
+# says: is the name
+my_problem = "Boulder"
+
+
+# %% a method is missing
+# says: must have a method terminal
+class Clock(NamedTuple):
+    observation_space = property(lambda self: Discrete(3))
+    action_space = property(lambda self: Discrete(2))
+
+    def initial(self, rng):
+        return 0
+
+    def transition(self, state, action, rng):
+        return min(state + action, 2)
+
+    def reward(self, state, action, next_state, rng):
+        return 1.0
+
+    def is_terminal(self, state):
+        return state == 2
+
+    def observation(self, state, rng):
+        return state
+
+
+my_problem = Clock()
+
+
+# %% no NamedTuple
+# says: should inherit from NamedTuple, as the form does: class
+# says: (NamedTuple), with its numbers as fields and without __init__
+class Plain:
+    days = 3
+    action_space = Discrete(2)
+    observation_space = MultiDiscrete([4, 2])
+
+    def initial(self, rng):
+        return 0, 0
+
+    def transition(self, state, action, rng):
+        return state[0] + 1, int(rng.random() < 0.5)
+
+    def reward(self, state, action, next_state, rng):
+        return 1.0 * (action == state[1])
+
+    def terminal(self, state):
+        return state[0] == self.days
+
+    def observation(self, state, rng):
+        return state
+
+
+my_problem = Plain()
+
+
+# %% a queue without end
+# says: states: does a number in its state grow without end? Give it a largest value, for example by min(queue + 1, 10)
+# says: my_problem has more than
+class Queue(NamedTuple):
+    action_space = property(lambda self: Discrete(2))
+    observation_space = property(lambda self: MultiDiscrete([1_000_000, 2]))
+
+    def initial(self, rng):
+        return 1, 0
+
+    def transition(self, state, action, rng):
+        return state[0] + int(rng.random() < 0.6) - action, int(rng.random() * 2)
+
+    def reward(self, state, action, next_state, rng):
+        return -1.0 * state[0]
+
+    def terminal(self, state):
+        return state[0] < 1
+
+    def observation(self, state, rng):
+        return state
+
+
+my_problem = Queue()
+
+
+# %% an episode that never ends
+# says: no state of Endless is terminal, so an episode never ends: let `terminal` be True somewhere
+class Endless(Plant):
+    __slots__ = ()
+
+    def transition(self, state, action, rng):
+        return 0, min(max(state[1] + (1 if rng.random() < 0.5 else -1), 0), 3)
+
+    def terminal(self, state):
+        return state[0] == 1
+
+
+my_problem = Endless()
+
+
+# %% no chance
+# says: my_problem should have chance in its dynamics: use `rng` in `transition`
+class Sure(Plant):
+    __slots__ = ()
+
+    def transition(self, state, action, rng):
+        day, water = state
+        return day + 1, max(min(water + 2 * action, 3) - 1, 0)
+
+
+my_problem = Sure()
+
+
+# %% one name too few
+# says: action_names of Named must have a name for each action
+class Named(Plant):
+    __slots__ = ()
+    action_names = ("wait",)
+
+
+my_problem = Named()
+
+
+# %% the actions do nothing
+# says: the best policy of my_problem earns no more than random actions: do the actions matter?
+class Weather(Plant):
+    __slots__ = ()
+
+    def transition(self, state, action, rng):
+        return state[0] + 1, int(rng.random() * 4)
+
+    def reward(self, state, action, next_state, rng):
+        return 1.0 * next_state[1]
+
+
+my_problem = Weather()
+
+
+# %% watering is free
+# says: is best in every state, so there is nothing to decide: give it a price
+# says: in my_problem the action
+class Free(Plant):
+    __slots__ = ()
+
+    def reward(self, state, action, next_state, rng):
+        return 1.0 * next_state[1]
+
+
+my_problem = Free()
+
+
+# %% one reward for everything
+# says: every transition of my_problem has the same reward, so all policies are equal
+class Flat(Plant):
+    __slots__ = ()
+
+    def reward(self, state, action, next_state, rng):
+        return 0.0
+
+
+my_problem = Flat()
+
+
+# %% no end
+# says: an episode never ends
+class Forever(Plant):
+    __slots__ = ()
+    observation_space = property(lambda self: MultiDiscrete([2, 4]))
+
+    def transition(self, state, action, rng):
+        return 0, max(min(state[1] + 2 * action, 3) - int(rng.random() < 0.6), 0)
+
+    def terminal(self, state):
+        return False
+
+
+my_problem = Forever()
+
+
+# %% may never end
+# says: may never end
+class Maybe(Plant):
+    __slots__ = ()
+    observation_space = property(lambda self: MultiDiscrete([2, 4]))
+
+    def transition(self, state, action, rng):
+        return 0, max(min(state[1] + 2 * action, 3) - int(rng.random() < 0.6), 0)
+
+    def terminal(self, state):
+        return state[1] == 0
+
+
+my_problem = Maybe()
+
+
+# %% dice of its own
+# says: draw from rng
+class Dice(Plant):
+    __slots__ = ()
+
+    def transition(self, state, action, rng):
+        return state[0] + 1, np.random.randint(4)
+
+
+my_problem = Dice()
+
+
+# %% a reward on some paths only
+# says: is a return missing
+class Sometimes(Plant):
+    __slots__ = ()
+
+    def reward(self, state, action, next_state, rng):
+        if next_state[1] == 0:
+            return -1.0
+
+
+my_problem = Sometimes()
+
+
+# %% out of its space
+# says: must return an element of
+class Space(Plant):
+    __slots__ = ()
+    observation_space = property(lambda self: MultiDiscrete([self.days, 3]))
+
+
+my_problem = Space()
+
+
+# %% states with fractions
+# says: no finite model
+class Fine(Plant):
+    __slots__ = ()
+    observation_space = property(lambda self: Box(0.0, 100.0, (2,)))
+
+    def transition(self, state, action, rng):
+        return state[0] + 1, state[1] + rng.random()
+
+    def observation(self, state, rng):
+        return np.array(state, np.float32)
+
+
+my_problem = Fine()
+
+
+# %% a mistake in a method
+# says: raises NameError
+class Typo(Plant):
+    __slots__ = ()
+
+    def reward(self, state, action, next_state, rng):
+        return watter * 1.0
+
+
+my_problem = Typo()
+
+
+# %% too small
+# says: my_problem should have two actions and four states or more, but has
+class Coin(NamedTuple):
+    observation_space = property(lambda self: Discrete(2))
+    action_space = property(lambda self: Discrete(2))
+
+    def initial(self, rng):
+        return 0
+
+    def transition(self, state, action, rng):
+        return 1 if rng.random() < 0.5 else 0
+
+    def reward(self, state, action, next_state, rng):
+        return 1.0 * action * next_state
+
+    def terminal(self, state):
+        return state == 1
+
+    def observation(self, state, rng):
+        return state
+
+
+my_problem = Coin()
