@@ -57,7 +57,7 @@ def test_checks(check: Callable[..., object], bounds: Any, good: list[Any], bad:
         with pytest.raises(ValueError, match=r"^speed must be ") as caught:
             check("speed", value, *bounds)
         assert says in str(caught.value)
-        assert str(caught.value).endswith(f", but is {value!r}")
+        assert str(caught.value).endswith(f", but is {in_short(value)}")
 
 
 class Inner(NamedTuple):
@@ -143,9 +143,19 @@ def test_whole_numbers_come_back_as_pythons() -> None:
 
 
 def test_very_long_numbers_are_told_by_their_size() -> None:
-    """Python refuses to write them out."""
-    assert in_short(2**13_999) == str(2**13_999)
-    assert in_short(-(2**14_000)) == "a whole number of 14001 bits"
+    """Nobody reads hundreds of digits, and Python refuses to write out some thousand."""
+    assert in_short(2**128) == str(2**128)
+    assert in_short(10**40) == "a whole number of about 41 digits"
+    assert in_short(-(10**400)) == "a whole number of about 401 digits"
     for check in (at_least, above):
-        with pytest.raises(ValueError, match=r"^x must be .*, but is a whole number of 20001 bits$"):
+        with pytest.raises(ValueError, match=r"^x must be .*, but is a whole number of about 6021 digits$"):
             check("x", 2**20_000, 0)
+
+
+def test_what_is_long_is_cut() -> None:
+    """One line of 200 characters at most."""
+    assert in_short("a" * 198) == repr("a" * 198)
+    assert in_short("a" * 199) == "'" + "a" * 196 + "..."
+    assert in_short(np.eye(2)) == "array([[1., 0.], [0., 1.]])"
+    with pytest.raises(ValueError, match=r"^x must be a whole number, 1 or more, but is array\(\[ 0, .*\.\.\.$"):
+        whole_number("x", np.arange(999), 1)

@@ -9,6 +9,8 @@ import numpy as np
 
 MOST_STEPS = 2**62
 """A number that machine code can hold, and count on from."""
+LONGEST, LONGEST_NUMBER = 200, 40
+"""The most letters of a value, and the most digits of a whole number, that a message shows."""
 
 
 def a_number(name: str, value: Any) -> None:
@@ -69,10 +71,11 @@ def one_of(name: str, value: Any, allowed: Sequence[Any]) -> None:
 
 
 def in_short(value: Any) -> str:
-    """A value for a message: Python refuses to write out whole numbers of more than some thousand digits."""
-    if isinstance(value, int) and value.bit_length() > 14_000:
-        return f"a whole number of {value.bit_length()} bits"
-    return repr(value)
+    """A value for a message: in one line, and cut where it is long; of a very large whole number the digits' number."""
+    if isinstance(value, int) and abs(value) >= 10**LONGEST_NUMBER:
+        return f"a whole number of about {math.floor(math.log10(abs(value))) + 1} digits"
+    text = " ".join(repr(value).split())
+    return text if len(text) <= LONGEST else f"{text[: LONGEST - 3]}..."
 
 
 def _number(name: str, value: Any, allowed: str) -> None:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from gymnasium import spaces
 
-from edugym.mdp.values import fits, is_finite_number, kept, same, shown
+from edugym.mdp.values import fits, is_finite_number, kept, same
 
 PIXELS = spaces.Box(0, 255, (2,), np.uint8)
 NEGATIVE = spaces.Discrete(3, start=-1)
@@ -85,10 +85,3 @@ def test_what_is_kept() -> None:
     assert copied[0].tolist() == [0.0, 0.0]
     number = 10**30
     assert kept(number) is number
-
-
-def test_what_is_shown() -> None:
-    """One line of 200 characters at most."""
-    assert shown("a" * 198) == repr("a" * 198)
-    assert shown("a" * 199) == "'" + "a" * 196 + "..."
-    assert shown(np.eye(2)) == "array([[1., 0.], [0., 1.]])"

@@ -16,11 +16,10 @@ from gymnasium.wrappers import OrderEnforcing, PassiveEnvChecker
 from edugym.adapters import keys
 from edugym.adapters.actions import checked_action
 from edugym.adapters.specification import filled
-from edugym.checks import one_of
+from edugym.checks import in_short, one_of
 from edugym.mdp.checking import CHECKED_STEPS, CheckedMDP, checked_step, is_own, refuse_nothing, require_mdp
 from edugym.mdp.protocol import MDP, coerced, history_wanted, named_actions, step_limit
 from edugym.mdp.tracebacks import end_at_students_line
-from edugym.mdp.values import shown
 
 if TYPE_CHECKING:
     from edugym.exact.tables import FiniteModel, Outcome
@@ -220,7 +219,7 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
             return Scene(12.0, 2.0, (Text(6.0, 1.2, f"state {state!r}", 0.6),))
         scene = draw(state, **self._history(history_wanted(draw)))
         if not isinstance(scene, Scene):
-            raise ValueError(f"scene of {type(self.mdp).__name__} must return a Scene, but returned {shown(scene)}")
+            raise ValueError(f"scene of {type(self.mdp).__name__} must return a Scene, but returned {in_short(scene)}")
         return scene
 
     def _history(self, wanted: tuple[str, ...]) -> dict[str, Any]:

@@ -8,9 +8,9 @@ import numpy as np
 from gymnasium import spaces
 
 from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.checks import in_short
 from edugym.mdp.protocol import MDP
 from edugym.mdp.tabular import number_of_rows, table_lows, table_sizes, tabular_mdp
-from edugym.mdp.values import shown
 
 
 class TabularObservation(gymnasium.ObservationWrapper[int, Any, Any]):
@@ -53,7 +53,7 @@ class TabularObservation(gymnasium.ObservationWrapper[int, Any, Any]):
         )
         if not fits:
             raise ValueError(
-                f"observation {shown(observation)} is not in the observation space {self.env.observation_space} that"
+                f"observation {in_short(observation)} is not in the observation space {self.env.observation_space} that"
                 f" {self.env.unwrapped} declares"
             )
         row = 0

@@ -12,6 +12,7 @@ from typing import Annotated, Any, NamedTuple, Protocol
 
 from edugym.agents.settings import Counter, Range, Table, new
 from edugym.agents.vectors import vector_size
+from edugym.checks import in_short
 from edugym.mdp.protocol import Integers, Reals
 
 
@@ -147,7 +148,9 @@ def check_features(features: Any, n_inputs: int) -> None:
         ValueError: they are.
     """
     if isinstance(features, type) or not (hasattr(features, "see") and hasattr(features, "n_features")):
-        raise ValueError(f"features must be a value such as TileCoding.create(environment), but is {features!r}")
+        raise ValueError(
+            f"features must be a value such as TileCoding.create(environment), but is {in_short(features)}"
+        )
     if features.n_inputs != n_inputs:
         raise ValueError(
             f"features must be of {n_inputs} numbers, as an observation has, but are of {features.n_inputs}"

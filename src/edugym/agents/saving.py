@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from edugym.agents.settings import check
+from edugym.checks import in_short
 from edugym.files import write_whole
 
 MOST_BYTES = 2**30
@@ -31,7 +32,7 @@ def save(agent: Any, path: str | Path) -> None:
         OSError: the file cannot be written.
     """
     if not _is_named_tuple(agent):
-        raise ValueError(f"agent must be a NamedTuple, such as QLearning.create(...), but is {agent!r}")
+        raise ValueError(f"agent must be a NamedTuple, such as QLearning.create(...), but is {in_short(agent)}")
     check(agent)
     arrays: dict[str, Any] = {}
     structure = _structure(agent, "agent", arrays)
@@ -89,7 +90,9 @@ def _structure(value: Any, name: str, arrays: dict[str, Any]) -> Any:
         value = value.item()
     if value is None or isinstance(value, bool | int | float | str):
         return {"value": value}
-    raise ValueError(f"an agent that is saved must hold numbers, arrays and NamedTuples, but {name} is {value!r}")
+    raise ValueError(
+        f"an agent that is saved must hold numbers, arrays and NamedTuples, but {name} is {in_short(value)}"
+    )
 
 
 def _arrays(content: bytes, max_bytes: int) -> dict[str, Any]:

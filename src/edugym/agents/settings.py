@@ -20,7 +20,7 @@ from typing import Annotated, Any, NamedTuple, TypeVar, get_args, get_origin, ge
 import numpy as np
 
 from edugym.agents.tables import table_size
-from edugym.checks import a_number, above, at_least, between, whole_number
+from edugym.checks import a_number, above, at_least, between, in_short, whole_number
 from edugym.mdp.checking import is_own, require_method
 from edugym.mdp.protocol import Integers, Reals
 from edugym.memory import require_memory
@@ -184,15 +184,15 @@ def check(value: Any) -> None:
                     f"{name} must be an array of {kind.__name__} with {len(table.axes)} axes, but is {given}"
                 )
         elif isinstance(hint, type) and hasattr(hint, "_fields") and not isinstance(part, hint):
-            raise ValueError(f"{name} must be a {hint.__name__}, but is {part!r}")
+            raise ValueError(f"{name} must be a {hint.__name__}, but is {in_short(part)}")
         elif number is not None:
             if get_args(hint)[0] is int:
                 whole_number(name, part, int(number.low), None if number.high is None else int(number.high))
             number.check(name, part)
         elif hint is bool and not isinstance(part, bool):
-            raise ValueError(f"{name} must be True or False, but is {part!r}")
+            raise ValueError(f"{name} must be True or False, but is {in_short(part)}")
         elif name == "exploration" and (isinstance(part, type) or not hasattr(part, "choose")):
-            raise ValueError(f"exploration must be a strategy such as EpsilonGreedy(0.1), but is {part!r}")
+            raise ValueError(f"exploration must be a strategy such as EpsilonGreedy(0.1), but is {in_short(part)}")
         elif name == "exploration" and not is_own(part):
             require_method(part, "choose", ("Q", "state", "rng"))
         if hasattr(part, "_fields") and not isinstance(part, type):

@@ -7,7 +7,7 @@ import numpy as np
 
 from edugym.agents.settings import Counter, Table, new
 from edugym.agents.tables import best_value, one_step_target, random_action, table_size
-from edugym.checks import whole_number
+from edugym.checks import in_short, whole_number
 from edugym.exact.tables import FiniteModel
 from edugym.mdp.protocol import Integers, Random, Reals
 from edugym.mdp.tabular import tabular_mdp
@@ -188,7 +188,9 @@ def model_of(environment: Any, model: FiniteModel | None, memory: int | None) ->
     if model is None:
         return empty_model(environment, memory)
     if memory is not None:
-        raise ValueError(f"memory must be left out where a model is given, which does not learn, but is {memory!r}")
+        raise ValueError(
+            f"memory must be left out where a model is given, which does not learn, but is {in_short(memory)}"
+        )
     return given_model(environment, model)
 
 
@@ -230,5 +232,7 @@ def _observed(environment: Any, state: Any) -> int:
     if hasattr(environment, "observation") and not isinstance(environment, gymnasium.Env):
         state = tabular_mdp(environment).observation(state, np.random.default_rng(0))
     if not isinstance(state, int | np.integer):
-        raise ValueError(f"model must have states that are whole numbers, or come with its MDP, but has {state!r}")
+        raise ValueError(
+            f"model must have states that are whole numbers, or come with its MDP, but has {in_short(state)}"
+        )
     return int(state)

@@ -9,7 +9,7 @@ from gymnasium import spaces
 
 from edugym.agents.settings import Table, check
 from edugym.agents.vectors import UNBOUNDED, vector_bounds, vector_size
-from edugym.checks import whole_number
+from edugym.checks import in_short, whole_number
 from edugym.mdp.protocol import Integers, Reals
 
 MOST_FEATURES = 10_000_000
@@ -142,5 +142,5 @@ def _numbers(name: str, given: Sequence[float], n: int) -> Reals:
     """
     bounds = np.array(given, float)
     if bounds.shape != (n,):
-        raise ValueError(f"{name} must have {n} numbers, as an observation has, but is {given!r}")
+        raise ValueError(f"{name} must have {n} numbers, as an observation has, but is {in_short(given)}")
     return bounds

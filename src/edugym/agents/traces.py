@@ -3,6 +3,7 @@
 from typing import Annotated, Any, NamedTuple, Protocol
 
 from edugym.agents.settings import Counter, Table
+from edugym.checks import in_short
 from edugym.mdp.protocol import Integers, Reals
 
 NEGLIGIBLE = 1e-9
@@ -69,7 +70,7 @@ def check_trace(traces: Any) -> None:
         ValueError: it is none.
     """
     if isinstance(traces, type) or not hasattr(traces, "visited"):
-        raise ValueError(f"traces must be Accumulating(), Replacing() or Dutch(), but is {traces!r}")
+        raise ValueError(f"traces must be Accumulating(), Replacing() or Dutch(), but is {in_short(traces)}")
 
 
 class Traces(NamedTuple):

@@ -11,6 +11,7 @@ import numpy as np
 from gymnasium import spaces
 
 from edugym.agents.tables import check_shape
+from edugym.checks import in_short
 from edugym.mdp.protocol import Reals
 from edugym.mdp.tabular import table_sizes
 
@@ -31,7 +32,9 @@ def vector_size(environment: Any, actions: type[spaces.Space[Any]] = spaces.Disc
     if isinstance(environment, tuple) and not hasattr(environment, "_fields"):
         return check_shape(environment, "(n_inputs, n_actions)")
     if not hasattr(environment, "action_space"):
-        raise ValueError(f"environment must be an MDP, a Gymnasium environment or a shape, but is {environment!r}")
+        raise ValueError(
+            f"environment must be an MDP, a Gymnasium environment or a shape, but is {in_short(environment)}"
+        )
     space = environment.action_space
     if isinstance(space, actions):
         if isinstance(space, spaces.Discrete) and space.start == 0:

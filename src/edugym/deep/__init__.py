@@ -10,6 +10,7 @@ from gymnasium.error import DependencyNotInstalled
 
 from edugym.adapters.gymnasium_env import MDPEnv, environment_of
 from edugym.adapters.vector_env import MDPVectorEnv
+from edugym.checks import in_short
 from edugym.registration import make_environment
 
 if TYPE_CHECKING:
@@ -48,7 +49,7 @@ def stable_baselines3_env(
     if isinstance(environment, str):
         environment = make_environment(environment, **parameters)
     elif parameters:
-        raise ValueError(f"parameters are for an environment given by its name, but are {parameters!r}")
+        raise ValueError(f"parameters are for an environment given by its name, but are {in_short(parameters)}")
     if not isinstance(environment, MDPVectorEnv):
         environment = environment_of(environment)
         if not environment.only_plays_its_mdp:
@@ -58,7 +59,9 @@ def stable_baselines3_env(
             )
         environment = MDPVectorEnv(environment, 1 if num_envs is None else num_envs, "SameStep")
     if num_envs not in (None, environment.num_envs):
-        raise ValueError(f"num_envs must be {environment.num_envs}, as the vector environment has, but is {num_envs!r}")
+        raise ValueError(
+            f"num_envs must be {environment.num_envs}, as the vector environment has, but is {in_short(num_envs)}"
+        )
     return MDPVecEnv(environment)
 
 

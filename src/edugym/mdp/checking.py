@@ -13,8 +13,9 @@ from typing import Any
 import numpy as np
 from gymnasium import Env, spaces
 
+from edugym.checks import in_short
 from edugym.mdp.protocol import MDP, Random, step_limit
-from edugym.mdp.values import GlobalDraws, fits, is_finite_number, kept, same, shown
+from edugym.mdp.values import GlobalDraws, fits, is_finite_number, kept, same
 
 METHODS = {
     "initial": ("rng",),
@@ -56,7 +57,7 @@ def require_mdp(mdp: Any, name: str = "mdp") -> None:
     if isinstance(mdp, Env) or not any(_has(mdp, method) for method in METHODS):
         raise ValueError(
             f"{name} must be an MDP, a value with the methods {', '.join(METHODS)} and the properties"
-            f" {' and '.join(SPACES)}, but is {shown(mdp)}"
+            f" {' and '.join(SPACES)}, but is {in_short(mdp)}"
         )
     for method, parameters in METHODS.items():
         require_method(mdp, method, parameters, METHODS)
@@ -292,7 +293,7 @@ def require_method(owner: Any, name: str, parameters: tuple[str, ...], others: I
         raise ValueError(f"{_name(owner)} must have a method {wanted}{hint}")
     method = getattr(owner, name)
     if not callable(method):
-        raise ValueError(f"{name} of {_name(owner)} must be a method, but is {method!r}")
+        raise ValueError(f"{name} of {_name(owner)} must be a method, but is {in_short(method)}")
     signature = inspect.signature(method)
     moved = [taken for taken, given in zip(signature.parameters, parameters, strict=False) if taken != given]
     try:
@@ -317,7 +318,7 @@ def require_environment(name: str, environment: Any, allowed: str = "an MDP or a
         ValueError: it is something else, such as None.
     """
     if not any(hasattr(environment, part) for part in ("observation_space", "transition", "step")):
-        raise ValueError(f"{name} must be {allowed}, but is {shown(environment)}")
+        raise ValueError(f"{name} must be {allowed}, but is {in_short(environment)}")
 
 
 def require_spaces(task: Any) -> None:
@@ -333,7 +334,8 @@ def require_spaces(task: Any) -> None:
         if not isinstance(space, spaces.Space):
             hint = ": put @property above it" if inspect.ismethod(space) else ""
             raise ValueError(
-                f"{name} of {_name(task)} must be a Gymnasium space, such as spaces.Discrete(2), but is {space!r}{hint}"
+                f"{name} of {_name(task)} must be a Gymnasium space, such as spaces.Discrete(2),"
+                f" but is {in_short(space)}{hint}"
             )
 
 
@@ -350,17 +352,17 @@ def _name(mdp: Any) -> str:
 def _sentence(
     mdp: Any, method: str, returned: Any, allowed: str, state: Any, action: Any = None, next_state: Any = None
 ) -> str:
-    given = f"state {shown(state)}"
-    given += "" if action is None else f", action {shown(action)}"
-    given += "" if next_state is None else f", next state {shown(next_state)}"
+    given = f"state {in_short(state)}"
+    given += "" if action is None else f", action {in_short(action)}"
+    given += "" if next_state is None else f", next state {in_short(next_state)}"
     forgotten = " (is a return missing?)" if returned is None else ""
-    return f"{method} of {_name(mdp)} must return {allowed}, but returned {shown(returned)} for {given}{forgotten}"
+    return f"{method} of {_name(mdp)} must return {allowed}, but returned {in_short(returned)} for {given}{forgotten}"
 
 
 def refuse_change(mdp: Any, method: str, before: Any, now: Any) -> None:
     """Refuse a method that has changed the state that it was given."""
     if not same(before, now):
         raise ValueError(
-            f"{method} of {_name(mdp)} must not change the state that it is given, but turned {shown(before)} into"
-            f" {shown(now)}: make a new one, for example from a copy"
+            f"{method} of {_name(mdp)} must not change the state that it is given, but turned {in_short(before)} into"
+            f" {in_short(now)}: make a new one, for example from a copy"
         )

@@ -12,14 +12,6 @@ from typing import Any
 import numpy as np
 from gymnasium import spaces
 
-from edugym.checks import in_short
-
-
-def shown(value: Any) -> str:
-    """A value for a message: in one line, and cut where it is long."""
-    text = " ".join(in_short(value).split())
-    return text if len(text) <= 200 else f"{text[:197]}..."
-
 
 def is_finite_number(value: Any) -> bool:
     """Whether it is a real number, Python's or NumPy's, and neither infinite nor NaN."""

@@ -18,9 +18,10 @@ from gymnasium import spaces
 from gymnasium.wrappers import FlattenObservation, OrderEnforcing, PassiveEnvChecker
 
 from edugym.adapters.tabular_observation import TabularObservation
+from edugym.checks import in_short
 from edugym.mdp.checking import CHECKED_STEPS, CheckedMDP, innermost, is_own, refuse_change
 from edugym.mdp.protocol import Random
-from edugym.mdp.values import GlobalDraws, fits, is_finite_number, kept, same, shown, without_flag
+from edugym.mdp.values import GlobalDraws, fits, is_finite_number, kept, same, without_flag
 from edugym.training.contract import tables_of
 from edugym.training.guarded import GUARDS
 
@@ -189,7 +190,7 @@ class CheckedAgent:
         for name, table in tables_of(self._agent).items():
             if table.size <= SMALL and table.dtype.kind == "f" and np.isnan(table).any():
                 where = list(map(int, np.argwhere(np.isnan(table))[0]))
-                given = ", ".join(f"{one} {shown(value)}" for one, value in told.items())
+                given = ", ".join(f"{one} {in_short(value)}" for one, value in told.items())
                 raise ValueError(
                     f"learn of {self._name} must leave numbers in {name}, but {name}{where} is nan after {given}"
                 )
@@ -316,7 +317,7 @@ class CheckedEnv(gymnasium.Wrapper[Any, Any, Any, Any]):
         if self._left <= 0:
             return returned
         if not (isinstance(returned, tuple) and len(returned) == 2 and isinstance(returned[1], dict)):
-            raise ValueError(f"reset of {self._of} must return (observation, info), but returned {shown(returned)}")
+            raise ValueError(f"reset of {self._of} must return (observation, info), but returned {in_short(returned)}")
         self._require_observation("reset", returned[0])
         return returned
 
@@ -334,18 +335,20 @@ class CheckedEnv(gymnasium.Wrapper[Any, Any, Any, Any]):
         if not (isinstance(returned, tuple) and len(returned) == 5):
             raise ValueError(
                 f"step of {self._of} must return (observation, reward, terminated, truncated, info), but returned"
-                f" {shown(returned)} for action {shown(action)}"
+                f" {in_short(returned)} for action {in_short(action)}"
             )
         observation, reward, *ends, _ = returned
         self._require_observation("step", observation)
         if not is_finite_number(reward):
             raise ValueError(
-                f"step of {self._of} must return a finite number as reward, but returned {shown(reward)} for action"
-                f" {shown(action)}"
+                f"step of {self._of} must return a finite number as reward, but returned {in_short(reward)} for action"
+                f" {in_short(action)}"
             )
         for name, end in zip(("terminated", "truncated"), ends, strict=True):
             if not isinstance(end, bool | np.bool_ | int | np.integer):
-                raise ValueError(f"step of {self._of} must return True or False as {name}, but returned {shown(end)}")
+                raise ValueError(
+                    f"step of {self._of} must return True or False as {name}, but returned {in_short(end)}"
+                )
         return returned
 
     def _require_observation(self, method: str, observation: Any) -> None:
@@ -353,7 +356,7 @@ class CheckedEnv(gymnasium.Wrapper[Any, Any, Any, Any]):
         if not fits(space, without_flag(space, observation)):
             raise ValueError(
                 f"{method} of {self._of} must return an observation in {self.env.observation_space}, but returned"
-                f" {shown(observation)}"
+                f" {in_short(observation)}"
             )
 
 
@@ -363,7 +366,8 @@ def _of_action(name: str, method: str, space: spaces.Space[Any], action: Any, st
     if isinstance(space, spaces.Discrete):
         allowed = f"an action, a whole number from {space.start} to {space.start + space.n - 1}"
     forgotten = " (is a return missing?)" if action is None else ""
-    return f"{method} of {name} must return {allowed}, but returned {shown(action)} for state {shown(state)}{forgotten}"
+    returned = f"returned {in_short(action)} for state {in_short(state)}{forgotten}"
+    return f"{method} of {name} must return {allowed}, but {returned}"
 
 
 def _is_action(space: spaces.Space[Any], action: Any) -> bool:

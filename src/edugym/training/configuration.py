@@ -10,8 +10,9 @@ import gymnasium
 import numpy as np
 from gymnasium.envs.registration import load_env_creator
 
+from edugym.checks import in_short
 from edugym.mdp.checking import require_environment
-from edugym.mdp.values import own_copy, shown
+from edugym.mdp.values import own_copy
 from edugym.registration import specification
 
 Setting = bool | int | float | str
@@ -80,7 +81,7 @@ def task(environment: Any, parameters: Mapping[str, Any] | None = None) -> Task:
         ValueError: there is no such environment, it has no such parameter, or it is made already and takes none.
     """
     if parameters is not None and not isinstance(parameters, Mapping):
-        raise ValueError(f"parameters must be a dictionary from names to values, but is {shown(parameters)}")
+        raise ValueError(f"parameters must be a dictionary from names to values, but is {in_short(parameters)}")
     if isinstance(environment, str):
         return _registered(environment, dict(parameters or {}))
     if parameters:

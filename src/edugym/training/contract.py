@@ -6,9 +6,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from edugym.checks import in_short
 from edugym.compiled.generated import generated_class
 from edugym.mdp.checking import is_own, require_method
-from edugym.mdp.values import own_copy, shown
+from edugym.mdp.values import own_copy
 
 LEARN_PARAMETERS = ("state", "action", "reward", "next_state", "next_action", "terminated", "truncated")
 """The names of the parameters that `learn` may have."""
@@ -88,7 +89,7 @@ def require_agent(agent: Any) -> None:
     if is_own(agent) and hasattr(agent, "act") and hasattr(agent, "learn"):
         return  # the tests check the methods of the package's own agents
     if not any(hasattr(agent, name) for name in METHODS):
-        raise ValueError(f"{needed} {shown(agent)}")
+        raise ValueError(f"{needed} {in_short(agent)}")
     require_method(agent, "act", METHODS["act"], METHODS)
     if not callable(getattr(agent, "learn", None)):
         require_method(agent, "learn", METHODS["learn"], METHODS)

@@ -11,12 +11,12 @@ from numbers import Integral
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from edugym.checks import whole_number
+from edugym.checks import in_short, whole_number
 from edugym.extras import require
 from edugym.files import check_writable
 from edugym.interrupts import Interrupted, Stop, Work, interruptibly, ordered_by
 from edugym.mdp.tracebacks import end_at_students_line
-from edugym.mdp.values import own_copy, shown
+from edugym.mdp.values import own_copy
 from edugym.results.tables import MEASURED, Results, with_types
 from edugym.training.checkpoints import Checkpoints
 from edugym.training.configuration import COPIES, Planned, Task, described, planned_runs, task
@@ -122,12 +122,12 @@ def repeat(
     whole_number("seed", seed, 0)
     is_number = isinstance(jobs, Integral) and not isinstance(jobs, bool)
     if jobs is not None and not (is_number and (jobs == -1 or 1 <= jobs <= MOST_JOBS)):
-        raise ValueError(f"jobs must be a whole number from 1 to {MOST_JOBS}, -1 or None, but is {shown(jobs)}")
+        raise ValueError(f"jobs must be a whole number from 1 to {MOST_JOBS}, -1 or None, but is {in_short(jobs)}")
     check_stop(stop)
     stop = stop or threading.Event()
     for name, path in (("save_to", save_to), ("checkpoints", checkpoints)):
         if path is not None and (not isinstance(path, str | os.PathLike) or path == ""):
-            raise ValueError(f"{name} must be a path, but is {shown(path)}")
+            raise ValueError(f"{name} must be a path, but is {in_short(path)}")
     if save_to is not None:
         save_to = check_writable(save_to)
     curve = {"max_steps": max_steps, "evaluate_every": evaluate_every, "evaluation_episodes": evaluation_episodes}
@@ -180,7 +180,7 @@ def _experiment(
 ) -> Experiment:
     """Return what to do."""
     if not isinstance(agents, Mapping):
-        raise ValueError(f"agents must be a dictionary of agents by their labels, but is {shown(agents)}")
+        raise ValueError(f"agents must be a dictionary of agents by their labels, but is {in_short(agents)}")
     for label in agents:
         if not isinstance(label, str):
             raise ValueError(f"agents must have texts as labels, but has the label {label!r}")
@@ -203,7 +203,7 @@ def _maker(label: str, agent: Any) -> Maker:
     if any(hasattr(agent, name) for name in METHODS):
         return lambda _: own_copy(agent, f"{COPIES} that makes one")
     if not callable(agent):
-        raise ValueError(f"{needed} {shown(agent)}")
+        raise ValueError(f"{needed} {in_short(agent)}")
     try:
         inspect.signature(agent).bind_partial("environment")
     except TypeError:
@@ -212,7 +212,7 @@ def _maker(label: str, agent: Any) -> Maker:
     def make(environment: Any) -> Any:
         made = agent(environment)
         if not any(hasattr(made, name) for name in METHODS):
-            raise ValueError(f"agents[{label!r}] must make an agent, but made {shown(made)}")
+            raise ValueError(f"agents[{label!r}] must make an agent, but made {in_short(made)}")
         return own_copy(made, f"{COPIES} that makes all of it")
 
     return make

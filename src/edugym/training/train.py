@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from edugym.checks import number_of_steps, whole_number
+from edugym.checks import in_short, number_of_steps, whole_number
 from edugym.interrupts import Interrupted, Stopped, Work
 from edugym.mdp.protocol import Integers, Reals
 from edugym.mdp.tracebacks import end_at_students_line
@@ -142,7 +142,7 @@ def check_stop(stop: Any) -> None:
     if isinstance(stop, type):
         raise ValueError(f"stop must be a threading.Event or None, but is the class {stop.__name__}: add brackets, ()")
     if stop is not None and not (hasattr(stop, "is_set") and hasattr(stop, "set")):
-        raise ValueError(f"stop must be a threading.Event or None, but is {stop!r}")
+        raise ValueError(f"stop must be a threading.Event or None, but is {in_short(stop)}")
 
 
 class _Curve:
