@@ -385,7 +385,7 @@ def test_a_global_is_one_that_is_loaded_as_one() -> None:
     values = cell(f"OTHER = 2\n{source}")
     reached = Code(loop, (values["T"](3),))
     assert {name for function, name in reached.globals if function.__module__ == "__main__"} == {"OTHER"}
-    assert refusal(reached, ()) is None
+    assert refusal(reached, (), ()) is None
     long = "\n".join(f"        s = s + self.a{k}" for k in range(300))  # names beyond the first 256
     many = cell(
         f"LATE = 5\nclass T(NamedTuple):\n    size: int\n    def f(self, s, rng):\n{long}\n        return LATE\n"

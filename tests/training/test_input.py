@@ -75,6 +75,31 @@ def test_a_class_that_is_defined_again_is_told_again() -> None:
         assert reason in str(warning.message)
 
 
+STILL = """
+class Still(NamedTuple):
+    observation_space = spaces.Discrete(4)
+    action_space = spaces.Discrete(2)
+    def initial(self, rng):
+        return FIRST
+    def transition(self, state, action, rng):
+        return state
+    def reward(self, state, action, next_state, rng):
+        return -1.0
+    def terminal(self, state):
+        return False
+    def observation(self, state, rng):
+        return 0
+"""
+
+
+@pytest.mark.parametrize(("first", "reason"), [("[1, 2]", "a state is a list"), ("(0, [1])", r"state\[1\] is a list")])
+def test_a_state_that_is_a_list_is_named(first: str, reason: str) -> None:
+    """Also where only a part of it is one."""
+    task = cell(STILL.replace("FIRST", first))["Still"]()
+    with pytest.warns(UserWarning, match=f"slower: {reason}: use an array or a tuple$"):
+        train(task, QLearning.create((4, 2)), execution.COMPILE_FROM, max_steps=9)
+
+
 def test_an_ordinary_class_is_told_that_it_is_one(monkeypatch: pytest.MonkeyPatch) -> None:
     """It runs, interpreted, and no class of the package is blamed."""
     (message,) = said_of(Plain(), monkeypatch)

@@ -7,6 +7,7 @@ ordinary traceback at its line; a later one stops machine code, and the call is 
 began: being the same, it stops at the very line.
 """
 
+import inspect
 import os
 import sys
 import time
@@ -61,7 +62,8 @@ def executable(
         return loop
     try:
         check_compiler()
-        if reason := refusal(code, arguments):
+        names = tuple(inspect.signature(loop).parameters)[1:]
+        if reason := refusal(code, arguments, names):
             raise CompilationError(reason)
         return _machine_code(loop, arguments, code, rehearsed, replay or loop if replayed else None)
     except NoCompiler:

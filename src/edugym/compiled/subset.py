@@ -12,6 +12,7 @@ judged while compiling, where types are known (`edugym.compiled.passes`). Everyt
 
 import dis
 import math
+import re
 from collections.abc import Iterator
 from enum import Enum
 from types import CodeType, FunctionType, ModuleType
@@ -56,7 +57,8 @@ HARMLESS = words(
 """Special names of a class that no operation of machine code would look up."""
 DRAWS_WITH_CHECKS = words("exponential integers normal uniform")
 """Draws whose parameters are checked; see `edugym.compiled.arithmetic`."""
-
+MOMENT = ("a state", "an observation", "an action")
+"""What is between two steps of a loop, which may have other numbers in place of the action."""
 OTHERWISE = {
     "print": "it prints",
     "isinstance": "it asks for the type of a value",
@@ -70,10 +72,19 @@ OTHERWISE = {
 """How to say that one of Python's own functions is used; by default "it uses NAME"."""
 
 
-def refusal(code: Code, arguments: tuple[Any, ...]) -> str | None:
-    """Why this is not to be compiled, in a few words that name the line where there is one; None if it may be."""
-    foreign = code.foreign
-    found = _of_values(arguments, "an argument", all_kinds=not foreign, owner=None)
+def refusal(code: Code, arguments: tuple[Any, ...], names: tuple[str, ...]) -> str | None:
+    """Why this is not to be compiled, in a few words that name the line where there is one; None if it may be.
+
+    Args:
+        code: what would be compiled.
+        arguments: what a loop is called with.
+        names: of the loop's parameters.
+    """
+    foreign, parts = code.foreign, list[tuple[Any, str]]()
+    for argument, name in zip(arguments, names, strict=True):
+        known = name == "moment"  # between two steps: its first parts have names that a student knows
+        parts += zip(argument, MOMENT, strict=False) if known else [(argument, f"the argument {name}")]
+    found = next(filter(None, (_of_values(one, of, all_kinds=not foreign, owner=None) for one, of in parts)), None)
     if found or not foreign:
         return found
     judged = [*map(_of_class, filter(is_foreign, code.classes)), *_of_members(code)]
@@ -96,7 +107,9 @@ def _of_values(value: Any, name: str, *, all_kinds: bool, owner: type | None) ->
         if getattr(value, "__dict__", None):
             return f"a value of {kind.__name__} has an attribute besides its fields: {next(iter(vars(value)))}"
         for k, part in enumerate(tuple.__iter__(value)):
-            part_name = f"{name}[{k}]" if fields is None else f"the field {fields[k]} of {kind.__name__}"
+            part_name = (
+                f"{re.sub('^an? ', '', name)}[{k}]" if fields is None else f"the field {fields[k]} of {kind.__name__}"
+            )
             if found := _of_values(part, part_name, all_kinds=all_kinds, owner=kind if fields else owner):
                 return found
         return None
