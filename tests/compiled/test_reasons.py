@@ -3,8 +3,10 @@
 import numpy as np
 import pytest
 
+from edugym import QLearning, train
 from edugym.compiled.compiler import CompilationError, compiled
-from tests.compiled.cells import cell
+from edugym.compiled.execution import COMPILE_FROM
+from tests.compiled.cells import WALK, cell
 from tests.compiled.test_compiler import plain_loop
 
 
@@ -24,6 +26,10 @@ def test_reasons() -> None:
         ("a, *b = (s, 1, 2)\n        return a", "it has a statement that Numba does not know, UNPACK_EX "),
         ("return s + A.T", "it takes T from the class A "),
         ("return s + np.array((s, s), dtype=float)[0]", r"Numba has no array\(tuple, dtype=float\) "),
+        (
+            "t = (1.5, s > 3)\n        for i in range(2): s += t[i]\n        return s",
+            r"a tuple with values of several types can be indexed only by a constant, as in t\[0\] \(",
+        ),
         ("return s + np.zeros(3)[0.5]", "an index of an array is of type float "),
     ):
         thing = cell(f"class A(NamedTuple):\n    k: int\n    def f(self, s, rng):\n        {method}")["A"](1)
@@ -31,3 +37,25 @@ def test_reasons() -> None:
             compiled(plain_loop, 1, thing, np.random.default_rng(0))
         assert "\n" not in str(caught.value)
         assert ", line " in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "reason"),
+    [
+        (
+            "return 1.0 if",
+            "return np.where(next_state == self.size, 1.0, -0.25)\n        1.0 if",
+            "the reward is an array,",
+        ),
+        (
+            "return max(",
+            "x = (state + 1) * 6364136223846793005\n        return max(",
+            "it computes a whole number of more",
+        ),
+    ],
+)
+def test_reasons_that_have_no_line(old: str, new: str, reason: str) -> None:
+    """What shows in the package's own code, or only when machine code runs."""
+    task = cell(WALK.replace(old, new))["Walk"](5)
+    with pytest.warns(UserWarning, match=f"Walk cannot be compiled .*: {reason}"):
+        train(task, QLearning.create((6, 2)), COMPILE_FROM, max_steps=9)

@@ -100,15 +100,19 @@ def _machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, rehearsed:
         with held():
             shadowed = fast(rehearsed, *shadow)
     except Exception as error:
-        raise CompilationError(f"machine code stops where Python goes on ({_said(error)})") from error
+        raise CompilationError(_surprise(error)) from error
     found = difference((result, rehearsal), (shadowed, shadow), "the result")
     if found:
         raise CompilationError(f"machine code comes to something else than Python in the first steps ({found})")
     return fast if replay is None else _guarded(fast, loop, code, rehearsed, replay)
 
 
-def _said(error: Exception) -> str:
-    return f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
+def _surprise(error: Exception) -> str:
+    """What is said of an error of machine code where Python has none."""
+    if isinstance(error, OverflowError) and str(error) == "more than 64 bits":
+        return "it computes a whole number of more than 64 bits, as a product of large ones: keep them smaller by %"
+    said = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
+    return f"machine code stops where Python goes on ({said})"
 
 
 def _guarded(fast: Loop, loop: Loop, code: Code, rehearsed: int, replay: Loop) -> Loop:
@@ -152,13 +156,13 @@ def _guarded(fast: Loop, loop: Loop, code: Code, rehearsed: int, replay: Loop) -
             result = replay(*arguments)  # where this is an error for Python as well, it is raised here, and alone
         if not before.is_whole:  # it has begun with other tables, and its result is not that of Python
             raise RuntimeError(
-                f"machine code stops where Python goes on ({_said(failure)}), and the tables are too large to be kept"
+                f"{_surprise(failure)}, and the tables are too large to be kept"
                 " for such a case: set the environment variable NUMBA_DISABLE_JIT=1, and run it again"
             )
         surprises += 1
         if surprises == MOST_SURPRISES:
             fast = loop
-            _warn_once(code, arguments, f"machine code stops where Python goes on ({_said(failure)})")
+            _warn_once(code, arguments, _surprise(failure))
         return result
 
     return run

@@ -18,6 +18,10 @@ WORDS = (
     (r"(Cannot bind|missing a required|got an unexpected) .*", "a call has other arguments than Numba takes"),
     (r"Type of variable .* cannot be determined.*", "Numba cannot tell the type of a value"),
     (r"Use of unsupported opcode \((\w+)\).*", r"it has a statement that Numba does not know, \1"),
+    (
+        r">>> getitem\(Tuple\(.*\), u?int64\)",
+        "a tuple with values of several types can be indexed only by a constant, as in t[0]",
+    ),
     (r">>> (.+)", r"Numba has no \1"),
     (r"Int value is too large.*", "it has a whole number of more than 64 bits"),
     (r"Illegal IR, del found.*", "it deletes a variable"),
@@ -51,6 +55,8 @@ def reason(error: Exception, code: Code) -> str:
     own = {Path(file).name: file for file in code.foreign_files}
     places = re.findall(r'(?:File "|Raised from )([^"\n]+?)"?(?:, line | \()(\d+)', text)
     lines = [place(own[name], int(line)) for file, line in places if (name := Path(file).name) in own]
+    if not lines and re.search(r">>> isfinite\(array", text):  # in a guard around the student's MDP
+        return "the reward is an array, but should be a number: for np.where write `... if ... else ...`"
     return f"{_said(says)} ({lines[-1]})" if lines else _said(says)
 
 
