@@ -30,6 +30,14 @@ def test_reasons() -> None:
             "t = (1.5, s > 3)\n        for i in range(2): s += t[i]\n        return s",
             r"a tuple with values of several types can be indexed only by a constant, as in t\[0\] \(",
         ),
+        (
+            "return s + rng.normal(np.zeros(2), np.ones(2))[0]",
+            r"rng.normal draws an array of numbers: draw them one by ",
+        ),
+        ("return s + rng.normal(np.zeros(2))[0]", "rng.normal draws an array of numbers"),
+        ("return s + rng.uniform(np.zeros(2), 1.0)[0]", "rng.uniform draws an array of numbers"),
+        ("return s + rng.exponential(np.ones(2))[0]", "rng.exponential draws an array of numbers"),
+        ("return s + rng.integers(np.array([3, 4]))[0]", "rng.integers draws an array of numbers"),
         ("return s + np.zeros(3)[0.5]", "an index of an array is of type float "),
     ):
         thing = cell(f"class A(NamedTuple):\n    k: int\n    def f(self, s, rng):\n        {method}")["A"](1)

@@ -14,6 +14,7 @@ WORDS = (
     (r"Unknown attribute '(\w+)' of type (.+)", r"it uses \1 of a value of type \2"),
     (r"Cannot unify (.+) and (.+) for .*", r"one name stands for values of two types, \1 and \2"),
     (r"Unsupported array index type (\S+) in .*", r"an index of an array is of type \1"),
+    (r">>> NumPyRandomGeneratorType_(\w+)\(.*array\(.*", r"rng.\1 draws an array of numbers: draw them one by one"),
     (r"Argument (\w+) is not one of the expected type.*", r"\1 is of a type that Numba does not take"),
     (r"(Cannot bind|missing a required|got an unexpected) .*", "a call has other arguments than Numba takes"),
     (r"Type of variable .* cannot be determined.*", "Numba cannot tell the type of a value"),
