@@ -67,3 +67,14 @@ def test_reasons_that_have_no_line(old: str, new: str, reason: str) -> None:
     task = cell(WALK.replace(old, new))["Walk"](5)
     with pytest.warns(UserWarning, match=f"Walk cannot be compiled .*: {reason}"):
         train(task, QLearning.create((6, 2)), COMPILE_FROM, max_steps=9)
+
+
+@pytest.mark.parametrize(("decorator", "owner"), [("classmethod", "self"), ("staticmethod", "Walk")])
+def test_other_methods(decorator: str, owner: str) -> None:
+    """Only ordinary ones are compiled; the sentence names the method and its kind."""
+    start = f"return {owner}.start()\n\n    @{decorator}\n    def start({'cls' if decorator == 'classmethod' else ''}):"
+    task = cell(WALK.replace("return 0\n", f"{start}\n        return 0\n"))["Walk"](5)
+    kind = {"classmethod": "class", "staticmethod": "static"}[decorator]
+    says = rf"start of Walk is a {kind} method: make it a method, with self \(<cell \d+>, line 6\)$"
+    with pytest.warns(UserWarning, match=says):
+        train(task, QLearning.create((6, 2)), COMPILE_FROM, max_steps=9)

@@ -1,5 +1,6 @@
 """Why something cannot be compiled, in a few words: Numba's long messages, put so that an author of the code knows."""
 
+import inspect
 import re
 from pathlib import Path
 
@@ -58,7 +59,19 @@ def reason(error: Exception, code: Code) -> str:
     lines = [place(own[name], int(line)) for file, line in places if (name := Path(file).name) in own]
     if not lines and re.search(r">>> isfinite\(array", text):  # in a guard around the student's MDP
         return "the reward is an array, but should be a number: for np.where write `... if ... else ...`"
-    return f"{_said(says)} ({lines[-1]})" if lines else _said(says)
+    said = _of_other_methods(text, code) or _said(says)
+    return f"{said} ({lines[-1]})" if lines else said
+
+
+def _of_other_methods(text: str, code: Code) -> str | None:
+    """Say of a member that Numba does not know that it is a class method or a static method, if it is one."""
+    if found := re.search(r"Unknown attribute '(\w+)' of type", text):
+        for kind in code.classes:
+            member = inspect.getattr_static(kind, found[1], None)
+            if isinstance(member, classmethod | staticmethod):
+                which = "a class method" if isinstance(member, classmethod) else "a static method"
+                return f"{found[1]} of {kind.__name__} is {which}: make it a method, with self"
+    return None
 
 
 def _said(lines: list[str]) -> str:
