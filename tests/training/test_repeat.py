@@ -120,7 +120,11 @@ def test_any_gymnasium_environment() -> None:
         ({"agents": {}}, "agents must have one"),
         ({"agents": {"Q": QLearning}}, r"agents\['Q'\] must be an agent or a function"),
         ({"agents": {1: QLearning.create}}, "agents must have texts as labels, but has the label 1"),
-        ({"agents": {"Q": lambda: None}}, r"agents\['Q'\] must take the environment: write `lambda environment: ...`"),
+        (
+            {"agents": {"Q": lambda: None}},
+            r"agents\['Q'\] must take the environment, and nothing else: write `lambda environment: ...`",
+        ),
+        ({"agents": {"Q": lambda environment, seed: None}}, r"agents\['Q'\] must take the environment, and nothing else"),
         ({"agents": {"Q": lambda environment: None}}, r"agents\['Q'\] must make an agent, but made None"),
         ({"agents": {"Q": 3}}, r"agents\['Q'\] must be an agent or a function"),
         ({"n_steps": 0}, "n_steps must be 1 or more, but is 0"),

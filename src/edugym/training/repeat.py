@@ -205,9 +205,11 @@ def _maker(label: str, agent: Any) -> Maker:
     if not callable(agent):
         raise ValueError(f"{needed} {in_short(agent)}")
     try:
-        inspect.signature(agent).bind_partial("environment")
+        inspect.signature(agent).bind("environment")
     except TypeError:
-        raise ValueError(f"agents[{label!r}] must take the environment: write `lambda environment: ...`") from None
+        raise ValueError(
+            f"agents[{label!r}] must take the environment, and nothing else: write `lambda environment: ...`"
+        ) from None
 
     def make(environment: Any) -> Any:
         made = agent(environment)
