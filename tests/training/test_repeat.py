@@ -124,7 +124,10 @@ def test_any_gymnasium_environment() -> None:
             {"agents": {"Q": lambda: None}},
             r"agents\['Q'\] must take the environment, and nothing else: write `lambda environment: ...`",
         ),
-        ({"agents": {"Q": lambda environment, seed: None}}, r"agents\['Q'\] must take the environment, and nothing else"),
+        (
+            {"agents": {"Q": lambda environment, seed: None}},
+            r"agents\['Q'\] must take the environment, and nothing else",
+        ),
         ({"agents": {"Q": lambda environment: None}}, r"agents\['Q'\] must make an agent, but made None"),
         ({"agents": {"Q": 3}}, r"agents\['Q'\] must be an agent or a function"),
         ({"n_steps": 0}, "n_steps must be 1 or more, but is 0"),
@@ -145,7 +148,11 @@ def test_any_gymnasium_environment() -> None:
         ),
         ({"stop": threading.Event}, "stop must be a threading.Event or None, but is the class Event"),
         ({"stop": "x"}, r"stop must be a threading.Event or None, but is 'x'"),
-        ({"environment": Boulder}, "environment must be an environment or a function that makes one"),
+        (
+            {"environment": Boulder},
+            r"environment must be an environment or a function that makes one, but is the class Boulder: make one with"
+            r" Boulder.create\(\.\.\.\)$",
+        ),
         ({"evaluate_every": 0}, "evaluate_every must be 1 or more, but is 0"),
     ],
 )

@@ -50,8 +50,7 @@ def require_mdp(mdp: Any, name: str = "mdp") -> None:
         ValueError: something is missing, or is not as it must be.
     """
     if isinstance(mdp, type):
-        made = f"{mdp.__name__}.create(...)" if hasattr(mdp, "create") else f"{mdp.__name__}(...)"
-        raise ValueError(f"{name} must be a value, but is the class {mdp.__name__}: make one with {made}")
+        raise ValueError(f"{name} must be a value, but is {a_class(mdp)}")
     if isinstance(mdp, str):
         raise ValueError(f"{name} must be an MDP, but is the name {mdp!r}: use edugym.make_mdp({mdp!r})")
     if isinstance(mdp, Env) or not any(_has(mdp, method) for method in METHODS):
@@ -68,6 +67,12 @@ def require_mdp(mdp: Any, name: str = "mdp") -> None:
     if isinstance(actions, spaces.Discrete) and actions.start != 0:
         raise ValueError(f"action_space of {_name(mdp)} must number the actions from 0, but is {actions}")
     step_limit(mdp)
+
+
+def a_class(kind: type) -> str:
+    """A class that was given in place of a value, for a message: its name, and how a value is made."""
+    made = f"{kind.__name__}.create(...)" if hasattr(kind, "create") else f"{kind.__name__}(...)"
+    return f"the class {kind.__name__}: make one with {made}"
 
 
 def check_mdp(mdp: Any, n_steps: int = CHECKED_STEPS) -> list[Any]:

@@ -11,7 +11,7 @@ import numpy as np
 from gymnasium.envs.registration import load_env_creator
 
 from edugym.checks import in_short
-from edugym.mdp.checking import require_environment
+from edugym.mdp.checking import a_class, require_environment
 from edugym.mdp.values import own_copy
 from edugym.registration import specification
 
@@ -89,7 +89,9 @@ def task(environment: Any, parameters: Mapping[str, Any] | None = None) -> Task:
             f"parameters can be given with the name of an environment only, but environment is {environment!r}"
         )
     if isinstance(environment, type):
-        raise ValueError(f"environment must be an environment or a function that makes one, but is {environment!r}")
+        raise ValueError(
+            f"environment must be an environment or a function that makes one, but is {a_class(environment)}"
+        )
     if callable(environment) and not hasattr(environment, "action_space"):
         # The settings that layouts have in common: what differs, such as the grips of a wall, comes from the seed.
         make = _by_layout(environment)

@@ -8,7 +8,7 @@ import numpy as np
 
 from edugym.checks import in_short
 from edugym.compiled.generated import generated_class
-from edugym.mdp.checking import is_own, require_method
+from edugym.mdp.checking import a_class, is_own, require_method
 from edugym.mdp.values import own_copy
 
 LEARN_PARAMETERS = ("state", "action", "reward", "next_state", "next_action", "terminated", "truncated")
@@ -83,8 +83,7 @@ def require_agent(agent: Any) -> None:
     """
     needed = "agent must be an object with the methods act and learn, but is"
     if isinstance(agent, type):
-        made = f"{agent.__name__}.create(...)" if hasattr(agent, "create") else f"{agent.__name__}(...)"
-        raise ValueError(f"{needed} the class {agent.__name__}: make one with {made}")
+        raise ValueError(f"{needed} {a_class(agent)}")
     _require_tables(agent)
     if is_own(agent) and hasattr(agent, "act") and hasattr(agent, "learn"):
         return  # the tests check the methods of the package's own agents
