@@ -201,6 +201,13 @@ IN_AGENT = {
         "self.Q += 0",
         AttributeError,
     ),
+    "a method without self": Slip(
+        FIRST,
+        "self.late(state)\n\n    def late(state):\n        value = 0.0",
+        r"takes 1 positional argument but 2 were given: the first parameter of a method is self: def late\(self, ",
+        "self.late(state)",
+        TypeError,
+    ),
     "a new agent": Slip(
         FIRST, "return self._replace(rate=0.1)\n        value = 0.0", "learn of Learner returns a new Learn"
     ),

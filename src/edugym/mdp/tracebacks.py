@@ -1,10 +1,11 @@
 """The traceback of an error in a student's code: it ends at the student's line, and shows none of our frames."""
 
 import dis
+import inspect
 import re
 from importlib.util import find_spec
 from pathlib import Path
-from types import TracebackType
+from types import FunctionType, TracebackType
 
 import numpy as np
 
@@ -15,7 +16,7 @@ UNSHOWN = frozenset({"edugym", "contextlib", "gymnasium", "joblib", "numpy"})
 def end_at_students_line(error: Exception) -> None:
     """Let the traceback of an error, which is raised again, end at the student's line, with none of our frames.
 
-    An error about a frozen field says what to do instead.
+    An error about a frozen field, or a method without self, says what to do instead.
     """
     frames, last = [], error.__traceback__
     while last is not None:
@@ -27,6 +28,8 @@ def end_at_students_line(error: Exception) -> None:
         traceback = TracebackType(traceback, frame.tb_frame, frame.tb_lasti, frame.tb_lineno)
     if frames and isinstance(error, AttributeError):
         _explain_frozen_field(error, frames[-1])
+    if frames and isinstance(error, TypeError):
+        _explain_missing_self(error, frames[-1])
     error.__traceback__ = traceback
     _say_where_in_another_process(error)
 
@@ -69,3 +72,21 @@ def _explain_frozen_field(error: AttributeError, last: TracebackType) -> None:
         f"{frame.f_code.co_name} of {type(owner).__name__} assigns self.{name}, but the fields of a NamedTuple never"
         f" change: {remedy}",
     )
+
+
+def _explain_missing_self(error: TypeError, last: TracebackType) -> None:
+    """Say that the first parameter of a method is self, where a method of the student's has been called without one."""
+    found = re.search(r"(\w+)\.(\w+)\(\) takes (\d+) positional arguments? but (\d+) (?:was|were) given$", str(error))
+    if not found or int(found[4]) != int(found[3]) + 1:
+        return
+    owner, name = found[1], found[2]
+    scope = last.tb_frame.f_globals | last.tb_frame.f_locals
+    kinds = [value if isinstance(value, type) else type(value) for value in (scope.get(owner), scope.get("self"))]
+    for kind in (base for one in kinds for base in one.__mro__ if base.__name__ == owner):
+        method = vars(kind).get(name)
+        function = method.fget if isinstance(method, property) else method
+        takes = inspect.signature(function).parameters if isinstance(function, FunctionType) else {"self": None}
+        if "self" not in takes:
+            says = f"the first parameter of a method is self: def {name}({', '.join(['self', *map(str, takes)])})"
+            error.args = (f"{error}: {says}",)
+            return
