@@ -154,6 +154,18 @@ def test_an_agent_that_changes_what_it_sees(old: str, new: str) -> None:
     answered(Slip("", "", f"{method} of Looker must not change the state"), lambda: train(task(VIEW), agent, 30))
 
 
+@pytest.mark.parametrize("way", WAYS)
+def test_an_agent_that_learns_from_everything(way: str) -> None:
+    """It is told nothing, and the sentence says how it is."""
+    slip = Slip(
+        "state, action, reward, next_state, terminated):",
+        "**step):\n        state = step['state']",
+        r"learn of Learner is told only what its parameters name, and \*\*step gets nothing: write learn\(self, ",
+        "state = step['state']",
+    )
+    answered(slip, lambda: WAYS[way](task(), learner(changed(LEARNER, slip))))
+
+
 def test_a_strategy_of_ones_own() -> None:
     """The class in the package's agent is named as well."""
     strategy = cell("class Mine(NamedTuple):\n    def choose(self, Q, state, rng):\n        int(rng.random() * 2)\n")[

@@ -22,7 +22,7 @@ from edugym.checks import in_short
 from edugym.mdp.checking import CHECKED_STEPS, CheckedMDP, innermost, is_own, refuse_change
 from edugym.mdp.protocol import Random
 from edugym.mdp.values import GlobalDraws, fits, is_finite_number, kept, same, without_flag
-from edugym.training.contract import tables_of
+from edugym.training.contract import LEARN_PARAMETERS, METHODS, tables_of
 from edugym.training.guarded import GUARDS
 
 ENDLESS = 1_000
@@ -181,7 +181,7 @@ class CheckedAgent:
             return
         before = kept((told.get("state"), told.get("next_state")))
         with self._draws.refused("learn"):
-            returned = self._with_sizes(lambda: self._agent.learn(**told))
+            returned = self._with_sizes(lambda: self._learned(told))
         refuse_change(self._agent, "learn", before, (told.get("state"), told.get("next_state")))
         if isinstance(returned, type(self._agent)):
             raise ValueError(
@@ -194,6 +194,19 @@ class CheckedAgent:
                 raise ValueError(
                     f"learn of {self._name} must leave numbers in {name}, but {name}{where} is nan after {given}"
                 )
+
+    def _learned(self, told: dict[str, Any]) -> Any:
+        """Return what `learn` returns; where it looks for something that it was not told, say how it gets that."""
+        try:
+            return self._agent.learn(**told)
+        except KeyError as error:
+            takes = inspect.signature(self._agent.learn).parameters.values()
+            rest = next((one.name for one in takes if one.kind is one.VAR_KEYWORD), None)
+            if rest is None or str(error) not in map(repr, LEARN_PARAMETERS):
+                raise
+            named = ", ".join(["self", *METHODS["learn"]])
+            says = f"learn of {self._name} is told only what its parameters name, and **{rest} gets nothing"
+            raise ValueError(f"{says}: write learn({named})").with_traceback(error.__traceback__) from None
 
     def _chosen(self, method: str, state: Any, rng: Random) -> Any:
         choose = getattr(self._agent, method)
