@@ -104,6 +104,10 @@ WHOLE = {
         r"Q of Learner has the shape \(6, 1\)",
     ),
     "no task": (lambda: train(None, learner(), 30), "environment must be an MDP"),
+    "a function for an agent": (
+        lambda: train(task(), QLearning.create, 30),
+        "learn, but is .*: call it, and give what",
+    ),
     "no agent": (lambda: train(task(), None, 30), "agent must be an object with the methods act and learn, but"),
     "the wrong way round": (
         lambda: train(learner(), task(), 30),
@@ -130,6 +134,16 @@ def test_a_table_that_is_too_short() -> None:
     answered(
         Slip("", "", r"index 1 is out of .*: Q of Learner has the shape \(1, 2\)", "Q[", IndexError),
         lambda: train(task(), agent, 99),
+    )
+
+
+def test_a_table_the_wrong_way_round() -> None:
+    """It is explained as well where the index comes late, in an evaluation episode without an end."""
+    agent = cell(LEARNER.replace("self.Q.shape[1]", "2"))["Learner"](np.zeros((2, 6)))
+    slow = task(WALK.replace(MOVE, "return state + (rng.random() < 0.002)"))
+    answered(
+        Slip("", "", r"index 2 is out of .*: Q of Learner has the shape \(2, 6\), but .* 6 obs", "Q[", IndexError),
+        lambda: train(slow, agent, 30),
     )
 
 

@@ -217,7 +217,7 @@ class CheckedAgent:
                 action = self._with_sizes(lambda: choose(state, rng))
             refuse_change(self._agent, method, before, state)
         else:
-            action = choose(state, rng)
+            action = self._with_sizes(lambda: choose(state, rng))
         if not (type(action) is int and 0 <= action < self._n_actions) and not _is_action(self._space, action):
             row = isinstance(action, int | np.integer) and not isinstance(action, bool)
             sizes = self._sizes() if row else ""

@@ -88,7 +88,8 @@ def require_agent(agent: Any) -> None:
     if is_own(agent) and hasattr(agent, "act") and hasattr(agent, "learn"):
         return  # the tests check the methods of the package's own agents
     if not any(hasattr(agent, name) for name in METHODS):
-        raise ValueError(f"{needed} {in_short(agent)}")
+        hint = ": call it, and give what it makes" if inspect.isroutine(agent) else ""
+        raise ValueError(f"{needed} {in_short(agent)}{hint}")
     require_method(agent, "act", METHODS["act"], METHODS)
     if not callable(getattr(agent, "learn", None)):
         require_method(agent, "learn", METHODS["learn"], METHODS)
