@@ -120,6 +120,7 @@ SURPRISES = {
 """Programs in which Python goes on where machine code cannot."""
 
 REFUSED = {
+    "all parameters": (program("return self.g(s)", more="def g(self, s, **more):\n    return 0.5 * s"), "g takes **: name its parameters"),
     "nested list": (program("self.Q[0][0] += 1.0\nreturn self.Q[0][0]", "Q: list", "[[0., 0.] for _ in range(9)]"), "a list"),
     "maze": (program("return s + self.cells[1][0]", "cells: list", "[[0, 0], [1, 0]]"), "a list"),
     "flat list": (program("self.Q[0] += 1.0\nreturn self.Q[0]", "Q: list", "[0., 0.]"), "a list"),

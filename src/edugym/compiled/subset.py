@@ -11,6 +11,7 @@ judged while compiling, where types are known (`edugym.compiled.passes`). Everyt
 """
 
 import dis
+import inspect
 import math
 import re
 from collections.abc import Iterator
@@ -82,7 +83,9 @@ def refusal(code: Code, arguments: tuple[Any, ...], names: tuple[str, ...]) -> s
     """
     foreign, parts = code.foreign, list[tuple[Any, str]]()
     for argument, name in zip(arguments, names, strict=True):
-        known = name == "moment"  # between two steps: its first parts have names that a student knows
+        known = name == "moment" and isinstance(
+            argument, tuple
+        )  # between two steps: its first parts have names that a student knows
         parts += zip(argument, MOMENT, strict=False) if known else [(argument, f"the argument {name}")]
     found = next(filter(None, (_of_values(one, of, all_kinds=not foreign, owner=None) for one, of in parts)), None)
     if found or not foreign:
@@ -171,6 +174,8 @@ def _of_members(code: Code) -> Iterator[str | None]:
 
 def _of_function(function: FunctionType) -> str | None:
     """What is wrong with the names and statements of a function, and in which line."""
+    if function.__code__.co_flags & inspect.CO_VARKEYWORDS:
+        return _at(f"{function.__name__} takes **: name its parameters", function.__code__, None)
     defaults = (*(function.__defaults__ or ()), *(function.__kwdefaults__ or {}).values())
     for value in defaults:
         if found := _of_values(value, f"a default of {function.__name__}", all_kinds=False, owner=None):
