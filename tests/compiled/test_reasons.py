@@ -69,6 +69,22 @@ def test_reasons_that_have_no_line(old: str, new: str, reason: str) -> None:
         train(task, QLearning.create((6, 2)), COMPILE_FROM, max_steps=9)
 
 
+def test_a_state_of_two_types() -> None:
+    """The loop's own name of it is known to students."""
+    walk = WALK.replace("return 0\n", "return (0,)\n").replace(
+        "return max(0, state", "return np.array([max(0, state[0]"
+    )
+    walk = walk.replace("action - 1)", "action - 1)])").replace("return state\n", "return int(state[0])\n")
+    says = "slower: the state should always be of the same type, but is of two, (tuple and array|array and tuple)$"
+    with pytest.warns(UserWarning, match=says):
+        train(
+            cell(walk.replace("state ==", "state[0] =="))["Walk"](5),
+            QLearning.create((6, 2)),
+            COMPILE_FROM,
+            max_steps=5,
+        )
+
+
 @pytest.mark.parametrize(("decorator", "owner"), [("classmethod", "self"), ("staticmethod", "Walk")])
 def test_other_methods(decorator: str, owner: str) -> None:
     """Only ordinary ones are compiled; the sentence names the method and its kind."""

@@ -13,6 +13,10 @@ WORDS = (
     (r"Unknown attribute '(\w+)' of type NumPyRandomGeneratorType.*", r"it uses rng's \1"),
     (r"Unknown attribute '(\w+)' of type class\(<class '(?:.*\.)?(\w+)'>\).*", r"it takes \1 from the class \2"),
     (r"Unknown attribute '(\w+)' of type (.+)", r"it uses \1 of a value of type \2"),
+    (
+        r"Cannot unify (.+) and (.+) for '(state|observation|action)\.\d+', defined at \S+/edugym/training/loops.py.*",
+        r"the \3 should always be of the same type, but is of two, \1 and \2",
+    ),
     (r"Cannot unify (.+) and (.+) for .*", r"one name stands for values of two types, \1 and \2"),
     (r"Unsupported array index type (\S+) in .*", r"an index of an array is of type \1"),
     (r">>> NumPyRandomGeneratorType_(\w+)\(.*array\(.*", r"rng.\1 draws an array of numbers: draw them one by one"),
@@ -35,6 +39,7 @@ TYPES = (
     (r"Function\(<class '(\w+)'>\)", r"\1"),
     (r"array\([\w]+, \d+d, \w\)", "array"),
     (r"(Uni)?Tuple\([^)]*\)", "tuple"),
+    (r"list\(\w+\)<iv=None>", "list"),
     (r"unicode_type", "str"),
     (r"\b(int|float)64\b", r"\1"),
     (r"(Enum|IntEnum) ?(class)?<\w+>\((\w+)\)", r"\3"),
