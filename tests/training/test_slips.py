@@ -1,12 +1,12 @@
 """The slips that students make are answered with one sentence, and a traceback that is theirs, wherever they are."""
 
 import warnings
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
 
-from edugym import MDPEnv, MDPVectorEnv, QLearning, repeat, train
+from edugym import MDPEnv, MDPVectorEnv, QLearning, repeat, train, wrapper
 from edugym.training import trainers
 from tests.compiled.cells import LEARNER, SLIPPERY, WALK, cell
 from tests.training.slips import (
@@ -79,6 +79,20 @@ def test_slips_in_an_mdp_that_is_played(name: str) -> None:
     answered(slip, played_copies)
 
 
+WRAPPER = """
+@wrapper
+class Paid(NamedTuple):
+    mdp: object
+    def reward(self, state, action, next_state, rng):
+        return self.mdp.reward(state, action, next_state, rng) + 1.0
+"""
+
+
+def wrapped(mdp: Any) -> Any:
+    """Something in a wrapper of a student's own."""
+    return cell(WRAPPER, {"wrapper": wrapper, "NamedTuple": NamedTuple, "__name__": "__main__"})["Paid"](mdp)
+
+
 WHOLE = {
     "a class for a task": (
         lambda: train(cell(WALK)["Walk"], learner(), 30),
@@ -107,6 +121,15 @@ WHOLE = {
     "a function for an agent": (
         lambda: train(task(), QLearning.create, 30),
         "learn, but is .*: call it, and give what",
+    ),
+    "a wrapper of a class": (
+        lambda: train(wrapped(cell(WALK)["Walk"]), learner(), 30),
+        r"mdp of Paid must be a value, but is the class Walk: make one with Walk\(\.\.\.\)$",
+    ),
+    "a wrapper of a number": (lambda: train(wrapped(0.5), learner(), 30), "mdp of Paid must be an MDP, .* but is 0.5$"),
+    "a wrapper without its decorator": (
+        lambda: train(cell(WRAPPER.replace("@wrapper", ""))["Paid"](task()), learner(), 30),
+        "environment must be an MDP, .*: is the decorator @edugym.wrapper missing",
     ),
     "no agent": (lambda: train(task(), None, 30), "agent must be an object with the methods act and learn, but"),
     "the wrong way round": (

@@ -58,6 +58,10 @@ def require_mdp(mdp: Any, name: str = "mdp") -> None:
             f"{name} must be an MDP, a value with the methods {', '.join(METHODS)} and the properties"
             f" {' and '.join(SPACES)}, but is {in_short(mdp)}"
         )
+    if "mdp" in getattr(mdp, "_fields", ()) and (
+        isinstance(mdp.mdp, type) or not _has(mdp.mdp, "initial")
+    ):  # a wrapper
+        require_mdp(mdp.mdp, f"mdp of {_name(mdp)}")
     for method, parameters in METHODS.items():
         require_method(mdp, method, parameters, METHODS)
     require_spaces(mdp)
@@ -323,7 +327,9 @@ def require_environment(name: str, environment: Any, allowed: str = "an MDP or a
         ValueError: it is something else, such as None.
     """
     if not any(hasattr(environment, part) for part in ("observation_space", "transition", "step")):
-        raise ValueError(f"{name} must be {allowed}, but is {in_short(environment)}")
+        wraps = isinstance(environment, tuple) and "mdp" in getattr(environment, "_fields", ())
+        hint = ": is the decorator @edugym.wrapper missing?" if wraps else ""
+        raise ValueError(f"{name} must be {allowed}, but is {in_short(environment)}{hint}")
 
 
 def require_spaces(task: Any) -> None:
