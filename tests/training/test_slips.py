@@ -221,6 +221,31 @@ def test_slips_in_a_gymnasium_environment(name: str, way: str) -> None:
     answered(slip, lambda: WAYS[way](env, QLearning.create((6, 2))))
 
 
+GYM_WRAPPER = """
+import gymnasium
+class Paid(gymnasium.RewardWrapper):
+    def __init__(self, env):
+        super().__init__(env)
+    def reward(self, reward):
+        return reward + 1.0
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "says"),
+    [
+        ("super().__init__(env)", "self.env = env", r"^__init__ of Paid must call super\(\).__init__\(env\)$"),
+        ("def reward(", "def rewards(", r"^Paid must have a method reward\(self, reward\)$"),
+        ("return ", "", "step of Paid must return a finite number as reward, but returned None"),
+    ],
+)
+def test_slips_in_a_gymnasium_wrapper(old: str, new: str, says: str) -> None:
+    """Around one of the package's environments."""
+    slip = Slip(old, new, says)
+    env = cell(changed(GYM_WRAPPER, slip))["Paid"](MDPEnv(task()))
+    answered(slip, lambda: train(env, QLearning.create((6, 2)), 30))
+
+
 @pytest.mark.parametrize("name", ["act without return", "a large action", "a frozen field", "learn misnames", "NaN"])
 def test_an_agent_in_a_gymnasium_environment(name: str) -> None:
     """As in an MDP."""

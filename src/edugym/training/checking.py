@@ -14,7 +14,7 @@ from typing import Any
 
 import gymnasium
 import numpy as np
-from gymnasium import spaces
+from gymnasium import ActionWrapper, ObservationWrapper, RewardWrapper, spaces
 from gymnasium.wrappers import FlattenObservation, OrderEnforcing, PassiveEnvChecker
 
 from edugym.adapters.tabular_observation import TabularObservation
@@ -256,6 +256,11 @@ def require_env(env: gymnasium.Env[Any, Any]) -> None:
         ValueError: one of them is not as Gymnasium calls it.
     """
     name = type(env).__name__
+    if isinstance(env, gymnasium.Wrapper) and "_observation_space" not in vars(env):
+        raise ValueError(f"__init__ of {name} must call super().__init__(env)")
+    for kind, method in ((ObservationWrapper, "observation"), (ActionWrapper, "action"), (RewardWrapper, "reward")):
+        if isinstance(env, kind) and getattr(type(env), method) is getattr(kind, method):
+            raise ValueError(f"{name} must have a method {method}(self, {method})")
     for method, takes, given, named in (
         ("reset", "(self, *, seed=None, options=None)", (), {"seed": None, "options": None}),
         ("step", "(self, action)", ("action",), {}),

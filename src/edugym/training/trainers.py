@@ -307,8 +307,8 @@ def _task(environment: Any, agent: Any) -> Any:
         require_mdp(environment, "environment")  # says how to make a value
     require_environment("environment", environment, "an MDP, a Gymnasium environment or a name")
     if isinstance(environment, gymnasium.Env):
-        require_spaces(environment)
         require_env(environment)
+        require_spaces(environment)
     elif not is_own(environment):
         require_mdp(environment, "environment")
     learns_from(agent)  # refuses what is no agent
