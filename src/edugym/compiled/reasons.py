@@ -10,6 +10,10 @@ from edugym.compiled.subset import place
 MOST_WORDS = 150
 """How many letters of a message of Numba's are shown."""
 WORDS = (
+    (
+        r"Unknown attribute 'choice' of type NumPyRandomGeneratorType.*",
+        "it uses rng's choice: draw a place instead, int(rng.random() * n)",
+    ),
     (r"Unknown attribute '(\w+)' of type NumPyRandomGeneratorType.*", r"it uses rng's \1"),
     (r"Unknown attribute '(\w+)' of type class\(<class '(?:.*\.)?(\w+)'>\).*", r"it takes \1 from the class \2"),
     (r"Unknown attribute '(\w+)' of type (.+)", r"it uses \1 of a value of type \2"),
