@@ -13,7 +13,7 @@ from gymnasium.vector import AutoresetMode, VectorEnv
 
 from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.adapters.vector_env import MDPVectorEnv
-from edugym.checks import in_short, whole_number
+from edugym.checks import whole_number
 from edugym.mdp.protocol import step_limit
 from edugym.registration import ENVIRONMENTS, full_id, make_environment
 from edugym.training.train import Run
@@ -44,7 +44,7 @@ def copies(environment: Any, n: int, parameters: Mapping[str, Any]) -> Any:
             return made
         environment = make_environment(environment, **parameters)
     if not isinstance(environment, MDPEnv):
-        raise ValueError(f"environment must be a name, an id or an MDPEnv, but is {in_short(environment)}")
+        raise ValueError(f"environment must be a name, an id or an MDPEnv, but is {environment!r}")
     return MDPVectorEnv(environment, n, "SameStep")
 
 
