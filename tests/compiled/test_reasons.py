@@ -12,7 +12,7 @@ from tests.compiled.test_compiler import plain_loop
 
 def test_reasons() -> None:
     """What cannot be compiled is named in one line, with the student's line where it is known."""
-    for method, reason in (
+    for method, words in (
         ("return {1: s}[1] + open('x')", "open"),
         ("return self.missing", "missing"),
         ("return s + self.k.strip()", "it uses strip of a value of type int "),
@@ -29,7 +29,7 @@ def test_reasons() -> None:
         ("return s + np.zeros(3)[0.5]", "an index of an array is of type float "),
     ):
         thing = cell(f"class A(NamedTuple):\n    k: int\n    def f(self, s, rng):\n        {method}")["A"](1)
-        with pytest.raises(CompilationError, match=reason) as caught:
+        with pytest.raises(CompilationError, match=words) as caught:
             compiled(plain_loop, 1, thing, np.random.default_rng(0))
         assert "\n" not in str(caught.value)
         assert ", line " in str(caught.value)
