@@ -154,3 +154,14 @@ def played(task: Any, *, copies: bool) -> None:
     env: Any = MDPVectorEnv(task, 2) if copies else MDPEnv(task)
     env.reset(seed=0)
     env.step([1, 1] if copies else 1)
+
+
+def test_without_a_specification() -> None:
+    """There is none where nobody has registered the task, and it can be taken away."""
+    env = MDPEnv(make_mdp("Boulder"))
+    assert env.spec is None
+    env.spec = gymnasium.spec("edugym/Boulder-v0")
+    assert env.spec is not None
+    assert (env.spec.max_episode_steps, env.spec.reward_threshold) == (100, 1.0)
+    env.spec = None
+    assert env.spec is None
