@@ -113,6 +113,37 @@ def test_a_threshold_is_there_where_the_limit_lets_an_agent_reach_it(name: str) 
     assert make_mdp(name, max_steps=steps - 1).reward_threshold is None
 
 
+@pytest.mark.parametrize(
+    ("name", "parameters", "threshold"),
+    [
+        ("Boulder", {"height": 3, "max_steps": 2}, None),
+        ("Catch", {"observation_type": "vectorised"}, 1.0),
+        ("Golf", {}, 0.85),
+        ("Golf", {"observe_hits": True}, 0.85),
+        ("Golf", {"max_hits": 11}, None),
+        ("MemoryCorridor", {"max_steps": 7}, 7.0),
+        ("Roadrunner", {"max_speed": 1}, -7.0),  # nine steps, of which the last one pays 1
+        ("Roadrunner", {"max_speed": 1, "negative_reward": -3}, -3.0),
+        ("Roadrunner", {"stop_zone": 1}, None),
+        ("Study", {"action_reward_noise_mean": 0}, 10.0),
+        ("Supermarket", {"noise": 5.0}, 95.0),
+        ("Tamagotchi", {}, 6600.0),
+        ("Tamagotchi", {"tau": 0.02}, None),
+        ("Trashbot", {"n_bins": 3}, 3.0),
+    ],
+)
+def test_thresholds_by_hand(name: str, parameters: dict[str, Any], threshold: float | None) -> None:
+    """Of the tasks of the docstrings; None where it is not known."""
+    assert make_mdp(name, **parameters).reward_threshold == threshold
+
+
+def test_not_trying_is_the_best_of_some_exams() -> None:
+    """Where studying costs more than passing pays."""
+    mdp = make_mdp("Study", action_reward_noise_mean=20, layout_seed=2)
+    assert mdp.reward_threshold == pytest.approx(mdp.total_days * mdp.action_rewards.max())
+    assert mdp.reward_threshold == pytest.approx(value_iteration(finite_model(mdp)).start)
+
+
 @every_environment
 def test_make_vec_with_a_limit(entry: Entry) -> None:
     """`max_episode_steps` truncates, unless the environment's own limit is lower or the episode terminates then."""

@@ -9,6 +9,7 @@ import pytest
 from gymnasium import spaces
 from gymnasium.vector import AutoresetMode
 
+from edugym.adapters import vector_env
 from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.mdp.protocol import Random
@@ -195,3 +196,23 @@ def test_who_is_told_that_nothing_is_compiled() -> None:
         vector.reset(seed=0)
     assert [one.filename for one in told] == [__file__]
     assert not vector.is_compiled
+
+
+def test_rewards_before_the_first_step(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A reset gives none: what stood in the memory of their array, such as NaN, is no reason to leave machine code."""
+
+    class Dirty:
+        """NumPy on a machine whose new memory is full of NaN."""
+
+        def __getattr__(self, name: str) -> Any:
+            return getattr(np, name)
+
+        def empty(self, shape: Any, dtype: Any = np.float64) -> Any:
+            """An array of them, where there can be any."""
+            return np.full(shape, np.nan if np.dtype(dtype).kind == "f" else 0, dtype)
+
+    vector = MDPVectorEnv(MDPEnv(cell(LEAVING)["Leaving"]()), 2)
+    monkeypatch.setattr(vector_env, "np", Dirty())
+    vector.reset(seed=0)
+    vector.reset()
+    assert vector.is_compiled

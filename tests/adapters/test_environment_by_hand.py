@@ -154,3 +154,28 @@ def played(task: Any, *, copies: bool) -> None:
     env: Any = MDPVectorEnv(task, 2) if copies else MDPEnv(task)
     env.reset(seed=0)
     env.step([1, 1] if copies else 1)
+
+
+def test_without_a_specification() -> None:
+    """There is none where nobody has registered the task, and it can be taken away."""
+    env = MDPEnv(make_mdp("Boulder"))
+    assert env.spec is None
+    env.spec = gymnasium.spec("edugym/Boulder-v0")
+    assert env.spec is not None
+    assert (env.spec.max_episode_steps, env.spec.reward_threshold) == (100, 1.0)
+    env.spec = None
+    assert env.spec is None
+
+
+def test_the_window_of_several_copies(monkeypatch: pytest.MonkeyPatch) -> None:
+    """They share one, which is closed with them."""
+    monkeypatch.setattr(window, "Window", Screen)
+    monkeypatch.setattr(Screen, "made", [], raising=False)
+    vector = MDPVectorEnv(MDPEnv(make_mdp("Boulder"), render_mode="human"), 2)
+    vector.reset(seed=0)
+    vector.render()
+    (screen,) = Screen.made
+    assert [scene for scene, _ in screen.shown] == [vector.showing(i).scene() for i in range(2)]
+    assert screen.closed == 0
+    vector.close()
+    assert screen.closed == 1

@@ -136,9 +136,10 @@ def test_the_latest_are_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
     monkeypatch.setattr(disk, "LIMIT", 2500)
     left = tmp_path / "unfinished-old"
     left.mkdir()
-    os.utime(left, (0, 0))
     fresh = tmp_path / "unfinished-new"
     fresh.mkdir()
+    for path, hours in ((left, 2.0), (fresh, 0.5)):
+        os.utime(path, (time.time() - 3600 * hours,) * 2)
     first, second = folder(tmp_path, "a", 1000), folder(tmp_path, "b", 1000)
     os.utime(first, (10, 10))
     os.utime(second, (20, 20))

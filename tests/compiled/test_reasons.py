@@ -4,15 +4,17 @@ import numpy as np
 import pytest
 
 from edugym import QLearning, train
+from edugym.compiled.code import code_of
 from edugym.compiled.compiler import CompilationError, compiled
 from edugym.compiled.execution import COMPILE_FROM
+from edugym.compiled.reasons import reason
 from tests.compiled.cells import WALK, cell
 from tests.compiled.test_compiler import plain_loop
 
 
 def test_reasons() -> None:
     """What cannot be compiled is named in one line, with the student's line where it is known."""
-    for method, reason in (
+    for method, words in (
         ("return {1: s}[1] + open('x')", "open"),
         ("return self.missing", "missing"),
         ("return s + self.k.strip()", "it uses strip of a value of type int "),
@@ -41,14 +43,14 @@ def test_reasons() -> None:
         ("return s + np.zeros(3)[0.5]", "an index of an array is of type float "),
     ):
         thing = cell(f"class A(NamedTuple):\n    k: int\n    def f(self, s, rng):\n        {method}")["A"](1)
-        with pytest.raises(CompilationError, match=reason) as caught:
+        with pytest.raises(CompilationError, match=words) as caught:
             compiled(plain_loop, 1, thing, np.random.default_rng(0))
         assert "\n" not in str(caught.value)
         assert ", line " in str(caught.value)
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "reason"),
+    ("old", "new", "because"),
     [
         (
             "return 1.0 if",
@@ -62,10 +64,10 @@ def test_reasons() -> None:
         ),
     ],
 )
-def test_reasons_that_have_no_line(old: str, new: str, reason: str) -> None:
+def test_reasons_that_have_no_line(old: str, new: str, because: str) -> None:
     """What shows in the package's own code, or only when machine code runs."""
     task = cell(WALK.replace(old, new))["Walk"](5)
-    with pytest.warns(UserWarning, match=f"Walk cannot be compiled .*: {reason}"):
+    with pytest.warns(UserWarning, match=f"Walk cannot be compiled .*: {because}"):
         train(task, QLearning.create((6, 2)), COMPILE_FROM, max_steps=9)
 
 
@@ -94,3 +96,60 @@ def test_other_methods(decorator: str, owner: str) -> None:
     says = rf"start of Walk is a {kind} method: make it a method, with self \(<cell \d+>, line 6\)$"
     with pytest.warns(UserWarning, match=says):
         train(task, QLearning.create((6, 2)), COMPILE_FROM, max_steps=9)
+
+
+class NumbaError(Exception):
+    """As Numba's own."""
+
+    __module__ = "numba.core.errors"
+
+
+NOTHING = code_of(plain_loop, ())
+
+
+@pytest.mark.parametrize(
+    ("message", "said"),
+    [
+        (
+            "Unknown attribute 'choice' of type NumPyRandomGeneratorType(x)",
+            "it uses rng's choice: draw a place instead, int(rng.random() * n)",
+        ),
+        ("Unknown attribute 'T' of type class(<class '__main__.A'>)", "it takes T from the class A"),
+        ("Unknown attribute 'k' of type array(float64, 2d, C)", "it uses k of a value of type array"),
+        (
+            "TypingError: Cannot unify Literal[int](3) and OptionalType(float64) for 'x.2', defined at a (3)",
+            "one name stands for values of two types, int and float or None",
+        ),
+        ("Unsupported array index type unicode_type in [unicode_type]", "an index of an array is of type str"),
+        ("Argument rng is not one of the expected type(s)", "rng is of a type that Numba does not take"),
+        ("Cannot bind to (a, b)", "a call has other arguments than Numba takes"),
+        ("missing a required argument: 'b'", "a call has other arguments than Numba takes"),
+        ("got an unexpected keyword argument 'b'", "a call has other arguments than Numba takes"),
+        ("Type of variable 'x' cannot be determined, operation: y", "Numba cannot tell the type of a value"),
+        ("Use of unsupported opcode (UNPACK_EX) found", "it has a statement that Numba does not know, UNPACK_EX"),
+        (
+            "No implementation of function\n >>> sorted(UniTuple(float64 x 2), Function(<class 'bool'>))",
+            "Numba has no sorted(tuple, bool)",
+        ),
+        (
+            ">>> f(IntEnum class<int64>(Colour), Pair(int x 2), Mixed(int, float))",
+            "Numba has no f(Colour, Pair, Mixed)",
+        ),
+        ("Int value is too large: 9", "it has a whole number of more than 64 bits"),
+        ("Illegal IR, del found at: del x", "it deletes a variable"),
+        ("Failed in nopython mode\n- of which:\nSomething else", "Something else"),
+        ('Failed in nopython mode\nFile "a.py", line 3:\n>>> sorted(int64)', "Numba does not say why"),
+        ("\x1b[1m\x1b[31mIllegal IR, del found\x1b[0m", "it deletes a variable"),
+        ("First.\nDuring: typing of\n>>> sorted(int64)", "First."),
+        (200 * "x", 150 * "x"),
+        ("Unknown attribute 'k' of type " + 200 * "x", "it uses k of a value of type " + 121 * "x"),
+    ],
+)
+def test_what_numba_says_in_other_words(message: str, said: str) -> None:
+    """Of each kind of message the words for it, with types as Python writes them."""
+    assert reason(NumbaError(message), NOTHING) == said
+
+
+def test_what_numba_is_not_prepared_for() -> None:
+    """An error of another kind is named, and no more."""
+    assert reason(KeyError("x"), NOTHING) == "Numba cannot compile it (KeyError)"

@@ -15,12 +15,20 @@ from tests.contract.parameters import PARAMETERS
 from tests.contract.play import Player, every_environment
 
 FOLDER = Path(__file__).parent / "pictures"
-LARGE: dict[str, dict[str, Any]] = {
-    "Boulder": {"height": 30, "n_grips": 3},
-    "MemoryCorridor": {"num_doors": 5},
-    "Study": {"total_days": 38},
+OTHERS: dict[str, tuple[dict[str, Any], ...]] = {
+    "Boulder": ({"height": 30, "n_grips": 3},),
+    "Catch": (
+        {"rows": 60, "columns": 70, "observation_type": "rgb"},
+        {"rows": 2, "columns": 1, "observation_type": "vectorised"},
+    ),
+    "Golf": ({"width": 81, "length": 90, "stochasticity_level": 1.0}, {"width": 3, "stochasticity_level": 0}),
+    "MemoryCorridor": ({"num_doors": 5}, {"num_doors": 50}),
+    "Roadrunner": ({"size": 24, "stop_zone": 5}, {"size": 60, "stop_zone": 35}),
+    "Study": ({"total_days": 38}, {"total_days": 38, "lectures_needed": 1, "energy_needed": 3}),
+    "Tamagotchi": ({"max_msg_length": 10, "vocab_size": 9}, {"vocab_size": 3, "tau": 0.1}),
+    "Trashbot": ({"n_bins": 2}, {"n_bins": 16, "container_width": 1.0}),
 }
-"""Tasks of which a picture shows only a part, or more than by default."""
+"""Tasks of which a picture shows only a part, or others than by default."""
 
 
 def lines_of(scene: Scene) -> list[str]:
@@ -60,21 +68,26 @@ def frames(entry: Entry) -> Iterator[tuple[str, Scene]]:
         yield f"episode {episode}, {'well' if well else 'at random'}, the last step", player.bare.scene()
 
 
-def large(entry: Entry) -> Iterator[tuple[str, Scene]]:
-    """Three frames of an episode of a large task that is played well."""
-    player = Player(entry.load()(**LARGE[entry.name]), entry.name)
-    informed: Any = PARAMETERS[entry.name].informed
+def in_other_tasks(entry: Entry, k: int, parameters: dict[str, Any]) -> Iterator[tuple[str, Scene]]:
+    """Three frames of an episode of another task, played well where it is known how, or its first and its last one."""
+    player = Player(entry.load()(**parameters), entry.name)
+    informed = PARAMETERS[entry.name].informed
     for step in range(30):
         if step in (0, 16, 29):
-            yield f"large, step {step}", player.bare.scene()
-        *_, player.info = player.env.step(informed(player.info, player.bare))
+            yield f"other task {k}, step {step}", player.bare.scene()
+        action = informed(player.info, player.bare) if informed else player.actions.sample()
+        _, _, terminated, truncated, player.info = player.env.step(action)
+        if terminated or truncated:
+            yield f"other task {k}, the last step", player.bare.scene()
+            return
 
 
 def pictures(entry: Entry) -> str:
     """What is drawn: of each frame, what differs from the one before."""
     before: list[str] = []
     told = []
-    for name, scene in (*frames(entry), *(large(entry) if entry.name in LARGE else ())):
+    others = [frame for k, given in enumerate(OTHERS.get(entry.name, ())) for frame in in_other_tasks(entry, k, given)]
+    for name, scene in (*frames(entry), *others):
         now = lines_of(scene)
         told += [name, *(f"  {line}" for line in difflib.ndiff(before, now) if line[0] in "+-")]
         before = now

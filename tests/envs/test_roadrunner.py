@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from edugym.envs.roadrunner import Roadrunner, Runner
 from edugym.exact.model import finite_model
 from edugym.exact.value_iteration import value_iteration
-from edugym.rendering.scene import Arc
+from edugym.rendering.scene import Arc, Line
 from tests.contract.described import NO_STEPS, NO_WHOLE_NUMBER, Keywords, Parameters, refused
 from tests.envs.classes import RoadrunnerEnv
 
@@ -228,3 +228,12 @@ def test_the_threshold_is_the_best_return(size: int, negative_reward: float) -> 
     """Of the fastest run, or of a stall at once where that costs less."""
     mdp = Roadrunner.create(size=size, negative_reward=negative_reward)
     assert mdp.reward_threshold == pytest.approx(value_iteration(finite_model(mdp)).start)
+
+
+@pytest.mark.parametrize(("dx", "n_lines"), [(-1, 0), (0, 0), (1, 1), (2, 2), (3, 3), (7, 3)])
+def test_lines_of_speed(dx: int, n_lines: int) -> None:
+    """One for each unit of speed behind the runner, at most three: level with it, above and below."""
+    drawn = Roadrunner.create().scene(Runner(6, dx)).shapes
+    lines = [shape.points for shape in drawn if isinstance(shape, Line) and shape.points[0][1] == shape.points[1][1]]
+    expected = [((5.875, 3.15), (6.415, 3.15)), ((6.055, 2.925), (6.415, 2.925)), ((6.055, 3.375), (6.415, 3.375))]
+    assert np.array(lines).ravel() == pytest.approx(np.array(expected[:n_lines]).ravel())

@@ -259,6 +259,21 @@ def test_an_observation_outside_the_space_is_an_error(outside: Any) -> None:
         env.reset()
 
 
+@pytest.mark.parametrize("outside", [0, 4, 1.5, np.float32(2.5), np.array(4), np.array([1, 2]), -1, np.nan], ids=str)
+def test_an_observation_that_is_no_element_of_a_discrete_space(outside: Any) -> None:
+    """It is refused in the same words, whatever its type."""
+    env = TabularObservation(Shows(spaces.Discrete(3, start=1), [outside]))
+    with pytest.raises(ValueError, match=r"observation .* is not in the observation space Discrete\(3, start=1\)"):
+        env.reset()
+
+
+def test_whole_numbers_of_any_type() -> None:
+    """2.0 stands for 2, and so do arrays of one number."""
+    shown = [1, np.uint8(2), 3.0, np.float32(1.0), np.array(2), np.array([3]), np.array([1.0]), True]
+    assert rows_shown(spaces.Discrete(3, start=1), shown) == [0, 1, 2, 0, 1, 2, 0, 0]
+    assert rows_shown(spaces.MultiDiscrete([2, 3]), [np.array([1.0, 2.0]), (0.0, 1)]) == [5, 1]
+
+
 def test_a_wrapped_environment_can_be_copied_and_pickled() -> None:
     """As evaluation and processes do."""
     env = TabularObservation(gymnasium.make("edugym/Golf-v0"))

@@ -29,6 +29,13 @@ def test_the_curve_by_hand(n_steps: int) -> None:
     assert run.complete
 
 
+@pytest.mark.parametrize("every", [70, 130, 999, 1_000])
+def test_points_are_where_they_should_be(every: int) -> None:
+    """However many steps a call of `learn` takes, none goes beyond the next point."""
+    run = train(Stairs(), QLearning.create(Stairs()), 3_000, evaluate_every=every)
+    assert run.steps.tolist() == [*range(0, 3_000, every), 3_000]
+
+
 def test_points_where_no_episode_ended_are_nan() -> None:
     """Every second step a point: episodes end in the intervals (2, 4], (4, 6], (8, 10]."""
     run = train(Stairs(), QLearning.create(Stairs()), 10, evaluate_every=2)

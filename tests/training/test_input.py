@@ -6,12 +6,15 @@ import warnings
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import gymnasium
 import numpy as np
 import pytest
 
 from edugym import QLearning, make_mdp, repeat, train
+from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.compiled import execution
 from edugym.mdp.protocol import Random, Reals
+from edugym.training.trainers import _step_limit
 from tests.compiled.cells import LEARNER, cell
 
 WALL = make_mdp("Boulder", height=3)
@@ -175,3 +178,35 @@ def test_a_long_evaluation_stops_between_episodes() -> None:
     run = train(wall, QLearning.create(wall), 1_000_000, evaluation_episodes=100_000, stop=stop)
     assert not run.complete
     assert time.perf_counter() - began < 30
+
+
+@pytest.mark.parametrize(("shape", "fits"), [((4, 1), False), ((4, 2), True), ((4, 3), True), ((2, 1), True)])
+def test_a_table_with_too_few_actions(shape: tuple[int, int], fits: bool) -> None:
+    """Of a student's agent, and only if it has a row for each observation: others may see something else."""
+
+    class Zeros(NamedTuple):
+        Q: Reals
+
+        def act(self, state: int, rng: Random) -> int:
+            return 0
+
+        def learn(self, state: int, action: int, reward: float, next_state: int) -> None:
+            """Learn nothing."""
+
+    agent = Zeros(np.zeros(shape))
+    if fits:
+        assert train(WALL, agent, 10).complete
+        return
+    expected = r"Q of Zeros has the shape \(4, 1\), but this environment has 4 observations and 2 actions"
+    with pytest.raises(ValueError, match=expected):
+        train(WALL, agent, 10)
+
+
+def test_the_limit_of_a_wrapped_task() -> None:
+    """It is known also where no specification says it."""
+
+    class Unchanged(gymnasium.Wrapper[Any, Any, Any, Any]):
+        """Does nothing."""
+
+    assert _step_limit(Unchanged(MDPEnv(WALL))) == _step_limit(WALL) == 30
+    assert _step_limit(gymnasium.make("CartPole-v1")) == 500

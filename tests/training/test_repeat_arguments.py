@@ -9,7 +9,8 @@ import pandas as pd
 import pytest
 
 from edugym import SARSA, QLearning, repeat, train
-from edugym.training.configuration import plain
+from edugym.envs.boulder import Boulder
+from edugym.training.configuration import plain, planned_runs, task
 from tests.training.tasks import Ring, SlipperyWalk
 
 AGENTS: dict[str, Any] = {
@@ -91,3 +92,54 @@ def test_how_settings_are_written(value: Any, written: Any) -> None:
     """As numbers and texts; a long array by its shape, and what is in it in short."""
     found = plain(value)
     assert (type(found), found) == (type(written), written)
+
+
+BOULDER = {"environment": "edugym/Boulder-v0", "environment.height": 10, "environment.n_grips": 2}
+
+
+@pytest.mark.parametrize(
+    ("environment", "parameters", "settings", "has_layout"),
+    [
+        ("Boulder", None, BOULDER, True),
+        (
+            "Boulder",
+            {"height": 3, "max_steps": 7},
+            BOULDER | {"environment.height": 3, "environment.max_steps": 7},
+            True,
+        ),
+        ("Boulder", {"layout_seed": 4}, BOULDER | {"layout_seed": 4}, False),
+        (
+            "MemoryCorridor",
+            {},
+            {
+                "environment": "edugym/MemoryCorridor-v0",
+                "environment.num_doors": 3,
+                "environment.max_steps": 1000,
+            },
+            False,
+        ),
+        (SlipperyWalk(), None, {"environment": "SlipperyWalk"}, False),
+        (
+            lambda layout_seed: Boulder.create(4, max_steps=9, layout_seed=layout_seed),
+            None,
+            {"environment": "Boulder", "environment.height": 4, "environment.n_grips": 2, "environment.max_steps": 9},
+            True,
+        ),
+    ],
+)
+def test_how_a_task_is_described(
+    environment: Any, parameters: dict[str, Any] | None, settings: dict[str, Any], has_layout: bool
+) -> None:
+    """By the parameters that all its layouts have in common; the layout only where it is fixed."""
+    described = task(environment, parameters)
+    assert (described.settings, described.has_layout) == (settings, has_layout)
+
+
+def test_the_plan() -> None:
+    """Repetition by repetition, each with its own two seeds, the same in every longer plan."""
+    plan = planned_runs(["a", "b"], 3, 5)
+    assert [(run.method, run.repetition.number) for run in plan] == [(m, k) for k in range(3) for m in ("a", "b")]
+    seeds = {(run.repetition.seed, run.repetition.layout_seed) for run in plan}
+    assert len({seed for pair in seeds for seed in pair}) == 6
+    assert planned_runs(["b"], 2, 5) == [plan[1], plan[3]]
+    assert planned_runs(["a"], 1, 6)[0].repetition.seed != plan[0].repetition.seed

@@ -256,7 +256,7 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
             over,
             self._rows(np.empty((n, *shape), space.dtype)),
             self._rows(np.empty((finals, *shape), space.dtype)),
-            np.empty(n),
+            np.zeros(n),  # a reset gives none, and all must be finite
             np.empty(n, np.bool_),
             np.empty(n, np.bool_),
         )
