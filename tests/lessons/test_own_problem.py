@@ -210,7 +210,9 @@ def test_figures() -> None:
 
 def test_the_bedroom() -> None:
     """A wave for a chime and three for a ring, a face that is glad when awake, deeper sleep, and a sun that rises."""
-    shapes = [[Morning().scene((time, depth), depth).shapes for depth in (0, 1, 2)] for time in range(9)]
+    shapes: list[list[Any]] = [
+        [[*Morning().scene((time, depth), depth).shapes] for depth in (0, 1, 2)] for time in range(9)
+    ]
     waves = [[s.colour for s in drawn if isinstance(s, Arc) and (s.x, s.y) == (9.4, 5.05)] for drawn in shapes[0]]
     assert waves == [[], [ORANGE], [RED] * 3]
     faces = [[*smiley(2.1, 4.0, 0.75)], *([*smiley(1.9, 4.75, 0.75, "flat")] for _ in range(2))]
