@@ -107,7 +107,11 @@ SURPRISES = {
     "shift": program("return s + (1 << 64) % 3 if s > 2 else s + 1", start="0"),
     "shift late": program("return s + 1 + (1 << (s // 10)) % 7", start="0"),
     "int of a large number": program("return int(1e19 + s) % 7 + s"),
-    "whole against real": program("x = 2.0 ** 53\nreturn s + 1 if s + 9007199254740000 > x + 1 else s + 2", start="0"),
+    "whole against real": program("x = 2.0 ** 53\nreturn s + 1 + (s + 9007199254740500 > x)", start="0"),
+    "real against whole": program("x = 2.0 ** 53\nreturn s + 1 + (x < s + 9007199254740500)", start="0"),
+    "whole against real, below zero": program("x = -(2.0 ** 53)\nreturn s - 1 - (s - 9007199254740500 < x)", start="0"),
+    "int of a large negative number": program("return int(-1e16 * s) % 7 + s + 1"),
+    "power of a negative number": program("return (-3) ** min(s // 20, 40) % 7 + s + 1", start="0"),
     "large division": program("return (s + 2 ** 60) / 3 % 7", start="1")
     .replace("% 7", "% 7 // 1")
     .replace("return (", "return int((")
@@ -182,6 +186,8 @@ REFUSED = {
     "print": (program("print(end='')\nreturn s + 1"), "prints"),
     "global list": (program("h.append(s)\nreturn s + len(h)", before="h = []"), "a list"),
     "count in a global": (program("global k\nk += 1\nreturn s + k", before="k = 0"), "global"),
+    "deleted from a class": (program("if s == 5.0: del T.k\nreturn s + 1", more="k = 0"), "attribute k"),
+    "global deleted": (program("global k\nif s == 5.0: del k\nreturn s + 1", before="k = 0"), "global"),
     "count in a class": (program("T.k += 1\nreturn s + T.k", more="k = 0"), "attribute k"),
     "list of a class": (program("self.h.append(s)\nreturn s + len(self.h)", more="h = []"), "a list"),
     "list as default": (program("return self.g(s)", more="def g(self, s, h=[]):\n    h.append(s)\n    return s + len(h)"), "a list"),

@@ -380,3 +380,6 @@ def test_smiley() -> None:
     env.reset()
     walk(env, BEST_WALK)
     assert is_glad(env)
+    for items in range(8):  # at the exit with each of all possible bags
+        env.state = 8 * env.mdp.exit + items
+        assert is_glad(env) == (items == 7)

@@ -29,6 +29,8 @@ from edugym.lessons.exploration.climbs import first_at_top
 from edugym.lessons.exploration.figures import highest_so_far, progress
 from edugym.lessons.exploration.fork import Fork, branches, returns_to, turns
 from edugym.lessons.exploration.stalling import record_frontier
+from edugym.rendering.palette import CRACK, STONE
+from edugym.rendering.shapes import Circle
 from edugym.results.claims import Above, Below
 from edugym.results.statistics import proportion_interval
 
@@ -184,7 +186,22 @@ def test_both_walls_of_the_fork() -> None:
     assert [fork.terminal(state) for state in range(7)] == [False] * 6 + [True]
     assert fork.reward(5, 0, 6, rng) == 1.0
     assert fork.reward(2, 0, 3, rng) == 0.0
-    assert len({fork.scene(state)._repr_svg_() for state in range(7)}) == 7
+
+
+@pytest.mark.parametrize("height", [3, 30])
+def test_the_picture_of_the_fork(height: int) -> None:
+    """The climber stands before its wall, below the two grips that it can reach; the one that holds is grey."""
+    fork = Fork.create(height=height, layout_seed=1)
+    for state in range(2 * height + 1):
+        scene = fork.scene(state)
+        circles = [shape for shape in scene.shapes if isinstance(shape, Circle)]
+        (face,) = (shape for shape in circles if shape.radius == 0.42)
+        assert face.x == (4.0 if state == 0 else 2.0 if state <= height else 6.0)
+        assert 0.42 < face.y < scene.height
+        colours = {c.x - face.x: c.fill for c in circles if (c.radius, c.y) == (0.3, face.y - 0.5) and state % height}
+        grey = [fork.grips[state] == grip for grip in (0, 1)] if state % height else []
+        near = {x: colour for x, colour in colours.items() if abs(x) < 1}
+        assert near == {x: STONE if holds else CRACK for x, holds in zip((-0.5, 0.5), grey, strict=False)}
 
 
 def test_visits_of_two_branches_by_hand() -> None:

@@ -28,6 +28,9 @@ from edugym.lessons.own_problem.bedroom import clock
 from edugym.lessons.own_problem.exact import in_words
 from edugym.lessons.own_problem.figures import can_be_drawn, initials, names_of
 from edugym.rendering.ansi import to_text
+from edugym.rendering.icons import smiley
+from edugym.rendering.palette import ORANGE, PAPER, RED
+from edugym.rendering.shapes import Arc, Text
 from tests.lessons.figures import check_legends
 
 
@@ -203,6 +206,22 @@ def test_figures() -> None:
     assert [clock(time, 8) for time in (0, 8)] == ["7:10", "8:30"]
     for state, words in (((8, 1), "overslept"), ((8, 0), "in time"), ((3, 2), "fast asleep")):
         assert words in to_text(Morning().scene(state, 2))
+
+
+def test_the_bedroom() -> None:
+    """A wave for a chime and three for a ring, a face that is glad when awake, deeper sleep, and a sun that rises."""
+    shapes: list[list[Any]] = [
+        [[*Morning().scene((time, depth), depth).shapes] for depth in (0, 1, 2)] for time in range(9)
+    ]
+    waves = [[s.colour for s in drawn if isinstance(s, Arc) and (s.x, s.y) == (9.4, 5.05)] for drawn in shapes[0]]
+    assert waves == [[], [ORANGE], [RED] * 3]
+    faces = [[*smiley(2.1, 4.0, 0.75)], *([*smiley(1.9, 4.75, 0.75, "flat")] for _ in range(2))]
+    assert [all(part in drawn for part in face) for face, drawn in zip(faces, shapes[0], strict=True)] == [True] * 3
+    letters = [[s.content for s in drawn if isinstance(s, Text) and s.content in ("z", "Z")] for drawn in shapes[0]]
+    assert letters == [[], ["z", "z"], ["Z", "Z", "Z"]]
+    suns = [s.y for drawn, *_ in shapes for s in drawn if getattr(s, "glyph", "") == "☼"]
+    assert suns == pytest.approx([3.35, 3.35, 3.35, 3.25, 3.0, 2.75, 2.5, 2.25, 2.0])
+    assert Morning().scene((0, 0)).background != Morning().scene((8, 0)).background == PAPER
 
 
 def test_the_film_shows_the_best_policy() -> None:

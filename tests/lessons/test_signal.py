@@ -1,6 +1,7 @@
 """The amount of signal on Tamagotchi: the claims hold with other seeds than those the lesson shows."""
 
 import math
+from typing import Any
 
 import gymnasium
 import numpy as np
@@ -100,6 +101,21 @@ def test_table_of_words() -> None:
         assert joint.sum() == pytest.approx(1.0)
         assert bits(joint) == pytest.approx(information(tau), abs=1e-9)
     assert bits(np.eye(4) / 4) == 2.0
+
+
+def test_a_mood_lowers_one_variable() -> None:
+    """Each of the four as often; the others stay as the toy left them, and none falls below 0."""
+    moody: Any = signal.moody_toy(1.0, 20)
+    fell = np.zeros(4)
+    start = moody.initial(np.random.default_rng(0))._replace(variables=(80, 60, 40, 22), wanted=3)
+    for seed in range(100):
+        toy = moody.transition(start, 0, np.random.default_rng(seed))
+        calm = moody.mdp.transition(start, 0, np.random.default_rng(seed))
+        drops = np.subtract(calm.variables, toy.variables)
+        fell += drops > 0
+        assert sorted(drops) in ([0, 0, 0, 20], [0, 0, 0, 7])
+        assert (drops == 7).tolist() == [False, False, False, drops[3] > 0]
+    assert fell.min() > 15
 
 
 def test_moody_toy() -> None:

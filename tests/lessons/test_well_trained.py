@@ -1,6 +1,7 @@
 """What figures and tables of the lessons show of agents that have learned, on numbers made up by hand."""
 
 import inspect
+import math
 from types import SimpleNamespace
 from typing import Any
 
@@ -9,13 +10,14 @@ import pytest
 
 from edugym.envs.golf import Golf
 from edugym.lessons import depth, model_based, signal, stochasticity
+from edugym.lessons.dimensionality import methods
 from edugym.lessons.dimensionality.figures import Dots as Columns
 from edugym.lessons.signal.figures import Greedy
 from edugym.lessons.stochasticity.figures import Dots, Games
 from edugym.lessons.stochasticity.methods import Played, played
 from edugym.plotting.style import STROKES
 from edugym.results.statistics import mean_interval
-from tests.lessons.made_up import made_up
+from tests.lessons.made_up import Curve, made_up
 from tests.plotting.samples import heights, new_axes
 
 SHARES = [0.1, 0.0, 0.2, 0.3, 0.1, 0.1, 0.05, 0.05, 0.0, 0.05, 0.05]
@@ -108,6 +110,25 @@ def test_the_best_rate_of_each_depth() -> None:
     low = made_up({name: [{0: 0.0, 5: 2.0 * k, 10: 0.0}] for k, name in enumerate(names)})
     high = made_up({name: [{0: 0.0, 5: 3.0, 10: 9.0 - 4.0 * k}] for k, name in enumerate(names)})
     assert depth.best_rates({0.1: low, 0.3: high}) == dict(zip(depth.BY_DEPTH, (0.3, 0.3, 0.1, 0.1), strict=True))
+
+
+SLOW_AND_FAST: list[Curve] = [
+    {0: 0.0, 10: 0.99, 20: 0.0, 60: 0.0},
+    {0: 0.0, 10: 0.98, 20: 0.99, 60: 1.0},
+    {0: 0.0, 10: 0.0, 20: 0.0, 60: 1.0},
+]
+SELDOM = [SLOW_AND_FAST[0], *[{0: 0.0, 10: 0.5, 20: 0.5, 60: 0.5}] * 2]
+
+
+@pytest.mark.parametrize(("curves", "median"), [(SLOW_AND_FAST, 20.0), (SELDOM, math.inf)])
+def test_the_run_in_the_middle(curves: list[Curve], median: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A level counts when it is reached for the first time; a run that never gets there takes for ever."""
+    results = made_up({"one": curves}, 60)
+    assert model_based.steps_to(results, "one", 0.99) == median
+    clock = model_based.Clock(results, {"one": np.ones((1, 60), np.int64)}, step_ms=1000.0, target_us=1.0)
+    assert clock.seconds_to("one", 0.99) == pytest.approx(median)
+    monkeypatch.setattr(methods, "learn", lambda task, label, *more, **how: made_up({label: curves}, 60))
+    assert {*methods.steps_to_solve(3).values()} == {median}
 
 
 def test_the_second_half_of_training() -> None:

@@ -171,7 +171,8 @@ def figure_without_pyplot() -> Figure:
 
 
 def nothing_returned() -> None:
-    """A figure that is only made."""
+    """Figures that are only made, of which the last one is shown."""
+    plt.figure().suptitle("made first")
     plt.figure().suptitle("made")
 
 

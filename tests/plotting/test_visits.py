@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edugym.plotting import VisitMap
+from edugym.plotting import Lines, VisitMap
 from edugym.plotting.panel import Place
 from tests.plotting.samples import new_axes
 
@@ -32,6 +32,13 @@ def test_maps_on_a_sheet_share_a_scale() -> None:
     ax = maps[0].draw(new_axes(), Place(maps, last=False))
     assert (ax.images[0].norm.vmin, ax.images[0].norm.vmax) == (0.005, 50)
     assert len(ax.figure.axes) == 1
+
+
+def test_a_map_beside_other_panels_has_a_scale_of_its_own() -> None:
+    """It is the only map, and shows all that it has."""
+    only = VisitMap(np.array([[2.0, 50.0]]), 10)
+    norm: Any = only.draw(new_axes(), Place([Lines(np.ones(1), {}), only])).images[0].norm
+    assert (norm.vmin, norm.vmax) == (2, 50)
 
 
 @pytest.mark.parametrize("visits", [np.ones(3), -np.ones((2, 2)), np.full((2, 2), np.nan)])

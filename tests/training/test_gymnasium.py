@@ -105,9 +105,10 @@ def test_a_students_own_step_and_reset_are_not_left_out() -> None:
     run = train(GenerousBoulder(Boulder.create(height=4, max_steps=5)), agent, 10)
     assert run.training_returns[-1] == 5.0
     high = QLearning.create((3, 2), initial_value=1.0)
-    train(HighBoulder(Boulder.create(height=2)), high, 6_000)
-    assert abs(high.Q[1] - 1.0).max() > 0.01
+    train(HighBoulder(Boulder.create(height=2, max_steps=1)), high, 6_000)
+    assert abs(high.Q[1] - 1.0).max() > 0.005
     assert high.Q[1].max() == pytest.approx(1.0)
+    assert high.Q[0].tolist() == [1.0, 1.0]  # no step was ever taken from the ground
 
 
 def test_a_time_limit_around_an_environment_truncates() -> None:

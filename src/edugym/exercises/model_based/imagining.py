@@ -149,16 +149,15 @@ def exercise_2(answer: Any, seed: int) -> str:
 
 def _imagined_by(agent: Any, case: Memory) -> float:
     """Return the student's target."""
-    for name in ("Q", "rewards", "next_states", "ends", "last"):
-        values = getattr(case, name)
-        table_of(agent, name, SHAPE, values.dtype.kind)[...] = values
-    table_of(agent, "clock", (1,), "i")[0] = case.now
+    tables = {name: getattr(case, name) for name in ("Q", "rewards", "next_states", "ends", "last")}
     states = np.flatnonzero(case.last.any(axis=1))
-    table_of(agent, "seen", SHAPE[:1], "i")[...] = np.pad(states, (0, SHAPE[0] - len(states)))
-    table_of(agent, "n_seen", (1,), "i")[0] = len(states)
+    tables |= {"clock": np.array([case.now]), "n_seen": np.array([len(states)])}
+    tables["seen"] = np.pad(states, (0, SHAPE[0] - len(states)))
+    for name, values in tables.items():
+        table_of(agent, name, values.shape, values.dtype.kind)[...] = values
     call = f"imagine({case.state}, {case.action})"
     with running(call):
         found = agent.imagine(case.state, case.action)
-    if any(not np.array_equal(getattr(agent, name), getattr(case, name)) for name in ("Q", "last", "rewards")):
+    if any(not np.array_equal(getattr(agent, name), values) for name, values in tables.items()):
         raise WrongAnswer(f"{call} changes a table: it should only return the target, and `act` puts that into Q")
     return number(call, found)
