@@ -40,8 +40,8 @@ def alike(before: str, now: str) -> bool:
     """Whether two sentences are the same but for the last digits of numbers, which depend on the machine."""
     if NUMBER.sub("0", before) != NUMBER.sub("0", now):
         return False
-    numbers = ([float(text) for text in NUMBER.findall(sentence)] for sentence in (before, now))
-    return np.allclose(*numbers, rtol=1e-3, atol=1e-12)
+    one, other = ([float(text) for text in NUMBER.findall(sentence)] for sentence in (before, now))
+    return bool(np.allclose(one, other, rtol=1e-3, atol=1e-12))
 
 
 def write(lesson: str) -> None:
