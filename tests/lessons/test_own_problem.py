@@ -140,6 +140,8 @@ def test_a_problem_goes_through_everything() -> None:
     assert "States: 5, of which 0 are terminal. Actions: 0, 1." in words
     assert "at the first step" in words
     assert [sheet.name for sheet in tour.sheets] == ["policy", "learned"]
+    assert tour.sheets[0].rows[0][0].title == "the best first action"
+    assert replace(tour, mdp=Circle()).sheets[0].rows[0][0].title == "the best policy"
     for sheet in tour.sheets:
         assert sheet.draw().axes
         check_legends(sheet)
@@ -196,6 +198,9 @@ def test_a_tour_in_words() -> None:
         f"  long label: {mean_interval([-8.0, -8.0])}",
         "Look again: one action is best in every state, so there is nothing to decide.",
     ]
+    told = in_words(tour.values, {0: "wait", 1: "go"}, most=3).splitlines()
+    assert (len(told), told[-1]) == (4, "... and 1 more")
+    assert len(in_words(tour.values, {0: "wait", 1: "go"}, most=4).splitlines()) == 4
     far = replace(tour, learned={"A": np.array([-9.0, -11.9])})  # 30 % of the way from -8 to -16 is -10.4
     assert str(far).splitlines()[-1].startswith("An agent is far from the optimum")
     easy = replace(tour, random=-8.41, learned={})
