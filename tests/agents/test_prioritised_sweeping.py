@@ -46,6 +46,16 @@ def test_what_changes_little_is_left_alone() -> None:
     assert agent.queue.size[0] == 0
 
 
+@pytest.mark.parametrize("threshold", [4.0, 0.0])
+def test_a_change_as_large_as_the_threshold_is_left_alone(threshold: float) -> None:
+    """Of 8, 4 and 2, after which nothing changes any more, only those above θ are made."""
+    agent = on_a_chain(99, threshold=threshold)
+    agent.act(0, RNG)
+    assert agent.Q[:, 0].tolist() == ([0, 0, 8, 0] if threshold else [2, 4, 8, 0])
+    agent.learn(2, 0, 8.0, 3, True)
+    assert agent.queue.size[0] == 0
+
+
 def test_the_largest_change_comes_first() -> None:
     """Three ends that pay 1, 5 and -9: one update a time."""
     agent = PrioritisedSweeping.create((4, 1), planning_steps=1, learning_rate=1)

@@ -37,6 +37,17 @@ def test_it_goes_back_to_what_it_has_not_tried() -> None:
     assert agent.act(0, RNG) == 1  # now all is known
 
 
+def test_a_sweep_that_changes_nothing_is_the_last() -> None:
+    """Also with θ = 0: the first two updates make values of 1 and 1/2, and the next two change nothing."""
+    agent = RMax.create((3, 1), discount=0.5, threshold=0, planning_steps=50)
+    agent.learn(1, 0, 1.0, 2, True)
+    agent.learn(0, 0, 0.0, 1, False)
+    agent.act(0, RNG)
+    assert agent.optimistic[:2, 0].tolist() == [0.5, 1.0]
+    assert agent.sweep.settled[0] == 2
+    assert agent.sweep.next[0] == 0
+
+
 def test_a_pair_is_known_after_m_visits_and_then_stays_so() -> None:
     """M = 2: the mean of the first two rewards, whatever comes then."""
     agent = RMax.create((2, 1), known_after=2)

@@ -1,6 +1,7 @@
 """The settings of a class are looked up once, and again when its annotations have changed."""
 
 import inspect
+import math
 from typing import Annotated, Any, NamedTuple
 
 import numpy as np
@@ -76,6 +77,30 @@ def test_an_unknown_setting_is_answered_with_all_that_there_are() -> None:
     known = "planning_steps, planning_seconds, model, memory, learning_rate"
     with pytest.raises(ValueError, match=f"PrioritisedSweeping has no setting 'planing_steps'; it has {known}"):
         PrioritisedSweeping.create((2, 2), planing_steps=3)
+
+
+class Half(NamedTuple):
+    """A strategy that holds another one."""
+
+    inner: UCB
+
+    def choose(self, Q: Any, state: int, rng: Any) -> int:
+        """Do as the other one does."""
+        return self.inner.choose(Q, state, rng)
+
+
+def test_tables_of_a_strategy_within_a_strategy() -> None:
+    """They must be those of the agent's environment too."""
+    assert QLearning.create((3, 2), exploration=Half(UCB.create((3, 2)))).Q.shape == (3, 2)
+    with pytest.raises(ValueError, match="UCB was made for 4 states, but the agent has 3: give each environment its"):
+        QLearning.create((3, 2), exploration=Half(UCB.create((4, 2))))
+
+
+@pytest.mark.parametrize("value", ["1", None, math.nan, math.inf, True])
+def test_first_values_that_are_no_numbers(value: Any) -> None:
+    """They are refused by name."""
+    with pytest.raises(ValueError, match="initial_value must be"):
+        QLearning.create((3, 2), initial_value=value)
 
 
 @pytest.mark.parametrize("kind", sorted({case.kind for case in AGENTS.values()}, key=str))

@@ -95,6 +95,16 @@ def test_what_makes_no_sense_is_refused(settings: dict[str, Any], message: str) 
         TileCoding.create(make_mdp("Trashbot"), **settings)
 
 
+def test_the_most_that_is_allowed() -> None:
+    """Ten million tiles; bounds must be less than a billion apart."""
+    assert TileCoding.create((1, 2), tiles=9_999, tilings=1_000).n_features == 10_000_000
+    with pytest.raises(ValueError, match="at most, but make 1e"):
+        TileCoding.create((1, 2), tiles=10_000, tilings=1_000)
+    assert TileCoding.create((1, 2), low=[0.0], high=[0.99e9]).high.tolist() == [0.99e9]
+    with pytest.raises(ValueError, match="less than a billion apart"):
+        TileCoding.create((1, 2), low=[0.0], high=[1e9])
+
+
 def test_bounds_are_those_of_the_observation_space() -> None:
     """Those of Trashbot are -1 and 1, and 0 stands for both where a number is left out."""
     features = TileCoding.create(make_mdp("Trashbot"), tiles=[1, 1, 9, 9, 1, 1, 2])

@@ -165,6 +165,35 @@ def test_what_is_no_agent() -> None:
         policy_of(Noisy(), model)
 
 
+def test_an_agent_without_a_greedy_policy() -> None:
+    """Its policy is how it acts; what it may not return is told by the method that was asked."""
+    model, right = finite_model(Hidden()), np.array([[0.5, 0.2, 0.2, 0.1], [0.0, 0.1, 0.1, 0.8]])
+    assert np.array_equal(policy_of(Table(right), model, greedy=True), policy_of(Table(right), model))
+
+    class Lost(Table):
+        def greedy(self, state: int, rng: Random) -> int:
+            return 4
+
+    with pytest.raises(ValueError, match="greedy must return an action from 0 to 3, but returns 4"):
+        policy_of(Lost(right), model, greedy=True)
+
+
+def test_an_agent_that_cannot_be_looked_into() -> None:
+    """One that counts, and holds what cannot be pickled, also counts from where it was in every state."""
+
+    class Counting:
+        def __init__(self) -> None:
+            self.counts, self.held = [0], lambda: None
+
+        def act(self, state: int, rng: Random) -> int:
+            self.counts[0] += 1
+            return (self.counts[0] - 1) % 4
+
+    agent = Counting()
+    assert policy_of(agent, finite_model(Ways()))[1:6].tolist() == [[1.0, 0.0, 0.0, 0.0]] * 5
+    assert agent.counts == [0]
+
+
 def test_too_many_ties(monkeypatch: pytest.MonkeyPatch) -> None:
     """Fifty equal actions are drawn in 2^49 ways: the message says what the matter is."""
     monkeypatch.setattr("edugym.exact.policies.MAX_WAYS", 100)

@@ -70,6 +70,17 @@ def test_a_mistake_is_recognised() -> None:
         compare("x", 0.50000001, 0.5, {})
 
 
+@pytest.mark.parametrize(
+    ("value", "doubled"), [(1.0019, True), (1.0021, False), (0.9981, True), (0.9979, False), (1.0, True)]
+)
+def test_how_far_a_mistake_may_be_rounded(value: float, doubled: bool) -> None:
+    """By two thousandths of it; what is nearer to the right number is no mistake at all."""
+    with pytest.raises(WrongAnswer, match="it is doubled$" if doubled else "none of the usual mistakes"):
+        compare("x", value, 0.5, {"it is doubled": 1.0})
+    with pytest.raises(WrongAnswer, match="none of the usual mistakes"):
+        compare("x", value, value - 1e-6, {"it is nearly right": value + 1e-5})
+
+
 def test_as_many_digits_as_tell_two_numbers_apart() -> None:
     """Four, or more."""
     assert digits(1 / 3, 0.5) == "0.3333"

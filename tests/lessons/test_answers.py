@@ -14,11 +14,13 @@ from edugym.grading.one_step import Q_LEARNING
 from edugym.training.train import train
 from tests.lessons.answers import FOLDER, Answer, Exercise, read_answers, read_exercises, verdict
 from tests.lessons.hints import hints
+from tests.lessons.sentences import alike, heading, said_of, write, written
 
 FOLDERS = sorted(FOLDER.iterdir())
 ANSWERS = [answer for folder in FOLDERS for answer in read_answers(folder)[1]]
 GRADING = build.ROOT / "tests" / "grading"
 FEWEST_WRONG, FEWEST_RIGHT = 12, 6
+AS_MEANT = "it said something else before: if this is meant, delete the lesson's file in tests/lessons/sentences"
 
 
 @pytest.fixture(autouse=True)
@@ -42,16 +44,21 @@ def hints_of(lesson: str) -> dict[str, bool]:
     return {hint: whole for path in paths for hint, whole in hints(path).items()}
 
 
+sentences_of = cache(written)
+
+
 @pytest.mark.parametrize("answer", ANSWERS, ids=lambda answer: f"{answer.lesson}-{answer.exercise}-{answer.name}")
 def test_an_answer(answer: Answer, capsys: pytest.CaptureFixture[str]) -> None:
     """A right one passes, with one line; a wrong one is refused in one sentence that says which mistake it is."""
     before, exercises = exercises_of(answer.lesson)
     said = verdict(answer, exercises[answer.exercise - 1], before)
     printed = capsys.readouterr().out
+    before_now, now = sentences_of(answer.lesson).get(heading(answer), ""), said_of(answer, said, printed)
     assert (said == "") == answer.right, said or "the check accepts it"
     assert [line.startswith("✓ ") for line in printed.splitlines()].count(True) == int(answer.right)
     if answer.right:
         assert all(f"✓ {words}\n" in printed for words in answer.says)
+        assert alike(before_now, now), AS_MEANT
         return
     for words in answer.says:
         assert words in said
@@ -59,6 +66,7 @@ def test_an_answer(answer: Answer, capsys: pytest.CaptureFixture[str]) -> None:
         assert words not in hints_of(answer.lesson) or not longer, "a hint that contains this one"
     assert "\n" not in said
     assert len(said) < 700
+    assert alike(before_now, now), AS_MEANT
 
 
 @pytest.mark.parametrize("path", sorted((build.ROOT / "lessons").glob("[0-9][0-9]_*.py")), ids=lambda path: path.stem)
@@ -73,6 +81,32 @@ def test_every_exercise_has_answers(path: Path) -> None:
         assert counts[number, True] >= FEWEST_RIGHT
         assert any(answer.says for answer in answers if answer.exercise == number and answer.right)
     assert len({(answer.exercise, answer.code) for answer in answers}) == len(answers)
+
+
+@pytest.mark.parametrize("lesson", [folder.name for folder in FOLDERS])
+def test_what_is_written_down_is_said_of_an_answer(lesson: str) -> None:
+    """If a change is meant, delete the lesson's file: this test writes it anew, for you to read what has changed."""
+    if not sentences_of(lesson):
+        write(lesson)
+        pytest.fail(f"tests/lessons/sentences/{lesson}.txt is new: read it, and commit it")
+    assert [*sentences_of(lesson)] == [heading(answer) for answer in ANSWERS if answer.lesson == lesson]
+
+
+@pytest.mark.parametrize(
+    ("before", "now", "same"),
+    [
+        ("f(2) should be 1.234, but is 7", "f(2) should be 1.235, but is 7", True),
+        ("f(2) should be 1.234, but is 7", "f(2) should be 1.254, but is 7", False),
+        ("f(2) should be 1.234, but is 7", "f(2) should be 7, but is 1.234", False),
+        ("f(2) should be 1", "f(3) should be 1", False),
+        ("f(2) should be 1", "f(2) should be -1", False),
+        ("f(2): a", "f(2): b", False),
+        ("", "f(2)", False),
+    ],
+)
+def test_what_is_another_sentence(before: str, now: str, same: bool) -> None:
+    """Another word or another number; the last digit may differ."""
+    assert alike(before, now) == same
 
 
 @pytest.mark.parametrize("lesson", [folder.name for folder in FOLDERS])

@@ -29,6 +29,7 @@ from edugym.lessons.model_based import (
     best_by_what_was_seen,
     compare,
     compare_planners,
+    difference,
     dynamic_programming,
     early,
     exact_model,
@@ -52,6 +53,7 @@ from edugym.lessons.model_based.maps import after_walk
 from edugym.lessons.model_based.methods import CountingSweeping
 from edugym.plotting import Sheet
 from tests.lessons.figures import check_legends
+from tests.lessons.made_up import finals
 
 
 def test_plans() -> None:
@@ -195,6 +197,14 @@ def test_the_count_is_that_of_the_code(monkeypatch: pytest.MonkeyPatch) -> None:
         agent.learn(state, action, shop.reward(state, action, next_state, rng), next_state, ended)
         state = shop.initial(rng) if ended else next_state
     assert agent.targets[0, :-1].sum() == len(computed) > 2_000
+
+
+@pytest.mark.parametrize(("runs", "others", "mean"), [(3, 4, 4.0), (4, 3, 4.0), (4, 4, 7.0)])
+def test_a_difference_is_paired_by_the_runs_of_both(runs: int, others: int, mean: float) -> None:
+    """Of 1, 4, 9 and 20 less 0, 0, 2 and 4; the first result comes first."""
+    one, other = finals({"a": [1.0, 4.0, 9.0, 20.0][:runs]}), finals({"b": [0.0, 0.0, 2.0, 4.0][:others]})
+    found = difference(one, "a", other, "b")
+    assert (found.estimate, found.n) == (mean, min(runs, others))
 
 
 def test_methods_keep_their_colours() -> None:

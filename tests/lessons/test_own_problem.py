@@ -1,11 +1,13 @@
 """A problem of one's own: what rewards teach, exactly, and the call that takes a problem through everything."""
 
+from dataclasses import replace
 from itertools import product
 from operator import itemgetter
 from typing import Any, NamedTuple
 
 import build
 import numpy as np
+import pandas as pd
 import pytest
 from gymnasium.spaces import Discrete
 from rules import is_code
@@ -25,12 +27,15 @@ from edugym.lessons.own_problem import (
     what_happens,
 )
 from edugym.lessons.own_problem.bedroom import clock
-from edugym.lessons.own_problem.exact import in_words
+from edugym.lessons.own_problem.everything import Tour
+from edugym.lessons.own_problem.exact import in_words, random_return, worth
 from edugym.lessons.own_problem.figures import can_be_drawn, initials, names_of
 from edugym.rendering.ansi import to_text
 from edugym.rendering.icons import smiley
 from edugym.rendering.palette import ORANGE, PAPER, RED
 from edugym.rendering.shapes import Arc, Text
+from edugym.results.statistics import mean_interval
+from edugym.results.tables import Results
 from tests.lessons.figures import check_legends
 
 
@@ -132,12 +137,14 @@ class Queue(NamedTuple):
 def test_a_problem_goes_through_everything() -> None:
     """It is checked, solved up to its step limit, learned, drawn and told in words."""
     tour = own_problem.take_through_everything(Queue(), n_steps=2_000, repetitions=3)
-    assert tour.random < tour.values.start
+    assert random_return(Queue(), 12) == tour.random < tour.values.start
     assert all((returns <= tour.values.start + 1e-9).all() for returns in tour.learned.values())
     words = str(tour)
     assert "States: 5, of which 0 are terminal. Actions: 0, 1." in words
     assert "at the first step" in words
     assert [sheet.name for sheet in tour.sheets] == ["policy", "learned"]
+    assert tour.sheets[0].rows[0][0].title == "the best first action"
+    assert replace(tour, mdp=Circle()).sheets[0].rows[0][0].title == "the best policy"
     for sheet in tour.sheets:
         assert sheet.draw().axes
         check_legends(sheet)
@@ -176,6 +183,42 @@ def test_problems_whose_episodes_may_never_end() -> None:
     endless = type("Endless", (Circle,), {"__slots__": (), "transition": lambda self, s, a, rng: 0})
     with pytest.raises(ValueError, match="no state of Endless is terminal"):
         own_problem.take_through_everything(endless())
+
+
+def test_a_tour_in_words() -> None:
+    """From each state half of the steps go on, and half of those by chance: 2 steps a state at best, 4 at random."""
+    tour = Tour(Circle(), own_problem.solve(Circle()), random_return(Circle()), Results(pd.DataFrame()), {})
+    words = str(replace(tour, learned={"A": np.array([-9.0, -11.7]), "long label": np.array([-8.0, -8.0])}))
+    assert words.splitlines() == [
+        "Checked: 200 random steps of it are as they must be.",
+        "States: 5, of which 1 are terminal. Actions: 0, 1.",
+        "The dynamics are random.",
+        "Expected return of random actions: -16. Optimum: -8.",
+        "The best action in each state:",
+        *(f"           {state}: 1 (value {2 * state - 8})" for state in range(4)),
+        "What the agents' policies are worth in the end (mean over runs, 95 % interval):",
+        f"           A: {mean_interval([-9.0, -11.7])}",
+        f"  long label: {mean_interval([-8.0, -8.0])}",
+        "Look again: one action is best in every state, so there is nothing to decide.",
+    ]
+    told = in_words(tour.values, {0: "wait", 1: "go"}, most=3).splitlines()
+    assert (len(told), told[-1]) == (4, "... and 1 more")
+    assert len(in_words(tour.values, {0: "wait", 1: "go"}, most=4).splitlines()) == 4
+    far = replace(tour, learned={"A": np.array([-9.0, -11.9])})  # 30 % of the way from -8 to -16 is -10.4
+    assert str(far).splitlines()[-1].startswith("An agent is far from the optimum")
+    easy = replace(tour, random=-8.41, learned={})
+    assert "earns hardly more than random actions" not in str(easy)
+    assert "earns hardly more than random actions" in str(replace(easy, random=-8.39))
+    sure = type("Sure", (Circle,), {"__slots__": (), "transition": lambda self, s, a, rng: min(s + 1 + a, 4)})
+    assert "The dynamics are not random." in str(replace(tour, mdp=sure(), values=own_problem.solve(sure())))
+
+
+def test_a_policy_that_walks_in_a_circle() -> None:
+    """It is worth what it gets in a thousand steps; with a step limit, what it gets until then."""
+    model = finite_model(Circle())
+    idle = np.eye(2)[np.zeros(5, int)]
+    assert worth(model, idle, None) == -1_000.0
+    assert worth(model, idle, 7) == -7.0
 
 
 def test_returns_that_are_too_large() -> None:
