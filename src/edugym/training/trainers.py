@@ -26,7 +26,8 @@ from edugym.mdp.protocol import coerced, step_limit
 from edugym.mdp.values import own_copy
 from edugym.registration import full_id
 from edugym.training import gymnasium_loops, loops
-from edugym.training.checking import checked_agent, checked_env, checked_mdp, doubts, require_env, shared_by_class
+from edugym.training.checked_env import checked_env, require_env
+from edugym.training.checking import checked_agent, checked_mdp, doubts, shared_by_class
 from edugym.training.contract import actor, forget_episode, is_on_policy, learner, learns_from, tables_of
 from edugym.training.guarded import guarded
 from edugym.training.loops import Log

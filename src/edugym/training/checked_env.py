@@ -1,0 +1,145 @@
+"""Checks of students' code: what Gymnasium environments return (and `checking` what agents return)."""
+
+import inspect
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import gymnasium
+import numpy as np
+from gymnasium import ActionWrapper, ObservationWrapper, RewardWrapper
+from gymnasium.wrappers import FlattenObservation, OrderEnforcing, PassiveEnvChecker
+
+from edugym.adapters.tabular_observation import TabularObservation
+from edugym.checks import in_short
+from edugym.mdp.checking import CHECKED_STEPS, is_own
+from edugym.mdp.values import fits, is_finite_number, without_flag
+
+
+def require_env(env: gymnasium.Env[Any, Any]) -> None:
+    """Refuse an environment, or a wrapper in it, whose `reset` or `step` is missing or takes something else.
+
+    Raises:
+        ValueError: one of them is not as Gymnasium calls it.
+    """
+    name = type(env).__name__
+    if isinstance(env, gymnasium.Wrapper) and "_observation_space" not in vars(env):
+        raise ValueError(f"__init__ of {name} must call super().__init__(env)")
+    for kind, method in ((ObservationWrapper, "observation"), (ActionWrapper, "action"), (RewardWrapper, "reward")):
+        if isinstance(env, kind) and getattr(type(env), method) is getattr(kind, method):
+            raise ValueError(f"{name} must have a method {method}(self, {method})")
+    for method, takes, given, named in (
+        ("reset", "(self, *, seed=None, options=None)", (), {"seed": None, "options": None}),
+        ("step", "(self, action)", ("action",), {}),
+    ):
+        if getattr(type(env), method) is getattr(gymnasium.Env, method):
+            raise ValueError(f"{name} must have a method {method}{takes}")
+        signature = inspect.signature(getattr(env, method))
+        try:
+            signature.bind(*given, **named)
+        except TypeError:
+            taken = ", ".join(["self", *map(str, signature.parameters.values())])
+            raise ValueError(f"{method} of {name} must take {takes}, but takes ({taken})") from None
+    if isinstance(env, gymnasium.Wrapper):
+        require_env(env.env)
+
+
+@contextmanager
+def checked_env(env: gymnasium.Env[Any, Any], steps: float = CHECKED_STEPS) -> Iterator[gymnasium.Env[Any, Any]]:
+    """Yield the environment with checks around what is inside our outermost wrapper, and take them away afterwards.
+
+    An environment that plays an MDP has checks of its own; wrappers around it have not.
+
+    Args:
+        env: the environment.
+        steps: how many steps are checked in every way.
+    """
+    if all(map(is_own, _layers(env))):
+        yield env
+    elif isinstance(env, TabularObservation | FlattenObservation):
+        inner = env.env
+        env.env = CheckedEnv(inner, steps)
+        try:
+            yield env
+        finally:
+            env.env = inner
+    else:
+        yield CheckedEnv(env, steps)
+
+
+def _layers(env: gymnasium.Env[Any, Any]) -> list[gymnasium.Env[Any, Any]]:
+    """Return an environment's wrappers from outside in, without those of `gymnasium.make`, and what is in them."""
+    layers = [env]
+    while isinstance(layers[-1], gymnasium.Wrapper):
+        layers.append(layers[-1].env)
+    return [layer for layer in layers if not isinstance(layer, PassiveEnvChecker | OrderEnforcing)]
+
+
+class CheckedEnv(gymnasium.Wrapper[Any, Any, Any, Any]):
+    """A student's Gymnasium environment that checks its rewards, and in its first steps everything else.
+
+    Args:
+        env: the environment.
+        steps: how many steps are checked in every way.
+    """
+
+    def __init__(self, env: gymnasium.Env[Any, Any], steps: float = CHECKED_STEPS) -> None:
+        """See the class."""
+        super().__init__(env)
+        self._left = steps
+        layers = [layer for layer in _layers(env) if not is_own(layer)]
+        students = [layer for layer in layers if not type(layer).__module__.startswith("gymnasium.")]
+        inside = env.unwrapped
+        self._of = type((students or layers or [inside])[0] if is_own(inside) else inside).__name__
+
+    def reset(self, **options: Any) -> Any:
+        """Start an episode.
+
+        Raises:
+            ValueError: what it returns is no observation and info.
+        """
+        returned: Any = self.env.reset(**options)
+        if self._left <= 0:
+            return returned
+        if not (isinstance(returned, tuple) and len(returned) == 2 and isinstance(returned[1], dict)):
+            raise ValueError(f"reset of {self._of} must return (observation, info), but returned {in_short(returned)}")
+        self._require_observation("reset", returned[0])
+        return returned
+
+    def step(self, action: Any) -> Any:
+        """Take a step.
+
+        Raises:
+            ValueError: what it returns is no observation, reward, terminated, truncated and info, or one of these is
+                not what it must be.
+        """
+        returned: Any = self.env.step(action)
+        self._left -= 1
+        if self._left < 0 and isinstance(returned, tuple) and len(returned) == 5 and is_finite_number(returned[1]):
+            return returned
+        if not (isinstance(returned, tuple) and len(returned) == 5):
+            raise ValueError(
+                f"step of {self._of} must return (observation, reward, terminated, truncated, info), but returned"
+                f" {in_short(returned)} for action {in_short(action)}"
+            )
+        observation, reward, *ends, _ = returned
+        self._require_observation("step", observation)
+        if not is_finite_number(reward):
+            raise ValueError(
+                f"step of {self._of} must return a finite number as reward, but returned {in_short(reward)} for action"
+                f" {in_short(action)}"
+            )
+        for name, end in zip(("terminated", "truncated"), ends, strict=True):
+            if not isinstance(end, bool | np.bool_ | int | np.integer):
+                raise ValueError(
+                    f"step of {self._of} must return True or False as {name}, but returned {in_short(end)}"
+                )
+        return returned
+
+    def _require_observation(self, method: str, observation: Any) -> None:
+        space = self.env.observation_space
+        if not fits(space, without_flag(space, observation)):
+            raise ValueError(
+                f"{method} of {self._of} must return an observation in {self.env.observation_space}, but returned"
+                f" {in_short(observation)}"
+            )
