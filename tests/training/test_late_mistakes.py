@@ -191,3 +191,47 @@ def test_a_table_that_comes_to_hold_nan() -> None:
     with pytest.warns(UserWarning, match="Q of Learner holds nan after training"):
         run = train(walk(), learner(changed(LEARNER, "value = 0.0", wrong)), N_STEPS)
     assert run.complete
+
+
+VALUE = "value = 0.0 if terminated else max(self.Q[next_state, 0], self.Q[next_state, 1])\n"
+UPDATE = "self.Q[state, action] += self.rate * (reward + value - self.Q[state, action])"
+STORED_NOWHERE = {
+    "returned": "return self.Q[state, action] + self.rate * (reward + value - self.Q[state, action])",
+    "a number of its own": "q = self.Q[state, action]\n        q += self.rate * (reward + value - q)",
+}
+ONLY_THOUGHT = {
+    "the update": UPDATE,
+    "nothing to do": f"if state < 0:\n            {UPDATE}",
+    "no thought": "pass",
+    "no reward comes": STORED_NOWHERE["returned"],
+}
+
+
+@pytest.mark.parametrize("name", STORED_NOWHERE)
+def test_an_agent_that_stores_nothing(name: str) -> None:
+    """What `learn` returns is ignored: a warning says so if rewards came and the table is as blank as before."""
+    agent = learner(changed(LEARNER, UPDATE, STORED_NOWHERE[name]))
+    says = (
+        r"^learn of Learner has changed nothing in Q in 1000 steps, although rewards came: assign .*self.Q\[...\] \+="
+    )
+    with pytest.warns(UserWarning, match=says):
+        train(walk(), agent, 1_000, max_steps=9)
+
+
+@pytest.mark.parametrize("name", ONLY_THOUGHT)
+def test_an_agent_that_need_not_store(name: str) -> None:
+    """No warning: it learns, it has no reason to, it does not try, or no reward has come; nor after few steps."""
+    source = changed(LEARNER, UPDATE, ONLY_THOUGHT[name])
+    task = walk(changed(changed(WALK, "1.0 if", "0.0 if"), "-0.25", "0.0") if name == "no reward comes" else WALK)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        train(
+            task,
+            learner(changed(source, VALUE, "value = 0.0\n") if name == "no thought" else source),
+            1_000,
+            max_steps=9,
+        )
+        train(walk(), learner(changed(LEARNER, UPDATE, STORED_NOWHERE["returned"])), 999, max_steps=9)
+        tables = learner(changed(LEARNER, UPDATE, STORED_NOWHERE["returned"]))
+        tables.Q[0, 1] = 1.0  # what a planner has found, say
+        train(walk(), tables, 1_000, max_steps=9)

@@ -86,7 +86,7 @@ class Odd:
         (np.full((3, 11), 0.5), '{"shape": [3, 11], "filled_with": 0.5}'),
         (np.arange(33.0), '{"shape": [33], "sha256": "adea144801c3828f"}'),
     ],
-    ids=repr,
+    ids=lambda value: type(value).__name__,
 )
 def test_how_settings_are_written(value: Any, written: Any) -> None:
     """As numbers and texts; a long array by its shape, and what is in it in short."""

@@ -5,6 +5,7 @@ silently: actions, rewards and observations that may not be. The checks change n
 each method is called as often as without them. The package's own classes are not checked here; the tests cover them.
 """
 
+import dis
 import inspect
 import math
 import re
@@ -23,7 +24,7 @@ from edugym.training.contract import LEARN_PARAMETERS, METHODS, tables_of
 from edugym.training.guarded import GUARDS
 
 ENDLESS = 1_000
-"""From so many training steps on, a task in which no episode has ended gets a warning."""
+"""From so many training steps on there is a warning if no episode has ended, or if the agent has learned nothing."""
 SMALL = 10_000
 """A table with more entries is not searched for NaN after each step."""
 
@@ -120,6 +121,39 @@ def doubts(
             if not same(before, getattr(agent, name, None))
         ]
     return found
+
+
+def blank_tables(agent: Any) -> dict[str, float]:
+    """Return the tables of a student's agent that hold one number everywhere, by name, with the number.
+
+    They are of interest only where `learn` computes something and assigns to no element of an array.
+    """
+    code = getattr(getattr(agent, "learn", None), "__code__", None)
+    if is_own(agent) or code is None:
+        return {}
+    does = {instruction.opname for instruction in dis.get_instructions(code)}
+    if "BINARY_OP" not in does or "STORE_SUBSCR" in does:
+        return {}
+    tables = {name: table for name, table in tables_of(agent).items() if table.size > 1}
+    return {name: table.flat[0] for name, table in tables.items() if (table == table.flat[0]).all()}
+
+
+def nothing_learned(agent: Any, blank: dict[str, float], run: Any) -> list[str]:
+    """Return the sentence about an agent whose tables are all as blank as before, although rewards came; or nothing.
+
+    Args:
+        agent: the agent after training.
+        blank: what `blank_tables` returned before training.
+        run: the `Run`.
+    """
+    rewarded = np.nansum(np.abs(run.training_returns)) > 0 and run.steps[-1] >= ENDLESS
+    if not (blank and rewarded and len(blank) == len(tables_of(agent)) and blank_tables(agent) == blank):
+        return []
+    name, kind = next(iter(blank)), type(agent).__name__
+    return [
+        f"learn of {kind} has changed nothing in {' and '.join(blank)} in {run.steps[-1]} steps, although rewards came:"
+        f" assign to the table itself, as in self.{name}[...] += ...; what learn returns is ignored"
+    ]
 
 
 def students_parts(agent: Any) -> list[str]:
