@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator
+from itertools import pairwise
 
 import build
 import pytest
@@ -28,7 +29,7 @@ HIDDEN = re.compile(r"^### BEGIN HIDDEN TESTS\n(.+)\n### END HIDDEN TESTS$", re.
 def checks(lesson: str) -> Iterator[tuple[str, int, bool]]:
     """Yield the source of the cells that check the exercises, their points, and whether the answer is code."""
     cells = build.read_lesson(NOTEBOOKS[lesson]).cells
-    for before, cell in zip(cells, cells[1:], strict=False):
+    for before, cell in pairwise(cells):
         if "check" in cell.metadata.get("tags", []):
             found = VISIBLE.search(cell.source)
             assert found, cell.source
