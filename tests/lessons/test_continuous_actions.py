@@ -126,8 +126,12 @@ def test_the_live_run_of_ppo(capsys: pytest.CaptureFixture[str]) -> None:
     asked: list[Any] = []
 
     def trainer(label: str, n_steps: int) -> Any:
+        def started(*arguments: int, **how: int) -> Any:
+            asked.append((arguments, how))
+            return run
+
         asked.append((label, n_steps))
-        return lambda *arguments, **how: asked.append((arguments, how)) or run
+        return started
 
     lesson = SimpleNamespace(trainer=trainer, Drawing=lambda agent: ("drawing", agent is run.agent))
     cells = (cell.source for cell in build.read_lesson(NOTEBOOKS["continuous_actions"]).cells)
