@@ -61,3 +61,14 @@ def test_the_challenge() -> None:
     assert len(widths) == 20
     assert min(widths) >= 0.4
     assert max(widths) <= 0.6
+
+
+def test_what_is_told_of_a_wrong_entry() -> None:
+    """Where it started, where it should be, and what it is."""
+    case = episodes.Case(np.zeros(episodes.SHAPE), np.full(episodes.SHAPE[0], 0.5), [2], [1], [1.0], terminates=True)
+    right = after(case)
+    told = episodes._told(case, right, (right[0], case.V))
+    assert told.endswith("V[2] should go from 0.5 to 0.625, but is 0.5")
+    wrong = right[1].copy()
+    wrong[3] = 1.0
+    assert episodes._told(case, right, (right[0], wrong)).endswith("V[3] should stay at 0.5, but is 1")

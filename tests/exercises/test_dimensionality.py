@@ -107,3 +107,11 @@ def test_the_challenge() -> None:
     assert 55 < score.points < 99
     assert score.rows["DQN"][1] < score.rows["your agent"][1]
     assert score.rows["linear in the pixels"][1] < 0.3
+
+
+def test_what_is_told_of_a_wrong_weight() -> None:
+    """Where it started, where it should be, and what it is."""
+    x = np.array([1.0, 0.0])
+    step = linear.Step(np.zeros((2, 2)), x, 0, 4.0, x, 0, terminated=True, truncated=False, alpha=0.5, gamma=0.5)
+    told = linear._told_update(step, np.array([[1.0, 0.0], [0.0, 0.0]]))
+    assert told.endswith("w[0, 0] should go from 0 to 2, but is 1")

@@ -12,7 +12,7 @@ from edugym import QLearning
 from edugym.exercises.exploration import EXPLORER
 from edugym.exercises.on_off_policy import TWO_POLICIES
 from edugym.exercises.stochasticity import TWO_WEIGHTS
-from edugym.grading import WrongAnswer
+from edugym.grading import WrongAnswer, updates
 from edugym.grading.one_step import Q_LEARNING
 from edugym.grading.updates import Update
 
@@ -195,3 +195,11 @@ def test_tables_that_are_replaced_are_found() -> None:
             self.Q = Q
 
     Q_LEARNING.check(Plain, SIZE, RIGHT, 0)
+
+
+def test_what_is_told_of_a_wrong_entry() -> None:
+    """Where it started, where it should be, and what it is."""
+    case = updates.Case({"Q": np.ones((2, 1))}, [updates.Transition(0, 0, 5.0, 1, 0, True, False)])
+    right, found = [[{"Q": np.array([[3.0], [1.0]])}]], [[{"Q": np.array([[1.0], [1.0]])}]]
+    told = updates._told([case], right, found, updates.Difference(0, 0, "Q", (0, 0)), ("reward",), {})
+    assert told.endswith("Q[0, 0] should go from 1 to 3, but is 1")

@@ -36,7 +36,8 @@ def test_lessons_come_into_a_folder(served: list[Any], tmp_path: Path, monkeypat
     assert served == [(Path("edugym-lessons"), ["--ServerApp.ip=0.0.0.0", "--no-browser", "--port=8899"])]
     assert (tmp_path / "edugym-lessons" / "01_exploration.ipynb").exists()
     assert run("--ServerApp.ip=0.0.0.0", "elsewhere").exit_code == 0
-    assert served[1:] == [(Path("elsewhere"), ["--ServerApp.ip=0.0.0.0"])]
+    assert run("--port", "0", "elsewhere").exit_code == 0
+    assert served[1:] == [(Path("elsewhere"), ["--ServerApp.ip=0.0.0.0"]), (Path("elsewhere"), ["--port=0"])]
 
 
 def test_solutions_are_out_of_sight(served: list[Any], tmp_path: Path) -> None:

@@ -1,5 +1,9 @@
 """Bins and continuous actions on Trashbot: the parts of the lesson are right, and its claims hold."""
 
+from types import SimpleNamespace
+from typing import Any
+
+import build
 import numpy as np
 import pytest
 
@@ -7,6 +11,7 @@ from edugym.envs.trashbot.planning import best_plan
 from edugym.envs.trashbot.task import Trashbot
 from edugym.lessons import continuous_actions as arms
 from edugym.lessons.continuous_actions import Drawing, exact_claims, gradient_claims, peak_claims, ppo_claims
+from tests.lessons.transcripts import NOTEBOOKS
 
 
 @pytest.mark.parametrize("n_bins", [2, 3, 4])
@@ -110,3 +115,33 @@ def test_a_short_run_of_ppo() -> None:
 def test_warming_up() -> None:
     """It runs."""
     arms.warm_up()
+
+
+def test_the_live_run_of_ppo(capsys: pytest.CaptureFixture[str]) -> None:
+    """The cell asks for that run, and shows every fourth return after the first, both σ, and its drawn actions."""
+    run = SimpleNamespace(
+        training_returns=np.arange(11.0),
+        agent=SimpleNamespace(log_std=SimpleNamespace(exp=lambda: np.array([0.3, 0.2]))),
+    )
+    asked: list[Any] = []
+
+    def trainer(label: str, n_steps: int) -> Any:
+        def started(*arguments: int, **how: int) -> Any:
+            asked.append((arguments, how))
+            return run
+
+        asked.append((label, n_steps))
+        return started
+
+    lesson = SimpleNamespace(trainer=trainer, Drawing=lambda agent: ("drawing", agent is run.agent))
+    cells = (cell.source for cell in build.read_lesson(NOTEBOOKS["continuous_actions"]).cells)
+    cell = next(source for source in cells if "arms.trainer(" in source)
+    exec(cell, {"arms": lesson, "np": np, "frames": lambda *film, **how: asked.append((film, how))})
+    assert asked == [
+        ("continuous", 262_144),
+        ((262_144,), {"seed": 3}),
+        (("Trashbot", ("drawing", True)), {"max_steps": 40}),
+    ]
+    shown, spread = capsys.readouterr().out.splitlines()
+    assert shown == "return with drawn actions: 1.0, 5.0, 9.0"
+    assert spread == "σ of the shoulder 0.30, of the elbow 0.20; both were 0.61 at first"

@@ -15,6 +15,8 @@ from edugym.lessons import signal
 from tests.lessons.transcripts import NOTEBOOKS
 
 BEST, CHANCE = signal.OPTIMUM, signal.RANDOM_PLAY
+RUNS = SimpleNamespace(turns=lambda run: run[0], returns_to=lambda run: run[1], higher_frontier=lambda run: 0)
+SLOW = SimpleNamespace(SLOW_DYNA="slow")
 
 
 def words(early: float, late: float) -> pd.Series:
@@ -33,6 +35,23 @@ VERDICTS: dict[tuple[str, str], list[tuple[dict[str, Any], Any]]] = {
     ("exploration", "three_grips"): [
         ({"solvers": []}, "neither"), ({"solvers": ["optimism"]}, "optimism only"), ({"solvers": ["a", "b"]}, "both"),
     ],
+    ("exploration", "two_branches"): [
+        ({"runs": runs, "exploration": RUNS}, answer)
+        for runs, answer in [
+            ([(1, True), (0, True)], "stays with one branch"),
+            ([(1, True), (1, True), (1, False)], "turns to the other branch and comes back"),
+            ([(1, True), (1, False)], "turns to the other branch for good"),
+        ]
+    ],
+    ("on_off_policy", "on_ice"): [
+        ({"steps": [4, 4, 5]}, "the fast run, as before"), ({"steps": [4, 5, 5]}, "the safe run"),
+        ({"steps": [4, 5]}, "neither, in most runs"),
+    ],
+    ("on_off_policy", "edge_walkers"): [
+        ({"walkers": []}, "none"), ({"walkers": ["Q-learning"]}, "Q-learning only"),
+        ({"walkers": ["SARSA", "expected SARSA"]}, "SARSA and expected SARSA"),
+        ({"walkers": ["Q-learning", "SARSA", "expected SARSA"]}, "all three"),
+    ],
     ("on_off_policy", "rarely"): [
         ({"lead": 0.09}, "both earn the same, up to 0.1"), ({"lead": 0.11}, "SARSA earns more than Q-learning"),
         ({"lead": -0.11}, "Q-learning earns more than SARSA"),
@@ -50,6 +69,17 @@ VERDICTS: dict[tuple[str, str], list[tuple[dict[str, Any], Any]]] = {
         ({"lead": -0.04}, "no difference above 0.05"), ({"lead": 0.06}, "Monte Carlo is ahead"),
         ({"lead": -0.06}, "n = 1 is ahead"),
     ],
+    ("dimensionality", "slower"): [
+        ({"curves": [np.ones(2), np.ones(2)]}, 2), ({"curves": [np.ones(2), np.array([1.0, 2.0])]}, 1),
+    ],
+    ("dimensionality", "sees"): [
+        ({"late": {k: {"it": x} for k, x in enumerate(means)}, "lesson": SimpleNamespace(PIXELS="it")}, answer)
+        for means, answer in [((1, 0.5, 0.5, 0.5), 0), ((1, 0.5, 0.51, 0.5), 1), ((1, 0.51, 0.51, 0.51), 3)]
+    ],
+    ("dimensionality", "cnns"): [
+        ({"small": small, "column": column}, k)
+        for k, (small, column) in enumerate([(0.81, 0.81), (0.81, 0.8), (0.8, 0.81), (0.8, 0.8)])
+    ],
     ("dimensionality", "more"): [({"ratio": 2.0}, 0), ({"ratio": 2.1}, 1), ({"ratio": 10.0}, 1), ({"ratio": 11.0}, 2)],
     ("dimensionality", "hill"): [
         ({"straight": a, "tiled": b}, k) for k, (a, b) in enumerate([(1, 1), (0, 1), (1, 0), (0, 0)])
@@ -64,6 +94,15 @@ VERDICTS: dict[tuple[str, str], list[tuple[dict[str, Any], Any]]] = {
     ],
     ("memory", "learned"): [
         ({"ends": np.full(2, end), "below": 12.0, "above": 18.0}, k) for k, end in enumerate((11.0, 15.0, 19.0))
+    ],
+    ("memory", "blind"): [
+        ({"solved": []}, "no number is enough"), ({"solved": ["k = 6", "k = 2 with actions"]}, "none"),
+        ({"solved": ["k = 2 with actions"]}, "1"), ({"solved": ["k = 3 with actions"]}, "2"),
+        ({"solved": ["k = 4 with actions"]}, "3"),
+    ],
+    ("signal", "lake"): [
+        ({"better": []}, "on neither"), ({"better": ["firm ice"]}, "on firm ice only"),
+        ({"better": ["firm ice", "slippery ice"]}, "on both"),
     ],
     ("signal", "longer"): [
         ({"gain": 99.0}, "the same return, up to 100"), ({"gain": 101.0}, "a higher return"),
@@ -101,6 +140,21 @@ VERDICTS: dict[tuple[str, str], list[tuple[dict[str, Any], Any]]] = {
     ("continuous_actions", "rich"): [
         ({"share": 0.09}, "fewer than 10"), ({"share": 0.9}, "10 to 90"), ({"share": 0.91}, "more than 90"),
     ],
+    ("stochasticity", "highest"): [
+        ({"means": {"averse": averse, "neutral": 0.5, "seeking": seeking}}, answer)
+        for averse, seeking, answer in [
+            (0.6, 0.5, "the averse player"), (0.0, 0.519, "neutral and seeking are level, within 0.02"),
+            (0.0, 0.521, "the seeking player"), (0.0, 0.479, "the neutral player"),
+        ]
+    ],
+    ("stochasticity", "obstacle"): [
+        ({"too_low": too_low, "unseen": unseen}, answer)
+        for too_low, unseen, answer in [
+            (0.06, 0.04, "it believes that a drive is worth less than it is"),
+            (0.04, 0.0, "it sees the cell of the ball only, not the exact place"),
+            (0.06, 0.06, "it sees the cell of the ball only, not the exact place"),
+        ]
+    ],
     ("stochasticity", "pays"): [
         ({"gain": 0.009}, "the same, within 0.01"), ({"gain": 0.02}, "more than the neutral one"),
         ({"gain": -0.02}, "less than the neutral one"),
@@ -113,6 +167,14 @@ VERDICTS: dict[tuple[str, str], list[tuple[dict[str, Any], Any]]] = {
         ({"late": {"α = 1": 0.1}, "others": [0.0, 0.0]}, "hardly ever arrives"),
         ({"late": {"α = 1": 0.5}, "others": [0.4, 0.3]}, "is the best again"),
         ({"late": {"α = 1": 0.5}, "others": [0.3, 0.6]}, "is as good as the smaller rates"),
+    ],
+    ("model_based", "spread"): [
+        ({"knows": ()}, "neither"), ({"knows": ("Dyna",)}, "Dyna"),
+        ({"knows": ("Dyna", "prioritised sweeping")}, "both"),
+    ],
+    ("model_based", "saved"): [
+        ({"model_based": SLOW, "wrong": SimpleNamespace(methods=found, final=found.get)}, k)
+        for k, found in enumerate({"slow": [slow], "Dyna-10": [fast]} for fast in (50, 51) for slow in (50, 51))
     ],
     ("own_problem", "mild"): [({"change": -1}, "stalls at once"), ({"change": 1}, "runs as before")],
     ("own_problem", "progress"): [

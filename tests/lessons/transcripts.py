@@ -21,6 +21,7 @@ import gymnasium
 import numpy as np
 from rules import is_code, without_marks
 
+from edugym.grading.challenge import Challenge
 from edugym.lessons import load_experiments
 from edugym.notebook.prediction import Prediction
 from edugym.rendering.scene import Scene
@@ -43,11 +44,11 @@ AT_LENGTH = {"exploration": (8, 50), "depth": (4, 1_500)}
 LEFT_OUT = (
     "importlib.util",  # installs the package
     "arms.trainer(",  # trains a network
-    "CHALLENGE.score(",
     "best_return(0.1", "crossing_by_attitude()", "repetitions=24)", "play_at_random(env", "after=300",
 )  # fmt: skip
 """What is in the cells that are not run; the others in the list take seconds, and show what further cells show."""
 DATA = re.compile(r"\[[^\]]*\]")
+BEGINS = re.compile(r"^ *((?:class|def) \w+)", re.MULTILINE)
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 
 
@@ -111,6 +112,7 @@ def short_training(lesson: Any, returns: tuple[float, float], runs: int, most: i
                     stack.enter_context(patch.object(module, name, instead))
         if hasattr(lesson, "train_network"):
             stack.enter_context(patch.object(lesson, "train_network", side_effect=ImportError))
+        stack.enter_context(patch.object(Challenge, "score", scored))
         stack.enter_context(patch.object(Prediction, "measured", lambda _, value, *more: measured(value)))
         yield runs
 
@@ -118,6 +120,12 @@ def short_training(lesson: Any, returns: tuple[float, float], runs: int, most: i
 def measured(value: Any) -> str:
     """Return what a prediction is compared with."""
     return f"measured: {value if isinstance(value, str) else numbers(value)}"
+
+
+def scored(challenge: Challenge, make: Any, name: str) -> str:
+    """Return who takes part in a challenge, with what."""
+    task = challenge._task(1)
+    return f"{name}: {told(task, make(task), challenge.n_steps, {})}"
 
 
 def told(environment: Any, agent: Any, n_steps: int, how: dict[str, Any]) -> str:
@@ -164,7 +172,10 @@ def shown_by_cells(path: Path) -> list[str]:
 
 
 def told_of(value: Any) -> Iterator[str]:
-    """Yield lines on what a cell shows: figures, controls in four positions, films, texts; not listings of code."""
+    """Yield lines on what a cell shows: figures, controls in four positions, films, games, questions, texts.
+
+    Of a listing, the names of its classes and functions.
+    """
     kind = type(value).__name__
     if hasattr(value, "rows") and hasattr(value, "draw"):
         yield from drawn(value)
@@ -177,6 +188,13 @@ def told_of(value: Any) -> Iterator[str]:
         lines = [frame.line for frame in value.frames]
         yield f"film of {len(lines)} frames, {lines[0]!r} to {lines[-1]!r}"
         yield from (line for k in (0, len(lines) // 2, -1) for line in told_of(value.frames[k].picture))
+    elif kind == "Buttons":
+        yield f"play {told(value.game.environment, None, 0, {})}, {'' if value.blind else 'not '}blind"
+        yield from told_of(value.game.picture())
+    elif isinstance(value, Prediction):
+        yield f"predict: {value.question} {[*value.options] if value.options else value.unit}".rstrip()
+    elif kind == "Listing":
+        yield f"listing of {value.module}: {', '.join(BEGINS.findall(value.code))}"
     elif isinstance(value, Scene):
         yield f"picture of {len(value.shapes)} shapes, {zlib.crc32(to_svg(value).encode()):x}"
     elif kind in ("Score", "str", "dict"):

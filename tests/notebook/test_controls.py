@@ -98,6 +98,14 @@ def test_kinds_of_controls(allowed: Any, kind: type[Any], value: Any) -> None:
     assert not getattr(control, "continuous_update", False)
 
 
+@pytest.mark.parametrize(
+    ("default", "allowed"), [(0, (-2, 2)), (0.0, (-1.0, 1.0)), (0, [1, 0]), ("", ["a", ""]), (False, True)]
+)
+def test_a_default_that_is_zero_or_empty(default: Any, allowed: Any) -> None:
+    """It is a default all the same."""
+    assert sliders(lambda x=default: None, x=allowed).controls["x"].value == default
+
+
 def test_ends_steps_and_labels() -> None:
     """As given; whole numbers go by one, others by a hundredth of the range. All labels are as wide as the longest."""
 

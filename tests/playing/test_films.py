@@ -30,6 +30,7 @@ def test_gifs_of_pictures(tmp_path: Path) -> None:
     to_gif(pictures, path, frames_per_second=10)
     with Image.open(path) as image:
         assert (getattr(image, "n_frames", 1), image.size) == (3, (500, 480))
+        assert image.info["loop"] == 0  # without end
         seen, durations = [], []
         for k in range(3):
             image.seek(k)

@@ -85,6 +85,13 @@ def test_optima_are_dashed_lines() -> None:
     assert legend.get_frame_on()
 
 
+def test_optima_of_zero_are_drawn() -> None:
+    """Zero is a best value like any other."""
+    ax = Curves(made_results(), optimum=0.0, soft_optimum=0.0, y_label="").draw(new_axes())
+    assert [line.get_label() for line in ax.lines[2:]] == ["optimum", "best ε-soft policy"]
+    assert ax.get_ylabel() == ""
+
+
 def test_labels_describe_the_column() -> None:
     """A share is not called a return, and returns while exploring say so, unless the panel has its own label."""
     ax = Curves(made_results()).draw(new_axes())

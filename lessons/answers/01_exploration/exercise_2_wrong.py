@@ -242,3 +242,18 @@ class Late(QLearning):
 def optimist(wall):
     Q = np.ones((wall.height + 1, wall.n_grips))
     return Late(Q, 0.5, 0.9, EpsilonGreedy(0.0))
+
+
+# %% it explores by a rule of its own
+# says: it still explores, with ε = 0.1
+# says: act(1, rng)
+class Restless(QLearning):
+    __slots__ = ()
+
+    def act(self, state, rng):
+        return int(rng.integers(self.Q.shape[1])) if rng.random() < 0.1 else self.greedy(state, rng)
+
+
+def optimist(wall):
+    Q = np.ones((wall.height + 1, wall.n_grips))
+    return Restless(Q, 0.5, 0.9, EpsilonGreedy(0.0))

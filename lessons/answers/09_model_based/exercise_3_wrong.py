@@ -142,6 +142,20 @@ def sweep(self):
     return largest
 
 
+# %% hardly any reward
+# says: that is none of the usual mistakes, so compare your code with the equation, term by term
+def sweep(self):
+    largest = 0.0
+    for s in range(self.Q.shape[0]):
+        for a in range(self.Q.shape[1]):
+            if self.known[s, a] == 1:
+                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
+                new = 0.005 * self.rewards[s, a] + self.discount * value
+                largest = max(largest, abs(new - self.Q[s, a]))
+                self.Q[s, a] = new
+    return largest
+
+
 # %% minus
 # says: the value of the next state is subtracted
 def sweep(self):
