@@ -10,13 +10,14 @@ from typing import Any, NamedTuple
 import gymnasium
 import numpy as np
 import pytest
-from gymnasium.spaces import Discrete
+from gymnasium.spaces import Box, Discrete
 from typer.testing import CliRunner
 
 from edugym import finite_model, read_mdp, share, value_iteration, wrapper
 from edugym.commands import app
 from edugym.lessons.own_problem import Morning, WithBonus
 from edugym.playing import Game
+from edugym.sharing import _home
 
 CELLS = """
 import math
@@ -184,6 +185,12 @@ def test_functions_are_imported_from_where_they_are(tmp_path: Path, cell: dict[s
     cell["sqrt"] = cell["halved"]
     with pytest.raises(ValueError, match="sqrt must be called halved, as it was defined, to be shared"):
         share(cell["Rooted"](5, steps=np.array([1, 2])), tmp_path / "renamed.py")
+
+
+def test_a_namesake_is_not_imported() -> None:
+    """A class that says it is of a module is taken from there only where it is the one that is there."""
+    assert _home("Rows", Box) == ("gymnasium.spaces", "Box")
+    assert _home("Box", type("Box", (), {"__module__": "gymnasium.spaces"})) is None
 
 
 def test_what_cannot_be_read(tmp_path: Path) -> None:
