@@ -315,6 +315,16 @@ def test_pictures_at_the_extremes(entry: Entry, keywords: Keywords) -> None:
         player.play(1)
 
 
+@every_environment
+def test_the_picture_before_the_first_reset(entry: Entry) -> None:
+    """It is always the same, and shows a state in which an episode can begin."""
+    env = entry.load()()
+    pictures = {env.scene()._repr_svg_() for _ in range(5)}
+    env.reset(seed=0)
+    env.state = env.mdp.initial(np.random.default_rng(0))
+    assert pictures == {env.scene()._repr_svg_()}
+
+
 def test_vector_of_gymnasium() -> None:
     """All environments can be put into Gymnasium's own vector environments."""
     for entry in ENVIRONMENTS:
