@@ -187,6 +187,32 @@ def test_functions_are_imported_from_where_they_are(tmp_path: Path, cell: dict[s
         share(cell["Rooted"](5, steps=np.array([1, 2])), tmp_path / "renamed.py")
 
 
+def run(text: str, number: int, names: dict[str, Any]) -> None:
+    """Run one more cell."""
+    file = f"/tmp/ipykernel_1/{number}.py"
+    linecache.cache.pop(file, None)
+    linecache.cache[file] = (len(text), None, text.splitlines(keepends=True), file)
+    exec(compile(text, file, "exec"), names)
+
+
+def test_a_decorator_is_part_of_the_class(tmp_path: Path, cell: dict[str, Any]) -> None:
+    """The lines above `class` are copied too, and what they use is imported."""
+    cell["wrapper"] = wrapper
+    text = "@wrapper\nclass Paid(NamedTuple):\n    mdp: Walk\n    def terminal(self, state): return state.x == 0\n"
+    run(text, 4, cell)
+    path = share(cell["Paid"](cell["Walk"](5, steps=np.array([1, 2]))), tmp_path / "paid.py")
+    assert text in path.read_text(encoding="utf-8")
+    assert read_mdp(path).initial(None).x == 1
+
+
+def test_a_cell_that_was_run_again(tmp_path: Path, cell: dict[str, Any]) -> None:
+    """Of two classes of one name, neither with a method, the last one is shared."""
+    run("class Place(NamedTuple):\n    y: int\n    x: int = 1\n", 5, cell)
+    run("class Place(NamedTuple):\n    x: int\n    again: bool = True\n", 6, cell)
+    path = share(cell["Walk"](5, steps=np.array([1, 2])), tmp_path / "again.py")
+    assert read_mdp(path).initial(None)._fields == ("x", "again")
+
+
 def test_a_namesake_is_not_imported() -> None:
     """A class that says it is of a module is taken from there only where it is the one that is there."""
     assert _home("Rows", Box) == ("gymnasium.spaces", "Box")
