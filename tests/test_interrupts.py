@@ -140,6 +140,22 @@ def test_it_waits_while_machine_code_runs(came: list[int]) -> None:
     assert came == [signal.SIGINT] * 2
 
 
+def test_signals_that_wait_come_in_their_order(came: list[int]) -> None:
+    """The first one first, of whatever kind."""
+    before = signal.signal(signal.SIGTERM, lambda number, frame: came.append(number))
+    sent = [signal.SIGTERM, signal.SIGINT, signal.SIGINT, signal.SIGTERM, signal.SIGINT]
+    try:
+        with Work() as work:
+            work.hold(machine_code=True)
+            for number in sent:
+                os.kill(os.getpid(), number)
+            assert came == []
+            work.stopped()
+            assert came == sent
+    finally:
+        signal.signal(signal.SIGTERM, before)
+
+
 def test_it_comes_at_the_end_at_the_latest(came: list[int]) -> None:
     """It is not lost, even if the work fails."""
 

@@ -10,13 +10,14 @@ from typing import Any, NamedTuple
 import gymnasium
 import numpy as np
 import pytest
-from gymnasium.spaces import Discrete
+from gymnasium.spaces import Box, Discrete
 from typer.testing import CliRunner
 
 from edugym import finite_model, read_mdp, share, value_iteration, wrapper
 from edugym.commands import app
 from edugym.lessons.own_problem import Morning, WithBonus
 from edugym.playing import Game
+from edugym.sharing import _home
 
 CELLS = """
 import math
@@ -184,6 +185,38 @@ def test_functions_are_imported_from_where_they_are(tmp_path: Path, cell: dict[s
     cell["sqrt"] = cell["halved"]
     with pytest.raises(ValueError, match="sqrt must be called halved, as it was defined, to be shared"):
         share(cell["Rooted"](5, steps=np.array([1, 2])), tmp_path / "renamed.py")
+
+
+def run(text: str, number: int, names: dict[str, Any]) -> None:
+    """Run one more cell."""
+    file = f"/tmp/ipykernel_1/{number}.py"
+    linecache.cache.pop(file, None)
+    linecache.cache[file] = (len(text), None, text.splitlines(keepends=True), file)
+    exec(compile(text, file, "exec"), names)
+
+
+def test_a_decorator_is_part_of_the_class(tmp_path: Path, cell: dict[str, Any]) -> None:
+    """The lines above `class` are copied too, and what they use is imported."""
+    cell["wrapper"] = wrapper
+    text = "@wrapper\nclass Paid(NamedTuple):\n    mdp: Walk\n    def terminal(self, state): return state.x == 0\n"
+    run(text, 4, cell)
+    path = share(cell["Paid"](cell["Walk"](5, steps=np.array([1, 2]))), tmp_path / "paid.py")
+    assert text in path.read_text(encoding="utf-8")
+    assert read_mdp(path).initial(None).x == 1
+
+
+def test_a_cell_that_was_run_again(tmp_path: Path, cell: dict[str, Any]) -> None:
+    """Of two classes of one name, neither with a method, the last one is shared."""
+    run("class Place(NamedTuple):\n    y: int\n    x: int = 1\n", 5, cell)
+    run("class Place(NamedTuple):\n    x: int\n    again: bool = True\n", 6, cell)
+    path = share(cell["Walk"](5, steps=np.array([1, 2])), tmp_path / "again.py")
+    assert read_mdp(path).initial(None)._fields == ("x", "again")
+
+
+def test_a_namesake_is_not_imported() -> None:
+    """A class that says it is of a module is taken from there only where it is the one that is there."""
+    assert _home("Rows", Box) == ("gymnasium.spaces", "Box")
+    assert _home("Box", type("Box", (), {"__module__": "gymnasium.spaces"})) is None
 
 
 def test_what_cannot_be_read(tmp_path: Path) -> None:

@@ -14,7 +14,7 @@ from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.mdp.protocol import Random
 from edugym.rendering.scene import Scene
-from tests.compiled.cells import cell
+from tests.compiled.cells import WALK, cell
 from tests.contract.play import Copies, plain
 
 
@@ -216,3 +216,11 @@ def test_rewards_before_the_first_step(monkeypatch: pytest.MonkeyPatch) -> None:
     vector.reset(seed=0)
     vector.reset()
     assert vector.is_compiled
+
+
+def test_without_a_limit_nothing_is_truncated() -> None:
+    """However long nothing ends."""
+    envs = MDPVectorEnv(MDPEnv(cell(WALK)["Walk"](5)), 2)
+    envs.reset(seed=0)
+    still = np.zeros(2, np.int64)
+    assert not any(envs.step(still)[3].any() for _ in range(3_000))

@@ -13,7 +13,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from edugym import UCB, QLearning, Softmax, load, save
+from edugym import UCB, DoubleQLearning, QLearning, Softmax, load, save
 from edugym.agents.saving import MOST_BYTES
 from edugym.mdp.protocol import Integers, Random
 from tests.agents.cases import same
@@ -298,6 +298,18 @@ def test_small_files_that_unpack_to_large_ones_are_refused(tmp_path: Path, monke
         with pytest.raises(ValueError, match=f"it holds more than {max_bytes} bytes; to allow that, pass a larger"):
             load(path, max_bytes=max_bytes)
     assert MOST_BYTES < 2_000_000_000
+
+
+def test_all_tables_count_together(tmp_path: Path) -> None:
+    """To the byte: of two tables, neither is too large alone."""
+    path = tmp_path / "agent.npz"
+    save(DoubleQLearning.create((100, 100)), path)
+    with zipfile.ZipFile(path) as archive:
+        whole = sum(entry.file_size for entry in archive.infolist())
+    assert whole > 2 * 80_000
+    load(path, max_bytes=whole)
+    with pytest.raises(ValueError, match=f"it holds more than {whole - 1} bytes"):
+        load(path, max_bytes=whole - 1)
 
 
 @pytest.mark.parametrize("shape", ["(1000000000000,)", "(-3, -2)", "(3, 2, 1000000000000, 0)", "(5,)", "(10**9,)"])

@@ -62,6 +62,7 @@ CHANGES = {
         notebook("def h(x): return x + 2\ndef g(x): return h(x)"),
     ),
     "default of a helper": (notebook("def g(x, k=1): return x + k"), notebook("def g(x, k=2): return x + k")),
+    "default of a keyword": (notebook("def g(x, *, k=1): return x + k"), notebook("def g(x, *, k=2): return x + k")),
     "array as default": (
         notebook("A = np.zeros(2000)\ndef g(x, k=A): return x + k[1000]"),
         notebook("A = np.zeros(2000)\nA[1000] = 1\ndef g(x, k=A): return x + k[1000]"),

@@ -13,8 +13,8 @@ import edugym
 from edugym.envs.catch import BALL, PADDLE, Catch, CatchGrid, CatchImage, Fall
 from edugym.exact.model import finite_model
 from edugym.exact.value_iteration import value_iteration
-from edugym.rendering.palette import RED, YELLOW
-from edugym.rendering.scene import Circle, Rectangle
+from edugym.rendering.palette import RED, SHADE, YELLOW
+from edugym.rendering.scene import Circle, Line, Rectangle
 from tests.contract.described import NO_WHOLE_NUMBER, Keywords, Parameters, refused
 from tests.envs.classes import CatchEnv
 
@@ -269,3 +269,12 @@ def test_scene() -> None:
         assert int(ball.y - board.y) == ball_y
         assert ball.y + ball.radius <= paddle.y + 1e-9
         assert paddle.y + paddle.height == pytest.approx(board.y + board.height)
+
+
+@pytest.mark.parametrize(("rows", "columns", "lines"), [(50, 50, 98), (51, 3, 0), (40, 51, 0), (4, 3, 5)])
+def test_lines_between_cells(rows: int, columns: int, lines: int) -> None:
+    """On boards with no side longer than 50 cells."""
+    env = CatchEnv(rows=rows, columns=columns)
+    env.reset(seed=0)
+    drawn = [shape for shape in env.scene().shapes if isinstance(shape, Line) and shape.colour == SHADE]
+    assert len(drawn) == lines

@@ -49,6 +49,7 @@ PARAMETERS = Parameters(
         *refused("green_radius", 0.5, stochasticity_level=0),  # whole cells lie half a cell from the flag or more
         *refused("max_hits", 0, 10**6 + 1, *NO_WHOLE_NUMBER),
         *refused("max_hits", 1, stochasticity_level=0),
+        *refused("max_hits", 2, width=5, length=9, green_radius=0.9, stochasticity_level=0),  # not from the water
         *refused("stochasticity_level", -0.1, 1001, 1e308, nan, inf, "a", None, True),
         *refused("observe_hits", 1, "yes", None),
     ),

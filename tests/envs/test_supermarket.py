@@ -253,6 +253,14 @@ def timed(clock: FakeClock, seconds: float) -> SupermarketEnv:
     return env
 
 
+def test_copies_do_not_wait() -> None:
+    """Not even those of an environment that would wait for an hour."""
+    envs = gymnasium.make_vec("edugym/Supermarket-v0", num_envs=2, step_timeout=3600)
+    envs.reset(seed=0)
+    for _ in range(3):
+        assert envs.step(np.array([1, 3]))[1].tolist() == [-1.0, -1.0]
+
+
 @pytest.mark.parametrize("seconds", [0.0, 0.0001, 0.001, 0.05, 1.0, 60.0])
 def test_step_blocks(clock: FakeClock, seconds: float) -> None:
     """A step is done that many seconds after the last return, to a millisecond, nearly all of them asleep."""

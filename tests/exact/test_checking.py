@@ -87,6 +87,10 @@ WRONG = {
         slip(PAY, "return 1.0 if type(rng.random()) is float else 2.0"),
         r"a real step to 0 pays 1.0, but the model says \[2.0\]",
     ),
+    "a reward that is nearly right": (
+        slip(PAY, "return 1.0 if type(rng.random()) is float else 1.00001"),
+        r"a real step to 0 pays 1.0, but the model says \[1.00001\]",
+    ),
     "a reward by a generator of its own": (slip(PAY, "return held.random()"), r"a real step to 0 pays 0\.\d+, but"),
     "another frequency": (
         slip(MOVE, "u = rng.random()\nreturn 0 if u < (0.9 if type(u) is float else 0.5) else state + 1"),

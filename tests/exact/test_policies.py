@@ -204,4 +204,6 @@ def test_too_many_ties(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_soft() -> None:
     """A share ε of each row goes to all actions alike."""
-    assert soft(np.array([[0.0, 1.0], [0.5, 0.5]]), 0.2).tolist() == [[0.1, 0.9], [0.5, 0.5]]
+    greedy = np.array([[0.0, 1.0], [0.5, 0.5], [1.0, 0.0]])
+    assert soft(greedy, 0.2).tolist() == [[0.1, 0.9], [0.5, 0.5], [0.9, 0.1]]
+    assert soft(np.array([[0.0, 1.0, 0.0, 0.0]]), 0.5).tolist() == [[0.125, 0.625, 0.125, 0.125]]

@@ -54,11 +54,18 @@ def test_no_table_where_the_observation_does_not_tell_the_state() -> None:
 
 
 def test_the_greedy_policy_shares_ties() -> None:
-    """Equal but for rounding is equal; the shares sum to 1."""
-    model = random_model(0, n_actions=3)
-    Q = np.array([[1.0, 1.0 - 1e-12, 0.0], [2.0, 1.0, 0.0], [-5.0, -5.0, -5.0], [1e12, 1e12 - 1.0, 0.0]])
-    policy = Values(Q.max(axis=1), Q, 0.0, model).greedy_policy()
-    assert policy.tolist() == [[0.5, 0.5, 0.0], [1.0, 0.0, 0.0], [1 / 3, 1 / 3, 1 / 3], [0.5, 0.5, 0.0]]
+    """Equal but for rounding, which is coarser far from 0 on either side, is equal; the shares sum to 1."""
+    values_and_shares = [
+        ([1.0, 1.0 - 1e-12, 0.0], [0.5, 0.5, 0.0]),
+        ([2.0, 1.0, 0.0], [1.0, 0.0, 0.0]),
+        ([-5.0, -5.0, -5.0], [1 / 3, 1 / 3, 1 / 3]),
+        ([1e12, 1e12 - 1.0, 0.0], [0.5, 0.5, 0.0]),
+        ([-1e12, -2e12, -1e12 - 1.0], [0.5, 0.0, 0.5]),
+        ([-1e-8, 1e-3, 1e-3 - 1e-8], [0.0, 1.0, 0.0]),
+    ]
+    Q = np.array([values for values, _ in values_and_shares])
+    policy = Values(Q.max(axis=1), Q, 0.0, random_model(0, n_actions=3)).greedy_policy()
+    assert policy.tolist() == [shares for _, shares in values_and_shares]
 
 
 def test_the_start_is_the_mean_over_the_initial_states() -> None:

@@ -181,6 +181,26 @@ def test_which_name_may_be_misspelt(has: str) -> None:
     require_method(type("Task", (), {"initial": lambda self, stream: 0})(), "initial", ("rng",))
 
 
+OTHERS = {
+    "initial": "reset start initial_state",
+    "transition": "step next_state dynamics",
+    "terminal": "is_terminal done terminated is_done",
+    "observation": "observe obs",
+    "act": "choose choose_action select_action get_action policy",
+    "learn": "update train fit",
+    "greedy": "greedy_act act_greedy",
+}
+"""What books and other libraries call the methods."""
+
+
+@pytest.mark.parametrize(("name", "other"), [(name, other) for name in OTHERS for other in OTHERS[name].split()])
+def test_the_names_of_others_are_known(name: str, other: str) -> None:
+    """However unlike the wanted name they are; one that is like it too comes second."""
+    owner = type("Task", (), {other: 0, f"{name}_": 0})()
+    with pytest.raises(ValueError, match=rf"must have a method {name}\(self, state\); is '{other}' misspelt\?"):
+        require_method(owner, name, ("state",))
+
+
 def test_another_wanted_method_is_not_misspelt() -> None:
     """Even where it is spelt much the same."""
     owner = type("Task", (), {"rewards": lambda self: 0})()

@@ -170,6 +170,24 @@ def test_a_wrapper_without_the_decorator() -> None:
         require_mdp(Bare(make_mdp("Boulder")))
 
 
+def test_what_a_wrapper_looks_up_itself_is_kept() -> None:
+    """The decorator puts nothing in place of methods that the class has, not even of `__getattr__`."""
+
+    class Own(NamedTuple):
+        mdp: Any
+
+        def __getattr__(self, name: str) -> Any:
+            if name == "__wrapped__":
+                raise AttributeError(name)
+            return "looked up"
+
+        def terminal(self, state: Any) -> bool:
+            return True
+
+    task: Any = wrapper(Own)(make_mdp("Boulder"))
+    assert (task.height, task.terminal(0)) == ("looked up", True)
+
+
 def test_a_wrapper_needs_a_field_mdp() -> None:
     """The message says so."""
 
