@@ -140,7 +140,7 @@ def test_bad_masks(entry: Entry) -> None:
     for mask in ([True] * 3, np.ones(2, np.bool_), np.ones(3, np.int64), np.ones((3, 1), np.bool_), None, True, "all"):
         with pytest.raises(ValueError, match="reset_mask must be an array of 3 booleans, but is") as caught:
             vector.reset(seed=5, options={"reset_mask": mask})
-        assert repr(mask) in str(caught.value)
+        assert in_short(mask) in str(caught.value)
         assert plain(([vector.state(i) for i in range(3)], vector.np_random)) == before
     vector.reset(options={"reset_mask": np.array([False, False, False])})
     assert plain(([vector.state(i) for i in range(3)], vector.np_random)) == before

@@ -120,7 +120,7 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
         """
         mask = (options or {}).get("reset_mask", np.ones(self.num_envs, np.bool_))
         if not (isinstance(mask, np.ndarray) and mask.shape == self._over.shape and mask.dtype == np.bool_):
-            raise ValueError(f"reset_mask must be an array of {self.num_envs} booleans, but is {mask!r}")
+            raise ValueError(f"reset_mask must be an array of {self.num_envs} booleans, but is {in_short(mask)}")
         super().reset(seed=seed)
         if self._runner is None:
             try:
