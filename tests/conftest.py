@@ -3,6 +3,7 @@
 import gc
 import os
 import shutil
+import signal
 import sys
 import tempfile
 from collections.abc import Iterator
@@ -11,6 +12,8 @@ import pytest
 from hypothesis import settings
 
 os.environ["SDL_VIDEODRIVER"] = "dummy"  # windows open on a pretended screen
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # begun in the background of a shell; tests press Ctrl-C
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 os.environ.setdefault("OMP_NUM_THREADS", "1")  # one torch thread a process: more would wait for each other's cores
 
 settings.register_profile("repeatable", derandomize=True, deadline=None, database=None)
