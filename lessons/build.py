@@ -25,8 +25,10 @@ import tempfile
 import time
 import tomllib
 from collections.abc import Sequence
+from contextlib import suppress
 from copy import deepcopy
 from pathlib import Path
+from queue import Empty
 from typing import Any
 
 import jupytext
@@ -176,6 +178,25 @@ class LessonClient(NotebookClient):
     message that the kernel sends is the only trace.
     """
 
+    def begin(self, notebook: NotebookNode) -> None:
+        """Looks for the kernel's replies once a second.
+
+        A client that waits without looking may miss a reply while a widget's messages go out, and then waits until the
+        cell's time is over: https://github.com/jupyter/nbclient/issues/312.
+        """
+        assert self.kc is not None
+        channel = self.kc.shell_channel
+        get_msg = channel.get_msg
+
+        async def often(timeout: float) -> dict[str, Any]:
+            end = time.monotonic() + timeout
+            while (left := end - time.monotonic()) > 1:
+                with suppress(Empty):
+                    return dict(await get_msg(timeout=1))
+            return dict(await get_msg(timeout=max(0, left)))
+
+        channel.get_msg = often
+
     def start(self, cell: NotebookNode, cell_index: int) -> None:
         """Notes which cell is running."""
         self.running = where(cell)
@@ -194,7 +215,7 @@ class LessonClient(NotebookClient):
         """Executes the notebook in place, and returns the faults that it noted."""
         self.faults: list[str] = []
         self.running = "before the first cell"
-        self.on_cell_execute = self.start
+        self.on_notebook_start, self.on_cell_execute = self.begin, self.start
         try:
             self.execute(env=os.environ | ENVIRONMENT)
         except (CellControlSignal, DeadKernelError) as error:

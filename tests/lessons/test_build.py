@@ -1,12 +1,17 @@
 """Tests of the builder of notebooks, on a tiny lesson, and of every lesson that is there."""
 
 import ast
+import asyncio
 import importlib.metadata
 import importlib.util
 import shutil
 import subprocess
 import sys
+from contextlib import nullcontext
 from pathlib import Path
+from queue import Empty
+from types import SimpleNamespace
+from typing import Any, cast
 
 import build
 import nbformat
@@ -341,6 +346,34 @@ def test_what_a_reader_would_see_go_wrong_fails_the_build(code: str, message: st
     notebook = new_notebook(cells=[new_code_cell(source, id="cell-000")])
     with pytest.raises(build.LessonError, match=f"(?s){message}"):
         build.execute(notebook, "one", seconds=1 if "sleep" in code else 5)
+
+
+class Channel:
+    """A channel that only notices at its second look that a reply has come, or never."""
+
+    def __init__(self, *, ever: bool) -> None:
+        """Make a channel that nobody has looked at."""
+        self.looks, self.ever = list[float](), ever
+
+    async def get_msg(self, timeout: float) -> dict[str, str]:
+        """Return the reply, or raise `Empty` when the time is over, as a channel of Jupyter does."""
+        self.looks.append(timeout)
+        if self.ever and len(self.looks) == 2:
+            return {"msg_type": "execute_reply"}
+        await asyncio.sleep(timeout)
+        raise Empty
+
+
+def test_a_reply_that_was_missed_is_found_at_the_next_look() -> None:
+    """The builder looks once a second; it gives up when the time of the cell is over."""
+    for timeout, ever, looks in ((60, True, 2), (1.2, False, 2), (0, False, 1)):
+        client, channel = build.LessonClient(new_notebook()), Channel(ever=ever)
+        client.kc = cast(Any, SimpleNamespace(shell_channel=channel))
+        client.begin(client.nb)
+        with nullcontext() if ever else pytest.raises(Empty):
+            assert asyncio.run(channel.get_msg(timeout)) == {"msg_type": "execute_reply"}
+        assert len(channel.looks) == looks
+        assert sum(channel.looks) == pytest.approx(2 if ever else timeout, abs=0.1)
 
 
 @pytest.mark.slow
