@@ -18,7 +18,7 @@ CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shuti
 DRIVER = shutil.which("chromedriver")
 PANEL = "jupyterapp.shell.currentWidget"
 SESSION = f"{PANEL}.sessionContext"
-PATIENCE = 120
+PATIENCE = 300
 """The most seconds to wait for anything."""
 
 
@@ -40,8 +40,17 @@ class Lab(NamedTuple):
 
 
 @contextmanager
-def running_lab(folder: Path, theme: str = "JupyterLab Light") -> Iterator[Lab]:
-    """Run `edugym lab` on a free port, without a token and with settings of its own, and yield it."""
+def running_lab(folder: Path, theme: str = "JupyterLab Light", first: str = "") -> Iterator[Lab]:
+    """Run `edugym lab` on a free port, without a token and with settings of its own, and yield it.
+
+    Args:
+        folder: where it puts all its files.
+        theme: its colours.
+        first: the code that every kernel runs before the first cell.
+    """
+    startup = folder / "ipython" / "profile_default" / "startup" / "first.py"
+    startup.parent.mkdir(parents=True)
+    startup.write_text(first)
     settings = folder / "settings" / "@jupyterlab" / "apputils-extension" / "themes.jupyterlab-settings"
     settings.parent.mkdir(parents=True)
     settings.write_text(json.dumps({"theme": theme}))
@@ -50,6 +59,7 @@ def running_lab(folder: Path, theme: str = "JupyterLab Light") -> Iterator[Lab]:
         port = free.getsockname()[1]
     address = f"http://127.0.0.1:{port}"
     own = {"JUPYTERLAB_SETTINGS_DIR": str(folder / "settings"), "JUPYTER_CONFIG_DIR": str(folder / "configuration")}
+    own["IPYTHONDIR"] = str(folder / "ipython")
     options = ["--no-browser", f"--port={port}", "--IdentityProvider.token=", "--ServerApp.ip=127.0.0.1"]
     options += ["--LabApp.expose_app_in_browser=True"]  # so that a test can ask for the outputs of cells
     code = "from edugym.cli import main; main()"

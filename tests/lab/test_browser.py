@@ -19,6 +19,15 @@ from edugym.lab.lessons import student_lessons
 from tests.lab.browser import CHROMIUM, DRIVER, Lab, Page, chromium, running_lab, screenshots, until
 
 SCREENSHOTS = os.environ.get("EDUGYM_SCREENSHOTS")
+FEW_RUNS = f"""
+import sys
+sys.path.append({str(build.ROOT)!r})
+from tests.lessons.few_runs import limit_runs
+sys.path.pop()
+limit_runs()
+del sys, limit_runs
+"""
+"""Experiments take two runs, which keeps the tests short; their results are the matter of other tests."""
 LESSONS = [lesson.name for lesson in student_lessons()]
 
 pytestmark = [
@@ -34,7 +43,7 @@ pytestmark = [
 def lab(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Lab]:
     """A running lab, in each theme if screenshots are wanted."""
     folder = tmp_path_factory.mktemp("lab")
-    with running_lab(folder, theme=f"JupyterLab {request.param}") as lab:
+    with running_lab(folder, f"JupyterLab {request.param}", "" if SCREENSHOTS else FEW_RUNS) as lab:
         template = build.student_edition(build.read_lesson(build.ROOT / "lessons" / "template.py"), "template")
         nbformat.write(template, folder / "lessons" / "template.ipynb")
         yield lab

@@ -31,6 +31,7 @@ from edugym.training.configuration import described
 from edugym.training.repeat import repeat
 from edugym.training.train import Run, train
 from tests.lessons.drawn import drawn, numbers
+from tests.lessons.few_runs import few_runs
 from tests.lessons.figures import check_legends
 
 FOLDER = Path(__file__).parent / "transcripts"
@@ -78,14 +79,6 @@ def claimed(claim: Any) -> list[str]:
     ]
 
 
-class Again(dict[int, Any]):
-    """The agents of a few runs, which stand for those of all others too."""
-
-    def __missing__(self, run: int) -> Any:
-        """Return an agent of the runs that there are."""
-        return self[run % len(self)]
-
-
 @contextlib.contextmanager
 def short_training(lesson: Any, returns: tuple[float, float], runs: int, most: int) -> Iterator[int]:
     """Let agents train for a few steps, in a few runs, with returns that depend on nothing but the arguments."""
@@ -102,8 +95,7 @@ def short_training(lesson: Any, returns: tuple[float, float], runs: int, most: i
         return Run(steps, made[0], made[1], rng.integers(1, 9, len(steps)), run.agent, run.seed, 0.0, complete=True)
 
     def seldom(*arguments: Any, **how: Any) -> Results:
-        results = repeat(*arguments, **how | {"repetitions": min(how.get("repetitions", 10), runs), "jobs": 1})
-        return Results(results.table, {method: Again(agents) for method, agents in results.agents.items()})
+        return few_runs(*arguments, most=runs, **how | {"jobs": 1})
 
     with contextlib.ExitStack() as stack:
         for module in [module for name, module in sys.modules.items() if name.partition(".")[0] == "edugym"]:
