@@ -10,7 +10,7 @@ from edugym.mdp.protocol import Integers
 from edugym.memory import require_memory
 
 PRIME = 2**31 - 1
-FACTOR = 1_000_003
+FACTOR, MIXER = 1_000_003, 1_220_703_125
 MOST_ROWS = 2**28
 
 
@@ -74,7 +74,9 @@ class HashedTable(NamedTuple):
             if not math.isfinite(value):
                 raise ValueError("an observation with a number that is not finite (NaN or infinity) has no row")
             code = (code * FACTOR + int(value % PRIME) + int(value % 1.0 * PRIME)) % PRIME
-        slot = code % len(self.slots)
+        # Without these two, keys that differ little would fill neighbouring slots, and a search would take very long.
+        code = (code ^ (code >> 15)) * MIXER % PRIME
+        slot = (code ^ (code >> 13)) % len(self.slots)
         while self.slots[slot] > 0 and not self.holds(self.slots[slot] - 1, key):
             slot = (slot + 1) % len(self.slots)
         return int(slot)
