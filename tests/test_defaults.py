@@ -1,4 +1,4 @@
-"""What is taken where nothing is given, and in which order: a lesson, a page or a student's comparison relies on it."""
+"""What is taken where nothing is given, in which order, and what is computed only once: readers rely on all of it."""
 
 import importlib
 import inspect
@@ -26,16 +26,21 @@ KINDS = dict.fromkeys(case.kind for case in AGENTS.values())
 
 
 def public(module: Any) -> Iterator[tuple[str, Any]]:
-    """The functions, classes and methods that a module defines, by name."""
+    """The functions, classes and methods that a module defines, by name, and all functions whose results are kept."""
     for name, value in vars(module).items():
-        if name.startswith("_") or getattr(value, "__module__", "") != module.__name__:
+        if (name.startswith("_") and not kept(value)) or getattr(value, "__module__", "") != module.__name__:
             continue
-        if inspect.isfunction(value) or (inspect.isclass(value) and not issubclass(value, EnvSpec)):
+        if inspect.isfunction(value) or kept(value) or (inspect.isclass(value) and not issubclass(value, EnvSpec)):
             yield name, value
         for inner, member in vars(value).items() if inspect.isclass(value) else ():
             function = getattr(member, "__func__", member)
             if inspect.isfunction(function) and not inner.startswith("_"):
                 yield f"{name}.{inner}", function
+
+
+def kept(value: Any) -> bool:
+    """Whether it is a function that computes nothing twice."""
+    return hasattr(value, "cache_info") and not inspect.isclass(value)
 
 
 def defaults(module: str) -> Iterator[str]:
@@ -48,8 +53,8 @@ def defaults(module: str) -> Iterator[str]:
         taken = [
             key if one.default is one.empty else f"{key}={in_words(one.default)}" for key, one in parameters.items()
         ]
-        if any("=" in one for one in taken) or hasattr(value, "_fields"):
-            yield f"{module}.{name}: {', '.join(taken)}"
+        if any("=" in one for one in taken) or hasattr(value, "_fields") or kept(value):
+            yield f"{module}.{name}{' (kept)' * kept(value)}: {', '.join(taken)}".rstrip()
 
 
 def in_words(value: Any) -> str:
