@@ -19,7 +19,7 @@ FILE = Path(__file__).with_suffix(".txt")
 NOT_LOOKED_AT = ("edugym.__main__", "edugym.lab.jupyter")
 MODULES = [
     found.name
-    for found in pkgutil.walk_packages(edugym.__path__, "edugym.")
+    for found in pkgutil.walk_packages(edugym.__path__, "edugym.", onerror=str)  # goes on where a library is missing
     if not found.name.startswith(NOT_LOOKED_AT)
 ]
 KINDS = dict.fromkeys(case.kind for case in AGENTS.values())
