@@ -23,6 +23,13 @@ class Pair(NamedTuple):
     second: Any
 
 
+class Turned(NamedTuple):
+    """Two values under other names."""
+
+    second: Any
+    first: Any
+
+
 NUMBERS = st.integers(-(2**62), 2**62) | st.floats(allow_nan=False) | st.booleans()
 STATES = st.recursive(
     NUMBERS, lambda inner: st.lists(inner, max_size=3).map(tuple) | st.builds(Pair, inner, inner), max_leaves=6
@@ -32,6 +39,11 @@ STATES = st.recursive(
 def leaves(state: Any) -> list[Any]:
     """The numbers in a state."""
     return [leaf for part in state for leaf in leaves(part)] if isinstance(state, tuple) else [state]
+
+
+def classes(state: Any) -> Any:
+    """The classes of the tuples in a state."""
+    return (type(state), [classes(part) for part in state]) if isinstance(state, tuple) else None
 
 
 @given(state=STATES, n=st.integers(1, 4))
@@ -79,6 +91,8 @@ def test_places_are_apart() -> None:
         ([None, 3], 4),
         ([(), (1,)], (1, 2, 3)),
         ([Pair(1, 2), (1, 2)], Pair(5, 6)),
+        ([Pair(1, (2, 3)), Pair(1, Pair(2, 3))], Pair(4, (5, 6))),
+        ([Pair((1,), 2), Turned((1,), 2)], Pair((3,), 4)),
         ([Pair(np.zeros(2), 0), Pair(np.ones(3), 0.5)], Pair(np.ones(5), 0.25)),
         ([Pair(np.zeros(2), 0), Pair(np.ones((3, 2)), 1)], Pair(np.ones(5), 1)),
     ],
@@ -90,6 +104,7 @@ def test_states_of_several_kinds(states: list[Any], later: Any) -> None:
         room.store(1, state)
         for one in (room, copy.deepcopy(room), pickle.loads(pickle.dumps(room))):
             assert plain(one.load(1)) == plain(state)
+            assert classes(one.load(1)) == classes(state)
 
 
 def test_numbers_are_in_columns() -> None:

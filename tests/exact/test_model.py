@@ -332,6 +332,8 @@ def test_generative_model() -> None:
         assert abs(share - probability) < 5 * math.sqrt(probability * (1 - probability) / 2000)
     env.reset()
     assert [env.generative_model(2, 1) for _ in range(50)] != drawn[:50]
+    fresh = [[new.generative_model(2, 1) for _ in range(50)] for new in (MDPEnv(env.mdp), MDPEnv(env.mdp))]
+    assert fresh[0] == fresh[1]  # also before any reset
     env.reset(seed=3)
     env.step(1)
     assert [env.generative_model(2, 1) for _ in range(50)] == drawn[:50]

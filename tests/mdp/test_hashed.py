@@ -46,9 +46,33 @@ def test_rows_are_those_of_a_dictionary(keys: list[tuple[float, float]]) -> None
 def test_keys_that_belong_in_the_same_slot() -> None:
     """They take the next ones, to the last row, and around the end of the slots."""
     table = HashedTable.create(np.zeros(1, np.int64), 4)
-    alike = [np.array([8 + 9 * k]) for k in range(4)]  # 9 slots; all of these are 8 more than a multiple
-    assert len({table.slot(key) for key in alike}) == 1
+    alike = [key for key in map(np.array, zip(range(999))) if table.slot(key) == 8][:4]  # the last of 9 slots
     assert [table.row(key) for key in alike + alike[::-1]] == [0, 1, 2, 3, 3, 2, 1, 0]
+
+
+@pytest.mark.parametrize("capacity", [1_000, 100_000])
+@pytest.mark.parametrize(
+    "numbers",
+    [
+        lambda k: (k, 0, 0),
+        lambda k: (0, k, 0),
+        lambda k: (k % 30, k // 30),
+        lambda k: (k % 10, k // 10 % 10, k // 100),
+        lambda k: (k / 1_000, 0.5),
+        lambda k: (0.5, k / 1_000),
+        lambda k: [(k >> bit) & 1 for bit in range(20)],
+    ],
+    ids=["first", "second", "places", "digits", "fraction first", "fraction last", "pixels"],
+)
+def test_keys_are_spread_over_the_slots(numbers: Any, capacity: int) -> None:
+    """Wherever they differ, a search takes few steps; it would take as many as there are keys among full slots."""
+    keys = [np.array(numbers(k)) for k in range(1_000)]
+    table = HashedTable.create(keys[0], capacity)
+    homes = np.array([table.slot(key) for key in keys])
+    assert len(np.unique(homes)) > 700
+    assert [table.row(key) for key in keys] == [*range(1_000)]
+    places = np.flatnonzero(table.slots)[np.argsort(table.slots[table.slots > 0])]
+    assert np.mean((places - homes) % len(table.slots)) < 1.5
 
 
 def test_a_full_table() -> None:

@@ -30,6 +30,26 @@ class Darker(CatchGrid):
         return super().observation(state, rng) / 2
 
 
+class Shown(NamedTuple):
+    """Observes real numbers.
+
+    Attributes:
+        seen: these numbers.
+        observation_space: where they are.
+    """
+
+    seen: Any
+    observation_space: spaces.Space[Any]
+
+    def initial(self, rng: Any) -> int:
+        """The only state."""
+        return 0
+
+    def observation(self, state: int, rng: Any) -> Any:
+        """Always the same."""
+        return self.seen
+
+
 class Pair(NamedTuple):
     """Observes two numbers as gymnasium's Tuple."""
 
@@ -56,6 +76,16 @@ def test_what_is_written_is_what_is_observed(mdp: Any, kind: Any) -> None:
         task.observe_into(state, rng, out)
         assert np.array_equal(np.ravel(out), np.ravel(mdp.observation(state, rng)))
         state = mdp.transition(state, mdp.action_space.sample(), rng)
+
+
+@pytest.mark.parametrize("seen", [-0.75, (-0.75,), np.array([-0.75]), (0.25, -0.5), np.array([[0.25], [-0.5]])])
+def test_real_numbers_stay_what_they_are(seen: Any) -> None:
+    """One alone, several, or an array."""
+    task: Any = Shown(seen, spaces.Box(-1.0, 1.0, np.shape(seen) or (1,), np.float64))
+    out = blank(in_place(task))
+    in_place(task).observe_into(0, None, out)
+    assert out.dtype == np.float64
+    assert np.array_equal(out, np.reshape(seen, out.shape))
 
 
 def test_a_subclass_that_overrides_observation_alone() -> None:

@@ -136,6 +136,7 @@ def test_every_element_of_a_space_has_a_row_of_its_own(space: spaces.Space[Any],
     """In order, the last number fastest, and no row is left over."""
     assert all(map(space.contains, elements))
     assert rows_shown(space, elements) == list(range(len(elements)))
+    assert TabularObservation(Shows(space, elements)).observation_space == spaces.Discrete(len(elements))
     assert table_size(Shows(space, elements, actions=5)) == (len(elements), 5)
 
 

@@ -67,6 +67,14 @@ def test_smoothed_training_returns_weigh_episodes() -> None:
     assert heights(curves.draw(new_axes()).lines[0])[1:] == [1.0, 1.0, 2.0]
 
 
+def test_smoothing_leaves_out_what_is_missing() -> None:
+    """A return that was not measured is no return of 0."""
+    table = made_results(repetitions=1).table
+    table["return"] = table["step"].map({0: 3.0, 100: np.nan, 200: np.nan, 300: 5.0})
+    curves = Curves(Results(table), methods=["A"], smooth=2).points("A")
+    assert curves[0].tolist() == pytest.approx([3.0, 3.0, np.nan, 5.0], nan_ok=True)
+
+
 def test_the_soft_optimum_by_another_name() -> None:
     """Where "ε-soft" is not explained yet."""
     ax = Curves(made_results(), soft_optimum=18.0, soft_label="best that slips").draw(new_axes())

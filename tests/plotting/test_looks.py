@@ -157,7 +157,7 @@ class Labelled:
         """Draw lines without points."""
         assert ax is not None
         for k in range(self.n):
-            ax.plot([], [], label=f"{k}", color=stroke(k).color)
+            ax.plot([], [], label=f"{9 - k}", color=stroke(k).color)
         ax.set(ylabel=self.y_label, xlabel=f"last: {place.last}")
         return ax
 
@@ -175,6 +175,7 @@ def test_the_size_of_a_sheet(columns: int, labels: int, width: float, height: fl
     if labels:
         handles = drawn.legends[0].get_lines()
         assert [to_rgba(line.get_color()) for line in handles] == [to_rgba(stroke(k).color) for k in range(labels)]
+        assert [text.get_text() for text in drawn.legends[0].get_texts()] == [f"{9 - k}" for k in range(labels)]
         assert not drawn.legends[0].get_frame_on()
 
 

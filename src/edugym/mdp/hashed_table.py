@@ -10,7 +10,8 @@ from edugym.mdp.protocol import Integers
 from edugym.memory import require_memory
 
 PRIME = 2**31 - 1
-FACTOR = 1_000_003
+FACTOR = 742_938_285
+"""The multiplier of a good random generator (Fishman and Moore, 1986): keys that differ little get slots far apart."""
 MOST_ROWS = 2**28
 
 
@@ -73,8 +74,8 @@ class HashedTable(NamedTuple):
             value = key.flat[k]
             if not math.isfinite(value):
                 raise ValueError("an observation with a number that is not finite (NaN or infinity) has no row")
-            code = (code * FACTOR + int(value % PRIME) + int(value % 1.0 * PRIME)) % PRIME
-        slot = code % len(self.slots)
+            code = (code + int(value % PRIME) + int(value % 1.0 * PRIME)) * FACTOR % PRIME
+        slot = (code ^ (code >> 13)) % len(self.slots)
         while self.slots[slot] > 0 and not self.holds(self.slots[slot] - 1, key):
             slot = (slot + 1) % len(self.slots)
         return int(slot)
