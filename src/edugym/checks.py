@@ -71,7 +71,7 @@ def one_of(name: str, value: Any, allowed: Sequence[Any]) -> None:
 
 
 def in_short(value: Any) -> str:
-    """A value for a message: in one line, and cut where it is long; of a very large whole number the digits' number."""
+    """A value for a message: on one line, cut where it is long; for a very large whole number, its number of digits."""
     if isinstance(value, int) and abs(value) >= 10**LONGEST_NUMBER:
         return f"a whole number of about {math.floor(math.log10(abs(value))) + 1} digits"
     text = " ".join(repr(value).split())

@@ -18,7 +18,7 @@ def test_reasons() -> None:
         ("return {1: s}[1] + open('x')", "open"),
         ("return self.missing", "missing"),
         ("return s + self.k.strip()", "it uses strip of a value of type int "),
-        ("return s + rng.choice(3)", r"it uses rng's choice: draw a place instead, int\(rng.random\(\) \* n\) \("),
+        ("return s + rng.choice(3)", r"it uses rng's choice: draw an index instead, int\(rng.random\(\) \* n\) \("),
         ("return range(3)[int(s)]", r"Numba has no getitem\(range_state_int64, int\) "),
         (
             "best = None\n        if s > 3: best = 0\n        return 1 if best else 2",
@@ -112,7 +112,7 @@ NOTHING = code_of(plain_loop, ())
     [
         (
             "Unknown attribute 'choice' of type NumPyRandomGeneratorType(x)",
-            "it uses rng's choice: draw a place instead, int(rng.random() * n)",
+            "it uses rng's choice: draw an index instead, int(rng.random() * n)",
         ),
         ("Unknown attribute 'T' of type class(<class '__main__.A'>)", "it takes T from the class A"),
         ("Unknown attribute 'k' of type array(float64, 2d, C)", "it uses k of a value of type array"),

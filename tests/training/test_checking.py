@@ -8,10 +8,10 @@ from gymnasium import spaces
 
 from edugym import EpsilonGreedy, QLearning
 from edugym.lessons.own_problem import WithBonus
-from edugym.mdp.checking import CheckedMDP
-from edugym.training.checking import CheckedAgent, checked_agent, checked_mdp, shared_by_class, students_parts
+from edugym.mdp.checking import CheckedMDP, checked_mdp
+from edugym.training.checking import CheckedAgent, checked_agent, shared_by_class, students_parts
 from edugym.training.contract import GreedyActor, learner
-from edugym.training.guarded import FiniteRewards, RowsOfATable, guarded
+from edugym.training.guarded import GUARDS, FiniteRewards, RowsOfATable, guarded
 from tests.training.tasks import Stairs, StudentsQLearning
 
 RNG = np.random.default_rng(0)
@@ -93,10 +93,10 @@ def test_checks_are_next_to_the_students_task() -> None:
     student = Stairs()
     assert [type(part) for part in (guarded(student), guarded(student).mdp)] == [FiniteRewards, RowsOfATable]
     for outside in (student, guarded(student)):
-        checked = checked_mdp(outside)
+        checked = checked_mdp(outside, instead_of=GUARDS)
         assert type(checked) is CheckedMDP
         assert checked._mdp is student
-    wrapped = checked_mdp(guarded(WithBonus(student, 3.0)))
+    wrapped = checked_mdp(guarded(WithBonus(student, 3.0)), instead_of=GUARDS)
     assert type(wrapped) is WithBonus
     assert type(wrapped.mdp) is CheckedMDP
 

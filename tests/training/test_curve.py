@@ -11,7 +11,7 @@ import pytest
 from edugym import CountBased, EpsilonGreedy, QLearning, ScheduledEpsilonGreedy, make_mdp, train
 from edugym.agents.strategies import LinearDecay
 from edugym.mdp.protocol import Random
-from edugym.training.train import _Curve
+from edugym.training.train import Run, _Curve
 from edugym.training.trainers import EVALUATION_LIMIT, new_log
 from tests.training.tasks import SlipperyWalk, Stairs
 
@@ -76,7 +76,7 @@ class Evaluated:
         """No need."""
         raise NotImplementedError
 
-    def doubts(self, n_steps: int, n_episodes: int) -> list[str]:
+    def doubts(self, run: Run) -> list[str]:
         """None."""
         return []
 

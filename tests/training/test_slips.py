@@ -323,7 +323,7 @@ def test_the_checks_change_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     runs = []
     for checked in (True, False):
         if not checked:
-            monkeypatch.setattr(trainers, "checked_mdp", lambda mdp, steps: mdp)
+            monkeypatch.setattr(trainers, "checked_mdp", lambda mdp, steps, **how: mdp)
             monkeypatch.setattr(trainers, "checked_agent", lambda agent, task, steps: agent)
         agent = learner()
         run = train(

@@ -15,9 +15,9 @@ from edugym.adapters.copies import STATE_LOST, Batch
 from edugym.compiled.code import Code, package
 from edugym.compiled.execution import executable
 from edugym.interrupts import Work
-from edugym.mdp.checking import CheckedMDP
+from edugym.mdp.checking import checked_mdp
 
-Loop = Callable[..., Any]
+Loop = Callable[..., int]
 REHEARSED = 100  # copies
 
 
@@ -81,16 +81,13 @@ class Runner:
             self._watched.clear()
         if loop not in self._code:
             self._prepare(loop, rng, few, arguments)
-        fast = loop if self._interpreted else self._code[loop]
-        if self._interpreted or not self._foreign:
-            if self._interpreted and self._foreign:
-                return self._replayable(loop, rng, batch, arguments)
-            if self._interpreted:
-                arguments = _plain(arguments)
-            done: int = fast(self._n, self._mdp, rng, *arguments, self.states, batch)
-            if done == STATE_LOST:
-                raise TypeError(f"states of {type(self._mdp).__name__} do not fit the storage that was made for them")
-            return done
+        if self._interpreted and self._foreign:
+            return self._explained(loop, rng, batch, arguments)
+        if self._interpreted:
+            return self._once(loop, self._mdp, rng, batch, _plain(arguments))
+        fast = self._code[loop]
+        if not self._foreign:
+            return self._once(fast, self._mdp, rng, batch, arguments)
         kept = self._kept(rng, batch)
         done = STATE_LOST
         with Work() as work:
@@ -106,7 +103,7 @@ class Runner:
                 if done == STATE_LOST:  # also after Ctrl-C
                     self._put_back(kept, rng, batch)
         self._interpret()
-        done = self._replayable(loop, rng, batch, arguments)
+        done = self._explained(loop, rng, batch, arguments)
         warnings.warn(
             f"{type(self._mdp).__name__} runs interpreted from here on, some hundred times slower: its states have"
             " changed their type",
@@ -114,21 +111,26 @@ class Runner:
         )
         return done
 
-    def _replayable(self, loop: Loop, rng: np.random.Generator, batch: Batch, arguments: tuple[Any, ...]) -> int:
+    def _once(self, loop: Loop, mdp: Any, rng: np.random.Generator, batch: Batch, arguments: tuple[Any, ...]) -> int:
+        """Run a loop as it is, and refuse a state that its storage cannot hold."""
+        done: int = loop(self._n, mdp, rng, *arguments, self.states, batch)
+        if done == STATE_LOST:
+            raise TypeError(f"states of {type(self._mdp).__name__} do not fit the storage that was made for them")
+        return done
+
+    def _explained(self, loop: Loop, rng: np.random.Generator, batch: Batch, arguments: tuple[Any, ...]) -> int:
         """Run a loop interpreted over a student's MDP; where it fails, run it again with checks that say why."""
         arguments, kept = _plain(arguments), self._kept(rng, batch)
         failure: Exception | None = None
         try:
-            done: int = loop(self._n, self._mdp, rng, *arguments, self.states, batch)
+            done = self._once(loop, self._mdp, rng, batch, arguments)
         except Exception as error:
             failure = error
         if failure or not np.isfinite(batch.rewards).all() or _has_none(self.states):
             self._put_back(kept, rng, batch)
-            done = loop(self._n, _checked(self._mdp), rng, *arguments, self.states, batch)
+            done = self._once(loop, checked_mdp(self._mdp, math.inf), rng, batch, arguments)
         if failure:
             raise failure
-        if done == STATE_LOST:
-            raise TypeError(f"states of {type(self._mdp).__name__} do not fit the storage that was made for them")
         return done
 
     def _kept(self, rng: np.random.Generator, batch: Batch) -> tuple[Any, ...]:
@@ -136,7 +138,7 @@ class Runner:
         return copy_of(self.states), rng.bit_generator.state, batch.steps.copy(), batch.over.copy()
 
     def _put_back(self, kept: tuple[Any, ...], rng: np.random.Generator, batch: Batch) -> None:
-        """Let a loop begin again."""
+        """Go back to where a loop began."""
         self.states, rng.bit_generator.state, batch.steps[:], batch.over[:] = kept
 
     def _prepare(
@@ -200,13 +202,6 @@ class Watched:
                 return True
         missing = self
         return any(place.get(name, missing) is not value for place, name, value in self._places)
-
-
-def _checked(mdp: Any) -> Any:
-    """An MDP with checks around a student's MDP, also where that is inside the package's wrappers."""
-    if type(mdp).__module__.startswith("edugym.") and hasattr(mdp, "mdp"):
-        return mdp._replace(mdp=_checked(mdp.mdp))
-    return CheckedMDP(mdp, math.inf)
 
 
 def _names(code: CodeType) -> set[str]:

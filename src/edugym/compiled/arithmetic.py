@@ -78,7 +78,7 @@ def _pow(base: Any, exponent: Any) -> Any:
 
 
 def _median(values: Any) -> Any:
-    """`np.median`, which is NaN if one of the values is; Numba's says so of some places only."""
+    """`np.median`. It is NaN if one of the values is, but Numba's notices NaN in some places only."""
     for value in np.asarray(values).flat:
         if np.isnan(value):
             return np.nan

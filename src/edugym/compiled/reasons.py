@@ -12,7 +12,7 @@ MOST_WORDS = 150
 WORDS = (
     (
         r"Unknown attribute 'choice' of type NumPyRandomGeneratorType.*",
-        "it uses rng's choice: draw a place instead, int(rng.random() * n)",
+        "it uses rng's choice: draw an index instead, int(rng.random() * n)",
     ),
     (r"Unknown attribute '(\w+)' of type NumPyRandomGeneratorType.*", r"it uses rng's \1"),
     (r"Unknown attribute '(\w+)' of type class\(<class '(?:.*\.)?(\w+)'>\).*", r"it takes \1 from the class \2"),

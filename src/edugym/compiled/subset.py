@@ -83,9 +83,7 @@ def refusal(code: Code, arguments: tuple[Any, ...], names: tuple[str, ...]) -> s
     """
     foreign, parts = code.foreign, list[tuple[Any, str]]()
     for argument, name in zip(arguments, names, strict=True):
-        known = name == "moment" and isinstance(
-            argument, tuple
-        )  # between two steps: its first parts have names that a student knows
+        known = name == "moment" and isinstance(argument, tuple)  # a student knows the names of its first parts
         parts += zip(argument, MOMENT, strict=False) if known else [(argument, f"the argument {name}")]
     found = next(filter(None, (_of_values(one, of, all_kinds=not foreign, owner=None) for one, of in parts)), None)
     if found or not foreign:

@@ -58,9 +58,8 @@ def require_mdp(mdp: Any, name: str = "mdp") -> None:
             f"{name} must be an MDP, a value with the methods {', '.join(METHODS)} and the properties"
             f" {' and '.join(SPACES)}, but is {in_short(mdp)}"
         )
-    if "mdp" in getattr(mdp, "_fields", ()) and (
-        isinstance(mdp.mdp, type) or not _has(mdp.mdp, "initial")
-    ):  # a wrapper
+    is_wrapper = "mdp" in getattr(mdp, "_fields", ())
+    if is_wrapper and (isinstance(mdp.mdp, type) or not _has(mdp.mdp, "initial")):
         require_mdp(mdp.mdp, f"mdp of {_name(mdp)}")
     for method, parameters in METHODS.items():
         require_method(mdp, method, parameters, METHODS)
@@ -144,8 +143,25 @@ def checked_step(mdp: MDP[Any, Any], state: Any, action: Any, rng: Random) -> tu
     return next_state, float(reward), bool(terminated), checked.observation(next_state, rng)
 
 
+def checked_mdp(mdp: Any, steps: float = CHECKED_STEPS, instead_of: tuple[type, ...] = ()) -> Any:
+    """Return the MDP with checks around a student's MDP, also where that is inside the package's wrappers.
+
+    Args:
+        mdp: the task.
+        steps: how many steps are checked in every way.
+        instead_of: classes of wrappers that check less; they are left out.
+    """
+    if is_own(mdp):
+        return mdp
+    if type(mdp) in instead_of:
+        return checked_mdp(mdp.mdp, steps, instead_of)
+    if type(mdp).__module__.startswith("edugym.") and not is_own(getattr(mdp, "mdp", None)):
+        return mdp._replace(mdp=checked_mdp(mdp.mdp, steps, instead_of))
+    return CheckedMDP(mdp, steps)
+
+
 def refuse_nothing(mdp: MDP[Any, Any], state: Any, action: Any, next_state: Any) -> None:
-    """Say of a transition, or else of a reward, that it is None.
+    """Refuse a transition, or else a reward, that is None.
 
     Raises:
         ValueError: always.

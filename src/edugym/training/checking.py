@@ -10,34 +10,25 @@ import inspect
 import math
 import re
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import gymnasium
 import numpy as np
 from gymnasium import spaces
 
 from edugym.checks import in_short
-from edugym.mdp.checking import CHECKED_STEPS, CheckedMDP, innermost, is_own, refuse_change
+from edugym.mdp.checking import CHECKED_STEPS, innermost, is_own, refuse_change
 from edugym.mdp.protocol import Random
 from edugym.mdp.values import GlobalDraws, fits, kept, same
 from edugym.training.contract import LEARN_PARAMETERS, METHODS, tables_of
-from edugym.training.guarded import GUARDS
+
+if TYPE_CHECKING:
+    from edugym.training.train import Run
 
 ENDLESS = 1_000
 """From so many training steps on there is a warning if no episode has ended, or if the agent has learned nothing."""
 SMALL = 10_000
 """A table with more entries is not searched for NaN after each step."""
-
-
-def checked_mdp(mdp: Any, steps: float = CHECKED_STEPS) -> Any:
-    """Return the MDP with checks around a student's MDP, also where that is inside the package's wrappers."""
-    if is_own(mdp):
-        return mdp
-    if isinstance(mdp, GUARDS):  # they say less than the checks
-        return checked_mdp(mdp.mdp, steps)
-    if type(mdp).__module__.startswith("edugym.") and not is_own(getattr(mdp, "mdp", None)):
-        return mdp._replace(mdp=checked_mdp(mdp.mdp, steps))
-    return CheckedMDP(mdp, steps)
 
 
 def checked_agent(agent: Any, task: Any, steps: float = CHECKED_STEPS) -> Any:
@@ -54,6 +45,23 @@ def checked_agent(agent: Any, task: Any, steps: float = CHECKED_STEPS) -> Any:
     if isinstance(agent, tuple) and machinery:
         return tuple.__new__(type(agent), [checked_agent(part, task, steps) for part in tuple.__iter__(agent)])
     return CheckedAgent(agent, task, steps) if hasattr(agent, "act") else agent
+
+
+class Before(NamedTuple):
+    """What is kept of a student's agent before training, for `doubts` after it.
+
+    Attributes:
+        shared: what it has from its class: see `shared_by_class`.
+        blank: the number that each blank table holds: see `blank_tables`.
+    """
+
+    shared: dict[str, Any]
+    blank: dict[str, float]
+
+
+def before_training(agent: Any) -> Before:
+    """Return what is kept of an agent before training."""
+    return Before(shared_by_class(agent), blank_tables(agent))
 
 
 def shared_by_class(agent: Any) -> dict[str, Any]:
@@ -81,22 +89,19 @@ def _own_values(agent: Any) -> dict[str, Any]:
     return agent._asdict() if hasattr(agent, "_asdict") else getattr(agent, "__dict__", {})
 
 
-def doubts(
-    task: Any, agent: Any, limit: int | None, n_steps: int, n_episodes: int, shared: dict[str, Any]
-) -> list[str]:
+def doubts(task: Any, agent: Any, limit: int | None, run: "Run", before: Before) -> list[str]:
     """Return what is probably wrong with a student's task or agent after training, in a sentence each.
 
     Args:
         task: the MDP or environment.
         agent: the agent.
         limit: the step limit of its episodes, if there is one.
-        n_steps: the training steps taken.
-        n_episodes: how many episodes ended in them.
-        shared: what `shared_by_class` returned before training.
+        run: what training has produced.
+        before: what `before_training` returned.
     """
-    found = []
+    found, n_steps = [], run.steps[-1]
     student = task.unwrapped if isinstance(task, gymnasium.Env) else innermost(task)
-    if not is_own(student) and limit is None and n_episodes == 0 and n_steps >= ENDLESS:
+    if not is_own(student) and limit is None and run.episodes.sum() == 0 and n_steps >= ENDLESS:
         method = "step never returned terminated" if isinstance(task, gymnasium.Env) else "terminal never returned"
         found.append(
             f"no episode of {type(student).__name__} has ended in {n_steps} steps: {method} True, and there is no"
@@ -117,16 +122,18 @@ def doubts(
                 if name in own
                 else f"self.{name} = ... in __init__, or a field"
             )
-            for name, before in shared.items()
-            if not same(before, getattr(agent, name, None))
+            for name, value in before.shared.items()
+            if not same(value, getattr(agent, name, None))
         ]
+        found += _nothing_learned(agent, before.blank, run)
     return found
 
 
 def blank_tables(agent: Any) -> dict[str, float]:
     """Return the tables of a student's agent that hold one number everywhere, by name, with the number.
 
-    They are of interest only where `learn` computes something and assigns to no element of an array.
+    An agent whose `learn` computes nothing, or assigns to an element of an array, has none: it means to change nothing,
+    or knows how.
     """
     code = getattr(getattr(agent, "learn", None), "__code__", None)
     if is_own(agent) or code is None:
@@ -138,14 +145,8 @@ def blank_tables(agent: Any) -> dict[str, float]:
     return {name: table.flat[0] for name, table in tables.items() if (table == table.flat[0]).all()}
 
 
-def nothing_learned(agent: Any, blank: dict[str, float], run: Any) -> list[str]:
-    """Return the sentence about an agent whose tables are all as blank as before, although rewards came; or nothing.
-
-    Args:
-        agent: the agent after training.
-        blank: what `blank_tables` returned before training.
-        run: the `Run`.
-    """
+def _nothing_learned(agent: Any, blank: dict[str, float], run: "Run") -> list[str]:
+    """Return the sentence about an agent whose tables are all as blank as before, although rewards came; or nothing."""
     rewarded = np.nansum(np.abs(run.training_returns)) > 0 and run.steps[-1] >= ENDLESS
     if not (blank and rewarded and len(blank) == len(tables_of(agent)) and blank_tables(agent) == blank):
         return []

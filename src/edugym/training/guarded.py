@@ -82,4 +82,4 @@ def guarded(mdp: Any) -> Any:
 
 
 GUARDS = (FiniteRewards, RowsOfATable)
-"""The classes of the guards."""
+"""The classes of the guards. They say less than the checks."""

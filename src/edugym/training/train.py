@@ -13,7 +13,6 @@ from edugym.checks import in_short, number_of_steps, whole_number
 from edugym.interrupts import Interrupted, Stopped, Work
 from edugym.mdp.protocol import Integers, Reals
 from edugym.mdp.tracebacks import end_at_students_line
-from edugym.training.checking import blank_tables, nothing_learned
 from edugym.training.progress import progress_bar
 from edugym.training.trainers import Trainer, trainer
 
@@ -110,7 +109,7 @@ def train(
         with Work(stop) as work, progress_bar(n_steps, "steps", shown=progress) as bar:
             expected = 0 if stop is not None and stop.is_set() else n_steps  # no steps to come: do not compile
             training = trainer(environment, agent, seed, max_steps, expected)
-            agent, blank = training.agent, blank_tables(training.agent)
+            agent = training.agent
             curve.measure(done, training, evaluation_episodes, work.stopped)
             while done < n_steps and not work.stopped():
                 # A call of `training.learn` lasts about 0.02 s. While it runs machine code, Ctrl-C waits for its end. A
@@ -130,8 +129,7 @@ def train(
         raise
     run = Run(*curve.columns(), agent, seed, time.perf_counter() - began, complete=curve.last == n_steps)
     if run.complete:
-        doubts = training.doubts(n_steps, int(run.episodes.sum())) + nothing_learned(agent, blank, run)
-        for doubt in doubts:
+        for doubt in training.doubts(run):
             warnings.warn(doubt, stacklevel=2)
     if interrupted:
         where = f", in the loop at line {work.loop} of your code" if work.loop else ""

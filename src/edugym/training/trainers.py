@@ -8,7 +8,7 @@ import math
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import gymnasium
 import numpy as np
@@ -21,17 +21,20 @@ from edugym.adapters.tabular_observation import tabular
 from edugym.agents.tables import table_size
 from edugym.compiled.execution import executable
 from edugym.interrupts import held
-from edugym.mdp.checking import CHECKED_STEPS, is_own, require_environment, require_mdp, require_spaces
+from edugym.mdp.checking import CHECKED_STEPS, checked_mdp, is_own, require_environment, require_mdp, require_spaces
 from edugym.mdp.protocol import coerced, step_limit
 from edugym.mdp.values import own_copy
 from edugym.registration import full_id
 from edugym.training import gymnasium_loops, loops
 from edugym.training.checked_env import checked_env, require_env
-from edugym.training.checking import checked_agent, checked_mdp, doubts, shared_by_class
+from edugym.training.checking import before_training, checked_agent, doubts
 from edugym.training.contract import actor, forget_episode, is_on_policy, learner, learns_from, tables_of
-from edugym.training.guarded import guarded
+from edugym.training.guarded import GUARDS, guarded
 from edugym.training.loops import Log
 from edugym.training.machine_agent import MachineAgent
+
+if TYPE_CHECKING:
+    from edugym.training.train import Run
 
 CALL_SECONDS = 0.02
 """About how long one call of `learn` takes: signals are looked at between two calls."""
@@ -65,8 +68,8 @@ class Trainer(Protocol):
     def play_episodes(self, at_most: int) -> list[float]:
         """Play an episode or more without learning, as the agent believes best; return their undiscounted returns."""
 
-    def doubts(self, n_steps: int, n_episodes: int) -> list[str]:
-        """Return what is probably wrong, in a sentence each, after so many training steps and episodes that ended."""
+    def doubts(self, run: "Run") -> list[str]:
+        """Return what is probably wrong with what has been trained, in a sentence each."""
 
 
 def trainer(environment: Any, agent: Any, seed: int, max_steps: int | None, expected: int) -> Trainer:
@@ -99,7 +102,7 @@ class MDPTrainer:
     def __init__(self, mdp: Any, agent: Any, seed: int, limit: int | None, expected: int) -> None:
         """See `trainer`; the limit is None where the task has none."""
         self.agent, self.log, self._pace, self._task, self._expected = agent, new_log(), Pace(), mdp, expected
-        mdp, self._shared = guarded(mdp), shared_by_class(agent)
+        mdp, self._before = guarded(mdp), before_training(agent)
         environment_rng, agent_rng, self._evaluation_rng, self._actor_rng = streams(seed)
         self._evaluation_limit = limit or EVALUATION_LIMIT
         training, self._playing = View(mdp, agent, is_on_policy(agent)), View(mdp, agent)
@@ -169,11 +172,11 @@ class MDPTrainer:
         returns: list[float] = evaluation[-1].tolist()
         return returns
 
-    def doubts(self, n_steps: int, n_episodes: int) -> list[str]:
-        """Return what is probably wrong, in a sentence each, after so many training steps and episodes that ended."""
+    def doubts(self, run: "Run") -> list[str]:
+        """Return what is probably wrong with what has been trained, in a sentence each."""
         limit = self._rest[2]
         known = None if limit == NO_LIMIT else limit
-        return doubts(self._task, self.agent, known, n_steps, n_episodes, self._shared)
+        return doubts(self._task, self.agent, known, run, self._before)
 
     def _compile_training(self) -> None:
         """From now on train by machine code, if that pays and is possible; where that fails, checks say why."""
@@ -196,7 +199,7 @@ class MDPTrainer:
 
     def _checked(self, mdp: Any, agent: Any, *rest: Any, steps: float = CHECKED_STEPS) -> tuple[Any, ...]:
         """Return the arguments of a loop with a student's MDP and agent checked."""
-        return checked_mdp(mdp, steps), checked_agent(agent, self._task, steps), *rest
+        return checked_mdp(mdp, steps, instead_of=GUARDS), checked_agent(agent, self._task, steps), *rest
 
     def _evaluation(self, n_episodes: int = 1) -> tuple[Any, ...]:
         """Return the arguments of `play_episodes` after the number of episodes; it writes returns into the last."""
@@ -215,7 +218,7 @@ class GymnasiumTrainer:
         self.agent, self.log, self._pace, self._expected = agent, new_log(), Pace(), expected
         environment_rng, self._agent_rng, self._evaluation_rng, self._actor_rng = streams(seed)
         self._evaluated = own_copy(env, "evaluation plays a copy: make it in reset")  # before anything is drawn
-        self._env, self._limit, self._shared = env, limit, shared_by_class(agent)
+        self._env, self._limit, self._before = env, limit, before_training(agent)
         self._learner: Any = checked_agent(learner(agent), env)
         self._actor: Any = None
         self._steps_to_check, self._has_played = CHECKED_STEPS, False
@@ -248,9 +251,9 @@ class GymnasiumTrainer:
         with checked_env(self._evaluated, steps) as env:
             return [self._played(env, self._actor or checked_agent(actor(self.agent), self._evaluated, steps))]
 
-    def doubts(self, n_steps: int, n_episodes: int) -> list[str]:
-        """Return what is probably wrong, in a sentence each, after so many training steps and episodes that ended."""
-        return doubts(self._env, self.agent, self._limit, n_steps, n_episodes, self._shared)
+    def doubts(self, run: "Run") -> list[str]:
+        """Return what is probably wrong with what has been trained, in a sentence each."""
+        return doubts(self._env, self.agent, self._limit, run, self._before)
 
     def _advance(self, n_steps: int, env: Any) -> None:
         limit = self._limit or NO_LIMIT
