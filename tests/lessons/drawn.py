@@ -59,13 +59,14 @@ def described(artist: Any) -> str:
             style += f" in {filled}"
         return f"line {style}: {numbers(artist.get_xdata())}; {numbers(artist.get_ydata())}"
     if isinstance(artist, AxesImage):
-        colours = artist.get_cmap()
-        ends = " ".join(to_hex(colour) for colour in (colours(0.0), colours(1.0)))
+        cmap = artist.get_cmap()
+        ends = f"{to_hex(cmap(0.0))} {to_hex(cmap(1.0))}"
         place = f"{artist.origin} {artist.axes.get_aspect()} {numbers(artist.get_extent())}"
-        shown = f"{colours.name} {ends} {numbers(artist.get_clim())} {place}"
+        shown = f"{cmap.name} {ends} {numbers(artist.get_clim())} {place}"
         return f"image {shown}: {numbers(artist.get_array())}"
     if isinstance(artist, Quiver):
-        kind = f"{to_hex(artist.get_facecolor()[0])} {artist.angles} {artist.pivot}"
+        colours: Any = artist.get_facecolor()
+        kind = f"{to_hex(colours[0])} {artist.angles} {artist.pivot}"
         return f"arrows {kind}: {numbers(artist.XY)}; {numbers(artist.U)}; {numbers(artist.V)}"
     if isinstance(artist, Collection):
         colour = next(map(to_hex, (*artist.get_facecolor(), *artist.get_edgecolor())), "none")

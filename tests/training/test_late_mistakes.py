@@ -99,7 +99,7 @@ def test_a_rare_next_state(act: str, greedy: str) -> None:
     source = changed(changed(WALK, MOVE, f"{stay}{MOVE}"), "Discrete(2)", "Discrete(3)")
     source = changed(source, PAY, "return 0.5 * next_state")
     stayer = cell(STAYER.replace("ACT", act).replace("GREEDY", greedy))["Stayer"](np.zeros(1))
-    with pytest.raises(ValueError, match="transition of Walk must return the next state, .* None"):
+    with pytest.raises(ValueError, match=r"transition of Walk must return the next state, .* None"):
         train(walk(source), stayer, N_STEPS, evaluate_every=600, evaluation_episodes=20)
 
 
