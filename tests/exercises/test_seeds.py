@@ -8,6 +8,7 @@ from typing import Any
 import build
 import pytest
 
+from edugym.training.train import train
 from tests.lessons.answers import FOLDER, Exercise, read_answers, read_exercises
 
 FIXED = {
@@ -31,6 +32,12 @@ def drawn() -> Iterator[tuple[str, int, str, Exercise]]:
         for number, exercise in enumerate(exercises, start=1):
             if "seed=1" in exercise.check:
                 yield path.stem, number, before, exercise
+
+
+@pytest.fixture(autouse=True)
+def training_comes_back(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The setup of answers may leave training out; afterwards it is there again."""
+    monkeypatch.setattr("edugym.training.repeat.train", train)
 
 
 def is_of_a_case(value: Any) -> bool:
