@@ -32,9 +32,9 @@ def test_a_changed_annotation_counts(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_name_that_comes_to_mean_something_counts(monkeypatch: pytest.MonkeyPatch) -> None:
-    """An annotation that is a text is read with the names that are there now."""
+    """An annotation that is a text is read with the names that are there now, also beside one that is no text."""
     names: dict[str, Any] = {"NamedTuple": NamedTuple, "__name__": __name__}
-    exec("class Late(NamedTuple):\n    rate: 'Rate' = 0.5", names)
+    exec("class Late(NamedTuple):\n    rate: 'Rate' = 0.5\n    bonus: float = 0.0", names)
     late = names["Late"]
     check(late(5.0))
     monkeypatch.setitem(globals(), "Rate", Annotated[float, Range(0, 1)])

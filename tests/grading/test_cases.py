@@ -26,6 +26,13 @@ def test_the_same_seed_gives_the_same_cases() -> None:
 
 
 def test_rules_that_are_the_same_are_refused() -> None:
-    """Rather than looking for a case for ever."""
+    """Rather than looking for a case for ever; rounding makes no difference."""
     with pytest.raises(ValueError, match="two of them never differed"):
         telling_draw(0, two_numbers, [lambda x: x, lambda x: 1 * x])
+    with pytest.raises(ValueError, match="two of them never differed"):
+        telling_draw(0, two_numbers, [lambda x: x, lambda x: x + 1e-12])
+
+
+def test_rules_that_hardly_differ_are_told_apart() -> None:
+    """By more than rounding: a student sees four digits."""
+    telling_draw(0, two_numbers, [lambda x: x, lambda x: x + 1e-4])

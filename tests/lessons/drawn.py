@@ -59,9 +59,15 @@ def described(artist: Any) -> str:
             style += f" in {filled}"
         return f"line {style}: {numbers(artist.get_xdata())}; {numbers(artist.get_ydata())}"
     if isinstance(artist, AxesImage):
-        return f"image {artist.get_cmap().name} {numbers(artist.get_clim())}: {numbers(artist.get_array())}"
+        cmap = artist.get_cmap()
+        ends = f"{to_hex(cmap(0.0))} {to_hex(cmap(1.0))}"
+        place = f"{artist.origin} {artist.axes.get_aspect()} {numbers(artist.get_extent())}"
+        shown = f"{cmap.name} {ends} {numbers(artist.get_clim())} {place}"
+        return f"image {shown}: {numbers(artist.get_array())}"
     if isinstance(artist, Quiver):
-        return f"arrows: {numbers(artist.XY)}; {numbers(artist.U)}; {numbers(artist.V)}"
+        colours: Any = artist.get_facecolor()
+        kind = f"{to_hex(colours[0])} {artist.angles} {artist.pivot}"
+        return f"arrows {kind}: {numbers(artist.XY)}; {numbers(artist.U)}; {numbers(artist.V)}"
     if isinstance(artist, Collection):
         colour = next(map(to_hex, (*artist.get_facecolor(), *artist.get_edgecolor())), "none")
         return f"area {colour}: {numbers([x for path in artist.get_paths() for x in np.ravel(path.vertices)])}"

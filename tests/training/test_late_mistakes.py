@@ -76,6 +76,33 @@ def test_a_rare_action_in_evaluation(way: str) -> None:
         train(walk(), learner(changed(LEARNER, ACTS, greedy)), 6_000, evaluate_every=2, seed=2)
 
 
+STAYER = """
+class Stayer(NamedTuple):
+    total: np.ndarray
+
+    def act(self, state, rng):
+        return ACT
+
+    def greedy(self, state, rng):
+        return GREEDY
+
+    def learn(self, state, reward):
+        self.total[0] += reward
+"""
+"""An agent without a table, for which any state will do."""
+
+
+@pytest.mark.parametrize(("act", "greedy"), [("1", "2"), ("2", "1")], ids=["evaluation", "training"])
+def test_a_rare_next_state(act: str, greedy: str) -> None:
+    """One that is missing is named before the reward fails, also late in a call of machine code."""
+    stay = "if action == 2:\n            return None if rng.random() < 0.0001 else state\n        "
+    source = changed(changed(WALK, MOVE, f"{stay}{MOVE}"), "Discrete(2)", "Discrete(3)")
+    source = changed(source, PAY, "return 0.5 * next_state")
+    stayer = cell(STAYER.replace("ACT", act).replace("GREEDY", greedy))["Stayer"](np.zeros(1))
+    with pytest.raises(ValueError, match=r"transition of Walk must return the next state, .* None"):
+        train(walk(source), stayer, N_STEPS, evaluate_every=600, evaluation_episodes=20)
+
+
 def test_an_index_of_something_else() -> None:
     """Only the index of an array is explained by the size of a table, and only where it may be that of the table."""
     for wrong, says in (

@@ -10,7 +10,6 @@ from edugym.grading.agents import agent_with_table, require_class, require_funct
 from edugym.grading.choices import check_choices
 from edugym.grading.one_step import Q_LEARNING
 from edugym.grading.student_code import running
-from edugym.grading.updates import table_of
 from edugym.grading.values import compare, number, same
 from edugym.grading.wrong import WrongAnswer
 from edugym.lessons.loop.exact import discounted
@@ -202,6 +201,5 @@ def exercise_3(answer: Any, seed: int) -> str:
             "discount": float(rng.choice([0.5, 0.625, 0.75])),
         }
         make = partial(agent_with_table, "MyAgent", answer, shape, settings)
-        table_of(make(), "Q", shape)
         Q_LEARNING.check(make, shape, settings, seed)
     return "Right: that is all of Q-learning. See it race:"

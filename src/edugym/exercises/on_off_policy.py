@@ -14,7 +14,7 @@ from edugym.grading.agents import agent_with_table, require_class, require_funct
 from edugym.grading.challenge import Challenge
 from edugym.grading.one_step import Q_LEARNING, made_up_values, numbers_of, one_step_update
 from edugym.grading.student_code import running
-from edugym.grading.updates import Tables, Transition, Update, table_of
+from edugym.grading.updates import Tables, Transition, Update
 from edugym.grading.values import compare, digits, number
 from edugym.grading.wrong import WrongAnswer
 from edugym.lessons.on_off_policy.exact import FAST, best_run, best_soft_return, switch
@@ -231,7 +231,6 @@ def exercise_3(answer: Any, seed: int) -> str:
             "target_epsilon": float(rng.choice([0.3, 0.6, 0.8])),
         }
         make = partial(agent_with_table, "TwoPolicies", answer, (n_states, n_actions), settings)
-        table_of(make(), "Q", (n_states, n_actions))
         TWO_POLICIES.check(make, (n_states, n_actions), settings, seed)
     return (
         "Right: one number says which policy the values belong to. ε_π = 0 is Q-learning, ε_π = ε expected SARSA. See "

@@ -11,7 +11,7 @@ from edugym.grading.agents import agent_with_table, require_class, require_funct
 from edugym.grading.challenge import Challenge
 from edugym.grading.one_step import Q_LEARNING, numbers_of, one_step_update
 from edugym.grading.student_code import running
-from edugym.grading.updates import Tables, Transition, Update, table_of
+from edugym.grading.updates import Tables, Transition, Update
 from edugym.grading.values import compare, digits, given, number
 from edugym.grading.wrong import WrongAnswer
 from edugym.lessons.stochasticity.exact import crossing, from_the_tee
@@ -299,7 +299,6 @@ def exercise_3(answer: Any, seed: int) -> str:
             "kappa": sign * float(rng.choice([0.3, 0.6, 0.8])),
         }
         make = partial(agent_with_table, "TwoWeights", answer, (n_states, n_actions), settings)
-        table_of(make(), "Q", (n_states, n_actions))
         TWO_WEIGHTS.check(make, (n_states, n_actions), settings, seed)
     return "Right: two weights are enough to move the crossing. See it race:"
 

@@ -1,0 +1,23 @@
+"""How many steps training takes in one call."""
+
+import time
+
+import pytest
+
+from edugym.training import trainers
+
+
+def test_calls_grow_until_they_take_long(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Twice as many after less than half of the time, fewer after more than all of it, and never none."""
+    now = [0.0]
+    monkeypatch.setattr(trainers, "CALL_SECONDS", 0.25)
+    monkeypatch.setattr(time, "perf_counter", lambda: now[0])
+    pace, taken = trainers.Pace(), list[int]()
+    for at_most, seconds in (
+        (1_000, 0.0625), (1_000, 0.0625), (70, 0.0), (1_000, 0.125), (1_000, 0.25), (1_000, 1.0), (1_000, 100.0),
+        (1_000, 0.0), (1_000, 0.0),
+    ):  # fmt: skip
+        with pace.steps(at_most) as n_steps:
+            now[0] += seconds
+        taken.append(n_steps)
+    assert taken == [50, 100, 70, 200, 200, 200, 50, 1, 2]
