@@ -2,12 +2,14 @@
 #
 #   make lab        open the lessons in JupyterLab   (make lab ARGS=--no-browser)
 #   make test       run every check and every test   (make test ARGS="-k boulder" for some of the tests)
+#                   JOBS=8 runs the tests in so many processes; three suit two cores, as tests wait for browsers
 #   make reproduce  recompute the results of the paper
 #   make bench      measure speed, against what one would use instead
 #   make clean      remove .venv and what tools left behind
 
 PYTHON ?= python3
 ARGS ?=
+JOBS ?= 3
 RUN := .venv/bin/python -m
 
 .PHONY: lab test reproduce bench clean
@@ -19,7 +21,7 @@ test: .venv/dev.installed
 	$(RUN) ruff check
 	$(RUN) ruff format --check
 	$(RUN) mypy
-	$(RUN) pytest -n 2 --dist worksteal $(ARGS)
+	$(RUN) pytest -n $(JOBS) --dist worksteal $(ARGS)
 	.venv/bin/python lessons/build.py --check
 	.venv/bin/python docs/pages.py --check
 	.venv/bin/python docs/agents.py --check

@@ -86,17 +86,19 @@ def test_a_lesson_works(lesson: str, lab: Lab, driver: Any) -> None:
 
 
 def try_sliders(page: Page, box: Any) -> int:
-    """Move each slider in a box to both ends, see that the picture changes, and return their number."""
+    """Move each slider in a box to an end, see that the picture changes, and return their number.
+
+    What lessons draw at both ends is the matter of their transcripts.
+    """
     handles = page("[...arguments[0].querySelectorAll('.widget-hslider .noUi-handle')]", box)
     for handle in handles:
         low, high, now = (float(handle.get_attribute(f"aria-value{name}")) for name in ("min", "max", "now"))
         name = page("arguments[0].closest('.widget-hslider').querySelector('.widget-label').innerText", handle)
-        ends = [("right", high), ("left", low)]
-        for side, value in ends[::-1] if now == high else ends:
-            before = page.picture(box)
-            page.drag(handle, side)
-            until(partial(is_another_picture, page, box, before), f"another picture: {name} moved to {value:g}", 30)
-            assert float(handle.get_attribute("aria-valuenow")) == value
+        side, value = ("left", low) if now == high else ("right", high)
+        before = page.picture(box)
+        page.drag(handle, side)
+        until(partial(is_another_picture, page, box, before), f"another picture: {name} moved to {value:g}", 30)
+        assert float(handle.get_attribute("aria-valuenow")) == value
     assert page.errors(box) == []
     return len(handles)
 
