@@ -2,14 +2,14 @@
 #
 #   make lab        open the lessons in JupyterLab   (make lab ARGS=--no-browser)
 #   make test       run every check and every test   (make test ARGS="-k boulder" for some of the tests)
-#                   JOBS=8 runs the tests in so many processes; three suit two cores, as tests wait for browsers
+#                   (JOBS=8 runs the tests in eight processes, for a machine of eight cores)
 #   make reproduce  recompute the results of the paper
 #   make bench      measure speed, against what one would use instead
 #   make clean      remove .venv and what tools left behind
 
 PYTHON ?= python3
 ARGS ?=
-JOBS ?= 3
+JOBS ?= 2
 RUN := .venv/bin/python -m
 
 .PHONY: lab test reproduce bench clean
