@@ -77,7 +77,7 @@ from edugym.results.tables import Results as Results
 from edugym.sharing import read_mdp as read_mdp
 from edugym.sharing import share as share
 from edugym.training.repeat import repeat as repeat
-from edugym.training.train import Run as Run
+from edugym.training.run import Run as Run
 from edugym.training.train import train as train
 from edugym.training.visits import record_visits as record_visits
 

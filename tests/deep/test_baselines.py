@@ -7,7 +7,7 @@ import pytest
 import torch
 
 from edugym.deep import stable_baselines3_run
-from edugym.training.train import Run
+from edugym.training.run import Run
 
 FEW: dict[str, dict[str, Any]] = {
     "DQN": {"learning_starts": 10, "buffer_size": 100},

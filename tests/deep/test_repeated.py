@@ -16,7 +16,7 @@ from edugym.deep.repeated import repeat_deep
 from edugym.results.tables import MEASURED
 from edugym.training.configuration import Planned, planned_runs
 from edugym.training.fingerprints import versions
-from edugym.training.train import Run
+from edugym.training.run import Run
 
 
 def pretend(n_steps: int, *, seed: int, more: float = 0.0) -> Run:

@@ -10,7 +10,7 @@ from edugym.exercises import exploration as exercises
 from edugym.grading.updates import Transition
 from edugym.lessons.exploration import EPSILON_GREEDY, METHODS, N_STEPS, compare, race
 from edugym.plotting import Curves, Lines
-from edugym.training.train import Run
+from edugym.training.run import Run
 from tests.lessons.answers import solution
 
 LESSON = "01_exploration"

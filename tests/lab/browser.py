@@ -18,8 +18,10 @@ CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shuti
 DRIVER = shutil.which("chromedriver")
 PANEL = "jupyterapp.shell.currentWidget"
 SESSION = f"{PANEL}.sessionContext"
-PATIENCE = 300
-"""The most seconds to wait for anything."""
+PATIENCE = 120
+"""The most seconds to wait for anything but a whole lesson."""
+LESSON_SECONDS = 300
+"""The most seconds that all cells of a lesson may take; CONTRIBUTING.md says so too."""
 
 
 def until(condition: Callable[[], Any], what: str, seconds: float = PATIENCE) -> Any:
@@ -101,7 +103,7 @@ def chromium(width: int = 1400, height: int = 1000) -> Iterator[Any]:
     ):
         options.add_argument(argument)
     driver = webdriver.Chrome(options=options, service=Service(DRIVER))
-    driver.set_script_timeout(PATIENCE)
+    driver.set_script_timeout(LESSON_SECONDS)
     try:
         yield driver
     finally:
@@ -135,7 +137,7 @@ class Page:
         self.command("notebook:run-all-cells")  # ends with the first error, while other cells still wait for their turn
         cells = f"{PANEL}.content.model.sharedModel.toJSON().cells"
         has_run = "cell => cell.cell_type !== 'code' || cell.execution_count !== null"
-        until(lambda: self(f"{cells}.every({has_run})"), "all cells")
+        until(lambda: self(f"{cells}.every({has_run})"), "all cells", LESSON_SECONDS)
         until(lambda: self(f"{SESSION}.session.kernel.status === 'idle'"), "the kernel")
         return list(self(cells))
 

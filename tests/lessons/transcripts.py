@@ -29,7 +29,8 @@ from edugym.rendering.svg import to_svg
 from edugym.results.tables import Results
 from edugym.training.configuration import described
 from edugym.training.repeat import repeat
-from edugym.training.train import Run, train
+from edugym.training.run import Run
+from edugym.training.train import train
 from tests.lessons.drawn import drawn, numbers
 from tests.lessons.few_runs import few_runs
 from tests.lessons.figures import check_legends

@@ -17,7 +17,8 @@ from edugym import EpsilonGreedy, QLearning, Results, repeat
 from edugym.files import write_whole
 from edugym.training import checkpoints
 from edugym.training import repeat as repeating
-from edugym.training.train import Run, train
+from edugym.training.run import Run
+from edugym.training.train import train
 
 
 @pytest.fixture

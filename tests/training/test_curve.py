@@ -11,7 +11,8 @@ import pytest
 from edugym import CountBased, EpsilonGreedy, QLearning, ScheduledEpsilonGreedy, make_mdp, train
 from edugym.agents.strategies import LinearDecay
 from edugym.mdp.protocol import Random
-from edugym.training.train import Run, _Curve
+from edugym.training.run import Run
+from edugym.training.train import _Curve
 from edugym.training.trainers import EVALUATION_LIMIT, new_log
 from tests.training.tasks import SlipperyWalk, Stairs
 

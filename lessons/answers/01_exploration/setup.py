@@ -4,7 +4,7 @@ from decimal import Decimal
 from fractions import Fraction
 import edugym.training.repeat
 from edugym import Greedy, SARSA, Softmax
-from edugym.training.train import Run
+from edugym.training.run import Run
 
 
 def untrained(environment, agent, n_steps, *, seed, **how):

@@ -5,7 +5,8 @@ from fractions import Fraction
 import edugym.training.repeat
 from edugym import SARSA
 from edugym.agents.strategies import ScheduledEpsilonGreedy
-from edugym.training.train import Run, train
+from edugym.training.run import Run
+from edugym.training.train import train
 
 
 def with_few_points(environment, agent, n_steps, *, seed, **how):

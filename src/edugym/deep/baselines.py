@@ -10,7 +10,7 @@ from stable_baselines3.common.callbacks import BaseCallback
 from edugym.checks import one_of, whole_number
 from edugym.deep import stable_baselines3_env
 from edugym.deep.curves import Curve, Policy, one_thread
-from edugym.training.train import Run
+from edugym.training.run import Run
 
 ALGORITHMS = ("DQN", "PPO", "A2C", "RecurrentPPO")
 

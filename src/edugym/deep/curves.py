@@ -16,7 +16,7 @@ from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.checks import whole_number
 from edugym.mdp.protocol import step_limit
 from edugym.registration import ENVIRONMENTS, full_id, make_environment
-from edugym.training.train import Run
+from edugym.training.run import Run
 from edugym.training.trainers import EVALUATION_LIMIT
 
 Policy = Callable[[Any, Any], Any]

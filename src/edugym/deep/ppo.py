@@ -17,7 +17,7 @@ from edugym.agents.vectors import input_scale, vector_length
 from edugym.checks import whole_number
 from edugym.deep.curves import Curve, copies, one_thread
 from edugym.mdp.tabular import table_lows, table_sizes
-from edugym.training.train import Run
+from edugym.training.run import Run
 
 Whole = Annotated[int, Range(1)]
 

@@ -17,7 +17,7 @@ from edugym.results.tables import MEASURED, Results, with_types
 from edugym.training.checkpoints import Checkpoints
 from edugym.training.configuration import Planned, planned_runs
 from edugym.training.fingerprints import versions
-from edugym.training.train import Run
+from edugym.training.run import Run
 
 TOLERANCE = 0.1
 """A run may take so much more or less than `n_steps`, as a share."""

@@ -10,7 +10,7 @@ import inspect
 import math
 import re
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import gymnasium
 import numpy as np
@@ -21,9 +21,7 @@ from edugym.mdp.checking import CHECKED_STEPS, innermost, is_own, refuse_change
 from edugym.mdp.protocol import Random
 from edugym.mdp.values import GlobalDraws, fits, kept, same
 from edugym.training.contract import LEARN_PARAMETERS, METHODS, tables_of
-
-if TYPE_CHECKING:
-    from edugym.training.train import Run
+from edugym.training.run import Run
 
 ENDLESS = 1_000
 """From so many training steps on there is a warning if no episode has ended, or if the agent has learned nothing."""
@@ -89,7 +87,7 @@ def _own_values(agent: Any) -> dict[str, Any]:
     return agent._asdict() if hasattr(agent, "_asdict") else getattr(agent, "__dict__", {})
 
 
-def doubts(task: Any, agent: Any, limit: int | None, run: "Run", before: Before) -> list[str]:
+def doubts(task: Any, agent: Any, limit: int | None, run: Run, before: Before) -> list[str]:
     """Return what is probably wrong with a student's task or agent after training, in a sentence each.
 
     Args:
@@ -145,7 +143,7 @@ def blank_tables(agent: Any) -> dict[str, float]:
     return {name: table.flat[0] for name, table in tables.items() if (table == table.flat[0]).all()}
 
 
-def _nothing_learned(agent: Any, blank: dict[str, float], run: "Run") -> list[str]:
+def _nothing_learned(agent: Any, blank: dict[str, float], run: Run) -> list[str]:
     """Return the sentence about an agent whose tables are all as blank as before, although rewards came; or nothing."""
     rewarded = np.nansum(np.abs(run.training_returns)) > 0 and run.steps[-1] >= ENDLESS
     if not (blank and rewarded and len(blank) == len(tables_of(agent)) and blank_tables(agent) == blank):

@@ -10,7 +10,7 @@ from typing import Any
 from edugym.files import write_whole
 from edugym.training.configuration import Planned
 from edugym.training.fingerprints import fingerprint
-from edugym.training.train import Run
+from edugym.training.run import Run
 
 CHECKPOINTS = "checkpoints"
 """The name of the folder for finished runs in the folder of a lesson's results."""

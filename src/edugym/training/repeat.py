@@ -23,7 +23,8 @@ from edugym.training.configuration import COPIES, Planned, Task, described, plan
 from edugym.training.contract import METHODS
 from edugym.training.fingerprints import versions
 from edugym.training.progress import progress_bar
-from edugym.training.train import Run, check_stop, train
+from edugym.training.run import Run
+from edugym.training.train import check_stop, train
 
 MOST_JOBS = 1_000
 """The most runs at a time: each is a thread or a process."""

@@ -8,7 +8,7 @@ import math
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import Any, Protocol
 
 import gymnasium
 import numpy as np
@@ -32,9 +32,7 @@ from edugym.training.contract import actor, forget_episode, is_on_policy, learne
 from edugym.training.guarded import GUARDS, guarded
 from edugym.training.loops import Log
 from edugym.training.machine_agent import MachineAgent
-
-if TYPE_CHECKING:
-    from edugym.training.train import Run
+from edugym.training.run import Run
 
 CALL_SECONDS = 0.02
 """About how long one call of `learn` takes: signals are looked at between two calls."""
@@ -68,7 +66,7 @@ class Trainer(Protocol):
     def play_episodes(self, at_most: int) -> list[float]:
         """Play an episode or more without learning, as the agent believes best; return their undiscounted returns."""
 
-    def doubts(self, run: "Run") -> list[str]:
+    def doubts(self, run: Run) -> list[str]:
         """Return what is probably wrong with what has been trained, in a sentence each."""
 
 
@@ -172,7 +170,7 @@ class MDPTrainer:
         returns: list[float] = evaluation[-1].tolist()
         return returns
 
-    def doubts(self, run: "Run") -> list[str]:
+    def doubts(self, run: Run) -> list[str]:
         """Return what is probably wrong with what has been trained, in a sentence each."""
         limit = self._rest[2]
         known = None if limit == NO_LIMIT else limit
@@ -251,7 +249,7 @@ class GymnasiumTrainer:
         with checked_env(self._evaluated, steps) as env:
             return [self._played(env, self._actor or checked_agent(actor(self.agent), self._evaluated, steps))]
 
-    def doubts(self, run: "Run") -> list[str]:
+    def doubts(self, run: Run) -> list[str]:
         """Return what is probably wrong with what has been trained, in a sentence each."""
         return doubts(self._env, self.agent, self._limit, run, self._before)
 

@@ -11,7 +11,7 @@ from edugym.results.claims import Above, Claim
 from edugym.results.statistics import mean_interval
 from edugym.results.tables import Results
 from edugym.stored import Stored
-from edugym.training.train import Run
+from edugym.training.run import Run
 
 N_STEPS, EVERY = 25_000, 2_000
 OUR_PPO = "our PPO, grid"

@@ -11,7 +11,7 @@ from edugym.lessons.dimensionality.networks import CNN_SETTINGS, with_cnn
 from edugym.lessons.dimensionality.tasks import COLUMNS, TRAINED, catch
 from edugym.results.tables import Results
 from edugym.stored import Stored
-from edugym.training.train import Run
+from edugym.training.run import Run
 
 N_STEPS = 30_000
 SMALL, COLUMN = "PPO, small CNN", "PPO, CNN over columns"
