@@ -18,6 +18,8 @@ CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shuti
 DRIVER = shutil.which("chromedriver")
 PANEL = "jupyterapp.shell.currentWidget"
 SESSION = f"{PANEL}.sessionContext"
+WINDOW = 1400, 1000
+"""Width and height in pixels."""
 PATIENCE = 120
 """The most seconds to wait for anything but a whole lesson."""
 LESSON_SECONDS = 300
@@ -86,7 +88,7 @@ def _answers(address: str) -> bool:
 
 
 @contextmanager
-def chromium(width: int = 1400, height: int = 1000) -> Iterator[Any]:
+def chromium() -> Iterator[Any]:
     """Start a headless Chromium, and yield Selenium's driver."""
     from selenium import webdriver
     from selenium.webdriver.chrome.service import Service
@@ -98,7 +100,7 @@ def chromium(width: int = 1400, height: int = 1000) -> Iterator[Any]:
         "--no-sandbox",
         "--disable-gpu",
         "--disable-dev-shm-usage",
-        f"--window-size={width},{height}",
+        "--window-size={},{}".format(*WINDOW),
         "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",  # a lesson needs no other host
     ):
         options.add_argument(argument)
@@ -118,9 +120,14 @@ class Page:
     """
 
     def __init__(self, driver: Any, lab: Lab, notebook: str) -> None:
-        """Open a notebook and wait for its kernel."""
+        """Open a notebook and wait for its kernel; the tabs of the test before are saved and closed."""
         self.driver = driver
-        driver.get(f"{lab.address}/lab/tree/{notebook}?reset")  # without the tabs of the test before
+        if self("!window.jupyterapp") or not driver.current_url.startswith(lab.address):
+            driver.get(f"{lab.address}/lab?reset")
+            until(lambda: self("window.jupyterapp?.restored.then(() => true)"), "JupyterLab")
+        self.command("docmanager:save-all")
+        self.command("application:close-all")
+        self.command("docmanager:open", path=notebook)
         until(lambda: self(f"window.jupyterapp && {PANEL}?.context?.path === arguments[0]", notebook), "the notebook")
         until(lambda: self(f"{SESSION}.session?.kernel?.status === 'idle'"), "the kernel")
 
@@ -153,9 +160,9 @@ class Page:
         return boxes
 
     def picture(self, box: Any) -> str:
-        """Return the pictures in a box, as they are in the page."""
-        found = "[...arguments[0].querySelectorAll('.widget-html img, .widget-html svg')]"
-        return str(self(f"{found}.map(picture => picture.outerHTML).join()", box))
+        """Return the pictures in a box, and the lines below them, as they are in the page."""
+        found = "[...arguments[0].querySelectorAll('.widget-html .widget-html-content')]"
+        return str(self(f"{found}.map(shown => shown.innerHTML).join()", box))
 
     def text(self, box: Any) -> str:
         """Return the text in a box."""
@@ -174,7 +181,7 @@ class Page:
         track = "arguments[0].closest('.noUi-base').getBoundingClientRect()"
         handle_box = "arguments[0].getBoundingClientRect()"
         pixels = self(f"{track}.{end} - ({handle_box}.left + {handle_box}.right) / 2", handle)
-        ActionChains(self.driver).drag_and_drop_by_offset(handle, round(pixels), 0).perform()
+        ActionChains(self.driver, duration=20).drag_and_drop_by_offset(handle, round(pixels), 0).perform()
 
 
 def screenshots(page: Page, folder: Path, name: str) -> None:
@@ -191,3 +198,4 @@ def screenshots(page: Page, folder: Path, name: str) -> None:
             if page(f"{view}.scrollTop + {view}.clientHeight > {view}.scrollHeight - 5"):
                 break
             page(f"{view}.scrollBy(0, {view}.clientHeight - 60)")
+    page.driver.set_window_size(*WINDOW)

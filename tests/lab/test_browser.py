@@ -19,15 +19,19 @@ from edugym.lab.lessons import student_lessons
 from tests.lab.browser import CHROMIUM, DRIVER, Lab, Page, chromium, running_lab, screenshots, until
 
 SCREENSHOTS = os.environ.get("EDUGYM_SCREENSHOTS")
-FEW_RUNS = f"""
-import sys
+TRAINED = "01_exploration"
+IN_SHORT = f"""
+import os, sys
 sys.path.append({str(build.ROOT)!r})
-from tests.lessons.few_runs import limit_runs
+from tests.lessons import few_runs
 sys.path.pop()
-limit_runs()
-del sys, limit_runs
+few_runs.limit_runs() if {TRAINED!r} in os.environ["JPY_SESSION_NAME"] else few_runs.make_runs_up()
+del os, sys, few_runs
 """
-"""Experiments take two runs, which keeps the tests short; their results are the matter of other tests."""
+"""In one lesson agents train in two runs, in the others their results are made up: a student sees and moves the same.
+
+Results, and what else lessons compute, are the matter of other tests.
+"""
 LESSONS = [lesson.name for lesson in student_lessons()]
 
 pytestmark = [
@@ -43,15 +47,15 @@ pytestmark = [
 def lab(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Lab]:
     """A running lab, in each theme if screenshots are wanted."""
     folder = tmp_path_factory.mktemp("lab")
-    with running_lab(folder, f"JupyterLab {request.param}", "" if SCREENSHOTS else FEW_RUNS) as lab:
+    with running_lab(folder, f"JupyterLab {request.param}", "" if SCREENSHOTS else IN_SHORT) as lab:
         template = build.student_edition(build.read_lesson(build.ROOT / "lessons" / "template.py"), "template")
         nbformat.write(template, folder / "lessons" / "template.ipynb")
         yield lab
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def driver() -> Iterator[Any]:
-    """A browser."""
+    """A browser: one for all tests, for it keeps the code of JupyterLab."""
     with chromium() as driver:
         yield driver
 

@@ -3,7 +3,6 @@
 import ast
 import contextlib
 import io
-import json
 import linecache
 import re
 import sys
@@ -11,13 +10,13 @@ import warnings
 import zlib
 from collections.abc import Iterator
 from decimal import Decimal
+from functools import partial
 from itertools import zip_longest
 from pathlib import Path
 from typing import Any
 from unittest.mock import patch
 
 import build
-import gymnasium
 import numpy as np
 from rules import is_code, without_marks
 
@@ -27,17 +26,14 @@ from edugym.notebook.prediction import Prediction
 from edugym.rendering.scene import Scene
 from edugym.rendering.svg import to_svg
 from edugym.results.tables import Results
-from edugym.training.configuration import described
 from edugym.training.repeat import repeat
-from edugym.training.run import Run
 from edugym.training.train import train
 from tests.lessons.drawn import drawn, numbers
-from tests.lessons.few_runs import few_runs
+from tests.lessons.few_runs import ANY_RETURN, SOLVED_OR_NOT, few_runs, made_up_run, told
 from tests.lessons.figures import check_legends
 
 FOLDER = Path(__file__).parent / "transcripts"
 NOTEBOOKS = {path.stem.partition("_")[2]: path for path in sorted((build.ROOT / "lessons").glob("[0-9][0-9]_*.py"))}
-ANY_RETURN, SOLVED_OR_NOT = (-20.0, 100.0), (0.0, 1.0)
 RETURNS = {"exploration": SOLVED_OR_NOT, "signal": (-1_000.0, 7_000.0)}
 """From where to where the made-up returns of a lesson are, if not those of the others."""
 IN_SHORT = 2, 50
@@ -83,17 +79,7 @@ def claimed(claim: Any) -> list[str]:
 @contextlib.contextmanager
 def short_training(lesson: Any, returns: tuple[float, float], runs: int, most: int) -> Iterator[int]:
     """Let agents train for a few steps, in a few runs, with returns that depend on nothing but the arguments."""
-
-    def made_up(environment: Any, agent: Any, n_steps: int, **how: Any) -> Run:
-        how = {name: value for name, value in how.items() if name not in ("stop", "progress") and value is not None}
-        rng = np.random.default_rng(zlib.crc32(told(environment, agent, n_steps, how).encode()))
-        few = min(n_steps, most)
-        run = train(environment, agent, few, **how | {"evaluate_every": few, "evaluation_episodes": 1})
-        every = how.get("evaluate_every", max(1, n_steps // 100))
-        steps = np.unique(np.append(np.arange(0, n_steps, every), n_steps))
-        made = np.round(rng.uniform(*returns, (2, len(steps))), 0 if returns == SOLVED_OR_NOT else 2)
-        made[:, 0] = returns[0]
-        return Run(steps, made[0], made[1], rng.integers(1, 9, len(steps)), run.agent, run.seed, 0.0, complete=True)
+    made_up = partial(made_up_run, returns=returns, most=most)
 
     def seldom(*arguments: Any, **how: Any) -> Results:
         return few_runs(*arguments, most=runs, **how | {"jobs": 1})
@@ -119,21 +105,6 @@ def scored(challenge: Challenge, make: Any, name: str) -> str:
     """Return who takes part in a challenge, with what."""
     task = challenge._task(1)
     return f"{name}: {told(task, make(task), challenge.n_steps, {})}"
-
-
-def told(environment: Any, agent: Any, n_steps: int, how: dict[str, Any]) -> str:
-    """Return what a run is made of, as text: the same on every machine, and without the contents of long tables."""
-    settings = []
-    for part in (environment, agent):
-        part = part.unwrapped if isinstance(part, gymnasium.Env) else part
-        part = getattr(part, "mdp", part) if isinstance(part, gymnasium.Env) else part
-        try:
-            settings.append(described(part, "it"))
-        except TypeError:
-            settings.append({"it": type(part).__name__})
-    plain = json.dumps([settings, n_steps, sorted(how.items())], default=str, ensure_ascii=False)
-    plain = re.sub(r'\\"sha256\\": \\"\w+\\"', "", plain)
-    return re.sub(r"\d+\.\d+(?:e[-+]?\d+)?", lambda found: f"{float(found[0]):.6g}", plain)
 
 
 def shown_by_cells(path: Path) -> list[str]:

@@ -5,9 +5,9 @@ from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
+import build
 import numpy as np
 import pytest
-from nbclient import NotebookClient
 from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_notebook
 
@@ -216,7 +216,7 @@ def broken(x=1):
 def test_widgets_in_a_kernel() -> None:
     """Nothing is shown twice; prints and errors of callbacks go into the widget, and stay there until the next call."""
     notebook = new_notebook(cells=[new_code_cell(source) for source in CELLS])
-    NotebookClient(notebook, timeout=60, kernel_name="python3", extra_arguments=["--log-level=ERROR"]).execute()
+    build.LessonClient(notebook, timeout=60, kernel_name="python3", extra_arguments=["--log-level=ERROR"]).run()
     _, played, explored, failed, *last = notebook.cells
 
     [output] = played.outputs
