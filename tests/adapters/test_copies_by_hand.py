@@ -112,6 +112,29 @@ def test_what_each_of_several_copies_knows(name: str, mode: AutoresetMode) -> No
             assert plain(vector.showing(i).info()) == plain(alone.envs[i].info())
 
 
+class Below(Remembered):
+    """Pays less than nothing for low actions, which small types of NumPy's cannot tell."""
+
+    __slots__ = ()
+
+    def reward(self, state: int, action: Any, next_state: int, rng: Random) -> float:
+        """Two less than the action."""
+        return float(action[0] - 2)
+
+
+@pytest.mark.parametrize("given", [np.uint8, np.int8, np.uint64, np.int64])
+def test_actions_have_the_type_of_their_space(given: Any) -> None:
+    """Whatever type they are given in; they are kept as they were, whatever becomes of the array that was given."""
+    vector = MDPVectorEnv(MDPEnv(Below(spaces.MultiDiscrete([3, 2]), end=40)), 2)
+    vector.reset(seed=0)
+    actions = np.array([[0, 1], [1, 0]], given)
+    assert vector.step(actions)[1].tolist() == [-2.0, -1.0]
+    actions[:] = 1
+    for i, own in enumerate(([0, 1], [1, 0])):
+        (kept,) = vector.showing(i).actions
+        assert (kept.tolist(), kept.dtype) == (own, np.int64)
+
+
 @pytest.mark.filterwarnings("ignore:.* interpreted")
 def test_what_each_of_several_copies_draws() -> None:
     """Where the picture alone asks for what was before."""
