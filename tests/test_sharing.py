@@ -213,6 +213,15 @@ def test_a_cell_that_was_run_again(tmp_path: Path, cell: dict[str, Any]) -> None
     assert read_mdp(path).initial(None)._fields == ("x", "again")
 
 
+@pytest.mark.parametrize("method", ["", "    def twice(self): return 2 * self.x\n"])
+def test_a_class_that_a_cell_defines_twice(method: str, tmp_path: Path, cell: dict[str, Any]) -> None:
+    """The last one is shared, as it is the one that Python keeps."""
+    kinds = ("    y: int\n    x: int = 1\n", "    x: int\n    again: bool = True\n")
+    run("\n".join(f"class Place(NamedTuple):\n{fields}{method}" for fields in kinds), 7, cell)
+    path = share(cell["Walk"](5, steps=np.array([1, 2])), tmp_path / "twice.py")
+    assert read_mdp(path).initial(None)._fields == ("x", "again")
+
+
 def test_a_namesake_is_not_imported() -> None:
     """A class that says it is of a module is taken from there only where it is the one that is there."""
     assert _home("Rows", Box) == ("gymnasium.spaces", "Box")
