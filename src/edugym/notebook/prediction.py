@@ -40,8 +40,8 @@ class Prediction(NotebookWidget):
     def answer(self) -> float | str | None:
         """The answer so far: a number, or one of the options."""
         value = self._field.value
-        if self.options is not None or not value.strip():
-            return value or None
+        if self.options is not None:
+            return value
         found = NUMBER.fullmatch(value.strip())
         if found is None:
             return None
