@@ -130,7 +130,8 @@ def test_how_much_is_shown(
     """Of the largest task that is drawn in full, and of the next one."""
 
     def count(value: int) -> int:
-        env: Any = gymnasium.make(f"edugym/{name}-v0", **{parameter: value}, **others).unwrapped
+        parameters: dict[str, Any] = {parameter: value, **others}
+        env: Any = gymnasium.make(f"edugym/{name}-v0", **parameters).unwrapped
         env.reset(seed=0)
         return sum(glyph in (shape.glyph, type(shape).__name__) for shape in env.scene().shapes)
 
