@@ -1,6 +1,7 @@
 """The command `edugym`: its tables, what it hands on, and what it says when something goes wrong."""
 
 import errno
+import inspect
 import io
 import os
 import sys
@@ -94,6 +95,17 @@ def test_the_list_is_in_the_order_of_the_course() -> None:
     ids = [line.split()[0] for line in lines[1:] if line and not line.startswith(" ")]
     assert ids == [entry.id for entry in in_course_order()]
     assert "action_scale (0.2094)" in run("list").output  # π / 15, rounded
+
+
+def test_each_column_of_the_list_has_what_its_head_says(monkeypatch: pytest.MonkeyPatch) -> None:
+    """In a terminal so wide that every environment takes one line."""
+    monkeypatch.setattr(commands, "Console", lambda: Console(width=1000))
+    first, *lines = run("list").output.splitlines()
+    starts = [first.index(head) for head in ("challenge", "parameters (default)")]
+    for line, entry in zip(lines, in_course_order(), strict=True):
+        assert line[: starts[0]].strip() == entry.id
+        assert line[starts[0] : starts[1]].strip() == entry.challenge
+        assert line[starts[1] :].startswith(f"{next(iter(inspect.signature(entry.load()).parameters))} (")
 
 
 @pytest.mark.parametrize(

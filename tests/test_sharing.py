@@ -17,7 +17,7 @@ from edugym import finite_model, read_mdp, share, value_iteration, wrapper
 from edugym.commands import app
 from edugym.lessons.own_problem import Morning, WithBonus
 from edugym.playing import Game
-from edugym.sharing import _home
+from edugym.sharing import _home, source_of
 
 CELLS = """
 import math
@@ -211,6 +211,22 @@ def test_a_cell_that_was_run_again(tmp_path: Path, cell: dict[str, Any]) -> None
     run("class Place(NamedTuple):\n    x: int\n    again: bool = True\n", 6, cell)
     path = share(cell["Walk"](5, steps=np.array([1, 2])), tmp_path / "again.py")
     assert read_mdp(path).initial(None)._fields == ("x", "again")
+
+
+@pytest.mark.parametrize("method", ["", "    def twice(self): return 2 * self.x\n"])
+def test_a_class_that_a_cell_defines_twice(method: str, tmp_path: Path, cell: dict[str, Any]) -> None:
+    """The last one is shared, as it is the one that Python keeps."""
+    kinds = ("    y: int\n    x: int = 1\n", "    x: int\n    again: bool = True\n")
+    run("\n".join(f"class Place(NamedTuple):\n{fields}{method}" for fields in kinds), 7, cell)
+    path = share(cell["Walk"](5, steps=np.array([1, 2])), tmp_path / "twice.py")
+    assert read_mdp(path).initial(None)._fields == ("x", "again")
+
+
+def test_the_source_is_that_of_the_class_with_its_methods(cell: dict[str, Any]) -> None:
+    """Also where its cell has defined another of that name before or after it."""
+    texts = [f"class Coin(NamedTuple):\n    side: int\n    def value(self): return {n}\n" for n in range(3)]
+    run("\n".join(f"{text}Coin{n} = Coin" for n, text in enumerate(texts)), 8, cell)
+    assert [source_of(cell[f"Coin{n}"]) + "\n" for n in range(3)] == texts
 
 
 def test_a_namesake_is_not_imported() -> None:

@@ -267,7 +267,7 @@ def _class_source(kind: type) -> str:
     codes = [function.__code__ for function in _functions(kind)]
     for file in [codes[0].co_filename] if codes else _cells():
         lines = linecache.getlines(file)
-        for node in ast.walk(ast.parse("".join(lines))):
+        for node in reversed([*ast.walk(ast.parse("".join(lines)))]):  # of two of one name Python keeps the last
             if isinstance(node, ast.ClassDef) and node.name == kind.__name__:
                 first = min([node.lineno, *(one.lineno for one in node.decorator_list)])
                 if not codes or first <= codes[0].co_firstlineno <= (node.end_lineno or first):

@@ -1,5 +1,6 @@
 """Several copies of a task that go different ways: what each shows, and what becomes of all where one does not fit."""
 
+import signal
 import warnings
 from typing import Any, NamedTuple
 
@@ -10,6 +11,7 @@ from gymnasium import spaces
 from gymnasium.vector import AutoresetMode
 
 from edugym.adapters import vector_env
+from edugym.adapters.copies import step_copies
 from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.mdp.protocol import Random
@@ -112,6 +114,43 @@ def test_what_each_of_several_copies_knows(name: str, mode: AutoresetMode) -> No
             assert plain(vector.showing(i).info()) == plain(alone.envs[i].info())
 
 
+class Below(Remembered):
+    """Pays less than nothing for low actions, which small types of NumPy's cannot tell."""
+
+    __slots__ = ()
+
+    def reward(self, state: int, action: Any, next_state: int, rng: Random) -> float:
+        """Two less than the action."""
+        return float(action[0] - 2)
+
+
+@pytest.mark.parametrize("given", [np.uint8, np.int8, np.uint64, np.int64])
+def test_actions_have_the_type_of_their_space(given: Any) -> None:
+    """Whatever type they are given in; they are kept as they were, whatever becomes of the array that was given."""
+    vector = MDPVectorEnv(MDPEnv(Below(spaces.MultiDiscrete([3, 2]), end=40)), 2)
+    vector.reset(seed=0)
+    actions = np.array([[0, 1], [1, 0]], given)
+    assert vector.step(actions)[1].tolist() == [-2.0, -1.0]
+    actions[:] = 1
+    for i, own in enumerate(([0, 1], [1, 0])):
+        (kept,) = vector.showing(i).actions
+        assert (kept.tolist(), kept.dtype) == (own, np.int64)
+
+
+@pytest.mark.filterwarnings("ignore:.* interpreted")
+@pytest.mark.parametrize("name", KINDS)
+def test_actions_are_remembered_as_they_were(name: str) -> None:
+    """Whoever gave them may use the array again."""
+    vector = MDPVectorEnv(MDPEnv(KINDS[name]), 2)
+    vector.reset(seed=0)
+    vector.action_space.seed(0)
+    actions = vector.action_space.sample()
+    vector.step(actions)
+    taken = actions.tolist()
+    actions[:] = 1 - actions
+    assert [np.asarray(vector.showing(i).last_action).tolist() for i in range(2)] == taken
+
+
 @pytest.mark.filterwarnings("ignore:.* interpreted")
 def test_what_each_of_several_copies_draws() -> None:
     """Where the picture alone asks for what was before."""
@@ -124,6 +163,30 @@ def test_what_each_of_several_copies_draws() -> None:
         alone.step(actions)
         vector.step(actions)
         assert [vector.showing(i).scene() for i in range(3)] == [env.scene() for env in alone.envs]
+
+
+def test_ctrl_c_while_a_step_is_put_back(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It waits until the copies are where they were before the step."""
+    vector: Any = MDPVectorEnv(MDPEnv(cell(WALK)["Walk"](5)), 2)
+    vector.reset(seed=0)
+    vector.step([1, 1])
+    before, runner = [vector.state(i) for i in range(2)], vector._runner
+    fast, put_back = runner._code[step_copies], runner._put_back
+
+    def failing(*arguments: Any) -> None:
+        fast(*arguments)
+        assert [vector.state(i) for i in range(2)] != before
+        raise ZeroDivisionError
+
+    def interrupted(*kept: Any) -> None:
+        signal.raise_signal(signal.SIGINT)
+        put_back(*kept)
+
+    monkeypatch.setitem(runner._code, step_copies, failing)
+    monkeypatch.setattr(runner, "_put_back", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        vector.step([1, 1])
+    assert [vector.state(i) for i in range(2)] == before
 
 
 @pytest.mark.parametrize(("asked", "limit"), [(None, 5), (-1, 5), (7, 5), (5, 5), (3, 3)])

@@ -8,6 +8,7 @@ from typing import Any
 import gymnasium
 import numpy as np
 import pytest
+from gymnasium.envs.registration import EnvSpec
 
 from edugym import make_mdp
 from edugym.adapters.gymnasium_env import MDPEnv, environment_of, gymnasium_class
@@ -165,6 +166,19 @@ def test_without_a_specification() -> None:
     assert (env.spec.max_episode_steps, env.spec.reward_threshold) == (100, 1.0)
     env.spec = None
     assert env.spec is None
+
+
+@pytest.mark.parametrize("given", [{}, {"max_episode_steps": 7}, {"reward_threshold": 0.0}])
+def test_only_what_a_specification_lacks_is_filled_in(given: dict[str, Any]) -> None:
+    """A limit or a threshold that somebody has registered is kept, also as JSON; the task's own is not written."""
+    env = MDPEnv(make_mdp("Boulder"))
+    env.spec = EnvSpec("mine/Wall-v0", **given)
+    assert env.spec is not None
+    own: dict[str, Any] = {"max_episode_steps": 100, "reward_threshold": 1.0, **given}
+    assert {name: getattr(env.spec, name) for name in own} == own
+    written = EnvSpec.from_json(env.spec.to_json())
+    assert written.max_episode_steps == given.get("max_episode_steps")
+    assert written.reward_threshold == own["reward_threshold"]
 
 
 def test_the_window_of_several_copies(monkeypatch: pytest.MonkeyPatch) -> None:

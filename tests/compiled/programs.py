@@ -192,6 +192,8 @@ REFUSED = {
     "list of a class": (program("self.h.append(s)\nreturn s + len(self.h)", more="h = []"), "a list"),
     "list as default": (program("return self.g(s)", more="def g(self, s, h=[]):\n    h.append(s)\n    return s + len(h)"), "a list"),
     "global array written": (program("A[0] += 1\nreturn s + A[0]", before="A = np.zeros(2)"), "an array that is not its own"),
+    "array in a global tuple written": (program("A[0][0] += 1\nreturn s + A[0][0]", before="A = (np.zeros(2),)"), "an array that is not its own"),
+    "array of a class in tuples written": (program("self.A[1][0][0] += 1\nreturn s + self.A[1][0][0]", more="A = (1, (np.zeros(2),))"), "an array that is not its own"),
     "try": (program("try:\n    x = 1 / (700 - s)\nexcept ZeroDivisionError:\n    x = 5.0\nreturn s + 1 + 0 * x"), "try"),
     "type": (program("return s + 1 if isinstance(s, float) else s + 2", start="0"), "type"),
     "comparison by is": (

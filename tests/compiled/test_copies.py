@@ -11,6 +11,8 @@ from edugym.compiled import execution
 from edugym.compiled.copies import LARGE, Snapshot, copied, difference
 from tests.compiled.cells import cell
 
+RNG = np.random.default_rng(0)
+
 
 class Agent(NamedTuple):
     """Tables that are views of one memory, and a stream."""
@@ -63,6 +65,22 @@ def test_put_back() -> None:
     original.column[:] = 1.0
     before.put_back()
     assert difference(original, agent(), "") is None
+
+
+@pytest.mark.parametrize("then", [np.zeros(3, np.float32), np.zeros(3, np.int64), np.zeros(4), np.zeros((3, 1)), RNG])
+@pytest.mark.parametrize("first", [np.zeros(3), np.zeros(3, np.int8), np.zeros(1), RNG, [0.0]])
+def test_memory_is_used_again_only_for_what_fits(first: Any, then: Any) -> None:
+    """After other arrays, types, shapes or streams, all of the values is put back."""
+    kept, was = Snapshot(), copied(then)
+    kept.take((first,))
+    kept.take((then,))
+    if isinstance(then, np.ndarray):
+        then += 1
+    else:
+        then.random()
+    kept.put_back()
+    assert difference(then, was, "x") is None
+    assert getattr(then, "dtype", None) == getattr(was, "dtype", None)
 
 
 def test_difference_names_what_differs() -> None:

@@ -7,6 +7,7 @@ import sys
 import traceback
 import warnings
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -187,6 +188,26 @@ def test_compiling_is_announced(monkeypatch: pytest.MonkeyPatch) -> None:
     assert said("Second", io.StringIO()) == ""
     monkeypatch.setenv("EDUGYM_QUIET", "1")
     assert said("Third", Terminal()) == ""
+
+
+@pytest.mark.parametrize("shell", ["ZMQInteractiveShell", "TerminalInteractiveShell", "NoneType", "no IPython"])
+@pytest.mark.parametrize("stderr", [Terminal, io.StringIO])
+def test_where_it_is_announced(shell: str, stderr: type[io.StringIO], monkeypatch: pytest.MonkeyPatch) -> None:
+    """In a notebook in the output, as stderr looks like an error there; elsewhere only in a terminal."""
+    out, err = io.StringIO(), stderr()
+    ipython = SimpleNamespace(get_ipython=lambda: type(shell, (), {})())
+    monkeypatch.setitem(sys.modules, "IPython", None if shell == "no IPython" else ipython)
+    monkeypatch.setattr(sys, "stdout", out)
+    monkeypatch.setattr(sys, "stderr", err)
+    monkeypatch.setattr(execution, "is_on_disk", lambda code: False)
+    monkeypatch.setattr(execution, "_warned", set())
+    monkeypatch.delenv("EDUGYM_QUIET", raising=False)
+    code: Any = SimpleNamespace(names=lambda: "Walk")
+    execution._announce(code)
+    notebook, terminal = shell.startswith("ZMQ"), stderr is Terminal
+    words = "edugym: compiling Walk (once, a second or two) ...\n"
+    assert out.getvalue() == words * notebook
+    assert err.getvalue() == words * (terminal and not notebook)
 
 
 EVERYWHERE = """

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import gymnasium
 import pytest
 
 from edugym.registration import ENVIRONMENTS, Entry
@@ -107,3 +108,31 @@ def test_pictures(entry: Entry) -> None:
 def test_every_file_is_of_an_environment() -> None:
     """Or it would be left behind."""
     assert {path.stem for path in FOLDER.glob("*.txt")} == {entry.name for entry in ENVIRONMENTS}
+
+
+@pytest.mark.parametrize(
+    ("name", "parameter", "most", "others", "glyph", "shown", "beyond"),
+    [
+        ("Boulder", "height", 12, {}, "●", 12, 12),  # one grip of each level holds
+        ("Boulder", "n_grips", 40, {"height": 2}, "×", 78, 78),  # and the others do not
+        ("Catch", "columns", 50, {"rows": 50}, "Line", 2 + 49 + 49, 2),  # a grid, or none
+        ("Catch", "rows", 50, {"columns": 5}, "Line", 2 + 49 + 4, 2),
+        ("MemoryCorridor", "num_doors", 40, {}, "○", 39, 39),  # all lamps but one are dark
+        ("Roadrunner", "size", 50, {}, "Line", 50, 1),
+        ("Roadrunner", "size", 50, {"stop_zone": 9}, "_", 10, 1),
+        ("Study", "total_days", 30, {}, "Text", 62, 62),  # two for each page, and the names of two bars
+        ("Trashbot", "n_bins", 15, {}, "·", 15 * 15, 0),  # a dot for each pair of actions, or a line around them
+    ],
+)
+def test_how_much_is_shown(
+    name: str, parameter: str, most: int, others: dict[str, Any], glyph: str, shown: int, beyond: int
+) -> None:
+    """Of the largest task that is drawn in full, and of the next one."""
+
+    def count(value: int) -> int:
+        parameters: dict[str, Any] = {parameter: value, **others}
+        env: Any = gymnasium.make(f"edugym/{name}-v0", **parameters).unwrapped
+        env.reset(seed=0)
+        return sum(glyph in (shape.glyph, type(shape).__name__) for shape in env.scene().shapes)
+
+    assert (count(most), count(most + 1)) == (shown, beyond)

@@ -25,6 +25,7 @@ def answer(prediction: Any, value: Any) -> None:
         ("1/0", None),
         ("70 grips", 70.0),
         ("", None),
+        ("  ", None),
         ("many", None),
     ],
 )

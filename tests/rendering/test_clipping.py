@@ -124,6 +124,28 @@ def test_shapes_in_the_picture_stay_as_they_are() -> None:
     ]
 
 
+@pytest.mark.parametrize("pen", [0.5, None])
+@pytest.mark.parametrize(("across", "down"), [(-1, 0), (1, 0), (0, -1), (0, 1)])
+@pytest.mark.parametrize(
+    "shape",
+    [
+        lambda x, y, pen: Rectangle(x - 1, y - 1, 2, 2, outline_width=pen),
+        lambda x, y, pen: Circle(x, y, 1, outline_width=pen),
+        lambda x, y, pen: Polygon(((x - 1, y - 1), (x + 1, y - 1), (x, y + 1)), outline_width=pen),
+        lambda x, y, pen: Line(((x - 1, y - 1), (x + 1, y + 1)), line_width=pen),
+        lambda x, y, pen: Arc(x, y, 1, 20, 160, line_width=pen),
+    ],
+    ids=["Rectangle", "Circle", "Polygon", "Line", "Arc"],
+)
+def test_half_of_a_pen_reaches_into_the_picture(shape: Any, across: int, down: int, pen: float | None) -> None:
+    """A shape beyond an edge is seen as far as its outline reaches, whether that has a width of its own or not."""
+    empty = Scene(10, 6, ())
+    for share, seen in ((0.49, True), (0.51, False)):
+        gap = share * (empty.outline_width if pen is None else pen)
+        one = shape(5 + across * (5 + 1 + gap), 3 + down * (3 + 1 + gap), pen)
+        assert list(visible(replace(empty, shapes=(one,)))) == [one] * seen
+
+
 def test_numbers_too_large_for_a_float_are_infinite() -> None:
     """Whole numbers of any length are numbers."""
     assert Circle(10**400, -(10**400), 10**400) == Circle(math.inf, -math.inf, math.inf)

@@ -39,10 +39,10 @@ class Prediction(NotebookWidget):
     @property
     def answer(self) -> float | str | None:
         """The answer so far: a number, or one of the options."""
-        value = self._field.value
-        if self.options is not None or not value.strip():
-            return value or None
-        found = NUMBER.fullmatch(value.strip())
+        if self.options is not None:
+            chosen: str | None = self._field.value
+            return chosen
+        found = NUMBER.fullmatch(self._field.value.strip())
         if found is None:
             return None
         try:
