@@ -112,11 +112,6 @@ def test_a_short_run_of_ppo() -> None:
     assert actions[0] == actions[1] != actions[2]
 
 
-def test_warming_up() -> None:
-    """It runs."""
-    arms.warm_up()
-
-
 def test_the_live_run_of_ppo(capsys: pytest.CaptureFixture[str]) -> None:
     """The cell asks for that run, and shows every fourth return after the first, both σ, and its drawn actions."""
     run = SimpleNamespace(
