@@ -63,7 +63,7 @@ def test_an_episode_that_has_ended_leaves_nothing(case: Case, ends: tuple[bool, 
     agents = [case.create(Ring()) for _ in range(2)]
     for agent in agents:
         rng, learning = np.random.default_rng(1), learner(agent)
-        more = (0,) if is_on_policy(agent) else ()
+        more = (1,) if is_on_policy(agent) else ()
         for step in range(7):
             learning.act(step % 2, rng)
             learning.learn(step % 2, 1, 2.0 + step, 1 - step % 2, *more, *(ends if step == 3 else (False, False)))
