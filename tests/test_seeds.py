@@ -12,13 +12,18 @@ STREAMS = {"default_rng", "SeedSequence", "RandomState", "Random", "PCG64", "man
 def unseeded(source: str) -> list[str]:
     """Where a random stream begins that is another one each time."""
     calls = [node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Call)]
-    told = [(call, *call.args, *(keyword.value for keyword in call.keywords)) for call in calls]
-    return [
-        ast.unparse(call)
-        for call, *given in told
-        if ast.unparse(call.func).rpartition(".")[2] in STREAMS
-        and all(isinstance(value, ast.Constant) and value.value is None for value in given)
-    ]
+    begun = [call for call in calls if ast.unparse(call.func).rpartition(".")[2] in STREAMS]
+    return [ast.unparse(call) for call in begun if all(map(says_nothing, values(call)))]
+
+
+def values(call: ast.Call) -> list[ast.expr]:
+    """The arguments of a call."""
+    return [*call.args, *(keyword.value for keyword in call.keywords)]
+
+
+def says_nothing(value: ast.expr) -> bool:
+    """Whether it is None."""
+    return isinstance(value, ast.Constant) and value.value is None
 
 
 def test_every_random_stream_has_a_seed() -> None:

@@ -147,7 +147,7 @@ def test_the_mean_of_a_policy_in_bins_is_its_likeliest_action() -> None:
 
     The first update changes nothing, since the baseline is the first reward.
     """
-    found = arms.climb_in_bins(2, n_updates=300, n_runs=50, pays=lambda a: (a > 0) * 1.0)
+    found = arms.climb_in_bins(2, n_updates=300, n_runs=50, pays=lambda a: np.where(a > 0, 1.0, 0.0))
     assert found.means.shape == (301, 50)
     assert (found.means[:2] == -3.0).all()
     assert (found.means[-20:] == 3.0).all()
