@@ -259,6 +259,21 @@ def test_it_bootstraps_at_truncation_and_not_at_termination(case: Case) -> None:
         assert agent.Q[1, 0] == 0.0
 
 
+@pytest.mark.parametrize("case", [c for c in AGENTS.values() if not c.real_actions], ids=lambda c: c.kind.__name__)
+def test_greedy_takes_the_best_and_never_explores(case: Case) -> None:
+    """However much the agent explores while it learns."""
+    agent, rng = case.create((2, 3)), np.random.default_rng(0)
+    if "exploration" in agent._fields:
+        agent = agent._replace(exploration=EpsilonGreedy(1.0))
+    for table in tables(agent):
+        if table.ndim > 1 and table.dtype == np.float64:
+            table[...] = rng.normal(size=table.shape) if case.vectors else [[1.0, 3.0, 2.0], [6.0, 4.0, 5.0]]
+    for state, best in enumerate((1, 0)):
+        seen = np.eye(2)[state] if case.vectors else state
+        chosen = {agent.greedy(seen, rng) for _ in range(40)}
+        assert chosen == {int(agent.Q[0].argmax()) if case.vectors else best}
+
+
 @pytest.mark.parametrize("case", CASES.values(), ids=CASES)
 def test_a_saved_agent_goes_on_as_if_nothing_had_happened(case: Case, tmp_path: Any) -> None:
     """Train, save, load, train on: every table is what it is without the break."""

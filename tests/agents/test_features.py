@@ -26,11 +26,16 @@ def test_the_observation_itself_and_a_constant() -> None:
 
 
 def test_linear_values() -> None:
-    """Σ x_i w_ik with w = [[1, 2], [3, 4], [10, 20]] and x = (2, 0, 1): 2·1 + 10 = 12 and 2·2 + 20 = 24."""
+    """Σ x_i w_ik with w = [[1, 2], [3, 4], [10, 20]] and x = (2, 0, 1): 2·1 + 10 = 12 and 2·2 + 20 = 24.
+
+    Before each an observation is seen that has more numbers, of which nothing must be left.
+    """
     features, weights, room = Identity.create((2, 2)), np.array([[1.0, 2], [3, 4], [10, 20]]), np.zeros((1, 2))
-    state = np.array([2.0, 0.0])
+    before, state = np.array([7.0, 8.0]), np.array([2.0, 0.0])
+    features.see(before)
     linear_values(features, weights, state, room)
     assert room.tolist() == [[12.0, 24.0]]
+    features.see(before)
     assert linear_value(features, weights, state, 1) == 24.0
     follow_gradient(features, weights, 1, 0.5)
     assert weights.tolist() == [[1, 3], [3, 4], [10, 20.5]]

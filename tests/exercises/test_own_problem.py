@@ -56,6 +56,24 @@ def test_every_mistaken_sleeper_differs() -> None:
     assert len({ways(mistake) for mistake in mistakes}) == len(mistakes)
 
 
+COUNTS = {
+    "rings": [[1, 2, 2], [2, 2, 2]],
+    "all": [[2, 2, 2], [2, 2, 2]],
+    "none": [[1, 1, 1], [2, 2, 2]],
+    "uncapped": [[1, 2, 1], [2, 3, 2]],
+    "resets": [[0, 2, 0], [0, 2, 0]],
+}
+"""The count of mistaken sleepers after each action: after one chime, and after two."""
+
+
+@pytest.mark.parametrize("mistake", ["", *exercises.USED_MISTAKES.values()])
+def test_what_a_mistaken_sleeper_counts(mistake: str) -> None:
+    """Where the mistake is in something else, one more after a chime, and 2 at most."""
+    task, rng = exercises.UsedToChimes(), np.random.default_rng(0)
+    found = [[task.transition((3, 1, n), action, rng, mistake)[2] for action in range(3)] for n in (1, 2)]
+    assert found == COUNTS.get(mistake, [[1, 2, 1], [2, 2, 2]])
+
+
 def test_a_class_in_place_of_a_value() -> None:
     """The sentence says so, and nothing stands before it."""
     with pytest.raises(WrongAnswer, match=r"^my_problem must be a value, but is the class Mine: make one"):

@@ -38,6 +38,21 @@ def test_code_that_never_ends_is_ended_with_a_sentence(code: Callable[[], None])
         code()
 
 
+def test_the_limit_of_all_goes_on_where_the_limit_of_a_part_is_over() -> None:
+    """Each stretch of code is watched until its own end."""
+
+    @ending("your code", limit=0.2)
+    def long() -> None:
+        with ending("act(3)"):
+            pass
+        end = time.process_time() + 2
+        while time.process_time() < end:
+            pass
+
+    with pytest.raises(WrongAnswer, match=r"your code has not ended after 0.2 seconds"):
+        long()
+
+
 def test_code_that_ends_in_time_is_not_interrupted() -> None:
     """Neither then nor later."""
     for _ in range(200):

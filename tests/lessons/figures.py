@@ -7,9 +7,14 @@ from edugym.plotting import Sheet
 
 
 def check_legends(sheet: Sheet) -> None:
-    """A panel that is drawn by itself has a legend where it labels anything, with lines that look like its own."""
+    """A panel that is drawn by itself has a legend where it labels anything, with lines that look like its own.
+
+    Training steps have a space between their thousands.
+    """
     for panel in (panel for row in sheet.rows for panel in row):
         ax = panel.draw()
+        if (ax.get_xlabel(), ax.get_xscale()) == ("training steps", "linear"):
+            assert ax.xaxis.get_major_formatter()(12_345) == "12\N{NO-BREAK SPACE}345", panel.title
         artists, labels = ax.get_legend_handles_labels()
         legend = ax.get_legend()
         assert (legend is not None) == bool(labels), panel.title

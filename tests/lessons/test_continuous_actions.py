@@ -112,11 +112,6 @@ def test_a_short_run_of_ppo() -> None:
     assert actions[0] == actions[1] != actions[2]
 
 
-def test_warming_up() -> None:
-    """It runs."""
-    arms.warm_up()
-
-
 def test_the_live_run_of_ppo(capsys: pytest.CaptureFixture[str]) -> None:
     """The cell asks for that run, and shows every fourth return after the first, both σ, and its drawn actions."""
     run = SimpleNamespace(
@@ -145,3 +140,15 @@ def test_the_live_run_of_ppo(capsys: pytest.CaptureFixture[str]) -> None:
     shown, spread = capsys.readouterr().out.splitlines()
     assert shown == "return with drawn actions: 1.0, 5.0, 9.0"
     assert spread == "σ of the shoulder 0.30, of the elbow 0.20; both were 0.61 at first"
+
+
+def test_the_mean_of_a_policy_in_bins_is_its_likeliest_action() -> None:
+    """Not the one that it took: only the right one of two pays, and the left one is still tried now and then.
+
+    The first update changes nothing, since the baseline is the first reward.
+    """
+    found = arms.climb_in_bins(2, n_updates=300, n_runs=50, pays=lambda a: np.where(a > 0, 1.0, 0.0))
+    assert found.means.shape == (301, 50)
+    assert (found.means[:2] == -3.0).all()
+    assert (found.means[-20:] == 3.0).all()
+    assert 0.8 < found.values[-20:].mean() < 1.0

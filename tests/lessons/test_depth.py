@@ -31,7 +31,6 @@ from edugym.lessons.depth import (
     through_rates,
     uncorrected,
     variance_sheet,
-    warm_up,
     weighted_deviation,
 )
 from edugym.lessons.depth.targets import DAYS, noise_share, soft_policy, target, true_values
@@ -170,11 +169,6 @@ def test_who_met_the_exam() -> None:
         assert math.isnan(short) or short >= 0
     assert not met_exam(compare(depths=(1,), n_steps=10, repetitions=2), "n = 1").any()
     assert math.isnan(shortfall(compare(depths=(1,), n_steps=10, repetitions=2), "n = 1"))
-
-
-def test_warm_up_compiles() -> None:
-    """The lab calls it in the background."""
-    warm_up()
 
 
 def test_a_pupil_learns() -> None:

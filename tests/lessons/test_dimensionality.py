@@ -39,7 +39,6 @@ from edugym.lessons.dimensionality import (
     stored_networks,
     train_network,
     w_to_2w,
-    warm_up,
 )
 from edugym.lessons.dimensionality.baird import Baird, weights_of_solid
 from edugym.lessons.dimensionality.boards import Offset
@@ -242,8 +241,3 @@ def test_panels_of_stored_networks_compare() -> None:
     """Both have the same vertical axis."""
     one, two = stored_networks().draw().axes
     assert one.get_ylim() == two.get_ylim()
-
-
-def test_warming_up() -> None:
-    """It runs."""
-    warm_up()

@@ -25,7 +25,6 @@ from edugym.lessons.memory import (
     twin_figure,
     twins,
     walk_figure,
-    warm_up,
     window_law,
 )
 
@@ -141,11 +140,6 @@ def test_a_window_on_a_lake_that_is_seen() -> None:
         assert window.reset(seed=0)[0] == 0
         assert [window.step(action)[0] for action in (right, right, down)] == rows
         assert rows[-1] < window.observation_space.n
-
-
-def test_warming_up() -> None:
-    """It runs."""
-    warm_up()
 
 
 @pytest.mark.parametrize(("step", "back"), [(1, 1), (3, 3), (4, 2), (6, 6), (7, 5), (8, 3)])

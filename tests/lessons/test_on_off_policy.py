@@ -138,8 +138,3 @@ def test_another_cliff() -> None:
     assert walk(results.agents[Q_LEARNING][0], max_steps=5)[0] == (0, 3)
     assert len(on_off_policy.cliff_figure(results).draw().axes) == 2
     assert most_frequent([[(0, 0)], [(1, 1)], [(1, 1)]]) == [(1, 1)]
-
-
-def test_warming_up() -> None:
-    """It runs."""
-    on_off_policy.warm_up()

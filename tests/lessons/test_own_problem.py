@@ -274,11 +274,6 @@ def test_the_film_shows_the_best_policy() -> None:
     assert own_problem.player(Morning())(seen) == 0
 
 
-def test_warming_up() -> None:
-    """It runs."""
-    own_problem.warm_up()
-
-
 def test_every_reward_has_a_line() -> None:
     """There are looks for five rewards; a sixth has the first look again."""
     measured = {f"reward {i}": np.full((2, 3), float(i)) for i in range(6)}

@@ -175,8 +175,3 @@ def test_race() -> None:
     sheet = signal.race({"mine": RoundRobin.create}, (1, 2), repetitions=2)
     labels = sheet.draw().axes[0].get_legend_handles_labels()[1]
     assert "mine" in labels
-
-
-def test_warming_up() -> None:
-    """It runs."""
-    signal.warm_up()

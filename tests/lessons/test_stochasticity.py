@@ -268,11 +268,6 @@ def test_the_lake() -> None:
     assert len(stochasticity.lake_figure(dry, icy, 0.74).draw().axes) == 2
 
 
-def test_warming_up() -> None:
-    """It runs."""
-    stochasticity.warm_up()
-
-
 def test_every_number_of_theory_is_drawn() -> None:
     """There are two looks for them; a third has the first again."""
     ax = Dots({}, theory={"one": 1.0, "two": 2.0, "three": 3.0}).draw()

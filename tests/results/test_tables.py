@@ -178,6 +178,14 @@ def test_the_table_is_short(tmp_path: Path) -> None:
     assert about["repetition"]["2"] == {"seed": 102, "layout_seed": 14, "complete": False}
 
 
+def test_the_file_beside_is_read_by_every_program(tmp_path: Path) -> None:
+    """A number that is none is a gap there, as in every JSON; Python alone would write NaN."""
+    Results(RESULTS.table.assign(own=float("nan"))).save(tmp_path / "results.csv")
+    text = (tmp_path / "results.csv.json").read_text(encoding="utf-8")
+    about = json.loads(text, parse_constant=lambda number: pytest.fail(number))
+    assert about["all"][""]["own"] is None
+
+
 def test_two_files_that_do_not_belong_together(tmp_path: Path) -> None:
     """A table that was changed, and a file beside it that is something else; without that file it is no table."""
     path, beside = RESULTS.save(tmp_path / "results.csv"), tmp_path / "results.csv.json"

@@ -5,10 +5,12 @@ import math
 import threading
 from typing import Any, NamedTuple
 
+import gymnasium
 import numpy as np
 import pytest
 
-from edugym import CountBased, EpsilonGreedy, QLearning, ScheduledEpsilonGreedy, make_mdp, train
+from edugym import SARSA, CountBased, EpsilonGreedy, QLearning, ScheduledEpsilonGreedy, make_mdp, train
+from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.agents.strategies import LinearDecay
 from edugym.mdp.protocol import Random
 from edugym.training.run import Run
@@ -18,9 +20,12 @@ from tests.training.tasks import SlipperyWalk, Stairs
 
 
 @pytest.mark.parametrize("n_steps", [10, 6_000])
-def test_the_curve_by_hand(n_steps: int) -> None:
-    """Episodes of three steps that return 6 end after 3, 6, 9, ... steps; interpreted and compiled."""
-    run = train(Stairs(), QLearning.create(Stairs()), n_steps, evaluate_every=4)
+@pytest.mark.parametrize("kind", [QLearning, SARSA])
+@pytest.mark.parametrize("wrapped", [False, True], ids=["MDP", "gymnasium"])
+def test_the_curve_by_hand(wrapped: bool, kind: Any, n_steps: int) -> None:
+    """Episodes of three steps that return 6 end after 3, 6, 9, ... steps; interpreted and compiled, in every loop."""
+    task = gymnasium.Wrapper(MDPEnv(Stairs())) if wrapped else Stairs()
+    run = train(task, kind.create(Stairs()), n_steps, evaluate_every=4)
     assert run.steps.tolist() == [*range(0, n_steps, 4), n_steps]
     assert run.returns.tolist() == [6.0] * len(run.steps)
     assert run.episodes[:3].tolist() == [0, 1, 1]

@@ -19,6 +19,7 @@ from edugym import (
     train,
 )
 from edugym.mdp.protocol import Random
+from edugym.training.contract import is_on_policy, learner, tables_of
 from tests.agents.case import Case, same
 from tests.agents.cases import AGENTS
 from tests.training.tasks import Ring
@@ -53,6 +54,26 @@ def test_a_run_that_was_stopped_leaves_nothing(case: Case) -> None:
     for one in (agent, fresh):
         train(Ring(), one, 18, seed=1)
     assert all(same(getattr(agent, name), getattr(fresh, name)) for name in tables)
+
+
+@remembering
+@pytest.mark.parametrize("ends", [(True, False), (False, True)], ids=["terminated", "truncated"])
+def test_an_episode_that_has_ended_leaves_nothing(case: Case, ends: tuple[bool, bool]) -> None:
+    """An agent that is told to forget it as well learns nothing else in the next one."""
+    agents = [case.create(Ring()) for _ in range(2)]
+    for agent in agents:
+        rng, learning = np.random.default_rng(1), learner(agent)
+        more = (1,) if is_on_policy(agent) else ()
+        for step in range(7):
+            learning.act(step % 2, rng)
+            learning.learn(step % 2, 1, 2.0 + step, 1 - step % 2, *more, *(ends if step == 3 else (False, False)))
+            if step == 3 and agent is agents[1]:
+                agent.forget_episode()
+    ended, told = map(tables_of, agents)
+    assert ended
+    for name, table in ended.items():
+        assert table.any()
+        np.testing.assert_allclose(table, told[name], rtol=1e-12)
 
 
 @remembering

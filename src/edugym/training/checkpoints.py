@@ -83,10 +83,10 @@ class Checkpoints:
         if contents[:DIGEST] != hashlib.sha256(contents[DIGEST:]).digest():
             return None  # damaged, for example by a power failure
         try:
-            run = pickle.loads(contents[DIGEST:])
+            run: Run = pickle.loads(contents[DIGEST:])
         except Exception:  # such as an agent of a class that is not there any more
             return None
-        return run if isinstance(run, Run) else None
+        return run
 
     def _path(self, planned: Planned) -> Path | None:
         name = self._methods.get(planned.method)
