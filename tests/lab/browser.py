@@ -120,14 +120,9 @@ class Page:
     """
 
     def __init__(self, driver: Any, lab: Lab, notebook: str) -> None:
-        """Open a notebook and wait for its kernel; the tabs of the test before are saved and closed."""
+        """Open a notebook and wait for its kernel."""
         self.driver = driver
-        if self("!window.jupyterapp") or not driver.current_url.startswith(lab.address):
-            driver.get(f"{lab.address}/lab?reset")
-            until(lambda: self("window.jupyterapp?.restored.then(() => true)"), "JupyterLab")
-        self.command("docmanager:save-all")
-        self.command("application:close-all")
-        self.command("docmanager:open", path=notebook)
+        driver.get(f"{lab.address}/lab/tree/{notebook}?reset")  # without the tabs of the test before
         until(lambda: self(f"window.jupyterapp && {PANEL}?.context?.path === arguments[0]", notebook), "the notebook")
         until(lambda: self(f"{SESSION}.session?.kernel?.status === 'idle'"), "the kernel")
 
