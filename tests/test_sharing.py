@@ -60,8 +60,9 @@ class Slow(Walk):
 
 
 @pytest.fixture
-def cell() -> dict[str, Any]:
+def cell(monkeypatch: pytest.MonkeyPatch) -> dict[str, Any]:
     """The names after a notebook's cell was run, as IPython does it: the lines are known, and there is no file."""
+    monkeypatch.setattr(linecache, "cache", {})  # the cells of other tests are not in this notebook
     file = "/tmp/ipykernel_1/1.py"
     linecache.cache[file] = (len(CELLS), None, CELLS.splitlines(keepends=True), file)
     names: dict[str, Any] = {"__name__": "__main__"}
@@ -190,7 +191,6 @@ def test_functions_are_imported_from_where_they_are(tmp_path: Path, cell: dict[s
 def run(text: str, number: int, names: dict[str, Any]) -> None:
     """Run one more cell."""
     file = f"/tmp/ipykernel_1/{number}.py"
-    linecache.cache.pop(file, None)
     linecache.cache[file] = (len(text), None, text.splitlines(keepends=True), file)
     exec(compile(text, file, "exec"), names)
 
@@ -211,6 +211,16 @@ def test_a_cell_that_was_run_again(tmp_path: Path, cell: dict[str, Any]) -> None
     run("class Place(NamedTuple):\n    x: int\n    again: bool = True\n", 6, cell)
     path = share(cell["Walk"](5, steps=np.array([1, 2])), tmp_path / "again.py")
     assert read_mdp(path).initial(None)._fields == ("x", "again")
+
+
+def test_an_older_cell_that_was_run_again(tmp_path: Path, cell: dict[str, Any]) -> None:
+    """The class of that cell is shared, though another cell with the name was new after it."""
+    older = "class Place(NamedTuple):\n    x: int\n    first: bool = True\n"
+    for number, text in ((5, older), (6, "class Place(NamedTuple):\n    x: int\n    y: int = 1\n")):
+        run(text, number, cell)
+    exec(compile(older, "/tmp/ipykernel_1/5.py", "exec"), cell)  # IPython knows its lines already
+    path = share(cell["Walk"](5, steps=np.array([1, 2])), tmp_path / "older.py")
+    assert read_mdp(path).initial(None)._fields == ("x", "first")
 
 
 @pytest.mark.parametrize("method", ["", "    def twice(self): return 2 * self.x\n"])

@@ -269,10 +269,20 @@ def _class_source(kind: type) -> str:
         lines = linecache.getlines(file)
         for node in reversed([*ast.walk(ast.parse("".join(lines)))]):  # of two of one name Python keeps the last
             if isinstance(node, ast.ClassDef) and node.name == kind.__name__:
-                first = min([node.lineno, *(one.lineno for one in node.decorator_list)])
-                if not codes or first <= codes[0].co_firstlineno <= (node.end_lineno or first):
-                    return textwrap.dedent("".join(lines[first - 1 : node.end_lineno])).rstrip()
+                first, last = min([node.lineno, *(one.lineno for one in node.decorator_list)]), node.end_lineno
+                if first <= codes[0].co_firstlineno <= (last or first) if codes else _has_fields(node, kind):
+                    return textwrap.dedent("".join(lines[first - 1 : last])).rstrip()
     raise OSError("no source was found")
+
+
+def _has_fields(node: ast.ClassDef, kind: type) -> bool:
+    """Return whether the lines of a class without methods declare the fields that it has.
+
+    An older cell may have been run again, so that the last cell with the name is not the one that counts.
+    """
+    declared = [line.target for line in node.body if isinstance(line, ast.AnnAssign)]
+    names = [target.id for target in declared if isinstance(target, ast.Name)]
+    return names == [*vars(kind).get("__annotations__", {})]
 
 
 def _cells() -> Iterator[str]:

@@ -1,4 +1,4 @@
-"""Experiments in few runs, for tests of what lessons show; whether their claims hold is the matter of other tests."""
+"""Experiments in few runs, or with made-up results, for tests of what lessons show; other tests see to claims."""
 
 import functools
 import json

@@ -216,7 +216,10 @@ def broken(x=1):
 def test_widgets_in_a_kernel() -> None:
     """Nothing is shown twice; prints and errors of callbacks go into the widget, and stay there until the next call."""
     notebook = new_notebook(cells=[new_code_cell(source) for source in CELLS])
-    build.LessonClient(notebook, timeout=60, kernel_name="python3", extra_arguments=["--log-level=ERROR"]).run()
+    client = build.LessonClient(notebook, timeout=60, kernel_name="python3", extra_arguments=["--log-level=ERROR"])
+    faults = client.run()
+    for fault, said in zip(faults, ["three is too much", "three is too much", "call reset() to"], strict=True):
+        assert said in fault
     _, played, explored, failed, *last = notebook.cells
 
     [output] = played.outputs
