@@ -31,6 +31,13 @@ COMPILED = {
         "a = best[int(rng.random() * len(best))]\nself.Q[0, a] += rng.random()\nreturn a", start="0", **Q),
     "counts": program("i = int(rng.integers(0, 9))\nself.N[i] += 1\nreturn s + self.N[i] / 3", **N),
     "array functions": program("self.Q[:, 0] = self.Q[:, 1] + rng.random()\nreturn self.Q.max() + np.argmax(self.Q[0])", **Q),
+    "largest and smallest": program(
+        "i = int(s) % 9\nself.Q[i] = rng.random() - 0.5, math.nan if i == 7 else -0.0\ncounts = self.Q.argmax() * np.ones((2, 2), np.int64)\ncounts[1, 0] = -i\n"
+        "m = self.Q[i].max() + 2 * np.min(self.Q[i]) + 4 * np.max(self.Q[:, 0]) + 8 * self.Q[::2, 0].min() + self.Q.max()\n"
+        "return s + counts.max() - np.min(counts[:, 1]) + (0.25 if m != m else m)", **Q),
+    "largest by a method of one's own": program(
+        "return 0.5 * s + self.max() + self.min(2.0)",
+        more="def max(self): return self.x\ndef min(self, y): return y"),
     "softmax": program("p = np.exp(self.Q[0] - np.max(self.Q[0]))\np = p / np.sum(p)\nself.Q[0, 0] += p[0] - s\nreturn p[1]", **Q),
     "row in place": program("self.Q[0] *= 0.5\nself.Q[:] += 0.25\nreturn self.Q.sum()", **Q),
     "normal": program("return rng.normal(0.5 * s, 2.0) + rng.exponential(3.0) + rng.normal()"),
@@ -90,6 +97,9 @@ RAISE = {
     "list index": program("a = [1.0, 2.0]\nreturn s + a[int(s / 350)]"),
     "tuple index": program("return s + (1, 2)[int(s / 350)]"),
     "argmax of nothing": program("return s + 1 + np.argmax(self.Q[int(s / 70):, 0])", **Q),
+    "largest of nothing": program("return s + 1 + self.Q[int(s / 70):, 0].max()", **Q),
+    "smallest of nothing": program("return s + 1 + np.min(self.Q[int(s / 70):, 0])", **Q),
+    "largest as NumPy has it": program("return s + np.max(self.Q, 2)", **Q),
     "of another shape": program("a = np.zeros(3)\nb = np.zeros(2 + int(s < 700))\nreturn s + 1 + (a + b)[0]"),
     "misspelt": program("return s + self.y"),
     "unknown name": program("return s + unknown"),
@@ -119,6 +129,10 @@ SURPRISES = {
     "complex": program("x = (-5.0 - s) ** 0.5\nreturn s + 1"),
     "numpy's zero": program("return s + 1 + 0 * (self.Q[0, 0] / self.Q[0, 1] > 1)", **Q),
     "sum of whole numbers": program("return sum([2 ** 62 + s, 2 ** 62 + s]) % 7 + s", start="0"),
+    "largest of booleans": program("a = np.array([s > 3, s > 700])\nreturn s + 1 if a.max() else s + 2"),
+    "largest of a list": program("return s + np.max([1.5, 0.5]) + np.min((1, 2))"),
+    "largest of rows": program("self.Q[0] += 0.5\nreturn s + np.max(self.Q, axis=0)[1] + self.Q.min(1)[0]", **Q),
+    "largest by name": program("return s + np.max(a=self.Q) + 1", **Q),
     "sum in an array": program("self.N[0] += 2 ** 61\nreturn self.N[0] % 7 + 0 * s", **N),
 }
 """Programs in which Python goes on where machine code cannot."""

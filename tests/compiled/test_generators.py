@@ -3,10 +3,12 @@
 import copy
 import sys
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
 
 from edugym.compiled import compiler, generators
 from edugym.compiled.compiler import compiled
@@ -41,6 +43,40 @@ def test_same_numbers(kind: Any) -> None:
         assert drawn(loop, mixed) == drawn(draw, alone)
     mixed.bit_generator.state = alone.bit_generator.state = np.random.Generator(kind(8)).bit_generator.state
     assert drawn(fast, mixed) == drawn(draw, alone)
+
+
+class Draws(NamedTuple):
+    """One of a range of whole numbers, as a student draws it."""
+
+    endpoint: bool
+
+    def one(self, rng: Random, low: int, high: int) -> Any:
+        """The number."""
+        return rng.integers(low, high, endpoint=self.endpoint)
+
+
+def draw_whole(n: int, draws: Draws, rng: Random, low: int, high: int, out: Any) -> None:
+    """Whole numbers of a range."""
+    for i in range(n):
+        out[i] = draws.one(rng, low, high)
+
+
+SPANS = st.sampled_from([0, 2**31, 2**32, 2**63]).flatmap(lambda n: st.integers(n, n + 3) | st.integers(n - 3, n))
+
+
+@given(low=st.integers(-(2**63), 2**63 - 1), span=SPANS | st.integers(0, 2**64 - 1), seed=st.integers(0, 99))
+@example(low=0, span=2**32 - 1, seed=0)
+@example(low=-(2**63), span=2**64 - 1, seed=0)
+def test_whole_numbers(low: int, span: int, seed: int) -> None:
+    """Of every range: those that NumPy draws, and no number more is taken from the stream."""
+    high = min(low + abs(span), 2**63 - 1)
+    for draws in [Draws(True), Draws(False)][: 2 if high > low else 1]:
+        results = []
+        for loop in (draw_whole, compiled(draw_whole, 1, draws, np.random.default_rng(), 0, 1, np.zeros(1, np.int64))):
+            rng, out = np.random.default_rng(seed), np.zeros(20, np.int64)
+            loop(20, draws, rng, low, high, out)
+            results.append([out.tolist(), str(rng.bit_generator.state)])
+        assert results[0] == results[1]
 
 
 def test_many_generators() -> None:

@@ -40,6 +40,7 @@ def test_reasons() -> None:
         ("return s + rng.uniform(np.zeros(2), 1.0)[0]", "rng.uniform draws an array of numbers"),
         ("return s + rng.exponential(np.ones(2))[0]", "rng.exponential draws an array of numbers"),
         ("return s + rng.integers(np.array([3, 4]))[0]", "rng.integers draws an array of numbers"),
+        ("return s + rng.integers(2.5)", "rng.integers takes whole numbers, but was given something else "),
         ("return s + np.zeros(3)[0.5]", "an index of an array is of type float "),
     ):
         thing = cell(f"class A(NamedTuple):\n    k: int\n    def f(self, s, rng):\n        {method}")["A"](1)

@@ -26,8 +26,17 @@ def test_an_array_that_is_given_back_needs_counts(monkeypatch: pytest.MonkeyPatc
     assert (n, part.tolist()) == (3, [1.0, 2.0, 3.0])
 
 
-@pytest.mark.parametrize(("added", "counts"), [("self.t[0]", False), ("(2 * self.t).sum()", True)])
-def test_counting_is_seen_in_machine_code(added: str, counts: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+EVERYDAY = """x = self.t.max() + self.t.min() + np.max(self.t) + np.min(self.t) + max(self.t) + np.argmax(self.t)
+        self.t[self.t.argmax()] += rng.integers(3) + rng.integers(1, 3) + rng.integers(low=0, high=9, endpoint=True)
+        self.t[0] = self.t.sum() + np.mean(self.t) + np.dot(self.t, self.t) + rng.normal() + rng.uniform(0, 1)
+        return s + x"""
+"""What students write in every agent."""
+
+
+@pytest.mark.parametrize(
+    ("body", "counts"), [("return s + self.t[0]", False), (EVERYDAY, False), ("return s + (2 * self.t).sum()", True)]
+)
+def test_counting_is_seen_in_machine_code(body: str, counts: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     """Where something allocates there are calls that count, and they are named."""
     monkeypatch.setattr(compiler, "_built", {})
     builds: list[Any] = []
@@ -38,7 +47,7 @@ def test_counting_is_seen_in_machine_code(added: str, counts: bool, monkeypatch:
         return builds[-1]
 
     monkeypatch.setattr(compiler, "_compile", watched)
-    thing = cell(f"{TABLE}    def f(self, s, rng): return s + {added}")["A"](np.arange(4.0))
+    thing = cell(f"{TABLE}    def f(self, s, rng):\n        {body}\n")["A"](np.arange(4.0))
     compiled(plain_loop, 1, thing, np.random.default_rng(0))
     (build,) = builds[-1].overloads.values()
     if counts:

@@ -24,8 +24,10 @@ extending: Any = importlib.import_module("numba.extending")
 cgutils: Any = importlib.import_module("numba.core.cgutils")
 llvm: Any = importlib.import_module("llvmlite.ir")
 binding: Any = importlib.import_module("llvmlite.binding")
+draws: Any = importlib.import_module("numba.np.random.random_methods")
 Function = Callable[..., Any]
 EXACT = 2**53  # up to here every whole number is a real number of 64 bits
+LAST_OF_32_BITS, LAST_OF_64_BITS = 2**32 - 1, 2**64 - 1
 TINY, BELOW_ONE, LARGEST = 5e-324, math.nextafter(1.0, 0.0), 1.7976931348623157e308
 
 
@@ -107,10 +109,57 @@ def uniform(rng: Any, low: Any = 0.0, high: Any = 1.0, size: Any = None) -> Any:
 
 
 def integers(rng: Any, low: Any, high: Any = None, size: Any = None, endpoint: Any = False) -> Any:
-    """`rng.integers(high)` or `rng.integers(low, high)`; Numba knows only the second."""
+    """`rng.integers(high)` or `rng.integers(low, high)`; Numba knows only the second, and its one draw is an array."""
+    if size is None:
+        return _drawn(rng, 0, low, endpoint) if high is None else _drawn(rng, low, high, endpoint)
     if high is None:
         return rng.integers(0, low, size, np.int64, endpoint)
     return rng.integers(low, high, size, np.int64, endpoint)
+
+
+def _drawn(rng: Any, low: Any, high: Any, endpoint: Any) -> Any:
+    """A whole number from `low` to `high`, drawn as NumPy draws it."""
+    limits, bits = range(low | 0, high | 0), rng.bit_generator  # only whole numbers have |
+    low, high = limits.start, limits.stop
+    if low > high or (low == high and not endpoint):
+        raise ValueError("low >= high")
+    last = np.uint64(high) - np.uint64(low) - np.uint64(not endpoint)
+    if last == 0:
+        return low
+    if last < LAST_OF_32_BITS:
+        return low + np.int64(draws.buffered_bounded_lemire_uint32(bits, np.uint32(last)))
+    if last == LAST_OF_32_BITS:
+        return low + np.int64(draws.next_uint32(bits))
+    if last == LAST_OF_64_BITS:
+        return low + np.int64(draws.next_uint64(bits))
+    return low + np.int64(draws.bounded_lemire_uint64(bits, last))
+
+
+extending.register_jitable(_drawn)
+
+
+def _extreme(better: Function, of_others: Function) -> Function:
+    """`np.max`, `np.min`, or the method of an array: Numba's own counts references, and so makes every step slower."""
+
+    def extreme(a: Any) -> Any:
+        if a.size == 0:
+            raise ValueError("zero-size array")
+        found = a.flat[0]
+        for value in a.flat:
+            if value != value:  # NaN
+                return value
+            if better(value, found):
+                found = value
+        return found
+
+    def either(a: Any) -> Any:
+        raise NotImplementedError
+
+    def choose(a: Any) -> Function:
+        return extreme if isinstance(a, types.Array) and isinstance(a.dtype, types.Number) else of_others
+
+    extending.overload(either, strict=False)(choose)
+    return lambda a: either(a)
 
 
 REPLACED: dict[Any, Function] = {
@@ -124,6 +173,8 @@ REPLACED: dict[Any, Function] = {
     **{function: _finite(function) for function in (math.exp, math.expm1, math.cosh, math.sinh)},
     **{function: _whole(function) for function in (math.floor, math.ceil, math.trunc)},
     np.median: _median,
+    np.max: _extreme(operator.gt, lambda a: np.max(a)),
+    np.min: _extreme(operator.lt, lambda a: np.min(a)),
 }
 """What stands for functions of `math` and `np`."""
 CALLED: dict[Any, Function] = {
@@ -136,6 +187,11 @@ CALLED: dict[Any, Function] = {
 """What stands for builtins where they are called (`int` may also be the type of an array)."""
 DRAWN: dict[str, Function] = {"normal": normal, "exponential": exponential, "uniform": uniform, "integers": integers}
 """What stands for methods of `rng`."""
+EXTREMES: dict[str, Function] = {
+    "max": _extreme(operator.gt, lambda a: a.max()),
+    "min": _extreme(operator.lt, lambda a: a.min()),
+}
+"""What stands for methods of arrays where they are called without arguments."""
 
 
 class Operation(NamedTuple):

@@ -61,10 +61,10 @@ def take_scipy_for_granted() -> None:
             linalg.ensure_blas = look
 
 
-def teach(numba: Any, passes: Any) -> None:
-    """Look up what Numba does not know of a NamedTuple in its class; compile that by the pipelines of `passes`."""
+def teach(numba: Any, pipelines: Any) -> None:
+    """Look up what Numba does not know of a NamedTuple in its class; compile that by the pipelines given."""
     registry: Any = importlib.import_module("numba.core.registry")
-    passes.share_function_passes(registry.cpu_target.target_context.codegen())
+    pipelines.share_function_passes(registry.cpu_target.target_context.codegen())
     types, typeof, extending = numba.types, numba.typeof, numba.extending
     imputils: Any = importlib.import_module("numba.core.imputils")
     templates: Any = importlib.import_module("numba.core.typing.templates")
@@ -74,7 +74,7 @@ def teach(numba: Any, passes: Any) -> None:
     def part(function: FunctionType) -> Any:
         """The type of a method or helper, compiled with the options of the build in progress."""
         if function not in _parts:
-            pipeline = passes.JudgedPart if is_foreign(function) else passes.Part
+            pipeline = pipelines.JudgedPart if is_foreign(function) else pipelines.Part
             _parts[function] = numba.njit(pipeline_class=pipeline, forceinline=True, **_options)(function)
         return types.Dispatcher(_parts[function])
 

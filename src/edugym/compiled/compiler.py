@@ -273,7 +273,7 @@ def _compile(
     users_own = numba.config.CACHE_DIR
     try:
         numba.config.CACHE_DIR = str(folder) if folder else users_own
-        pipeline = importlib.import_module("edugym.compiled.passes").Whole
+        pipeline = importlib.import_module("edugym.compiled.pipelines").Whole
         caching = {"cache": folder is not None, "nogil": True, "no_cfunc_wrapper": True}
         made = numba.njit(pipeline_class=pipeline, **caching, **options)(loop)
     finally:
@@ -337,7 +337,7 @@ def _load_numba() -> Any:
         if not _taught:
             try:
                 take_scipy_for_granted()
-                teach(numba, importlib.import_module("edugym.compiled.passes"))
+                teach(numba, importlib.import_module("edugym.compiled.pipelines"))
                 _processor()
             except Exception as error:  # what may be missing, and how that shows, is Numba's business
                 _taught.append(f"{type(error).__name__}: {error}")
@@ -360,4 +360,5 @@ def _stand_ins() -> frozenset[FunctionType]:
     """The functions that passes put into code: checked ones that stand for Python's own, and what counts turns."""
     arithmetic: Any = importlib.import_module("edugym.compiled.arithmetic")
     turn: Any = importlib.import_module("edugym.compiled.turns").turn
-    return frozenset({*arithmetic.REPLACED.values(), *arithmetic.CALLED.values(), *arithmetic.DRAWN.values(), turn})
+    tables = arithmetic.REPLACED, arithmetic.CALLED, arithmetic.DRAWN, arithmetic.EXTREMES
+    return frozenset({turn, *(function for table in tables for function in table.values())})

@@ -1,21 +1,21 @@
 """What Numba does besides with code that is not the package's own: judge it, and put checked arithmetic into it.
 
-Two passes in Numba's pipeline. Before types are known: every variable must have a value wherever it is used, and
-functions of `math` and the like are replaced. Afterwards: every value must be of a type, and every operation of a kind,
-that machine code treats as Python does, and operators of whole numbers are replaced. See `edugym.compiled.subset` and
-`edugym.compiled.arithmetic`.
+These are passes in Numba's pipeline (`edugym.compiled.pipelines`). Before types are known: every variable must have a
+value wherever it is used, and functions of `math` and the like are replaced. Afterwards: every value must be of a type,
+and every operation of a kind, that machine code treats as Python does, and operators of whole numbers are replaced. See
+`edugym.compiled.subset` and `edugym.compiled.arithmetic`.
 """
 
 import importlib
 import math
 import operator
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from types import ModuleType
 from typing import Any
 
 import numpy as np
 
-from edugym.compiled.arithmetic import CALLED, CHECKED, DRAWN, REPLACED
+from edugym.compiled.arithmetic import CALLED, CHECKED, DRAWN, EXTREMES, REPLACED
 from edugym.compiled.subset import place, words
 from edugym.compiled.turns import count_turns
 
@@ -23,11 +23,7 @@ ir: Any = importlib.import_module("numba.core.ir")
 types: Any = importlib.import_module("numba.core.types")
 typing: Any = importlib.import_module("numba.core.typing")
 analysis: Any = importlib.import_module("numba.core.analysis")
-compiler: Any = importlib.import_module("numba.core.compiler")
-machinery: Any = importlib.import_module("numba.core.compiler_machinery")
 ir_utils: Any = importlib.import_module("numba.core.ir_utils")
-untyped_passes: Any = importlib.import_module("numba.core.untyped_passes")
-typed_passes: Any = importlib.import_module("numba.core.typed_passes")
 
 
 class Refused(Exception):
@@ -71,7 +67,7 @@ def _statements(func_ir: Any) -> Iterator[tuple[Any, Any]]:
             yield block, statement
 
 
-def _before_typing(state: Any) -> bool:
+def before_typing(state: Any) -> bool:
     """Refuse variables without a value, and replace functions."""
     _all_assigned(state.func_ir)
     for block, statement in _statements(state.func_ir):
@@ -90,7 +86,7 @@ def _before_typing(state: Any) -> bool:
     return True
 
 
-def _own_before_typing(state: Any) -> bool:
+def own_before_typing(state: Any) -> bool:
     """Let every `while` be stopped."""
     count_turns(state.func_ir, foreign=False)
     return True
@@ -114,11 +110,14 @@ def _entry(table: dict[Any, Any], value: Any) -> Any:
 
 
 def _replace_called(func_ir: Any, block: Any, statement: Any) -> None:
-    """Let a call of `int`, or of `rng.normal`, be a call of what stands for it."""
+    """Let a call of `int`, or of a method such as `rng.normal`, be a call of what stands for it."""
     call = statement.value
     definition = ir_utils.guard(ir_utils.get_definition, func_ir, call.func)
-    if isinstance(definition, ir.Expr) and definition.op == "getattr" and definition.attr in DRAWN:
-        function, before = DRAWN[definition.attr], [definition.value]
+    if isinstance(definition, ir.Expr) and definition.op == "getattr":
+        table = DRAWN if call.args or call.kws else {**DRAWN, **EXTREMES}
+        if definition.attr not in table:
+            return
+        function, before = table[definition.attr], [definition.value]
     elif isinstance(definition, ir.Global | ir.FreeVar) and (function := _entry(CALLED, definition.value)):
         before = []
         if definition.value is round and len(call.args) + len(call.kws) > 1:
@@ -168,7 +167,7 @@ def _all_assigned(func_ir: Any) -> None:
                 assigned.add(statement.target.name)
 
 
-def _after_typing(state: Any) -> bool:
+def after_typing(state: Any) -> bool:
     """Refuse types and operations, and replace operators."""
     kinds = state.typemap
     for _, statement in _statements(state.func_ir):
@@ -313,89 +312,3 @@ def _judge_operator(expr: Any, kinds: Any, calltypes: Any, loc: Any) -> None:
             expr.immutable_fn = operation.function
         del calltypes[expr]
         calltypes[expr] = typing.signature(operation.result, *operation.kinds)
-
-
-def _pass(name: str, work: Callable[[Any], bool], kind: str = "FunctionPass") -> Any:
-    """A pass as Numba has them."""
-    base = getattr(machinery, kind)
-    members = {
-        "_name": name,
-        "__init__": lambda self: base.__init__(self),
-        "run_pass": lambda self, state: work(state),
-    }
-    return machinery.register_pass(mutates_CFG=False, analysis_only=kind == "AnalysisPass")(
-        type(name, (base,), members)
-    )
-
-
-class _Unlinked:
-    """Numba's code generator for a part of a build, which goes into the whole and is never run by itself."""
-
-    def __init__(self, codegen: Any) -> None:
-        self._codegen = codegen
-
-    def __getattr__(self, name: str) -> Any:
-        return getattr(self._codegen, name)
-
-    def _add_module(self, module: Any) -> None:
-        """Nothing: only the whole is made machine code of."""
-
-
-def share_function_passes(codegen: Any) -> None:
-    """Optimise all functions by the same passes: new ones for each, as Numba takes them, cost 33 KB for ever.
-
-    (llvmlite does not free all of it, and a build has a hundred functions.)
-    """
-    passes = codegen._function_pass_manager()
-    codegen._function_pass_manager = lambda: passes
-
-
-def _before_lowering(state: Any) -> bool:
-    """Optimise the part, and make machine code of it, only within the whole.
-
-    By itself each would cost time, and megabytes for ever. (Its functions are optimised one by one all the same.)
-    """
-    flags = state.flags
-    flags.no_compile = flags.no_cpython_wrapper = flags.no_cfunc_wrapper = True
-    codegen = state.targetctx.codegen()
-    library = state.library = codegen.create_library(state.func_id.func_qualname)
-    library._codegen = _Unlinked(codegen)
-    library._optimize_final_module = lambda: None
-    library._finalize_specific = lambda: None
-    return False
-
-
-def _after_lowering(state: Any) -> bool:
-    lowered = state["cr"]
-    entry: Any = [].append  # by which Numba knows the part, in place of its address: some builtin that is like no other
-    state.targetctx.insert_user_function(entry, lowered.fndesc, [state.library])
-    state["cr"] = lowered._replace(cfunc=entry)
-    return False
-
-
-BEFORE_LOWERING = _pass("edugym_before_lowering", _before_lowering, "AnalysisPass")
-AFTER_LOWERING = _pass("edugym_after_lowering", _after_lowering, "AnalysisPass")
-BEFORE = _pass("edugym_before_typing", _before_typing)
-OWN_BEFORE = _pass("edugym_before_typing_of_own", _own_before_typing)
-AFTER = _pass("edugym_after_typing", _after_typing)
-
-
-def _pipeline(*, part: bool = True, judged: bool = False) -> Any:
-    """Numba's pipeline for a loop, or for a part of its build: a method or a helper."""
-
-    def define_pipelines(self: Any) -> list[Any]:
-        manager = compiler.DefaultPassBuilder.define_nopython_pipeline(self.state)
-        manager.add_pass_after(BEFORE if judged else OWN_BEFORE, untyped_passes.InlineClosureLikes)
-        if judged:
-            manager.add_pass_after(AFTER, typed_passes.NopythonTypeInference)
-        if part:
-            manager.add_pass_after(BEFORE_LOWERING, typed_passes.AnnotateTypes)
-            manager.add_pass_after(AFTER_LOWERING, typed_passes.NativeLowering)
-        manager.finalize()
-        return [manager]
-
-    return type("Pipeline", (compiler.CompilerBase,), {"define_pipelines": define_pipelines})
-
-
-Whole, Part, JudgedPart = _pipeline(part=False), _pipeline(), _pipeline(judged=True)
-"""The pipelines for a loop, for the package's own functions that it reaches, and for those of others."""

@@ -24,6 +24,8 @@ WORDS = (
     (r"Cannot unify (.+) and (.+) for .*", r"one name stands for values of two types, \1 and \2"),
     (r"Unsupported array index type (\S+) in .*", r"an index of an array is of type \1"),
     (r">>> NumPyRandomGeneratorType_(\w+)\(.*array\(.*", r"rng.\1 draws an array of numbers: draw them one by one"),
+    (r">>> _drawn\(.*array\(.*", "rng.integers draws an array of numbers: draw them one by one"),
+    (r">>> _drawn\(.*", "rng.integers takes whole numbers, but was given something else"),
     (r"Argument (\w+) is not one of the expected type.*", r"\1 is of a type that Numba does not take"),
     (r"(Cannot bind|missing a required|got an unexpected) .*", "a call has other arguments than Numba takes"),
     (r"Type of variable .* cannot be determined.*", "Numba cannot tell the type of a value"),
