@@ -1,6 +1,6 @@
 """Tables of action values: how large they are, how to read them, and the target of a one-step update.
 
-The loops run over single entries instead of slicing a row: compiled, that is five times as fast.
+One loop over single entries finds the best action, counts its equals and draws among them, and makes no new array.
 """
 
 import math
