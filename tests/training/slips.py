@@ -94,6 +94,10 @@ IN_MDP = {
         "self.sise",
         AttributeError,
     ),
+    "a typo in a space": Slip("spaces.Discrete(2)", "space.Discrete(2)", "space", "space.Discrete(2)", NameError),
+    "an attribute that a space needs": Slip(
+        "spaces.Discrete(2)", "spaces.Discrete(self.n)", "'n'", "spaces.Discrete(self.n)", AttributeError
+    ),
     "a half step limit": Slip(
         LIMIT, f"    max_steps = property(lambda self: 2.5)\n\n{LIMIT}", "max_steps must be a whole"
     ),
