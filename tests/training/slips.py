@@ -310,6 +310,7 @@ def answered(slip: Slip, call: Callable[[], Any]) -> None:
     assert re.search(slip.says, str(error)), str(error)
     assert "\n" not in str(error)
     assert error.__suppress_context__ or error.__context__ is None
+    assert error.__cause__ is None
     frames = traceback.extract_tb(error.__traceback__)
     ours = [frame for frame in frames if frame.filename.startswith(PACKAGE) or frame.filename == "<string>"]
     assert len(ours) <= 1, frames
