@@ -2,10 +2,10 @@
 
 import subprocess
 import sys
+from typing import Any
 
 import pytest
-from numba.core import ir
-from numba.core.compiler import run_frontend
+from numba.core import compiler, ir
 
 from edugym.compiled.turns import count_turns
 
@@ -47,9 +47,12 @@ def loops(n: int) -> int:
 @pytest.mark.parametrize(("foreign", "lines"), [(True, [5, 8]), (False, [0])])
 def test_which_loops_count(foreign: bool, lines: list[int]) -> None:
     """A student's `for` with a loop inside as well, each with its line; the package's only where the end is open."""
-    function = run_frontend(loops)
+    frontend: Any = compiler.run_frontend
+    function = frontend(loops)
     count_turns(function, foreign)
-    assigned = [one for block in function.blocks.values() for one in block.body if isinstance(one, ir.Assign)]
+    assigned: list[Any] = [
+        one for block in function.blocks.values() for one in block.body if isinstance(one, ir.Assign)
+    ]
     given = [one.value.value for one in assigned if one.target.name.startswith("$line")]
     assert sorted(line and line - loops.__code__.co_firstlineno for line in given) == lines
     called = [one.value.value.__name__ for one in assigned if one.target.name.startswith("$turn.")]
