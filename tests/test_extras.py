@@ -2,6 +2,8 @@
 
 import ast
 import re
+import subprocess
+import sys
 import tomllib
 from collections.abc import Callable
 from pathlib import Path
@@ -26,6 +28,24 @@ pytest.importorskip("torch")
 from edugym.deep.baselines import _class
 from edugym.deep.repeated import repeat_deep
 
+LIBRARIES = ["matplotlib", "pandas", "scipy", "joblib", "PIL", "pygame", "numba", "torch", "IPython", "ipywidgets"]
+LOADING = f"""
+import importlib, pkgutil, sys
+sys.modules |= dict.fromkeys({LIBRARIES})
+import edugym
+for module in pkgutil.walk_packages(edugym.__path__, "edugym.", onerror=lambda name: None):
+    try:
+        module.name.endswith("__main__") or importlib.import_module(module.name)
+    except Exception:
+        print(module.name)
+"""
+NEED_ONE = {
+    *(f"edugym.compiled.{name}" for name in ("arithmetic", "generators", "passes", "pipelines", "turns")),
+    *(f"edugym.deep.{name}" for name in ("baselines", "curves", "ppo", "vec_env")),
+    "edugym.lessons.dimensionality.layers",
+    "edugym.notebook",
+}
+"""The modules that are about a library, and are imported where that is there."""
 ROOT = Path(__file__).parents[1]
 PACKAGES = {"PIL": "matplotlib", "sb3_contrib": "sb3-contrib"}
 """What brings a library whose name is another one."""
@@ -39,6 +59,12 @@ def packages_of(extra: str) -> set[str]:
         inside = re.match(r"edugym\[(.*)\]", line)
         found |= set().union(*map(packages_of, inside[1].split(","))) if inside else {re.split("[>=<]", line)[0]}
     return found
+
+
+def test_modules_load_where_no_extra_is_installed() -> None:
+    """Plotting, results and lessons ask for a library when they need it, so that the sentence can be said."""
+    done = subprocess.run([sys.executable, "-c", LOADING], capture_output=True, text=True, check=True)
+    assert set(done.stdout.split()) == NEED_ONE
 
 
 def test_an_extra_brings_what_it_is_named_for() -> None:

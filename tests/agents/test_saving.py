@@ -267,6 +267,7 @@ def test_values_of_a_file_are_checked(fields: dict[str, Any], reason: str, tmp_p
     with pytest.raises(ValueError, match=f"cannot be loaded: .*{reason}") as caught:
         load(path)
     assert caught.value.__suppress_context__
+    assert caught.value.__cause__ is None
 
 
 def test_what_could_not_be_loaded_is_not_saved(tmp_path: Path) -> None:

@@ -2,8 +2,12 @@
 
 import subprocess
 import sys
+from typing import Any
 
 import pytest
+from numba.core import compiler, ir
+
+from edugym.compiled.turns import count_turns
 
 EXPECTED = {
     "training": ["in the loop at line 37 of your code", "False True 0.0", "Timeout", "False"],
@@ -25,3 +29,31 @@ def test_what_never_ends_can_be_stopped(how: str) -> None:
         check=False,
     )
     assert (done.stdout.splitlines(), done.stderr) == (EXPECTED[how], "")
+
+
+def loops(n: int) -> int:
+    """A short loop, a loop with one inside, and one that may never end."""
+    total = 0
+    for k in range(n):
+        total += k
+    for k in range(n):
+        for j in range(n):
+            total += j * k
+    while total > n:
+        total -= n
+    return total
+
+
+@pytest.mark.parametrize(("foreign", "lines"), [(True, [5, 8]), (False, [0])])
+def test_which_loops_count(foreign: bool, lines: list[int]) -> None:
+    """A student's `for` with a loop inside as well, each with its line; the package's only where the end is open."""
+    frontend: Any = compiler.run_frontend
+    function = frontend(loops)
+    count_turns(function, foreign)
+    assigned: list[Any] = [
+        one for block in function.blocks.values() for one in block.body if isinstance(one, ir.Assign)
+    ]
+    given = [one.value.value for one in assigned if one.target.name.startswith("$line")]
+    assert sorted(line and line - loops.__code__.co_firstlineno for line in given) == lines
+    called = [one.value.value.__name__ for one in assigned if one.target.name.startswith("$turn.")]
+    assert called == ["turn"] * len(lines)

@@ -88,6 +88,16 @@ def test_observations(entry: Entry, data: st.DataObject) -> None:
 
 
 @every_corner
+def test_what_the_mdp_itself_shows(entry: Entry, keywords: Keywords) -> None:
+    """Whole numbers where its space has whole numbers, and else real ones; the environment only takes them over."""
+    mdp, rng = entry.load()(**keywords).mdp, np.random.default_rng(0)
+    seen = np.asarray(mdp.observation(mdp.initial(rng), rng))
+    space = mdp.observation_space
+    assert seen.shape == space.shape
+    assert (seen.dtype.kind in "iu") == (space.dtype.kind in "iu")
+
+
+@every_corner
 def test_seeds(entry: Entry, keywords: Keywords) -> None:
     """A seed repeats everything after it; where there is chance, different seeds differ, and elsewhere they do not."""
 

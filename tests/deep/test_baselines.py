@@ -7,6 +7,8 @@ import pytest
 import torch
 
 from edugym.deep import stable_baselines3_run
+from edugym.deep.baselines import _policy
+from edugym.deep.curves import Curve
 from edugym.training.run import Run
 
 FEW: dict[str, dict[str, Any]] = {
@@ -31,6 +33,20 @@ def test_every_algorithm_gives_a_run(algorithm: str) -> None:
     assert np.array_equal(runs[0].training_returns, runs[1].training_returns, equal_nan=True)
     assert set(np.unique(runs[0].returns * 3)) <= {-3.0, -1.0, 1.0, 3.0}
     assert torch.get_num_threads() == threads
+
+
+def test_the_seed_decides_which_episodes_evaluate() -> None:
+    """A network that learns next to nothing plays those of a curve with this seed, and not those of another."""
+    still: dict[str, Any] = {"learning_rate": 1e-12, "n_steps": 4, "evaluate_every": 8, "evaluation_episodes": 3}
+    run = stable_baselines3_run("Tamagotchi", "A2C", 8, num_envs=2, seed=3, **still)
+
+    def evaluated(seed: int) -> list[float]:
+        curve = Curve("Tamagotchi", {}, lambda: _policy(run.agent, False), 8, 3, seed)
+        curve.measure(0)
+        returns: list[float] = curve.run(run.agent, 8, seed).returns.tolist()
+        return returns
+
+    assert run.returns.tolist() == evaluated(3) != evaluated(0)
 
 
 def test_parameters_and_own_policies() -> None:

@@ -61,6 +61,31 @@ def test_each_step_is_learned_from_so_many_times(norm: float, stepped: float, mo
     assert [rate for _, rate in steps] == [0.125] * 6
 
 
+@pytest.mark.parametrize("seed", [3, 4])
+def test_the_seed_decides_which_episodes_are_played(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """In training, and in evaluation: a network that learns nothing plays those of a curve with this seed."""
+    first, play = [], PPO.play
+
+    def watched(self: PPO, env: Any, net: ActorCritic, observations: Any, *rest: Any) -> Any:
+        first.append(observations.tolist())
+        return play(self, env, net, observations, *rest)
+
+    monkeypatch.setattr(PPO, "learn", lambda *given: None)
+    monkeypatch.setattr(PPO, "play", watched)
+    run = PPO.create("Catch", **SMALL).train(10, evaluate_every=10, evaluation_episodes=40, seed=seed)
+
+    def evaluated(with_seed: int) -> list[float]:
+        curve = Curve("Catch", {}, lambda: run.agent.greedy, 10, 40, with_seed)
+        curve.measure(0)
+        curve.measure(10)
+        returns: list[float] = curve.run(run.agent, 10, with_seed).returns.tolist()
+        return returns
+
+    assert run.returns.tolist() == evaluated(seed) != evaluated(0)
+    starts = [copies("Catch", 2, {}).reset(seed=number)[0].tolist() for number in (seed, 0)]
+    assert first == [starts[0]] != [starts[1]]
+
+
 def always_right(discount: float, max_steps: int) -> tuple[ActorCritic, list[Tensor], Any]:
     """What two copies that walk to the right play in four steps, where each place has another value."""
     environment = MDPEnv(Walk(max_steps=max_steps))

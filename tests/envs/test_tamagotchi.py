@@ -131,6 +131,11 @@ def test_what_it_wants() -> None:
         ((0, 0, 0, 0), {PLAY: 0.25, SLEEP: 0.25, FEED: 0.25, CLEAN: 0.25}),
     ):
         assert distribution(mdp, variables, "wanted") == pytest.approx(chances)
+    for levels in itertools.product((10, 40, 70), repeat=4):  # in every order, also where a higher level comes first
+        variables = (levels[0], levels[1], levels[2], levels[3])
+        lowest = [need for need in range(4) if variables[need] == min(variables)]
+        chances = dict.fromkeys(lowest, 1 / len(lowest))
+        assert distribution(mdp, variables, "wanted") == pytest.approx(chances), variables
     starts = [mdp.initial(np.random.default_rng(seed)).wanted for seed in range(2_000)]
     assert stats.chisquare(np.bincount(starts, minlength=4)).pvalue > 0.001
 

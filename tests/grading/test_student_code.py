@@ -21,6 +21,8 @@ def run(code: str, **names: Any) -> str:
     exec(compile(code, "<cell>", "exec"), namespace)
     with pytest.raises(WrongAnswer) as caught, running("f()"):
         namespace["f"]()
+    assert caught.value.__suppress_context__
+    assert caught.value.__cause__ is None  # one sentence, and no chain of tracebacks
     return str(caught.value)
 
 

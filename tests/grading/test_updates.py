@@ -14,7 +14,7 @@ from edugym.exercises.on_off_policy import TWO_POLICIES
 from edugym.exercises.stochasticity import TWO_WEIGHTS
 from edugym.grading import WrongAnswer, updates
 from edugym.grading.one_step import Q_LEARNING
-from edugym.grading.updates import Update
+from edugym.grading.updates import Transition, Update
 
 SIZE = (5, 3)
 RIGHT = {"learning_rate": 0.25, "discount": 0.75}
@@ -107,6 +107,29 @@ def test_no_two_mistakes_look_the_same(name: str, seed: int) -> None:
         flat = {said: row for said, row in flat.items() if not said.startswith(ALIKE_WITH[size[1]])}
         for (one, first), (two, second) in combinations(flat.items(), 2):
             assert not np.allclose(first, second, equal_nan=True), (one, two)
+
+
+def kind(step: Transition) -> str:
+    """What is special about a transition."""
+    special = {"terminated": step.terminated, "truncated": step.truncated, "stays": step.state == step.next_state}
+    return " ".join(name for name, so in special.items() if so) or "ordinary"
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_cases_are_of_every_kind(seed: int) -> None:
+    """The first is the simplest, for it is in the sentence where all fail; one case repeats a pair."""
+    cases = [case.transitions for case in Q_LEARNING.cases(SIZE, seed)]
+    assert [[kind(step) for step in case] for case in cases] == 4 * [
+        ["ordinary"],
+        ["terminated"],
+        ["truncated"],
+        ["stays"],
+        ["ordinary"] * 3,
+        ["ordinary", "ordinary", "truncated", "terminated"],
+    ]
+    for first, second, third in cases[4::6]:
+        assert first == second
+        assert third == first._replace(reward=0.0) != first
 
 
 @pytest.mark.parametrize("sentence", Q_LEARNING.mistakes)

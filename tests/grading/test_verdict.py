@@ -34,6 +34,7 @@ def test_a_wrong_answer_raises_a_sentence() -> None:
     with pytest.raises(WrongAnswer, match="raises TypeError: unsupported") as caught:
         check(exercise, "3")
     assert caught.value.__suppress_context__
+    assert caught.value.__cause__ is None
     with pytest.raises(ValueError, match="seed must be 0 or more"):
         check(exercise, 2, seed=-1)
 

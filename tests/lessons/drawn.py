@@ -46,6 +46,8 @@ def panel(ax: Any) -> Iterator[str]:
         those = [*group]
         places = numbers([x for text in those for x in text.get_position()])
         yield f"  {kind} at {places}: {' | '.join(text.get_text() for text in those)!r}"
+    if legend := ax.get_legend():
+        yield f"  legend in the panel: {[text.get_text() for text in legend.get_texts()]}"
 
 
 def described(artist: Any) -> str:

@@ -137,6 +137,8 @@ def test_tasks_that_observe_something_else() -> None:
         Discretised.create(make_mdp("Boulder"), 3)
     with pytest.raises(ValueError, match="low must be given for a task that observes numbers without bounds: low="):
         Discretised.create(Shows(-np.inf, np.inf), 3)
+    with pytest.raises(ValueError, match="high must be given for a task that observes numbers without bounds: high="):
+        Discretised.create(Shows(), 3, high=[1.0, np.inf])
 
 
 def test_actions() -> None:

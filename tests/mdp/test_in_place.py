@@ -98,6 +98,12 @@ def test_a_subclass_that_overrides_observation_alone() -> None:
     assert out.max() == 0.5
 
 
+def test_a_task_that_writes_is_left_as_it_is() -> None:
+    """It makes no array at a step, as a wrapper around its `observation` would."""
+    for mdp, _ in TASKS:
+        assert (in_place(mdp) is mdp) == hasattr(mdp, "observe_into")
+
+
 def test_a_tuple_space_is_one_row() -> None:
     """As in `Tabular`."""
     task: Any = Pair()

@@ -124,6 +124,15 @@ def test_shapes_in_the_picture_stay_as_they_are() -> None:
     ]
 
 
+def test_a_line_that_leaves_the_picture_comes_back() -> None:
+    """Of a line the far parts are left out, and all that come after them in the picture are drawn."""
+    way = ((1, 1), (90, 1), (90, 90), (2, 90), (2, 3), (4, 3))
+    bits: list[Any] = list(visible(Scene(10, 10, (Line(way, colour=RED, line_width=0.5, glyph="#"),))))
+    points = [np.round(bit.points, 6).tolist() for bit in bits]
+    assert points == [[[1, 1], [30, 1]], [[2, 30], [2, 3]], [[2, 3], [4, 3]]]
+    assert {(bit.colour, bit.line_width, bit.glyph) for bit in bits} == {(RED, 0.5, "#")}
+
+
 @pytest.mark.parametrize("pen", [0.5, None])
 @pytest.mark.parametrize(("across", "down"), [(-1, 0), (1, 0), (0, -1), (0, 1)])
 @pytest.mark.parametrize(

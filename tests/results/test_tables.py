@@ -95,6 +95,16 @@ def test_averages_over_training() -> None:
         RESULTS.average("1", "episodes")
 
 
+def test_runs_that_have_not_begun() -> None:
+    """The first of three has no point yet: its value is NaN, and the others stay in their places."""
+    begun = Results(RESULTS.table[RESULTS.table["repetition"] != 0])
+    equal(begun.final("1"), [NAN, 6, NAN])
+    equal(begun.at("1", 10), [NAN, 2, NAN])
+    equal(begun.late("1", 2), [NAN, 4, NAN])
+    equal(begun.average("1"), [NAN, 100 / 30, NAN])
+    equal(begun.average("NA", "training_return"), [NAN, 3.75, NAN])
+
+
 def test_means_shares_and_differences() -> None:
     """At the end, or over training; a run without a value does not count, and a value at the threshold does."""
     assert RESULTS.mean("1")[0::3] == (7, 2)

@@ -94,6 +94,10 @@ IN_MDP = {
         "self.sise",
         AttributeError,
     ),
+    "a typo in a space": Slip("spaces.Discrete(2)", "space.Discrete(2)", "space", "space.Discrete(2)", NameError),
+    "an attribute that a space needs": Slip(
+        "spaces.Discrete(2)", "spaces.Discrete(self.n)", "'n'", "spaces.Discrete(self.n)", AttributeError
+    ),
     "a half step limit": Slip(
         LIMIT, f"    max_steps = property(lambda self: 2.5)\n\n{LIMIT}", "max_steps must be a whole"
     ),
@@ -306,6 +310,7 @@ def answered(slip: Slip, call: Callable[[], Any]) -> None:
     assert re.search(slip.says, str(error)), str(error)
     assert "\n" not in str(error)
     assert error.__suppress_context__ or error.__context__ is None
+    assert error.__cause__ is None
     frames = traceback.extract_tb(error.__traceback__)
     ours = [frame for frame in frames if frame.filename.startswith(PACKAGE) or frame.filename == "<string>"]
     assert len(ours) <= 1, frames

@@ -72,7 +72,7 @@ def test_slips_in_an_mdp_that_is_played(name: str) -> None:
             env.step(0)
 
     def played_copies() -> None:
-        envs = MDPVectorEnv(MDPEnv(mdp), 3)
+        envs = MDPVectorEnv(mdp, 3)
         envs.reset(seed=0)
 
     answered(slip, played)

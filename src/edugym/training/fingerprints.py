@@ -190,7 +190,7 @@ def _name(thing: Any) -> str:
 def _version(package: str) -> str:
     try:
         return version(package)
-    except (PackageNotFoundError, ValueError):  # numba where there is no compiler, or a module of Python's own
+    except PackageNotFoundError:  # numba where there is no compiler, or a module of Python's own
         return ""
 
 
