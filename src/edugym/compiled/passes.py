@@ -225,7 +225,7 @@ def _all_assigned(func_ir: Any) -> None:
 def after_typing(state: Any) -> bool:
     """Refuse types and operations, and replace operators."""
     kinds = state.typemap
-    for _, statement in _statements(state.func_ir):
+    for block, statement in _statements(state.func_ir):
         if isinstance(statement, ir.Assign):
             _judge_type(kinds[statement.target.name], statement.loc)
             _judge_flag(statement.value, kinds, kinds[statement.target.name], statement.loc)
@@ -239,7 +239,29 @@ def after_typing(state: Any) -> bool:
             target, value = kinds[statement.target.name], kinds[statement.value.name]
             if isinstance(target, types.Array):
                 _judge_stored(target, value, statement.loc)
+            if isinstance(value, types.Array) and _puts_back(state.func_ir, statement):
+                block.body.remove(statement)  # for which memory and reference counts would be needed
     return True
+
+
+def _puts_back(func_ir: Any, statement: Any) -> bool:
+    """Whether it is the second half of `E[:] *= 0.9`: it puts a part of an array, changed in place, where it is."""
+
+    def definition(variable: Any) -> Any:
+        return ir_utils.guard(ir_utils.get_definition, func_ir, variable)
+
+    def place(item: Any) -> tuple[Any, Any]:
+        taken = isinstance(item, ir.Expr)
+        known = item.op == "static_getitem" if taken else isinstance(item, ir.StaticSetItem)
+        return definition(item.value if taken else item.target), definition(item.index_var if known else item.index)
+
+    changed = definition(statement.value)
+    if not (isinstance(changed, ir.Expr) and changed.op == "inplace_binop"):
+        return False
+    part = definition(changed.lhs)
+    if not (isinstance(part, ir.Expr) and part.op in ("getitem", "static_getitem")):
+        return False
+    return all(one is not None and one is other for one, other in zip(place(part), place(statement), strict=True))
 
 
 def _judge_type(kind: Any, loc: Any) -> None:
