@@ -39,6 +39,9 @@ COMPILED = {
         "return 0.5 * s + self.max() + self.min(2.0)",
         more="def max(self): return self.x\ndef min(self, y): return y"),
     "softmax": program("p = np.exp(self.Q[0] - np.max(self.Q[0]))\np = p / np.sum(p)\nself.Q[0, 0] += p[0] - s\nreturn p[1]", **Q),
+    "parts in place": program(
+        "i = int(s) % 9\nself.Q[i] *= 0.5\nself.Q[i:, 1] += s\nself.Q[::-2, ::-1] -= 1\nself.Q[-1][:] /= 4\nself.Q[i], i = self.Q[3], 2\n"
+        "row = self.Q[i]\nrow += 1\nself.Q[i + 1] = row\nrow -= 2\nself.Q[i] = row\nreturn (s + abs(self.Q[4, 1])) % 100", **Q),
     "row in place": program("self.Q[0] *= 0.5\nself.Q[:] += 0.25\nreturn self.Q.sum()", **Q),
     "normal": program("return rng.normal(0.5 * s, 2.0) + rng.exponential(3.0) + rng.normal()"),
     "draws of all kinds": program(
@@ -63,6 +66,20 @@ COMPILED = {
         "thing =", "made = {}\nexec('def g(self, x): return 0.25 * x + self.x', made)\nT.g = made['g']\nthing ="),
     "max of whole and real": program("return max(int(s), 0.5, s) + min(1, rng.random())"),
     "unset in no way": program("if s > 5:\n    y = 1.0\nelse:\n    y = 2.0\nreturn (s + y) % 9"),
+    "types of Python for arrays": program(
+        "a, b, c = np.zeros(3, int), np.ones((2, 2), dtype=float), np.full(2, True, dtype=bool)\na[1] += int(s)\n"
+        "return (a[1] / 3 + b[1, 1] + c[0] * 2.0 + rng.integers(0, 5, dtype=int) + rng.integers(4, size=(2, 2))[1, 1]) % 7"),
+    "clip": program("x = np.clip(s, 0, math.nan)\nreturn np.clip(s + 0.75, -1, 5) + np.clip(int(s), 1, 3) / 2 + (x == x) + np.clip(2.5, a_min=7, a_max=s)"),
+    "fields left out": program(
+        "return S(s.x + 1, key=s.key or s.x > 9) if s == S(3.0) or s.key else S(s.x + s.k * 0.5)",
+        before="class S(NamedTuple):\n    x: float\n    k: int = 1\n    key: bool = False", start="S(0.0)"),
+    "numbered from one": program("for i, x in enumerate(self.Q[0], start=1): s += i * x + 0.25\nreturn s", **Q),
+    "module with a function named as a draw": program(
+        "return 0.5 * s + (m.normal(2.0) if s < 9 else m.max())",
+        before="import types\nm = types.ModuleType('m')\nexec('def normal(x, scale=3.0): return x * scale\\ndef max(): return 2.5', m.__dict__)"),
+    "elif without else": program(
+        "return s + self.Q[self.transition(int(s) % 2), 1] + 1",
+        more="def transition(self, action):\n    if action == 0:\n        return 3\n    elif action == 1:\n        return 4", **Q),
     "modulo": program("return (-7 + int(s)) // 3 + (-7 - int(s)) % 3 + (s + 1) % 5"),
 }  # fmt: skip
 """Programs that are to compile, and to be the same."""
@@ -93,6 +110,7 @@ RAISE = {
     "second index": program("self.Q[0, int(s / 350)] += 1\nreturn s + 1", **Q),
     "row index": program("q = self.Q[3]\nq[int(s / 350)] += 1\nreturn s + 1", **Q),
     "assertion": program("assert s < 700, 'too late'\nreturn s + 1"),
+    "not implemented": program("if s > 700: raise NotImplementedError\nreturn s + 1"),
     "error of the author": program("if s > 700: raise ValueError('late')\nreturn s + 1"),
     "list index": program("a = [1.0, 2.0]\nreturn s + a[int(s / 350)]"),
     "tuple index": program("return s + (1, 2)[int(s / 350)]"),
@@ -133,6 +151,9 @@ SURPRISES = {
     "largest of a list": program("return s + np.max([1.5, 0.5]) + np.min((1, 2))"),
     "largest of rows": program("self.Q[0] += 0.5\nreturn s + np.max(self.Q, axis=0)[1] + self.Q.min(1)[0]", **Q),
     "largest by name": program("return s + np.max(a=self.Q) + 1", **Q),
+    "nothing returned": program(
+        "k = self.act(s)\nreturn s + 1 if k is None else s + k", more="def act(self, s):\n    if s < 500: return 2"
+    ),
     "sum in an array": program("self.N[0] += 2 ** 61\nreturn self.N[0] % 7 + 0 * s", **N),
 }
 """Programs in which Python goes on where machine code cannot."""
@@ -223,6 +244,10 @@ REFUSED = {
         program("return g(s)", before="def make(h):\n    def g(x):\n        h[0] += 1\n        return x + h[0]\n    return g\ng = make(np.zeros(1))"), "an array that is not its own"),
     "plain object": (program("return s + self.o.k", "o: object", "O()", before="class O:\n    k = 1\n    def __eq__(self, other): return True"), "NamedTuple"),
     "real in an array of whole numbers": (program("self.N[0] += 0.5\nreturn s + self.N[0]", **N), "whole"),
+    "generator expression": (program("return s + sum(x > 0 for x in self.Q[0])", **Q), "it has ... for ... in ... without [ ]"),
+    "lambda": (program("return s + max(range(2), key=lambda a: self.Q[0, a])", **Q), "a lambda"),
+    "list of all kinds": (program("k = [1.0, 2, 'x'][0]\nreturn s + k"), "a list of other things"),
+    "array left out of a state": (program("return s + S(1).q[0]", before="class S(NamedTuple):\n    x: int\n    q: np.ndarray = np.zeros(2)"), "it makes a S without q"),
     "set made": (program("return s + len({1, 2, int(s)})"), "set"),
     "dict made": (program("d = {1: s}\nreturn s + d[1] + 1"), "dict"),
     "nested function": (program("def g(x): return x + 1\nk = g\nreturn k(s)"), None),

@@ -26,8 +26,8 @@ def test_reasons() -> None:
         ),
         ("return s + 1 if s < 3 else (1, 2)", "one name stands for values of two types, float and tuple "),
         ("a, *b = (s, 1, 2)\n        return a", "it has a statement that Numba does not know, UNPACK_EX "),
-        ("return s + A.T", "it takes T from the class A "),
-        ("return s + np.array((s, s), dtype=float)[0]", r"Numba has no array\(tuple, dtype=float\) "),
+        ("return s + A.T", "it takes T from the class A: take it from a value, as in self.T "),
+        ("return s + np.array((s, s), dtype=complex)[0]", r"Numba has no array\(tuple, dtype=complex\) "),
         (
             "t = (1.5, s > 3)\n        for i in range(2): s += t[i]\n        return s",
             r"a tuple with values of several types can be indexed only by a constant, as in t\[0\] \(",
@@ -42,12 +42,31 @@ def test_reasons() -> None:
         ("return s + rng.integers(np.array([3, 4]))[0]", "rng.integers draws an array of numbers"),
         ("return s + rng.integers(2.5)", "rng.integers takes whole numbers, but was given something else "),
         ("return s + np.zeros(3)[0.5]", "an index of an array is of type float "),
+        ("return s + rng.integers(3, dtype=np.int8)", "rng.integers draws numbers of another type than int "),
+        ("return s + np.max([s, 1.0])", r"Numba has no np.max\(list\) "),
+        (
+            "a = np.zeros(2)\n        a[:] = s, True\n        return a[0]",
+            "it puts values of several types in an array at",
+        ),
+        ("for x in (1, 2.5): s += x\n        return s", "it loops over values of several types, tuple "),
+        ("return s + Colour.RED", "it computes with Colour as if it were float: write .value "),
+        ("return s + Colour(int(s))", "Numba cannot call Colour with int "),
+        ("return self._replace(k=2).k", "it uses _replace of a value of type A: make a new one of all fields "),
     ):
-        thing = cell(f"class A(NamedTuple):\n    k: int\n    def f(self, s, rng):\n        {method}")["A"](1)
+        colours = "class Colour(enum.IntEnum):\n    RED = 0\n"
+        thing = cell(f"{colours}class A(NamedTuple):\n    k: int\n    def f(self, s, rng):\n        {method}")["A"](1)
         with pytest.raises(CompilationError, match=words) as caught:
             compiled(plain_loop, 1, thing, np.random.default_rng(0))
         assert "\n" not in str(caught.value)
         assert ", line " in str(caught.value)
+
+
+def test_the_innermost_line() -> None:
+    """Of a method that calls one that calls one the line is named at which something cannot be compiled."""
+    lines = "def f(self, s, rng): return self.g(s)", "def g(self, s): return self.h(s)", "def h(self, s): return len(s)"
+    thing = cell("class A(NamedTuple):\n    k: int\n    " + "\n    ".join(lines))["A"](1)
+    with pytest.raises(CompilationError, match=r"Numba has no len\(float\) \(.*, line 5\)"):
+        compiled(plain_loop, 1, thing, np.random.default_rng(0))
 
 
 @pytest.mark.parametrize(
@@ -115,7 +134,10 @@ NOTHING = code_of(plain_loop, ())
             "Unknown attribute 'choice' of type NumPyRandomGeneratorType(x)",
             "it uses rng's choice: draw an index instead, int(rng.random() * n)",
         ),
-        ("Unknown attribute 'T' of type class(<class '__main__.A'>)", "it takes T from the class A"),
+        (
+            "Unknown attribute 'T' of type class(<class '__main__.A'>)",
+            "it takes T from the class A: take it from a value, as in self.T",
+        ),
         ("Unknown attribute 'k' of type array(float64, 2d, C)", "it uses k of a value of type array"),
         (
             "TypingError: Cannot unify Literal[int](3) and OptionalType(float64) for 'x.2', defined at a (3)",
@@ -126,7 +148,10 @@ NOTHING = code_of(plain_loop, ())
         ("Cannot bind to (a, b)", "a call has other arguments than Numba takes"),
         ("missing a required argument: 'b'", "a call has other arguments than Numba takes"),
         ("got an unexpected keyword argument 'b'", "a call has other arguments than Numba takes"),
-        ("Type of variable 'x' cannot be determined, operation: y", "Numba cannot tell the type of a value"),
+        (
+            "Type of variable 'x' cannot be determined, operation: y",
+            "Numba cannot tell the type of a value, as after := or case",
+        ),
         ("Use of unsupported opcode (UNPACK_EX) found", "it has a statement that Numba does not know, UNPACK_EX"),
         (
             "No implementation of function\n >>> sorted(UniTuple(float64 x 2), Function(<class 'bool'>))",

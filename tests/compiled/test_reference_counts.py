@@ -29,6 +29,8 @@ def test_an_array_that_is_given_back_needs_counts(monkeypatch: pytest.MonkeyPatc
 EVERYDAY = """x = self.t.max() + self.t.min() + np.max(self.t) + np.min(self.t) + max(self.t) + np.argmax(self.t)
         self.t[self.t.argmax()] += rng.integers(3) + rng.integers(1, 3) + rng.integers(low=0, high=9, endpoint=True)
         self.t[0] = self.t.sum() + np.mean(self.t) + np.dot(self.t, self.t) + rng.normal() + rng.uniform(0, 1)
+        self.t[:] *= 0.9
+        self.t[int(s) % 3 :] += np.clip(x, 0, 1) + rng.integers(3, dtype=int)
         return s + x"""
 """What students write in every agent."""
 

@@ -11,7 +11,7 @@ from edugym.lessons.own_problem import WithBonus
 from edugym.mdp.checking import CheckedMDP, checked_mdp
 from edugym.training.checking import CheckedAgent, checked_agent, shared_by_class, students_parts
 from edugym.training.contract import GreedyActor, learner
-from edugym.training.guarded import GUARDS, FiniteRewards, RowsOfATable, guarded
+from edugym.training.guarded import GUARDS, ActionsOfASpace, FiniteRewards, RowsOfATable, guarded
 from tests.training.tasks import Stairs, StudentsQLearning
 
 RNG = np.random.default_rng(0)
@@ -91,12 +91,15 @@ def test_only_the_first_steps_are_checked_in_every_way() -> None:
 def test_checks_are_next_to_the_students_task() -> None:
     """Inside the package's wrappers, whose classes no message should blame; guards, which say less, are left out."""
     student = Stairs()
-    assert [type(part) for part in (guarded(student), guarded(student).mdp)] == [FiniteRewards, RowsOfATable]
-    for outside in (student, guarded(student)):
+    own, mine = QLearning.create(Stairs()), StudentsQLearning(np.zeros((4, 2)))
+    inner = guarded(student, own)
+    assert [type(part) for part in (inner, inner.mdp)] == [FiniteRewards, RowsOfATable]
+    assert type(guarded(student, mine)) is ActionsOfASpace
+    for outside in (student, inner, guarded(student, mine)):
         checked = checked_mdp(outside, instead_of=GUARDS)
         assert type(checked) is CheckedMDP
         assert checked._mdp is student
-    wrapped = checked_mdp(guarded(WithBonus(student, 3.0)), instead_of=GUARDS)
+    wrapped = checked_mdp(guarded(WithBonus(student, 3.0), mine), instead_of=GUARDS)
     assert type(wrapped) is WithBonus
     assert type(wrapped.mdp) is CheckedMDP
 

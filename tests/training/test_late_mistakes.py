@@ -57,13 +57,15 @@ def test_rare_mistakes_in_an_mdp(name: str, way: str) -> None:
         train(walk(source), QLearning.create((6, 2)), N_STEPS, seed=2)
 
 
-@pytest.mark.parametrize("way", OUTSIDE)
+@pytest.mark.parametrize(
+    ("way", "action"), [("machine code", "2"), ("machine code", "-1"), ("machine code", "None"), ("interpreted", "2")]
+)
 @pytest.mark.filterwarnings("ignore:Walk, Learner cannot be compiled")
-def test_a_rare_action(way: str) -> None:
-    """An agent that returns an action that does not exist is named, with the state."""
-    wrong = f"if {RARE}:\n            return 2\n        "
+def test_a_rare_action(way: str, action: str) -> None:
+    """An agent that returns an action that does not exist is named, with the state; -1 is not the last one."""
+    wrong = f"if {RARE}:\n            return {action}\n        "
     source = changed(LEARNER, "if rng.random() < 0.1:", f"{OUTSIDE[way]}{wrong}if rng.random() < 0.1:")
-    with pytest.raises(ValueError, match=r"act of Learner .* from 0 to 1, but returned 2 for state \d"):
+    with pytest.raises(ValueError, match=r"act of Learner .* from 0 to 1, but returned " + action + r" for state \d"):
         train(walk(), learner(source), N_STEPS, seed=2)
 
 

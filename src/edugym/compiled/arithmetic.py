@@ -108,13 +108,32 @@ def uniform(rng: Any, low: Any = 0.0, high: Any = 1.0, size: Any = None) -> Any:
     return rng.uniform(low, high, size)
 
 
-def integers(rng: Any, low: Any, high: Any = None, size: Any = None, endpoint: Any = False) -> Any:
+def _nothing(kind: Any) -> bool:
+    """Whether a parameter is None, or is left out."""
+    return kind is None or (isinstance(kind, types.NoneType | types.Omitted) and getattr(kind, "value", None) is None)
+
+
+def _integers(rng: Any, low: Any, high: Any, size: Any, dtype: Any, endpoint: Any) -> Any:
+    raise NotImplementedError
+
+
+def _choose_integers(rng: Any, low: Any, high: Any, size: Any, dtype: Any, endpoint: Any) -> Any:
+    """Which one it is, from the types: this is asked while compiling."""
+    one = _nothing(size) and (_nothing(dtype) or getattr(dtype, "dtype", None) == types.int64)
+    if one and _nothing(high):
+        return lambda rng, low, high, size, dtype, endpoint: _drawn(rng, 0, low, endpoint)
+    if one:
+        return lambda rng, low, high, size, dtype, endpoint: _drawn(rng, low, high, endpoint)
+    if _nothing(size) or (not _nothing(dtype) and getattr(dtype, "dtype", None) != types.int64):
+        return None
+    if _nothing(high):
+        return lambda rng, low, high, size, dtype, endpoint: rng.integers(0, low, size, np.int64, endpoint)
+    return lambda rng, low, high, size, dtype, endpoint: rng.integers(low, high, size, np.int64, endpoint)
+
+
+def integers(rng: Any, low: Any, high: Any = None, size: Any = None, dtype: Any = None, endpoint: Any = False) -> Any:
     """`rng.integers(high)` or `rng.integers(low, high)`; Numba knows only the second, and its one draw is an array."""
-    if size is None:
-        return _drawn(rng, 0, low, endpoint) if high is None else _drawn(rng, low, high, endpoint)
-    if high is None:
-        return rng.integers(0, low, size, np.int64, endpoint)
-    return rng.integers(low, high, size, np.int64, endpoint)
+    return _integers(rng, low, high, size, dtype, endpoint)
 
 
 def _drawn(rng: Any, low: Any, high: Any, endpoint: Any) -> Any:
@@ -138,7 +157,7 @@ def _drawn(rng: Any, low: Any, high: Any, endpoint: Any) -> Any:
 extending.register_jitable(_drawn)
 
 
-def _extreme(better: Function, of_others: Function) -> Function:
+def _extreme(name: str, better: Function, of_others: Function) -> Function:
     """`np.max`, `np.min`, or the method of an array: Numba's own counts references, and so makes every step slower."""
 
     def extreme(a: Any) -> Any:
@@ -158,8 +177,32 @@ def _extreme(better: Function, of_others: Function) -> Function:
     def choose(a: Any) -> Function:
         return extreme if isinstance(a, types.Array) and isinstance(a.dtype, types.Number) else of_others
 
+    either.__name__ = name  # by which messages call it
     extending.overload(either, strict=False)(choose)
     return lambda a: either(a)
+
+
+def _clip(a: Any, a_min: Any, a_max: Any) -> Any:
+    raise NotImplementedError
+
+
+def _choose_clip(a: Any, a_min: Any, a_max: Any) -> Any:
+    kinds = {types.unliteral(kind) for kind in (a, a_min, a_max)}
+    number = float if types.float64 in kinds else int
+
+    def clip(a: Any, a_min: Any, a_max: Any) -> Any:
+        x, low, high = number(a), number(a_min), number(a_max)
+        for one in (x, low, high):
+            if one != one:  # NaN
+                return one
+        return min(max(x, low), high)
+
+    return clip if kinds <= {types.int64, types.float64} else None
+
+
+extending.overload(_integers, strict=False)(_choose_integers)
+extending.overload(_clip, strict=False)(_choose_clip)
+_integers.__name__, _clip.__name__ = "rng.integers", "np.clip"  # by which messages call them
 
 
 REPLACED: dict[Any, Function] = {
@@ -173,8 +216,9 @@ REPLACED: dict[Any, Function] = {
     **{function: _finite(function) for function in (math.exp, math.expm1, math.cosh, math.sinh)},
     **{function: _whole(function) for function in (math.floor, math.ceil, math.trunc)},
     np.median: _median,
-    np.max: _extreme(operator.gt, lambda a: np.max(a)),
-    np.min: _extreme(operator.lt, lambda a: np.min(a)),
+    np.clip: lambda a, a_min, a_max: _clip(a, a_min, a_max),
+    np.max: _extreme("np.max", operator.gt, lambda a: np.max(a)),
+    np.min: _extreme("np.min", operator.lt, lambda a: np.min(a)),
 }
 """What stands for functions of `math` and `np`."""
 CALLED: dict[Any, Function] = {
@@ -188,8 +232,8 @@ CALLED: dict[Any, Function] = {
 DRAWN: dict[str, Function] = {"normal": normal, "exponential": exponential, "uniform": uniform, "integers": integers}
 """What stands for methods of `rng`."""
 EXTREMES: dict[str, Function] = {
-    "max": _extreme(operator.gt, lambda a: a.max()),
-    "min": _extreme(operator.lt, lambda a: a.min()),
+    "max": _extreme("max", operator.gt, lambda a: a.max()),
+    "min": _extreme("min", operator.lt, lambda a: a.min()),
 }
 """What stands for methods of arrays where they are called without arguments."""
 

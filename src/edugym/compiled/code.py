@@ -233,6 +233,9 @@ class Code:
         self._add(kind.__qualname__, getattr(kind, "_fields", ()))
         if issubclass(kind, tuple) and hasattr(kind, "_fields"):
             self.classes[kind] = None
+            for name, default in getattr(kind, "_field_defaults", {}).items():
+                if isinstance(default, bool | int | float | str | Enum | None):  # others are refused where one is used
+                    self._add(name, type(default), default)
         self._owners[kind] = None
         if issubclass(kind, Enum):
             self._add(*(base.__qualname__ for base in kind.__mro__))  # an IntEnum equals numbers, an Enum does not

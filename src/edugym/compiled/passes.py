@@ -10,6 +10,7 @@ import importlib
 import math
 import operator
 from collections.abc import Iterator
+from enum import Enum
 from types import ModuleType
 from typing import Any
 
@@ -44,6 +45,10 @@ FITTING = (
     | types.UnicodeType | types.Omitted | types.Phantom
 )  # fmt: skip
 """Types that will do; those of numbers and of what holds other values are looked at closer."""
+NEVER_NONE = words("initial transition reward terminal observation act greedy")
+"""Methods of MDPs and agents that have to return something."""
+OF_64_BITS: dict[Any, Any] = {int: np.int64, float: np.float64, bool: np.bool_}
+"""What Numba calls the types of arrays that are named by types of Python."""
 BOOLEANS: set[Any] = {
     operator.add,
     operator.sub,
@@ -70,11 +75,13 @@ def _statements(func_ir: Any) -> Iterator[tuple[Any, Any]]:
 def before_typing(state: Any) -> bool:
     """Refuse variables without a value, and replace functions."""
     _all_assigned(state.func_ir)
+    if state.func_ir.func_id.func_name in NEVER_NONE:
+        _stop_at_none(state.func_ir)
     for block, statement in _statements(state.func_ir):
         value = getattr(statement, "value", None)
         if isinstance(statement, ir.Assign) and isinstance(value, ir.Expr):
             if value.op == "make_function":
-                _refuse("it has a function inside a function", statement.loc)
+                _refuse("it has a function, or a lambda, inside a function", statement.loc)
             library = _global(state.func_ir, value.value) if value.op == "getattr" else None
             if library is math or library is np:
                 _stand_in(statement, getattr(library, value.attr, None))
@@ -86,6 +93,21 @@ def before_typing(state: Any) -> bool:
     return True
 
 
+def _stop_at_none(func_ir: Any) -> None:
+    """Raise an error where nothing is returned: the interpreter then says so, and all other ways return one type."""
+    last = [(block, block.terminator) for block in func_ir.blocks.values()]
+    returns = [(block, end) for block, end in last if isinstance(end, ir.Return)]
+    nothing = [(block, end) for block, end in returns if _returns_none(func_ir, end.value)]
+    for block, end in nothing if len(nothing) < len(returns) else []:
+        block.body[-1] = ir.StaticRaise(ValueError, ("nothing is returned",), end.loc)
+
+
+def _returns_none(func_ir: Any, variable: Any) -> bool:
+    cast = ir_utils.guard(ir_utils.get_definition, func_ir, variable)
+    value = ir_utils.guard(ir_utils.get_definition, func_ir, cast.value) if getattr(cast, "op", "") == "cast" else cast
+    return isinstance(value, ir.Const) and value.value is None
+
+
 def own_before_typing(state: Any) -> bool:
     """Let every `while` be stopped."""
     count_turns(state.func_ir, foreign=False)
@@ -94,6 +116,9 @@ def own_before_typing(state: Any) -> bool:
 
 def _global(func_ir: Any, variable: Any) -> Any:
     definition = ir_utils.guard(ir_utils.get_definition, func_ir, variable)
+    if isinstance(definition, ir.Expr) and definition.op == "getattr":
+        owner = _global(func_ir, definition.value)
+        return getattr(owner, definition.attr, None) if isinstance(owner, ModuleType) else None
     return definition.value if isinstance(definition, ir.Global | ir.FreeVar) else None
 
 
@@ -113,7 +138,18 @@ def _replace_called(func_ir: Any, block: Any, statement: Any) -> None:
     """Let a call of `int`, or of a method such as `rng.normal`, be a call of what stands for it."""
     call = statement.value
     definition = ir_utils.guard(ir_utils.get_definition, func_ir, call.func)
+    for given in (*call.args, *(variable for _, variable in call.kws)):
+        kind = ir_utils.guard(ir_utils.get_definition, func_ir, given)
+        if isinstance(kind, ir.Global) and (named := _entry(OF_64_BITS, kind.value)):
+            kind.value = named
+    called = _global(func_ir, call.func)
+    if called is enumerate:
+        call.args, call.kws = [*call.args, *(variable for _, variable in call.kws)], ()  # Numba's takes no names
+    elif isinstance(called, type) and issubclass(called, tuple) and hasattr(called, "_field_defaults"):
+        _give_defaults(func_ir, block, statement, called)
     if isinstance(definition, ir.Expr) and definition.op == "getattr":
+        if isinstance(_global(func_ir, definition.value), ModuleType):
+            return
         table = DRAWN if call.args or call.kws else {**DRAWN, **EXTREMES}
         if definition.attr not in table:
             return
@@ -127,11 +163,30 @@ def _replace_called(func_ir: Any, block: Any, statement: Any) -> None:
             return  # int(), float("inf")
     else:
         return
-    name = ir.Var(block.scope, ir_utils.mk_unique_var("$checked"), statement.loc)
-    assign = ir.Assign(ir.Global(function.__name__, function, statement.loc), name, statement.loc)
+    call.func, call.args = _constant(func_ir, block, statement, function), [*before, *call.args]
+
+
+def _constant(func_ir: Any, block: Any, statement: Any, value: Any) -> Any:
+    """A variable that holds the value, assigned before the statement."""
+    variable = ir.Var(block.scope, ir_utils.mk_unique_var("$checked"), statement.loc)
+    assign = ir.Assign(ir.Global(variable.name, value, statement.loc), variable, statement.loc)
     block.body.insert(block.body.index(statement), assign)
-    func_ir._definitions[name.name].append(assign.value)
-    call.func, call.args = name, [*before, *call.args]
+    func_ir._definitions[variable.name].append(assign.value)
+    return variable
+
+
+def _give_defaults(func_ir: Any, block: Any, statement: Any, kind: Any) -> None:
+    """Let a NamedTuple be made of all its fields: Numba would make a shorter one where defaults are left out."""
+    call = statement.value
+    if call.vararg is None:
+        given = {*kind._fields[: len(call.args)], *(name for name, _ in call.kws)}
+        missing = {name: value for name, value in kind._field_defaults.items() if name not in given}
+        for name, value in missing.items():
+            fits = -(2**63) <= value < 2**63 if isinstance(value, int) else isinstance(value, float | str | Enum | None)
+            if not fits:
+                _refuse(f"it makes a {kind.__name__} without {name}", statement.loc)
+        more = [(name, _constant(func_ir, block, statement, value)) for name, value in missing.items()]
+        call.kws = [*call.kws, *more]
 
 
 def _all_assigned(func_ir: Any) -> None:
@@ -170,7 +225,7 @@ def _all_assigned(func_ir: Any) -> None:
 def after_typing(state: Any) -> bool:
     """Refuse types and operations, and replace operators."""
     kinds = state.typemap
-    for _, statement in _statements(state.func_ir):
+    for block, statement in _statements(state.func_ir):
         if isinstance(statement, ir.Assign):
             _judge_type(kinds[statement.target.name], statement.loc)
             _judge_flag(statement.value, kinds, kinds[statement.target.name], statement.loc)
@@ -184,7 +239,29 @@ def after_typing(state: Any) -> bool:
             target, value = kinds[statement.target.name], kinds[statement.value.name]
             if isinstance(target, types.Array):
                 _judge_stored(target, value, statement.loc)
+            if isinstance(value, types.Array) and _puts_back(state.func_ir, statement):
+                block.body.remove(statement)  # for which memory and reference counts would be needed
     return True
+
+
+def _puts_back(func_ir: Any, statement: Any) -> bool:
+    """Whether it is the second half of `E[:] *= 0.9`: it puts a part of an array, changed in place, where it is."""
+
+    def definition(variable: Any) -> Any:
+        return ir_utils.guard(ir_utils.get_definition, func_ir, variable)
+
+    def place(item: Any) -> tuple[Any, Any]:
+        taken = isinstance(item, ir.Expr)
+        known = item.op == "static_getitem" if taken else isinstance(item, ir.StaticSetItem)
+        return definition(item.value if taken else item.target), definition(item.index_var if known else item.index)
+
+    changed = definition(statement.value)
+    if not (isinstance(changed, ir.Expr) and changed.op == "inplace_binop"):
+        return False
+    part = definition(changed.lhs)
+    if not (isinstance(part, ir.Expr) and part.op in ("getitem", "static_getitem")):
+        return False
+    return all(one is not None and one is other for one, other in zip(place(part), place(statement), strict=True))
 
 
 def _judge_type(kind: Any, loc: Any) -> None:
@@ -211,6 +288,8 @@ def _judge_type(kind: Any, loc: Any) -> None:
         if not isinstance(kind.dtype, types.Number | types.Boolean):
             _refuse("it makes a list of other things than numbers", loc)
         return _judge_type(kind.dtype, loc)
+    if isinstance(kind, types.Poison | types.LiteralList):
+        _refuse("it makes a list of other things than numbers", loc)
     if isinstance(kind, types.NumpyFlatType) or not isinstance(kind, FITTING):
         _refuse("it uses .flat" if isinstance(kind, types.NumpyFlatType) else f"it makes a value of type {kind}", loc)
     return None

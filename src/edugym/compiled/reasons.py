@@ -15,7 +15,14 @@ WORDS = (
         "it uses rng's choice: draw an index instead, int(rng.random() * n)",
     ),
     (r"Unknown attribute '(\w+)' of type NumPyRandomGeneratorType.*", r"it uses rng's \1"),
-    (r"Unknown attribute '(\w+)' of type class\(<class '(?:.*\.)?(\w+)'>\).*", r"it takes \1 from the class \2"),
+    (
+        r"Unknown attribute '(\w+)' of type class\(<class '(?:.*\.)?(\w+)'>\).*",
+        r"it takes \1 from the class \2: take it from a value, as in self.\1",
+    ),
+    (
+        r"Unknown attribute '_replace' of type (.+)",
+        r"it uses _replace of a value of type \1: make a new one of all fields",
+    ),
     (r"Unknown attribute '(\w+)' of type (.+)", r"it uses \1 of a value of type \2"),
     (
         r"Cannot unify (.+) and (.+) for '(state|observation|action)\.\d+', defined at \S+/edugym/training/loops.py.*",
@@ -24,11 +31,19 @@ WORDS = (
     (r"Cannot unify (.+) and (.+) for .*", r"one name stands for values of two types, \1 and \2"),
     (r"Unsupported array index type (\S+) in .*", r"an index of an array is of type \1"),
     (r">>> NumPyRandomGeneratorType_(\w+)\(.*array\(.*", r"rng.\1 draws an array of numbers: draw them one by one"),
-    (r">>> _drawn\(.*array\(.*", "rng.integers draws an array of numbers: draw them one by one"),
-    (r">>> _drawn\(.*", "rng.integers takes whole numbers, but was given something else"),
+    (r">>> rng.integers\(.*array\(.*", "rng.integers draws an array of numbers: draw them one by one"),
+    (r">>> rng.integers\(.*class\(.*", "rng.integers draws numbers of another type than int64"),
+    (r">>> rng.integers\(.*", "rng.integers takes whole numbers, but was given something else"),
     (r"Argument (\w+) is not one of the expected type.*", r"\1 is of a type that Numba does not take"),
     (r"(Cannot bind|missing a required|got an unexpected) .*", "a call has other arguments than Numba takes"),
-    (r"Type of variable .* cannot be determined.*", "Numba cannot tell the type of a value"),
+    (r"Type of variable .* cannot be determined.*", "Numba cannot tell the type of a value, as after := or case"),
+    (r"Cannot cast (.+) to (\S+): .*", r"it computes with \1 as if it were \2: write .value"),
+    (r"Invalid use of getiter with parameters \((.+)\)", r"it loops over values of several types, \1"),
+    (r"Invalid use of (.+) with parameters \((.*)\)", r"Numba cannot call \1 with \2"),
+    (
+        r">>> setitem\(array\(.*\), .*, Tuple\(.*\)\)",
+        "it puts values of several types in an array at once: put them there one by one",
+    ),
     (r"Use of unsupported opcode \((\w+)\).*", r"it has a statement that Numba does not know, \1"),
     (
         r">>> getitem\(Tuple\(.*\), u?int64\)",
@@ -49,13 +64,14 @@ TYPES = (
     (r"unicode_type", "str"),
     (r"\b(int|float)64\b", r"\1"),
     (r"(Enum|IntEnum) ?(class)?<\w+>\((\w+)\)", r"\3"),
-    (r"\b(\w+)\((int|float|bool|str)( x \d+|, \w+)*\)", r"\1"),
+    (r"\b([A-Z]\w*)\((int|float|bool|str)( x \d+|, \w+)*\)", r"\1"),
+    (r"\bnone\b", "None"),
 )
 """How Numba writes types, and how Python does."""
 
 
 def reason(error: Exception, code: Code) -> str:
-    """Return what is wrong by an error of Numba's, and the last line of the student's code that it names.
+    """Return what is wrong by an error of Numba's, and the line of the student's code, the innermost that it names.
 
     Args:
         error: what compiling has raised.
@@ -66,12 +82,12 @@ def reason(error: Exception, code: Code) -> str:
     text = re.sub(r"\x1b\[[0-9;]*m", "", str(error))
     says = re.split(r"^(?:During: |File )", text, maxsplit=1, flags=re.MULTILINE)[0].splitlines()
     own = {Path(file).name: file for file in code.foreign_files}
-    places = re.findall(r'(?:File "|Raised from )([^"\n]+?)"?(?:, line | \()(\d+)', text)
+    places = re.findall(r'(?:File "| at |Raised from )([^"\n]+?)"?(?:, line | \()(\d+)', text)
     lines = [place(own[name], int(line)) for file, line in places if (name := Path(file).name) in own]
     if not lines and re.search(r">>> isfinite\(array", text):  # in a guard around the student's MDP
         return "the reward is an array, but should be a number: for np.where write `... if ... else ...`"
     said = _of_other_methods(text, code) or _said(says)
-    return f"{said} ({lines[-1]})" if lines else said
+    return f"{said} ({lines[0]})" if lines else said
 
 
 def _of_other_methods(text: str, code: Code) -> str | None:

@@ -32,15 +32,15 @@ def words(text: str) -> frozenset[str]:
 DTYPES = frozenset({"int64", "float64", "bool"})
 BUILTINS = words(
     "abs bool divmod enumerate float int len list max min pow range reversed round sorted sum tuple zip "
-    "ArithmeticError AssertionError Exception IndexError KeyError OverflowError RuntimeError TypeError ValueError "
-    "ZeroDivisionError True False None"
+    "ArithmeticError AssertionError Exception IndexError KeyError NotImplementedError OverflowError RuntimeError "
+    "TypeError ValueError ZeroDivisionError True False None"
 )
 MATH = words(
     "acos acosh asin asinh atan atan2 atanh ceil copysign cos cosh degrees e exp expm1 fabs floor hypot inf isfinite "
     "isinf isnan log log10 log1p log2 nan pi radians sin sinh sqrt tan tanh tau trunc"
 )
 NUMPY = words(
-    "abs absolute all any arange arccos arcsin arctan arctan2 argmax argmin array array_equal bool bool_ ceil "
+    "abs absolute all any arange arccos arcsin arctan arctan2 argmax argmin array array_equal bool bool_ ceil clip "
     "concatenate copy cos cosh count_nonzero cumprod cumsum diff divide dot e empty empty_like exp expm1 eye "
     "flatnonzero float64 floor full full_like hypot identity inf int64 intp isfinite isinf isnan linspace log log10 "
     "log1p log2 max maximum mean median min minimum multiply nan ndarray newaxis nonzero ones ones_like outer pi prod "
@@ -203,7 +203,8 @@ def _of_code(code: CodeType, function: FunctionType) -> str | None:
         elif instruction.opname == "STORE_DEREF" and name in function.__code__.co_freevars:
             found = f"it assigns {name}, a variable of the function around it"
         elif instruction.opname in STATEMENTS:
-            found = STATEMENTS[instruction.opname]
+            generates = instruction.opname == "YIELD_VALUE" and code.co_name == "<genexpr>"
+            found = "it has ... for ... in ... without [ ]" if generates else STATEMENTS[instruction.opname]
         elif instruction.opname not in ("PRECALL", "CACHE", "NOP", "PUSH_NULL"):
             value = _UNKNOWN
         if found:

@@ -1,8 +1,8 @@
-"""Guards around a student's MDP: they stop machine code where the MDP returns what no agent can learn from.
+"""Guards around an MDP: they stop machine code at what no agent can learn from, or no MDP can do.
 
-The first steps of a student's MDP are checked by `edugym.training.checking`. A mistake in a rare state comes later,
-when the loop may run as machine code. There NaN would spread silently, and the row -1 of a table is its last. Where a
-guard stops machine code, the interpreter plays the call again with all checks, and they say what is wrong.
+The first steps of a student's MDP or agent are checked by `edugym.training.checking`. A mistake in a rare state comes
+later, when the loop may run as machine code. There NaN would spread silently, and the row -1 of a table is its last.
+Where a guard stops machine code, the interpreter plays the call again with all checks, and they say what is wrong.
 """
 
 import math
@@ -71,15 +71,50 @@ class RowsOfATable(NamedTuple):
         return observation
 
 
-def guarded(mdp: Any) -> Any:
-    """Return a student's MDP with guards around it, and one of the package's own as it is."""
-    if is_own(mdp):
-        return mdp
-    space = mdp.observation_space
-    if isinstance(space, spaces.Discrete) and space.start == 0:
-        mdp = RowsOfATable(mdp, int(space.n))
-    return FiniteRewardsInPlace(mdp) if writes_in_place(mdp) else FiniteRewards(mdp)
+@wrapper
+class ActionsOfASpace(NamedTuple):
+    """An MDP that stops at an action that it does not have.
+
+    Attributes:
+        mdp: the task, which numbers its actions from 0.
+        n_actions: how many there are.
+    """
+
+    mdp: Any
+    n_actions: int
+
+    def transition(self, state: Any, action: Any, rng: Random) -> Any:
+        """The next state of the task.
+
+        Raises:
+            ValueError: the action is not from 0 to `n_actions` - 1.
+        """
+        if not 0 <= action < self.n_actions:
+            raise ValueError("an action is not in the action space")
+        return self.mdp.transition(state, action, rng)
 
 
-GUARDS = (FiniteRewards, RowsOfATable)
+class ActionsOfASpaceInPlace(ActionsOfASpace):
+    """The same for an MDP that writes its observations into an array."""
+
+    __slots__ = ()
+
+    def observe_into(self, state: Any, rng: Random, out: Any) -> None:
+        """Write the observation of the task into `out`."""
+        self.mdp.observe_into(state, rng, out)
+
+
+def guarded(mdp: Any, agent: Any) -> Any:
+    """Return an MDP with guards against what a student's MDP, or a student's agent, may do."""
+    in_place, actions, observations = writes_in_place(mdp), mdp.action_space, mdp.observation_space
+    if not is_own(mdp):
+        if isinstance(observations, spaces.Discrete) and observations.start == 0:
+            mdp = RowsOfATable(mdp, int(observations.n))
+        mdp = FiniteRewardsInPlace(mdp) if in_place else FiniteRewards(mdp)
+    if not is_own(agent) and isinstance(actions, spaces.Discrete) and actions.start == 0:
+        mdp = (ActionsOfASpaceInPlace if in_place else ActionsOfASpace)(mdp, int(actions.n))
+    return mdp
+
+
+GUARDS = (ActionsOfASpace, ActionsOfASpaceInPlace, FiniteRewards, FiniteRewardsInPlace, RowsOfATable)
 """The classes of the guards. They say less than the checks."""

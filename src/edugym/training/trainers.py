@@ -100,7 +100,7 @@ class MDPTrainer:
     def __init__(self, mdp: Any, agent: Any, seed: int, limit: int | None, expected: int) -> None:
         """See `trainer`; the limit is None where the task has none."""
         self.agent, self.log, self._pace, self._task, self._expected = agent, new_log(), Pace(), mdp, expected
-        mdp, self._before = guarded(mdp), before_training(agent)
+        mdp, self._before = guarded(mdp, agent), before_training(agent)
         environment_rng, agent_rng, self._evaluation_rng, self._actor_rng = streams(seed)
         self._evaluation_limit = limit or EVALUATION_LIMIT
         training, self._playing = View(mdp, agent, is_on_policy(agent)), View(mdp, agent)
