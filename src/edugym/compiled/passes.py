@@ -86,6 +86,7 @@ def before_typing(state: Any) -> bool:
             if library is math or library is np:
                 _stand_in(statement, getattr(library, value.attr, None))
             elif value.op == "call":
+                _write_out(state.func_ir, block, statement)
                 _replace_called(state.func_ir, block, statement)
         elif isinstance(value, ir.Global | ir.FreeVar):
             _stand_in(statement, value.value)
@@ -134,22 +135,27 @@ def _entry(table: dict[Any, Any], value: Any) -> Any:
         return None
 
 
-def _replace_called(func_ir: Any, block: Any, statement: Any) -> None:
-    """Let a call of `int`, or of a method such as `rng.normal`, be a call of what stands for it."""
+def _write_out(func_ir: Any, block: Any, statement: Any) -> None:
+    """Write the arguments of a call as Numba knows them: types of arrays, the start of `enumerate`, and defaults."""
     call = statement.value
-    definition = ir_utils.guard(ir_utils.get_definition, func_ir, call.func)
     for given in (*call.args, *(variable for _, variable in call.kws)):
         kind = ir_utils.guard(ir_utils.get_definition, func_ir, given)
         if isinstance(kind, ir.Global) and (named := _entry(OF_64_BITS, kind.value)):
             kind.value = named
     called = _global(func_ir, call.func)
     if called is enumerate:
-        call.args, call.kws = [*call.args, *(variable for _, variable in call.kws)], ()  # Numba's takes no names
+        call.args, call.kws = [*call.args, *(variable for _, variable in call.kws)], ()
     elif isinstance(called, type) and issubclass(called, tuple) and hasattr(called, "_field_defaults"):
         _give_defaults(func_ir, block, statement, called)
+
+
+def _replace_called(func_ir: Any, block: Any, statement: Any) -> None:
+    """Let a call of `int`, or of a method such as `rng.normal`, be a call of what stands for it."""
+    call = statement.value
+    definition = ir_utils.guard(ir_utils.get_definition, func_ir, call.func)
     if isinstance(definition, ir.Expr) and definition.op == "getattr":
         if isinstance(_global(func_ir, definition.value), ModuleType):
-            return
+            return  # a function of a module, which may have any name
         table = DRAWN if call.args or call.kws else {**DRAWN, **EXTREMES}
         if definition.attr not in table:
             return
