@@ -21,8 +21,9 @@ lab: .venv/lab.installed
 test: .venv/dev.installed
 	$(RUN) ruff check
 	$(RUN) ruff format --check
-	$(RUN) mypy & types=$$!; $(RUN) pytest -n $(JOBS) --dist worksteal $(ARGS) && \
-		{ wait $$types || { echo "mypy has found mistakes: they stand above the tests" >&2; exit 1; }; }
+	$(RUN) mypy & types=$$!; trap "kill $$types 2>/dev/null" EXIT; trap "exit 130" INT TERM; \
+		$(RUN) pytest -n $(JOBS) --dist worksteal $(ARGS) && \
+		{ wait $$types || { echo "mypy failed: what it says stands above, among the tests" >&2; exit 1; }; }
 	.venv/bin/python lessons/build.py --check
 	.venv/bin/python docs/pages.py --check
 	.venv/bin/python docs/agents.py --check

@@ -282,7 +282,7 @@ def _has_fields(node: ast.ClassDef, kind: type) -> bool:
     """
     declared = [line.target for line in node.body if isinstance(line, ast.AnnAssign)]
     names = [target.id for target in declared if isinstance(target, ast.Name)]
-    return names == [*vars(kind).get("__annotations__", {})]
+    return names == [*vars(kind).get("_fields", vars(kind).get("__annotations__", ()))]
 
 
 def _cells() -> Iterator[str]:

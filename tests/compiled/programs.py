@@ -47,6 +47,10 @@ COMPILED = {
     "draws of all kinds": program(
         "i = rng.integers(9) + rng.integers(0, 3, endpoint=True) % 2 + rng.integers(4, size=2)[1] % 2\n"
         "return 0.5 * s + i % 9 + rng.uniform(-1, 2) + rng.uniform(3.0, 3.0) + rng.uniform(size=3)[2]"),
+    "draws from nearly all whole numbers": program(
+        "return s + 1 + rng.integers(-2**63, 2**62) % 7 + rng.integers(-2**63, 2**63 - 1, endpoint=True) % 5"),
+    "filled with whole numbers": program(
+        "self.N.fill(int(s))\nself.N[1] = 4\na = np.full(3, 2, dtype=int)\nreturn s + self.N[0] % 2 + a[0] + np.full(2, 0.5)[0]", **N),
     "number of a flag": program("return 0.5 * s + float(rng.random() < 0.5) + 0.25 * float(int(s)) - (s > float('inf'))"),
     "value of an enum": program("return C.G.value * 0.25 * s + 1 if C.R != C.G else 0.0", before="class C(enum.Enum):\n    R = 1\n    G = 2"),
     "picture": program(
@@ -191,6 +195,10 @@ REFUSED = {
     "float32 array computed with": (program("a = np.ones(2, np.float32)\nb = a * 0.1\nself.Q[0, 0] = 1.0\nreturn s + b.sum()", **Q), "float32"),
     "float32 summed": (program("a = np.full(2, 0.1, np.float32)\nreturn s + a.sum()"), "float32"),
     "float32 by function": (program("a = np.full(2, 0.1, np.float32)\nreturn s + np.max(a)"), "float32"),
+    "filled with real numbers": (program("a = np.full(2, s if s < 900 else math.nan, dtype=int)\nreturn s + 1 + a[0] % 2"), "puts a real number"),
+    "array like one of whole numbers": (program("a = np.full_like(self.N, s)\nreturn s + 1 + a[0] % 2", **N), "puts a real number"),
+    "whole numbers made of real ones": (program("a = np.array([s, 1.0], dtype=int)\nreturn s + 1 + a[0] % 2"), "puts a real number"),
+    "filled in place with real numbers": (program("self.N.fill(s)\nreturn s + 1 + self.N[0] % 2", **N), "puts a real number"),
     "too large for a byte": (program("a = np.zeros(2, np.uint8)\na[0] = int(s) % 300\nreturn s + 1"), "uint8"),
     "negative byte": (program("a = np.zeros(2, np.uint8)\na[0] = -1 if s > 700 else 1\nreturn s + 1"), "uint8"),
     "float32 made": (program("a = np.zeros(2, np.float32)\na[0] = 0.1 + s\nreturn float(a[0])"), "float32"),
@@ -244,7 +252,7 @@ REFUSED = {
         program("return g(s)", before="def make(h):\n    def g(x):\n        h[0] += 1\n        return x + h[0]\n    return g\ng = make(np.zeros(1))"), "an array that is not its own"),
     "plain object": (program("return s + self.o.k", "o: object", "O()", before="class O:\n    k = 1\n    def __eq__(self, other): return True"), "NamedTuple"),
     "real in an array of whole numbers": (program("self.N[0] += 0.5\nreturn s + self.N[0]", **N), "whole"),
-    "generator expression": (program("return s + sum(x > 0 for x in self.Q[0])", **Q), "it has ... for ... in ... without [ ]"),
+    "generator expression": (program("return s + sum(x > 0 for x in self.Q[0])", **Q), "a for in a call needs [ ]"),
     "lambda": (program("return s + max(range(2), key=lambda a: self.Q[0, a])", **Q), "a lambda"),
     "list of all kinds": (program("k = [1.0, 2, 'x'][0]\nreturn s + k"), "a list of other things"),
     "array left out of a state": (program("return s + S(1).q[0]", before="class S(NamedTuple):\n    x: int\n    q: np.ndarray = np.zeros(2)"), "it makes a S without q"),

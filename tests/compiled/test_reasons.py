@@ -150,7 +150,7 @@ NOTHING = code_of(plain_loop, ())
         ("got an unexpected keyword argument 'b'", "a call has other arguments than Numba takes"),
         (
             "Type of variable 'x' cannot be determined, operation: y",
-            "Numba cannot tell the type of a value, as after := or case",
+            "Numba cannot tell the type of a value (as after := and case)",
         ),
         ("Use of unsupported opcode (UNPACK_EX) found", "it has a statement that Numba does not know, UNPACK_EX"),
         (

@@ -146,12 +146,14 @@ def _drawn(rng: Any, low: Any, high: Any, endpoint: Any) -> Any:
     if last == 0:
         return low
     if last < LAST_OF_32_BITS:
-        return low + np.int64(draws.buffered_bounded_lemire_uint32(bits, np.uint32(last)))
-    if last == LAST_OF_32_BITS:
-        return low + np.int64(draws.next_uint32(bits))
-    if last == LAST_OF_64_BITS:
-        return low + np.int64(draws.next_uint64(bits))
-    return low + np.int64(draws.bounded_lemire_uint64(bits, last))
+        drawn = np.uint64(draws.buffered_bounded_lemire_uint32(bits, np.uint32(last)))
+    elif last == LAST_OF_32_BITS:
+        drawn = np.uint64(draws.next_uint32(bits))
+    elif last == LAST_OF_64_BITS:
+        drawn = np.uint64(draws.next_uint64(bits))
+    else:
+        drawn = np.uint64(draws.bounded_lemire_uint64(bits, last))
+    return np.int64(np.uint64(low) + drawn)  # a sum of signed numbers may not overflow on its way
 
 
 extending.register_jitable(_drawn)

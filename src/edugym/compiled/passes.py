@@ -45,6 +45,8 @@ FITTING = (
     | types.UnicodeType | types.Omitted | types.Phantom
 )  # fmt: skip
 """Types that will do; those of numbers and of what holds other values are looked at closer."""
+FILLING = (np.array, np.full, np.full_like)
+"""Functions that put what they are given into an array of the type that is asked for."""
 NEVER_NONE = words("initial transition reward terminal observation act greedy")
 """Methods of MDPs and agents that have to return something."""
 OF_64_BITS: dict[Any, Any] = {int: np.int64, float: np.float64, bool: np.bool_}
@@ -355,11 +357,28 @@ def _judge(expr: Any, kinds: Any, calltypes: Any, statement: Any) -> None:
         to_whole = isinstance(function, types.NumberClass) and isinstance(function.dtype, types.Integer)
         if to_whole and any(_real(kinds[part.name]) for part in expr.args):
             _refuse("it makes a real number a whole one: use int()", loc)
+        _judge_filled(expr, function, result, kinds, loc)
     elif expr.op == "unary":
         if expr.fn in BOOLEANS and isinstance(types.unliteral(kinds[expr.value.name]), types.Boolean):
             _refuse("it computes with True and False as if they were numbers", loc)
     elif expr.op in ("binop", "inplace_binop"):
         _judge_operator(expr, kinds, calltypes, loc)
+
+
+def _judge_filled(expr: Any, function: Any, result: Any, kinds: Any, loc: Any) -> None:
+    """Refuse to fill an array of whole numbers with real ones: NaN and large ones are errors in Python."""
+    filled = result if getattr(function, "typing_key", None) in FILLING else None
+    if isinstance(function, types.BoundFunction) and function.typing_key == (types.Array, "fill"):
+        filled = function.this
+    given = [kinds[variable.name] for variable in (*expr.args, *(variable for _, variable in expr.kws))]
+    if isinstance(getattr(filled, "dtype", None), types.Integer) and any(map(_holds_reals, given)):
+        _refuse("it puts a real number in an array of whole numbers", loc)
+
+
+def _holds_reals(kind: Any) -> bool:
+    if isinstance(kind, types.BaseTuple):
+        return any(map(_holds_reals, kind))
+    return isinstance(getattr(kind, "dtype", kind), types.Float)
 
 
 def _judge_narrow(expr: Any, kinds: Any, loc: Any) -> None:

@@ -36,7 +36,10 @@ WORDS = (
     (r">>> rng.integers\(.*", "rng.integers takes whole numbers, but was given something else"),
     (r"Argument (\w+) is not one of the expected type.*", r"\1 is of a type that Numba does not take"),
     (r"(Cannot bind|missing a required|got an unexpected) .*", "a call has other arguments than Numba takes"),
-    (r"Type of variable .* cannot be determined.*", "Numba cannot tell the type of a value, as after := or case"),
+    (
+        r"Type of variable .* cannot be determined.*",
+        "Numba cannot tell the type of a value (as after := and case)",
+    ),
     (r"Cannot cast (.+) to (\S+): .*", r"it computes with \1 as if it were \2: write .value"),
     (r"Invalid use of getiter with parameters \((.+)\)", r"it loops over values of several types, \1"),
     (r"Invalid use of (.+) with parameters \((.*)\)", r"Numba cannot call \1 with \2"),
@@ -66,12 +69,13 @@ TYPES = (
     (r"(Enum|IntEnum) ?(class)?<\w+>\((\w+)\)", r"\3"),
     (r"\b([A-Z]\w*)\((int|float|bool|str)( x \d+|, \w+)*\)", r"\1"),
     (r"\bnone\b", "None"),
+    (r"values of two types, (.+) and \1$", r"values of \1 with fields of two types, as 0 and 0.0 are"),
 )
 """How Numba writes types, and how Python does."""
 
 
 def reason(error: Exception, code: Code) -> str:
-    """Return what is wrong by an error of Numba's, and the line of the student's code, the innermost that it names.
+    """Return what an error of Numba's says, and the innermost line of the student's code among those that it names.
 
     Args:
         error: what compiling has raised.

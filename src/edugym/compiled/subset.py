@@ -204,7 +204,7 @@ def _of_code(code: CodeType, function: FunctionType) -> str | None:
             found = f"it assigns {name}, a variable of the function around it"
         elif instruction.opname in STATEMENTS:
             generates = instruction.opname == "YIELD_VALUE" and code.co_name == "<genexpr>"
-            found = "it has ... for ... in ... without [ ]" if generates else STATEMENTS[instruction.opname]
+            found = "a for in a call needs [ ], as in sum([...])" if generates else STATEMENTS[instruction.opname]
         elif instruction.opname not in ("PRECALL", "CACHE", "NOP", "PUSH_NULL"):
             value = _UNKNOWN
         if found:

@@ -1,4 +1,4 @@
-"""Guards around an MDP: they stop machine code at what no agent can learn from, or no MDP can do.
+"""Guards around an MDP: they stop machine code at rewards that are no numbers, and at rows and actions that are none.
 
 The first steps of a student's MDP or agent are checked by `edugym.training.checking`. A mistake in a rare state comes
 later, when the loop may run as machine code. There NaN would spread silently, and the row -1 of a table is its last.
