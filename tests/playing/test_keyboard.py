@@ -170,6 +170,16 @@ def test_ctrl_c_and_ctrl_d_leave_the_terminal_as_it_was(key: str) -> None:
     assert terminal.end() == 0
 
 
+def test_ctrl_c_ends_a_game_that_does_not_receive_its_signal() -> None:
+    """Another thread may receive it, or it comes just before the wait for a key: both leave that wait alone."""
+    other = "import threading, time; threading.Thread(target=time.sleep, args=(600,), daemon=True).start()"
+    terminal = Terminal(f"{other}; signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT]); {GAME}")
+    terminal.type("", until="[q] quit")
+    time.sleep(0.5)  # until it waits
+    terminal.type("\x03", until="No episode finished yet.")
+    assert terminal.end() == 0
+
+
 @pytest.mark.parametrize("ending", [signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT])
 def test_signals_leave_the_terminal_as_it_was(ending: signal.Signals) -> None:
     """And end the program as they end any other."""

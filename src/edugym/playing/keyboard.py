@@ -3,6 +3,7 @@
 import io
 import os
 import re
+import select
 import signal
 import sys
 import threading
@@ -234,11 +235,22 @@ def unix_keys(file_descriptor: int) -> Iterator[str]:
     """Yield the keys of a terminal until Ctrl-D or until it closes; "" for a key without a character."""
     sequences = re.compile(r"\x1b[\[O]([A-D])|\x1b\[[0-9;]*[A-Za-z~]|\x1bO[A-Z]|(.)", flags=re.DOTALL)
     with suppress(OSError):
-        while typed := os.read(file_descriptor, 1024).decode(errors="replace"):
+        while typed := _read(file_descriptor).decode(errors="replace"):
             for arrow, key in sequences.findall(typed):
                 if key == "\x04":
                     return
                 yield ARROWS.get(arrow, key)
+
+
+def _read(file_descriptor: int) -> bytes:
+    """Wait for input and read it.
+
+    Ctrl-C may come just before the wait, or another thread may receive its signal. Neither ends a wait in the system,
+    so each wait is short: Python raises the `KeyboardInterrupt` between two of them.
+    """
+    while not select.select([file_descriptor], [], [], 0.1)[0]:
+        pass
+    return os.read(file_descriptor, 1024)
 
 
 def windows_keys(next_character: Callable[[], str]) -> Iterator[str]:
