@@ -47,5 +47,5 @@ clean:
 	test -x .venv/bin/python || $(PYTHON) -m venv .venv
 	$(RUN) pip install --quiet --no-compile --constraint constraints.txt --editable ".[$*]"
 	@# pip would do this on one core. Some packages bring files for other versions of Python, which do not compile.
-	$(RUN) compileall -qq -j 0 .venv/lib || true
+	$(RUN) compileall -qq -j 0 .venv/lib 2>/dev/null || true
 	touch $@

@@ -119,13 +119,12 @@ def _integers(rng: Any, low: Any, high: Any, size: Any, dtype: Any, endpoint: An
 
 def _choose_integers(rng: Any, low: Any, high: Any, size: Any, dtype: Any, endpoint: Any) -> Any:
     """Which one it is, from the types: this is asked while compiling."""
-    one = _nothing(size) and (_nothing(dtype) or getattr(dtype, "dtype", None) == types.int64)
-    if one and _nothing(high):
-        return lambda rng, low, high, size, dtype, endpoint: _drawn(rng, 0, low, endpoint)
-    if one:
-        return lambda rng, low, high, size, dtype, endpoint: _drawn(rng, low, high, endpoint)
-    if _nothing(size) or (not _nothing(dtype) and getattr(dtype, "dtype", None) != types.int64):
+    if not _nothing(dtype) and getattr(dtype, "dtype", None) != types.int64:
         return None
+    if _nothing(size) and _nothing(high):
+        return lambda rng, low, high, size, dtype, endpoint: _drawn(rng, 0, low, endpoint)
+    if _nothing(size):
+        return lambda rng, low, high, size, dtype, endpoint: _drawn(rng, low, high, endpoint)
     if _nothing(high):
         return lambda rng, low, high, size, dtype, endpoint: rng.integers(0, low, size, np.int64, endpoint)
     return lambda rng, low, high, size, dtype, endpoint: rng.integers(low, high, size, np.int64, endpoint)

@@ -4,7 +4,8 @@ import importlib
 from collections.abc import Callable
 from typing import Any
 
-from edugym.compiled.passes import after_typing, before_typing, own_before_typing
+from edugym.compiled.judging import after_typing
+from edugym.compiled.passes import before_typing, own_before_typing
 
 compiler: Any = importlib.import_module("numba.core.compiler")
 machinery: Any = importlib.import_module("numba.core.compiler_machinery")

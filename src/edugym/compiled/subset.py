@@ -7,7 +7,7 @@ of these, arrays of int64, float64 and bool, and generators passed as `rng`.
 author's own.
 
 *Statements*: no try, no with, no yield, no global variable that is assigned. What operations may do with which types is
-judged while compiling, where types are known (`edugym.compiled.passes`). Everything else runs interpreted.
+judged while compiling, where types are known (`edugym.compiled.judging`). Everything else runs interpreted.
 """
 
 import dis

@@ -1,4 +1,4 @@
-"""Guards around an MDP: they stop machine code at rewards that are no numbers, and at rows and actions that are none.
+"""Guards around an MDP: they stop machine code at a reward, an observation or an action that cannot be.
 
 The first steps of a student's MDP or agent are checked by `edugym.training.checking`. A mistake in a rare state comes
 later, when the loop may run as machine code. There NaN would spread silently, and the row -1 of a table is its last.
