@@ -47,6 +47,14 @@ COMPILED = {
     "draws of all kinds": program(
         "i = rng.integers(9) + rng.integers(0, 3, endpoint=True) % 2 + rng.integers(4, size=2)[1] % 2\n"
         "return 0.5 * s + i % 9 + rng.uniform(-1, 2) + rng.uniform(3.0, 3.0) + rng.uniform(size=3)[2]"),
+    "choices": program(
+        "i = int(s) % 9\nself.Q[i, 1] = rng.random() * (rng.random() < 0.5)\np = self.Q[:, 1] + 0.5\nbest = [k for k in range(9) if p[k] > 0.6] + [2]\n"
+        "a = rng.choice(7) + rng.choice(np.flatnonzero(p == p.max())) + rng.choice(9, p=p / p.sum()) + rng.choice(best, None, True)\n"
+        "return 0.5 * s + a + rng.choice((2, 5)) + rng.choice([0.5, 1.5], p=(0.25, 0.75)) + rng.choice(a=p, p=np.arange(9) / 36)", **Q),
+    "where it is not zero": program(
+        "i = int(s) % 9\nself.Q[i] = math.nan if i == 4 else i % 3, -0.0\nfound = np.flatnonzero(self.Q)\n"
+        "return 0.5 * s + found.sum() + len(np.flatnonzero(self.Q[::2, 0] > 1)) + np.flatnonzero(np.arange(3)).max()", **Q),
+    "choice of one's own": program("return s + self.choice(2, 3, p=rng.random())", more="def choice(self, a, b, p): return a * b * p"),
     "draws from nearly all whole numbers": program(
         "return s + 1 + rng.integers(-2**63, 2**62) % 7 + rng.integers(-2**63, 2**63 - 1, endpoint=True) % 5"),
     "filled with whole numbers": program(
@@ -103,6 +111,19 @@ RAISE = {
     "exponential": program("return s + 1 + 0 * rng.exponential(700 - s)"),
     "integers": program("return s + 1 + 0 * rng.integers(0, 700 - int(s))"),
     "integers below": program("return s + 1 + 0 * rng.integers(700 - int(s))"),
+    "choice": program("return s + 1 + 0 * rng.choice(700 - int(s))"),
+    "choice of nothing": program("return s + 1 + rng.choice(np.flatnonzero(self.Q[:, 0] + 700 > s))", **Q),
+    "choice with a negative probability": program(
+        "return s + 1 + rng.choice(2, p=(0.5, 0.5) if s < 700 else (1.5, -0.5))"
+    ),
+    "choice with a probability too many": program("return s + 1 + rng.choice(2, p=np.ones(3 - int(s < 700)) / 2)"),
+    "choice with probability nan": program("return s + 1 + rng.choice(2, p=[0.5, 0.5 if s < 700 else math.nan])"),
+    "choice with probabilities of more than 1": program(
+        "return s + 1 + rng.choice([1], p=[1.0 if s < 700 else 1.000001])"
+    ),
+    "choice of nothing with probabilities": program(
+        "p = np.ones(int(s < 700))\nreturn s + 1 + rng.choice(len(p), p=p)"
+    ),
     "uniform": program("return s + 1 + 0 * rng.uniform(0, 700 - s)"),
     "endless uniform": program("return s + 1 + 0 * (rng.uniform(0, 1 if s < 700 else math.inf) > 0)"),
     "division by zero": program("return s + 1 + 0 * 1 / (700 - s)"),

@@ -55,7 +55,7 @@ class Draws(NamedTuple):
         return rng.integers(low, high, endpoint=self.endpoint)
 
 
-def draw_whole(n: int, draws: Draws, rng: Random, low: int, high: int, out: Any) -> None:
+def draw_whole(n: int, draws: Any, rng: Random, low: int, high: int, out: Any) -> None:
     """Whole numbers of a range."""
     for i in range(n):
         out[i] = draws.one(rng, low, high)
@@ -77,6 +77,34 @@ def test_whole_numbers(low: int, span: int, seed: int) -> None:
             loop(20, draws, rng, low, high, out)
             results.append([out.tolist(), str(rng.bit_generator.state)])
         assert results[0] == results[1]
+
+
+class Choices(NamedTuple):
+    """One of some values, as a student chooses it."""
+
+    values: Any
+    p: Any
+
+    def one(self, rng: Random, low: int, high: int) -> Any:
+        """The value; by its number where there are no probabilities."""
+        return rng.choice(self.values, p=self.p) + 10 * rng.choice(len(self.p), p=self.p) + 100 * rng.choice(high)
+
+
+@given(st.lists(st.floats(0.0, 1.0) | st.floats(1e-12, 1e-9), min_size=1, max_size=40), st.integers(0, 99))
+@example([0.0, 0.0, 1.0, 0.0], 0)
+@example([1.0] * 3 + [0.0] * 9, 0)
+def test_choices(weights: list[float], seed: int) -> None:
+    """With probabilities: those that NumPy makes, to the last number of the stream, or its error."""
+    p = np.array(weights) / max(sum(weights), 1e-300)
+    choices, results = Choices(np.arange(len(p)) + 0.5, p), []
+    for loop in (draw_whole, compiled(draw_whole, 1, choices, np.random.default_rng(), 0, 1, np.zeros(1))):
+        rng, out = np.random.default_rng(seed), np.zeros(20)
+        try:
+            loop(20, choices, rng, 0, 2**33, out)
+        except ValueError:
+            assert np.sum(p) == 0
+        results.append([out.tolist(), str(rng.bit_generator.state)])
+    assert results[0] == results[1]
 
 
 def test_many_generators() -> None:

@@ -18,7 +18,15 @@ def test_reasons() -> None:
         ("return {1: s}[1] + open('x')", "open"),
         ("return self.missing", "missing"),
         ("return s + self.k.strip()", "it uses strip of a value of type int "),
-        ("return s + rng.choice(3)", r"it uses rng's choice: draw an index instead, int\(rng.random\(\) \* n\) \("),
+        (
+            "return s + rng.choice(3, 2)[0]",
+            r"rng.choice is compiled only for one draw, as rng.choice\(n\) or rng.choice\(va",
+        ),
+        ("return s + rng.choice(4, p=np.ones((2, 2)) / 4)", "rng.choice is compiled only for one draw"),
+        ("return s + rng.choice((1, 2.5))", "rng.choice is compiled only for one draw"),
+        ("return s + rng.choice([(0, 1), (2, 3)])[0]", "rng.choice is compiled only for one draw"),
+        ("return s + rng.choice(4, replace=False)", "rng.choice is compiled only for one draw"),
+        ("return s + rng.permuted(np.ones(3))[0]", "it uses rng's permuted "),
         ("return range(3)[int(s)]", r"Numba has no getitem\(range_state_int64, int\) "),
         (
             "best = None\n        if s > 3: best = 0\n        return 1 if best else 2",
@@ -131,8 +139,8 @@ NOTHING = code_of(plain_loop, ())
     ("message", "said"),
     [
         (
-            "Unknown attribute 'choice' of type NumPyRandomGeneratorType(x)",
-            "it uses rng's choice: draw an index instead, int(rng.random() * n)",
+            "Unknown attribute 'gamma' of type NumPyRandomGeneratorType(x)",
+            "it uses rng's gamma",
         ),
         (
             "Unknown attribute 'T' of type class(<class '__main__.A'>)",

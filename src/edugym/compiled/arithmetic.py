@@ -24,10 +24,8 @@ extending: Any = importlib.import_module("numba.extending")
 cgutils: Any = importlib.import_module("numba.core.cgutils")
 llvm: Any = importlib.import_module("llvmlite.ir")
 binding: Any = importlib.import_module("llvmlite.binding")
-draws: Any = importlib.import_module("numba.np.random.random_methods")
 Function = Callable[..., Any]
 EXACT = 2**53  # up to here every whole number is a real number of 64 bits
-LAST_OF_32_BITS, LAST_OF_64_BITS = 2**32 - 1, 2**64 - 1
 TINY, BELOW_ONE, LARGEST = 5e-324, math.nextafter(1.0, 0.0), 1.7976931348623157e308
 
 
@@ -87,77 +85,6 @@ def _median(values: Any) -> Any:
     return np.median(values)
 
 
-def normal(rng: Any, loc: Any = 0.0, scale: Any = 1.0) -> Any:
-    """`rng.normal(loc, scale)`."""
-    if scale < 0:
-        raise ValueError("scale < 0")
-    return rng.normal(loc, scale)
-
-
-def exponential(rng: Any, scale: Any = 1.0) -> Any:
-    """`rng.exponential(scale)`."""
-    if scale < 0:
-        raise ValueError("scale < 0")
-    return rng.exponential(scale)
-
-
-def uniform(rng: Any, low: Any = 0.0, high: Any = 1.0, size: Any = None) -> Any:
-    """`rng.uniform(low, high, size)`."""
-    if not 0.0 <= high - low <= LARGEST:
-        raise ValueError("high - low < 0")
-    return rng.uniform(low, high, size)
-
-
-def _nothing(kind: Any) -> bool:
-    """Whether a parameter is None, or is left out."""
-    return kind is None or (isinstance(kind, types.NoneType | types.Omitted) and getattr(kind, "value", None) is None)
-
-
-def _integers(rng: Any, low: Any, high: Any, size: Any, dtype: Any, endpoint: Any) -> Any:
-    raise NotImplementedError
-
-
-def _choose_integers(rng: Any, low: Any, high: Any, size: Any, dtype: Any, endpoint: Any) -> Any:
-    """Which one it is, from the types: this is asked while compiling."""
-    if not _nothing(dtype) and getattr(dtype, "dtype", None) != types.int64:
-        return None
-    if _nothing(size) and _nothing(high):
-        return lambda rng, low, high, size, dtype, endpoint: _drawn(rng, 0, low, endpoint)
-    if _nothing(size):
-        return lambda rng, low, high, size, dtype, endpoint: _drawn(rng, low, high, endpoint)
-    if _nothing(high):
-        return lambda rng, low, high, size, dtype, endpoint: rng.integers(0, low, size, np.int64, endpoint)
-    return lambda rng, low, high, size, dtype, endpoint: rng.integers(low, high, size, np.int64, endpoint)
-
-
-def integers(rng: Any, low: Any, high: Any = None, size: Any = None, dtype: Any = None, endpoint: Any = False) -> Any:
-    """`rng.integers(high)` or `rng.integers(low, high)`; Numba knows only the second, and its one draw is an array."""
-    return _integers(rng, low, high, size, dtype, endpoint)
-
-
-def _drawn(rng: Any, low: Any, high: Any, endpoint: Any) -> Any:
-    """A whole number from `low` to `high`, drawn as NumPy draws it."""
-    limits, bits = range(low | 0, high | 0), rng.bit_generator  # only whole numbers have |
-    low, high = limits.start, limits.stop
-    if low > high or (low == high and not endpoint):
-        raise ValueError("low >= high")
-    last = np.uint64(high) - np.uint64(low) - np.uint64(not endpoint)
-    if last == 0:
-        return low
-    if last < LAST_OF_32_BITS:
-        drawn = np.uint64(draws.buffered_bounded_lemire_uint32(bits, np.uint32(last)))
-    elif last == LAST_OF_32_BITS:
-        drawn = np.uint64(draws.next_uint32(bits))
-    elif last == LAST_OF_64_BITS:
-        drawn = np.uint64(draws.next_uint64(bits))
-    else:
-        drawn = np.uint64(draws.bounded_lemire_uint64(bits, last))
-    return np.int64(np.uint64(low) + drawn)  # a sum of signed numbers may not overflow on its way
-
-
-extending.register_jitable(_drawn)
-
-
 def _extreme(name: str, better: Function, of_others: Function) -> Function:
     """`np.max`, `np.min`, or the method of an array: Numba's own counts references, and so makes every step slower."""
 
@@ -201,9 +128,27 @@ def _choose_clip(a: Any, a_min: Any, a_max: Any) -> Any:
     return clip if kinds <= {types.int64, types.float64} else None
 
 
-extending.overload(_integers, strict=False)(_choose_integers)
+def _flatnonzero(a: Any) -> Any:
+    raise NotImplementedError
+
+
+def _choose_flatnonzero(a: Any) -> Any:
+    """`np.flatnonzero` without the lists of indices that Numba makes on its way."""
+
+    def flatnonzero(a: Any) -> Any:
+        found, n = np.empty(a.size, np.int64), 0
+        for i, value in enumerate(a.flat):
+            if value:
+                found[n] = i
+                n += 1
+        return found[:n]
+
+    return flatnonzero if isinstance(a, types.Array) and isinstance(a.dtype, types.Number | types.Boolean) else None
+
+
 extending.overload(_clip, strict=False)(_choose_clip)
-_integers.__name__, _clip.__name__ = "rng.integers", "np.clip"  # by which messages call them
+extending.overload(_flatnonzero, strict=False)(_choose_flatnonzero)
+_clip.__name__, _flatnonzero.__name__ = "np.clip", "np.flatnonzero"  # by which messages call them
 
 
 REPLACED: dict[Any, Function] = {
@@ -218,6 +163,7 @@ REPLACED: dict[Any, Function] = {
     **{function: _whole(function) for function in (math.floor, math.ceil, math.trunc)},
     np.median: _median,
     np.clip: lambda a, a_min, a_max: _clip(a, a_min, a_max),
+    np.flatnonzero: lambda a: _flatnonzero(a),
     np.max: _extreme("np.max", operator.gt, lambda a: np.max(a)),
     np.min: _extreme("np.min", operator.lt, lambda a: np.min(a)),
 }
@@ -230,8 +176,6 @@ CALLED: dict[Any, Function] = {
     builtins.pow: _pow,
 }
 """What stands for builtins where they are called (`int` may also be the type of an array)."""
-DRAWN: dict[str, Function] = {"normal": normal, "exponential": exponential, "uniform": uniform, "integers": integers}
-"""What stands for methods of `rng`."""
 EXTREMES: dict[str, Function] = {
     "max": _extreme("max", operator.gt, lambda a: a.max()),
     "min": _extreme("min", operator.lt, lambda a: a.min()),

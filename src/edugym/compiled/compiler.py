@@ -360,5 +360,6 @@ def _stand_ins() -> frozenset[FunctionType]:
     """The functions that passes put into code: checked ones that stand for Python's own, and what counts turns."""
     arithmetic: Any = importlib.import_module("edugym.compiled.arithmetic")
     turn: Any = importlib.import_module("edugym.compiled.turns").turn
-    tables = arithmetic.REPLACED, arithmetic.CALLED, arithmetic.DRAWN, arithmetic.EXTREMES
+    drawn: Any = importlib.import_module("edugym.compiled.draws").DRAWN
+    tables = arithmetic.REPLACED, arithmetic.CALLED, arithmetic.EXTREMES, drawn
     return frozenset({turn, *(function for table in tables for function in table.values())})

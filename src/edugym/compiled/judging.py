@@ -23,7 +23,9 @@ ARRAY = words(
     "T all any argmax argmin copy cumsum dot fill flatten max mean min ndim prod ravel reshape shape size std"
 )
 ARRAY |= words("sum var")
-DRAWS = words("exponential integers normal permutation random shuffle standard_exponential standard_normal uniform")
+DRAWS = words(
+    "choice exponential integers normal permutation random shuffle standard_exponential standard_normal uniform"
+)
 MEMBERS = ((types.Array, ARRAY, "an array's"), (types.NumPyRandomGeneratorType, DRAWS, "rng's"))
 """What may be asked of arrays and generators."""
 FITTING = (

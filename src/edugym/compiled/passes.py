@@ -1,8 +1,9 @@
 """What Numba does besides, before types are known, with code that is not the package's own: put checks into it.
 
 This is a pass in Numba's pipeline (`edugym.compiled.pipelines`). Every variable must have a value wherever it is used.
-Functions of `math` and the like are replaced, and calls are written as Numba knows them. See `edugym.compiled.subset`
-and `edugym.compiled.arithmetic`; what follows when types are known is in `edugym.compiled.judging`.
+Functions of `math` and the like are replaced, and calls are written as Numba knows them. See
+`edugym.compiled.arithmetic` and `edugym.compiled.draws`; what follows when types are known is in
+`edugym.compiled.judging`.
 """
 
 import importlib
@@ -14,7 +15,8 @@ from typing import Any
 
 import numpy as np
 
-from edugym.compiled.arithmetic import CALLED, DRAWN, EXTREMES, REPLACED
+from edugym.compiled.arithmetic import CALLED, EXTREMES, REPLACED
+from edugym.compiled.draws import DRAWN
 from edugym.compiled.subset import place, words
 from edugym.compiled.turns import count_turns
 

@@ -10,10 +10,6 @@ from edugym.compiled.subset import place
 MOST_WORDS = 150
 """How many letters of a message of Numba's are shown."""
 WORDS = (
-    (
-        r"Unknown attribute 'choice' of type NumPyRandomGeneratorType.*",
-        "it uses rng's choice: draw an index instead, int(rng.random() * n)",
-    ),
     (r"Unknown attribute '(\w+)' of type NumPyRandomGeneratorType.*", r"it uses rng's \1"),
     (
         r"Unknown attribute '(\w+)' of type class\(<class '(?:.*\.)?(\w+)'>\).*",
@@ -34,6 +30,10 @@ WORDS = (
     (r">>> rng.integers\(.*array\(.*", "rng.integers draws an array of numbers: draw them one by one"),
     (r">>> rng.integers\(.*class\(.*", "rng.integers draws numbers of another type than int64"),
     (r">>> rng.integers\(.*", "rng.integers takes whole numbers, but was given something else"),
+    (
+        r">>> rng.choice\(.*",
+        "rng.choice is compiled only for one draw, as rng.choice(n) or rng.choice(values), with p or without",
+    ),
     (r"Argument (\w+) is not one of the expected type.*", r"\1 is of a type that Numba does not take"),
     (r"(Cannot bind|missing a required|got an unexpected) .*", "a call has other arguments than Numba takes"),
     (

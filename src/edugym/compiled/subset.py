@@ -57,7 +57,7 @@ HARMLESS = words(
 )
 """Special names of a class that no operation of machine code would look up."""
 DRAWS_WITH_CHECKS = words("exponential integers normal uniform")
-"""Draws whose parameters are checked; see `edugym.compiled.arithmetic`."""
+"""Draws whose parameters are checked; see `edugym.compiled.draws`."""
 MOMENT = ("a state", "an observation", "an action")
 """What is between two steps of a loop, which may have other numbers in place of the action."""
 OTHERWISE = {

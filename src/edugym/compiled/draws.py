@@ -1,0 +1,147 @@
+"""Draws as NumPy makes them, or an error: what users' code uses in place of Numba's own, once compiled.
+
+Numba checks no parameters, draws one whole number as an array, and has no `rng.choice`. As in
+`edugym.compiled.arithmetic`, the interpreter plays a chunk of steps again where these raise an error.
+
+`DRAWN` are ordinary functions, put in place of methods of `rng` by their names.
+"""
+
+import importlib
+import math
+from typing import Any
+
+import numpy as np
+
+from edugym.compiled.arithmetic import LARGEST, Function
+
+types: Any = importlib.import_module("numba.core.types")
+extending: Any = importlib.import_module("numba.extending")
+methods: Any = importlib.import_module("numba.np.random.random_methods")
+LAST_OF_32_BITS, LAST_OF_64_BITS = 2**32 - 1, 2**64 - 1
+TOLERANCE = math.sqrt(np.finfo(np.float64).eps)
+"""How far from 1 a sum of probabilities may be."""
+
+
+def _normal(rng: Any, loc: Any = 0.0, scale: Any = 1.0) -> Any:
+    """`rng.normal(loc, scale)`."""
+    if scale < 0:
+        raise ValueError("scale < 0")
+    return rng.normal(loc, scale)
+
+
+def _exponential(rng: Any, scale: Any = 1.0) -> Any:
+    """`rng.exponential(scale)`."""
+    if scale < 0:
+        raise ValueError("scale < 0")
+    return rng.exponential(scale)
+
+
+def _uniform(rng: Any, low: Any = 0.0, high: Any = 1.0, size: Any = None) -> Any:
+    """`rng.uniform(low, high, size)`."""
+    if not 0.0 <= high - low <= LARGEST:
+        raise ValueError("high - low < 0")
+    return rng.uniform(low, high, size)
+
+
+def _nothing(kind: Any) -> bool:
+    """Whether a parameter is None, or is left out."""
+    return kind is None or (isinstance(kind, types.NoneType | types.Omitted) and getattr(kind, "value", None) is None)
+
+
+def _any_integers(rng: Any, low: Any, high: Any, size: Any, dtype: Any, endpoint: Any) -> Any:
+    raise NotImplementedError
+
+
+def _choose_integers(rng: Any, low: Any, high: Any, size: Any, dtype: Any, endpoint: Any) -> Any:
+    """Which one it is, from the types: this is asked while compiling."""
+    if not _nothing(dtype) and getattr(dtype, "dtype", None) != types.int64:
+        return None
+    if _nothing(size) and _nothing(high):
+        return lambda rng, low, high, size, dtype, endpoint: _drawn(rng, 0, low, endpoint)
+    if _nothing(size):
+        return lambda rng, low, high, size, dtype, endpoint: _drawn(rng, low, high, endpoint)
+    if _nothing(high):
+        return lambda rng, low, high, size, dtype, endpoint: rng.integers(0, low, size, np.int64, endpoint)
+    return lambda rng, low, high, size, dtype, endpoint: rng.integers(low, high, size, np.int64, endpoint)
+
+
+def _integers(rng: Any, low: Any, high: Any = None, size: Any = None, dtype: Any = None, endpoint: Any = False) -> Any:
+    """`rng.integers(high)` or `rng.integers(low, high)`; Numba knows only the second, and its one draw is an array."""
+    return _any_integers(rng, low, high, size, dtype, endpoint)
+
+
+def _drawn(rng: Any, low: Any, high: Any, endpoint: Any) -> Any:
+    """A whole number from `low` to `high`, drawn as NumPy draws it."""
+    limits, bits = range(low | 0, high | 0), rng.bit_generator  # only whole numbers have |
+    low, high = limits.start, limits.stop
+    if low > high or (low == high and not endpoint):
+        raise ValueError("low >= high")
+    last = np.uint64(high) - np.uint64(low) - np.uint64(not endpoint)
+    if last == 0:
+        return low
+    if last < LAST_OF_32_BITS:
+        drawn = np.uint64(methods.buffered_bounded_lemire_uint32(bits, np.uint32(last)))
+    elif last == LAST_OF_32_BITS:
+        drawn = np.uint64(methods.next_uint32(bits))
+    elif last == LAST_OF_64_BITS:
+        drawn = np.uint64(methods.next_uint64(bits))
+    else:
+        drawn = np.uint64(methods.bounded_lemire_uint64(bits, last))
+    return np.int64(np.uint64(low) + drawn)  # a sum of signed numbers may not overflow on its way
+
+
+def _weighted(rng: Any, n: Any, p: Any) -> Any:
+    """A number from 0 to n - 1, each with its probability."""
+    if len(p) != n:
+        raise ValueError("a and p must have the same size")
+    total, lost, last = 0.0, 0.0, 0.0
+    for probability in p:
+        if not probability >= 0.0:  # negative, or NaN
+            raise ValueError("probabilities must not be negative")
+        last += probability
+        more = probability - lost
+        total, lost = total + more, (total + more - total) - more  # Kahan's sum, which NumPy compares with 1
+    if not abs(total - 1.0) <= TOLERANCE:
+        raise ValueError("probabilities must sum to 1")
+    drawn, i, so_far = rng.random(), 0, p[0]
+    while drawn >= so_far / last:
+        i += 1
+        so_far += p[i]
+    return i
+
+
+def _in_a_row(kind: Any) -> bool:
+    """Whether it is a list, a tuple or an array of one dimension, with numbers of one type."""
+    row = isinstance(kind, types.List | types.UniTuple) or (isinstance(kind, types.Array) and kind.ndim == 1)
+    return row and isinstance(kind.dtype, types.Number | types.Boolean)
+
+
+def _choice(rng: Any, a: Any, size: Any = None, replace: Any = True, p: Any = None) -> Any:
+    """`rng.choice(n)` or `rng.choice(values)`, with probabilities `p` or without, for one draw."""
+    number = isinstance(a, types.Integer)
+    fits = (number or _in_a_row(a)) and (_nothing(p) or _in_a_row(p))
+    replaced = getattr(replace, "literal_value", getattr(replace, "value", replace))
+    if not fits or not _nothing(size) or replaced is not True:
+        return None
+    if _nothing(p) and number:
+        return lambda rng, a, size=None, replace=True, p=None: _drawn(rng, 0, a, False)
+    if _nothing(p):
+        return lambda rng, a, size=None, replace=True, p=None: a[_drawn(rng, 0, len(a), False)]
+    if number:
+        return lambda rng, a, size=None, replace=True, p=None: _weighted(rng, a, p)
+    return lambda rng, a, size=None, replace=True, p=None: a[_weighted(rng, len(a), p)]
+
+
+extending.register_jitable(_drawn)
+extending.register_jitable(_weighted)
+extending.overload(_any_integers, strict=False)(_choose_integers)
+extending.overload_method(types.NumPyRandomGeneratorType, "choice", strict=False)(_choice)
+_any_integers.__name__, _choice.__name__ = "rng.integers", "rng.choice"  # by which messages call them
+
+DRAWN: dict[str, Function] = {
+    "normal": _normal,
+    "exponential": _exponential,
+    "uniform": _uniform,
+    "integers": _integers,
+}
+"""What stands for methods of `rng`."""
