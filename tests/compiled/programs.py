@@ -54,6 +54,14 @@ COMPILED = {
     "where it is not zero": program(
         "i = int(s) % 9\nself.Q[i] = math.nan if i == 4 else i % 3, -0.0\nfound = np.flatnonzero(self.Q)\n"
         "return 0.5 * s + found.sum() + len(np.flatnonzero(self.Q[::2, 0] > 1)) + np.flatnonzero(np.arange(3)).max()", **Q),
+    "any and all": program(
+        "i = int(s) % 9\nself.Q[i] = i - 4.0, math.nan if i == 3 else 0.0\na = any(self.Q[:, 1]) + 2 * all(self.Q[:, 0] < 4)\n"
+        "return 0.5 * s + a + 4 * any([k > s for k in range(9)]) + 8 * all((s > 2.0, s < 5.0)) + 16 * all([s]) + any(self.Q[i:i, 0])", **Q),
+    "highest and their places": program(
+        "i = int(s) % 9\nself.Q[i, 0] = rng.random() < 0.5\nbest = np.argwhere(self.Q[:, 0] == np.amax(self.Q[:, 0]))\n"
+        "return 0.5 * s + rng.choice(best.flatten()) + rng.choice(best[:, 0]) + np.amin(self.Q) + len(np.argwhere(self.Q))", **Q),
+    "draws of events": program(
+        "return 0.5 * s + rng.binomial(1, 0.25) + rng.binomial(30, min(1.0, s / 9)) + rng.poisson(3) + rng.poisson(s % 10) + rng.poisson()"),
     "choice of one's own": program("return s + self.choice(2, 3, p=rng.random())", more="def choice(self, a, b, p): return a * b * p"),
     "draws from nearly all whole numbers": program(
         "return s + 1 + rng.integers(-2**63, 2**62) % 7 + rng.integers(-2**63, 2**63 - 1, endpoint=True) % 5"),
@@ -111,6 +119,9 @@ RAISE = {
     "exponential": program("return s + 1 + 0 * rng.exponential(700 - s)"),
     "integers": program("return s + 1 + 0 * rng.integers(0, 700 - int(s))"),
     "integers below": program("return s + 1 + 0 * rng.integers(700 - int(s))"),
+    "poisson": program("return s + 1 + 0 * rng.poisson(700 - s if s > 695 else 5.0)"),
+    "binomial": program("return s + 1 + 0 * rng.binomial(700 - int(s) if s > 695 else 5, 0.5)"),
+    "binomial probability": program("return s + 1 + 0 * rng.binomial(5, s / 700)"),
     "choice": program("return s + 1 + 0 * rng.choice(700 - int(s))"),
     "choice of nothing": program("return s + 1 + rng.choice(np.flatnonzero(self.Q[:, 0] + 700 > s))", **Q),
     "choice with a negative probability": program(
@@ -150,6 +161,7 @@ RAISE = {
 """Programs that end with an error, soon or late."""
 
 SURPRISES = {
+    "events with a large mean": program("return 0.5 * s + rng.poisson(10.0) + rng.binomial(31, 0.5)"),
     "whole to a negative power": program("k = int(s)\nreturn 10 ** -k + s + 1"),
     "negative one": program("i = int(s)\nreturn (i + 2) ** -1 + s"),
     "three to 101": program("return 3 ** (101 + int(s) * 0) % 7 + s"),

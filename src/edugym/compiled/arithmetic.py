@@ -73,6 +73,20 @@ def _sum(values: Any, start: Any = 0) -> Any:
     return start
 
 
+def _any(values: Any) -> Any:
+    found = False
+    for value in values:
+        found = found or bool(value)
+    return found
+
+
+def _all(values: Any) -> Any:
+    found = True
+    for value in values:
+        found = found and bool(value)
+    return found
+
+
 def _pow(base: Any, exponent: Any) -> Any:
     return base**exponent
 
@@ -161,13 +175,15 @@ REPLACED: dict[Any, Function] = {
     math.acosh: _within(math.acosh, 1.0, math.inf),
     **{function: _finite(function) for function in (math.exp, math.expm1, math.cosh, math.sinh)},
     **{function: _whole(function) for function in (math.floor, math.ceil, math.trunc)},
+    builtins.any: _any,
+    builtins.all: _all,
     np.median: _median,
     np.clip: lambda a, a_min, a_max: _clip(a, a_min, a_max),
     np.flatnonzero: lambda a: _flatnonzero(a),
-    np.max: _extreme("np.max", operator.gt, lambda a: np.max(a)),
-    np.min: _extreme("np.min", operator.lt, lambda a: np.min(a)),
+    **{function: _extreme("np.max", operator.gt, lambda a: np.max(a)) for function in (np.max, np.amax)},
+    **{function: _extreme("np.min", operator.lt, lambda a: np.min(a)) for function in (np.min, np.amin)},
 }
-"""What stands for functions of `math` and `np`."""
+"""What stands for functions of `math` and `np`, and for two of Python's own that Numba does not have."""
 CALLED: dict[Any, Function] = {
     builtins.int: _whole(int),
     builtins.round: _whole(round),

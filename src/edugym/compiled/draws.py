@@ -18,6 +18,7 @@ types: Any = importlib.import_module("numba.core.types")
 extending: Any = importlib.import_module("numba.extending")
 methods: Any = importlib.import_module("numba.np.random.random_methods")
 LAST_OF_32_BITS, LAST_OF_64_BITS = 2**32 - 1, 2**64 - 1
+MEAN_OF_EQUAL_DRAWS, TRIALS_OF_EQUAL_DRAWS = 10.0, 30
 TOLERANCE = math.sqrt(np.finfo(np.float64).eps)
 """How far from 1 a sum of probabilities may be."""
 
@@ -41,6 +42,20 @@ def _uniform(rng: Any, low: Any = 0.0, high: Any = 1.0, size: Any = None) -> Any
     if not 0.0 <= high - low <= LARGEST:
         raise ValueError("high - low < 0")
     return rng.uniform(low, high, size)
+
+
+def _poisson(rng: Any, lam: Any = 1.0) -> Any:
+    """`rng.poisson(lam)`; for larger means Numba's draws are not always NumPy's."""
+    if not 0.0 <= lam < MEAN_OF_EQUAL_DRAWS:
+        raise ValueError("lam < 0, or large")
+    return rng.poisson(lam)
+
+
+def _binomial(rng: Any, n: Any, p: Any) -> Any:
+    """`rng.binomial(n, p)`; for more trials Numba's draws need not be NumPy's."""
+    if not (0 <= n | 0 <= TRIALS_OF_EQUAL_DRAWS and 0.0 <= p <= 1.0):  # only whole numbers have |
+        raise ValueError("p < 0, p > 1 or n < 0, or n is large")
+    return rng.binomial(n, p)
 
 
 def _nothing(kind: Any) -> bool:
@@ -142,6 +157,8 @@ DRAWN: dict[str, Function] = {
     "normal": _normal,
     "exponential": _exponential,
     "uniform": _uniform,
+    "poisson": _poisson,
+    "binomial": _binomial,
     "integers": _integers,
 }
 """What stands for methods of `rng`."""

@@ -24,7 +24,8 @@ ARRAY = words(
 )
 ARRAY |= words("sum var")
 DRAWS = words(
-    "choice exponential integers normal permutation random shuffle standard_exponential standard_normal uniform"
+    "binomial choice exponential integers normal permutation poisson random shuffle standard_exponential "
+    "standard_normal uniform"
 )
 MEMBERS = ((types.Array, ARRAY, "an array's"), (types.NumPyRandomGeneratorType, DRAWS, "rng's"))
 """What may be asked of arrays and generators."""

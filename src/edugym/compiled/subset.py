@@ -31,7 +31,7 @@ def words(text: str) -> frozenset[str]:
 
 DTYPES = frozenset({"int64", "float64", "bool"})
 BUILTINS = words(
-    "abs bool divmod enumerate float int len list max min pow range reversed round sorted sum tuple zip "
+    "abs all any bool divmod enumerate float int len list max min pow range reversed round sorted sum tuple zip "
     "ArithmeticError AssertionError Exception IndexError KeyError NotImplementedError OverflowError RuntimeError "
     "TypeError ValueError ZeroDivisionError True False None"
 )
@@ -40,7 +40,8 @@ MATH = words(
     "isinf isnan log log10 log1p log2 nan pi radians sin sinh sqrt tan tanh tau trunc"
 )
 NUMPY = words(
-    "abs absolute all any arange arccos arcsin arctan arctan2 argmax argmin array array_equal bool bool_ ceil clip "
+    "abs absolute all amax amin any arange arccos arcsin arctan arctan2 argmax argmin argwhere array array_equal bool "
+    "bool_ ceil clip "
     "concatenate copy cos cosh count_nonzero cumprod cumsum diff divide dot e empty empty_like exp expm1 eye "
     "flatnonzero float64 floor full full_like hypot identity inf int64 intp isfinite isinf isnan linspace log log10 "
     "log1p log2 max maximum mean median min minimum multiply nan ndarray newaxis nonzero ones ones_like outer pi prod "
@@ -56,7 +57,7 @@ HARMLESS = words(
     "__weakref__"
 )
 """Special names of a class that no operation of machine code would look up."""
-DRAWS_WITH_CHECKS = words("exponential integers normal uniform")
+DRAWS_WITH_CHECKS = words("binomial exponential integers normal poisson uniform")
 """Draws whose parameters are checked; see `edugym.compiled.draws`."""
 MOMENT = ("a state", "an observation", "an action")
 """What is between two steps of a loop, which may have other numbers in place of the action."""
