@@ -3,6 +3,7 @@
 import os
 import pickle
 import signal
+import subprocess
 import sys
 import threading
 import time
@@ -132,6 +133,47 @@ def test_a_thread_that_does_not_stop_is_ended() -> None:
     threads[1].join(10)
     assert ended == {"ordered": "stopped", "free": "end"}
     assert interrupts._in_threads == {}
+
+
+def test_a_thread_in_machine_code_asks_itself() -> None:
+    """So it is not ended by force, which its callbacks would report as an error."""
+    order, end = threading.Event(), threading.Event()
+    order.set()
+    ended = list[str]()
+
+    def run() -> None:
+        with Work(order) as work:
+            work.hold(True)
+            end.wait(10)
+            with held(False), held():
+                pass
+            ended.append("stopped" if work.stopped() else "went on")
+
+    thread = threading.Thread(target=run)
+    thread.start()
+    while not any(work._machine_code for work in interrupts._in_threads):
+        time.sleep(0.001)
+    Work()._insist()
+    end.set()
+    thread.join(10)
+    assert ended == ["stopped"]
+
+
+TRACED = """
+import sys, threading
+def tracer(frame, event, argument):
+    return tracer if "edugym" in frame.f_code.co_filename else None
+sys.settrace(tracer)
+threading.settrace(tracer)
+from edugym import QLearning, repeat
+print(repeat("Boulder", {"Q": QLearning.create}, 200, repetitions=4, jobs=2).complete)
+"""
+
+
+def test_runs_in_threads_under_a_debugger() -> None:
+    """Debuggers and coverage trace the code: what a run leaves behind in Python must not stop the next one."""
+    ran = subprocess.run([sys.executable, "-c", TRACED], capture_output=True, text=True, timeout=60, check=False)
+    assert (ran.stdout, ran.stderr) == ("True\n", "")
 
 
 @pytest.mark.parametrize("by_event", [False, True])

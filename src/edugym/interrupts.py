@@ -9,7 +9,7 @@ Everything that takes long runs inside `with Work() as work`. A signal is then a
 * A long loop of machine code asks from time to time (`asked_to_stop`), and ends by raising `Stopped`.
 * While runs are under way in other threads and processes (`work.ordering()`), Ctrl-C orders them to stop, so that they
   return what is done. After `PATIENCE` seconds, or with a second Ctrl-C, nobody waits for those that have not stopped,
-  and `Stopped` is raised in the threads among them.
+  and `Stopped` is raised in the threads among them that are in Python. (Machine code asks.)
 
 What cannot be interrupted at all, such as LLVM or the import of a library, runs in a thread (`interruptibly`).
 """
@@ -23,7 +23,7 @@ import tempfile
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import cached_property
 from pathlib import Path
 from typing import Any, ParamSpec, TypeVar
@@ -33,7 +33,7 @@ T = TypeVar("T")
 
 INTERRUPTED = 130
 """The exit status of a command that Ctrl-C ended, as shells expect it."""
-PATIENCE = 0.1
+PATIENCE = 0.15
 """The seconds in which runs may stop by themselves and return what is done, after the order to stop."""
 
 AGAIN = 0.01
@@ -107,6 +107,7 @@ class Work:
         self._stop = stop
         self._around: Work | None = getattr(_current, "work", None)
         self._held = False
+        self._machine_code = False
         self._handlers: dict[int, Callable[[int, Any], Any]] = {}
         self._pending: list[tuple[int, Any]] = []
         self._raised: KeyboardInterrupt | None = None
@@ -134,11 +135,12 @@ class Work:
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, traceback: Any) -> None:
         """Put the handlers back, and call those that still wait."""
+        _current.work = self._around
         if self._stop is not None and not self._handlers:
             with _ending:
-                _in_threads.pop(self, None)
-                _raise_in(threading.get_ident(), None)  # an error that was to end this work ends nothing else
-        _current.work = self._around
+                ended = _in_threads.pop(self, None) is None
+            if ended:
+                _receive_stopped()
         self._held = True
         for number, handler in self._handlers.items():
             signal.signal(number, handler)
@@ -152,6 +154,7 @@ class Work:
 
     def hold(self, machine_code: bool) -> None:
         """Let signals wait until `stopped` is asked, from now on and if machine code is to run."""
+        self._machine_code = machine_code
         self._held = machine_code and bool(self._handlers)
 
     def stopped(self) -> bool:
@@ -206,8 +209,8 @@ class Work:
             if self._order is not None:
                 _press_ctrl_c()
         with _ending:
-            for work in [work for work in _in_threads if work._stop.is_set()]:
-                _raise_in(_in_threads.pop(work), Stopped)
+            for work in [work for work in _in_threads if work._stop.is_set() and not work._machine_code]:
+                _raise_stopped(_in_threads.pop(work))
 
     def _swallowed(self, unraisable: Any) -> None:
         """Press Ctrl-C again where Python ignored it."""
@@ -226,9 +229,20 @@ _in_threads: dict[Work, int] = {}  # the works of other threads than the main on
 _ending = threading.Lock()
 
 
-def _raise_in(ident: int, error: type[BaseException] | None) -> None:
-    """Raise an error in another thread as soon as it is in Python; None withdraws what was not raised yet."""
-    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(ident), error and ctypes.py_object(error))
+def _raise_stopped(ident: int) -> None:
+    """Raise `Stopped` in a thread as soon as it is in Python."""
+    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(ident), ctypes.py_object(Stopped))
+
+
+def _receive_stopped() -> None:
+    """Wait for a `Stopped` that may not have been raised in this thread yet, so that it ends nothing else.
+
+    Python could withdraw it, but would look for it ever after, which slows all code, and hangs where code is traced.
+    """
+    with suppress(Stopped):
+        _raise_stopped(threading.get_ident())  # in place of one that waits; or else one more
+        while True:
+            time.sleep(0)
 
 
 def _press_ctrl_c() -> None:
@@ -263,7 +277,7 @@ def held(machine_code: bool = True) -> Iterator[None]:
     if work is None:
         yield
         return
-    before = work._held
+    before = work._machine_code
     work.hold(machine_code)
     try:
         if not machine_code:

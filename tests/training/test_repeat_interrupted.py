@@ -6,14 +6,18 @@ import signal
 import subprocess
 import sys
 import threading
+import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from edugym import QLearning, repeat
+from edugym import QLearning, repeat, train
 from edugym.interrupts import Interrupted
+from edugym.training import repeat as repeating
+from edugym.training.checkpoints import Checkpoints
+from edugym.training.run import Run
 
 HOURS = 10**13  # training steps that no machine takes while a test waits
 
@@ -95,6 +99,37 @@ def test_a_run_that_does_not_listen_is_left() -> None:
         go_on.set()
 
 
+def test_runs_that_end_while_the_main_thread_waits_are_kept(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """As when other programs keep it from its turn until the patience is over: the same call begins with them."""
+    both, save = threading.Barrier(2), Checkpoints.save
+    ended, waiting = threading.Semaphore(0), True
+
+    def train_together(*arguments: Any, **settings: Any) -> Run:
+        both.wait(60)
+        try:
+            return train(*arguments, **settings)
+        finally:
+            ended.release()
+
+    def save_late(self: Checkpoints, planned: Any, run: Run) -> None:
+        nonlocal waiting
+        save(self, planned, run)
+        if waiting:
+            waiting = False
+            assert all(ended.acquire(timeout=60) for _ in range(2))
+            time.sleep(0.1)  # the second one is about to return
+            raise KeyboardInterrupt
+
+    monkeypatch.setattr(repeating, "train", train_together)
+    monkeypatch.setattr(Checkpoints, "save", save_late)
+    with pytest.raises(Interrupted, match="2 of 2 runs are complete") as interrupted:
+        repeat("Boulder", {"Q": QLearning.create}, 200, repetitions=2, jobs=2, checkpoints=tmp_path)
+    assert interrupted.value.partial.complete
+    monkeypatch.setattr(repeating, "train", None)  # nothing is trained again
+    again = repeat("Boulder", {"Q": QLearning.create}, 200, repetitions=2, jobs=2, checkpoints=tmp_path)
+    assert again.table.equals(interrupted.value.partial.table)
+
+
 def test_before_the_first_step(tmp_path: Path) -> None:
     """Nothing is done yet, and that comes back: results without a row, and no file."""
     path = tmp_path / "results.csv"
@@ -133,8 +168,11 @@ def test_it_works_in_any_thread() -> None:
 CHILD = f"""
 import json, os, signal, sys, warnings
 import joblib
-from edugym import QLearning, repeat
+from edugym import QLearning, repeat, train
 from edugym.interrupts import Interrupted
+from edugym.training import repeat as repeating
+from edugym.training.checkpoints import Checkpoints
+from edugym.training.run import Run
 
 signal.signal(signal.SIGINT, signal.default_int_handler)
 environment, backend, jobs, runs = sys.argv[1], sys.argv[2], int(sys.argv[3]), int(sys.argv[4])

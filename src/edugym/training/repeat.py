@@ -6,7 +6,8 @@ import os
 import signal
 import threading
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Generator, Mapping
+from contextlib import suppress
 from numbers import Integral
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -262,10 +263,17 @@ def _do_all(
 
     to_do = [planned for planned in experiment.plan if planned not in runs]
     total = len(experiment.plan) * training["n_steps"]
+    done = Runs()  # by threads of this process, before joblib hands them over
+
+    def keep(planned: Planned, run: Run) -> None:
+        runs[planned] = run
+        if run.complete:
+            store.save(planned, run)
+
     with ordered_by(event) as stop, progress_bar(total, "steps", shown=progress) as bar:
         bar.update(len(runs) * training["n_steps"])
         calls = (
-            joblib.delayed(_do)(planned, experiment.task, experiment.makers[planned.method], training, stop)
+            joblib.delayed(_do)(planned, experiment.task, experiment.makers[planned.method], training, stop, done)
             for planned in to_do
             if not stop.is_set()
         )
@@ -275,36 +283,49 @@ def _do_all(
             jobs, prefer="threads", return_as=at_once, pre_dispatch="n_jobs", batch_size=1, max_nbytes=None
         )
         error: Exception | None = None
-        with work.ordering(stop.set):
-            for planned, run in parallel(calls):
-                if isinstance(run, Exception):
-                    error = error or run
-                    stop.set()
-                    continue
-                runs[planned] = run
-                if run.complete:
-                    store.save(planned, run)
-                bar.update(training["n_steps"])
+        outcomes: Any = None
+        try:
+            with work.ordering(stop.set):
+                outcomes = parallel(calls)
+                for planned, run in outcomes:
+                    if isinstance(run, Exception):
+                        error = error or run
+                        stop.set()
+                        continue
+                    keep(planned, run)
+                    bar.update(training["n_steps"])
+        except KeyboardInterrupt:  # not all runs have ended in time, but some may have ended meanwhile
+            for planned in done.keys() - runs.keys():
+                keep(planned, done[planned])
+            if isinstance(outcomes, Generator):
+                with suppress(KeyboardInterrupt):
+                    outcomes.throw(KeyboardInterrupt)  # else joblib would warn that they have not been used
+            raise
         if error is not None:
             raise error
 
 
 def _do(
-    planned: Planned, task: Task, maker: Maker, training: dict[str, Any], stop: Stop
+    planned: Planned, task: Task, maker: Maker, training: dict[str, Any], stop: Stop, done: Runs
 ) -> tuple[Planned, Run | Exception]:
-    """Do one run of one method; return an error rather than raise it, so that its traceback shows no joblib."""
+    """Do one run of one method; return an error rather than raise it, so that its traceback shows no joblib.
+
+    The run is also added to `done`, which other processes have a copy of.
+    """
     in_other_process = os.getpid() != stop.process
     if in_other_process and threading.current_thread() is threading.main_thread():
         signal.signal(signal.SIGINT, signal.SIG_IGN)  # what ends a worker is the file that `stop` creates
     try:
         environment = task.make(planned.repetition.layout_seed)
-        return planned, train(environment, maker(environment), **training, seed=planned.repetition.seed, stop=stop)
+        run = train(environment, maker(environment), **training, seed=planned.repetition.seed, stop=stop)
     except Interrupted as interrupted:
-        return planned, interrupted.partial
+        run = interrupted.partial
     except Exception as error:
         if in_other_process:
             raise
         return planned, error
+    done[planned] = run
+    return planned, run
 
 
 def _collected(experiment: Experiment, runs: Runs) -> Results:
