@@ -40,7 +40,10 @@ for module in pkgutil.walk_packages(edugym.__path__, "edugym.", onerror=lambda n
         print(module.name)
 """
 NEED_ONE = {
-    *(f"edugym.compiled.{name}" for name in ("arithmetic", "generators", "passes", "pipelines", "turns")),
+    *(
+        f"edugym.compiled.{name}"
+        for name in ("arithmetic", "draws", "generators", "judging", "passes", "pipelines", "turns")
+    ),
     *(f"edugym.deep.{name}" for name in ("baselines", "curves", "ppo", "vec_env")),
     "edugym.lessons.dimensionality.layers",
     "edugym.notebook",

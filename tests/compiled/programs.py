@@ -43,7 +43,7 @@ COMPILED = {
         "i = int(s) % 9\nself.Q[i] *= 0.5\nself.Q[i:, 1] += s\nself.Q[::-2, ::-1] -= 1\nself.Q[-1][:] /= 4\nself.Q[i], i = self.Q[3], 2\n"
         "row = self.Q[i]\nrow += 1\nself.Q[i + 1] = row\nrow -= 2\nself.Q[i] = row\nreturn (s + abs(self.Q[4, 1])) % 100", **Q),
     "row in place": program("self.Q[0] *= 0.5\nself.Q[:] += 0.25\nreturn self.Q.sum()", **Q),
-    "normal": program("return rng.normal(0.5 * s, 2.0) + rng.exponential(3.0) + rng.normal()"),
+    "normal": program("return rng.normal(0.5 * s, 2.0) + rng.exponential(3.0) + rng.normal() + rng.exponential() + rng.uniform()"),
     "draws of all kinds": program(
         "i = rng.integers(9) + rng.integers(0, 3, endpoint=True) % 2 + rng.integers(4, size=2)[1] % 2\n"
         "return 0.5 * s + i % 9 + rng.uniform(-1, 2) + rng.uniform(3.0, 3.0) + rng.uniform(size=3)[2]"),
