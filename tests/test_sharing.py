@@ -131,8 +131,10 @@ def test_what_cannot_be_shared(tmp_path: Path, cell: dict[str, Any]) -> None:
     for name in ("walk.txt", "my-walk.py", "class.py", "1.py"):
         with pytest.raises(ValueError, match="path must be the name of a Python module"):
             share(Morning(), tmp_path / name)
-    with pytest.raises(ValueError, match="mdp must be"):
+    with pytest.raises(ValueError, match="^mdp must be"):
         share(3, tmp_path / "three.py")
+    with pytest.raises(ValueError, match="^transition of Lost must return the next state"):
+        share(Lost(), tmp_path / "lost.py")
     cell["ends"] = {"left": 0, "right": iter([])}
     with pytest.raises(ValueError, match="ends must be made of numbers, texts and arrays to be shared"):
         share(cell["Slow"](5, steps=np.array([1, 2])), tmp_path / "slow.py")
@@ -294,6 +296,15 @@ class Coin(NamedTuple):
     def observation(self, state: int, rng: Any) -> int:
         """The side."""
         return state
+
+
+class Lost(Coin):
+    """A task whose first steps show a mistake."""
+
+    __slots__ = ()
+
+    def transition(self, state: Any, action: int, rng: Any) -> Any:
+        """No `return`."""
 
 
 @wrapper
