@@ -136,7 +136,8 @@ def test_what_cannot_be_shared(tmp_path: Path, cell: dict[str, Any]) -> None:
         share(3, tmp_path / "three.py")
     with pytest.raises(ValueError, match=r"^transition of Lost must return the next state"):
         share(Lost(), tmp_path / "lost.py")
-    for other in (iter([]), ast.Constant(1)):
+    others: tuple[Any, ...] = iter([]), ast.Constant(1)
+    for other in others:
         cell["ends"] = {"left": 0, "right": other}
         with pytest.raises(ValueError, match="ends must be made of numbers, texts and arrays to be shared"):
             share(cell["Slow"](5, steps=np.array([1, 2])), tmp_path / "slow.py")

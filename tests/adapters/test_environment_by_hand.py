@@ -78,7 +78,7 @@ def test_outcomes_that_are_drawn() -> None:
     drawn = [env.generative_model(2, 1) for _ in range(2_000)]
     assert {outcome.probability for outcome in drawn} == {1.0}
     assert Counter(outcome.next_state for outcome in drawn)[3] == pytest.approx(1_500, abs=80)
-    runs = []
+    runs: list[Any] = []
     for seed in (3, 4, 3):
         env.reset(seed=seed)
         runs.append([env.model(2, 1, "generative") for _ in range(30)])

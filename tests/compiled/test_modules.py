@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from edugym.compiled import bridge
 from edugym.compiled.code import Code
 from edugym.compiled.subset import _of_name, refusal
 from tests.compiled.cells import cell
@@ -67,3 +68,11 @@ def test_arrays_that_code_reaches() -> None:
     )
     task = cell(notebook(source, "return s + g(1.0) + h(1.0) + self.D[0][0]", "D = (np.zeros(4),)"))["T"](1)
     assert sorted(array.size for array in Code(loop, (10, task)).arrays()) == [1, 2, 3, 4]
+
+
+def test_nothing_is_left_of_a_build() -> None:
+    """Not its options, nor functions, which would keep a notebook's old classes alive; after an error, too."""
+    function: Any = loop
+    with pytest.raises(KeyError), bridge.building({"boundscheck": True}, {function}):
+        raise KeyError(len(bridge._helpers))
+    assert (bridge._options, bridge._helpers, bridge._parts) == ({}, set(), {})

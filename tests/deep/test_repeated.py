@@ -62,7 +62,8 @@ def test_every_column() -> None:
 
 def test_settings_of_any_kind() -> None:
     """What JSON does not know is written as text."""
-    results = repeat_deep({"one": partial(pretend, more=np.float32(0.5))}, 100, repetitions=1, jobs=1)
+    half: Any = np.float32(0.5)
+    results = repeat_deep({"one": partial(pretend, more=half)}, 100, repetitions=1, jobs=1)
     assert results.table["settings"].iloc[0] == '["pretend", {"more": "0.5"}]'
 
 
