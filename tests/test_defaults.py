@@ -5,6 +5,8 @@ import inspect
 import pkgutil
 import re
 from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import is_dataclass
 from pathlib import Path
 from typing import Any
 
@@ -76,6 +78,19 @@ def test_defaults() -> None:
         pytest.fail(f"{FILE} is new: read it, and commit it")
     before = FILE.read_text(encoding="utf-8").splitlines()
     assert now == [line for line in before if not line.startswith(tuple(missing))]
+
+
+def test_what_cannot_be_changed() -> None:
+    """Results, pictures and verdicts stay what they are; what Gymnasium or the clock changes does not."""
+    frozen = {}
+    for module in MODULES:
+        with suppress(ImportError, DependencyNotInstalled, SystemExit):
+            for kind in vars(importlib.import_module(module)).values():
+                if inspect.isclass(kind) and is_dataclass(kind) and kind.__module__.startswith("edugym."):
+                    made: Any = kind
+                    frozen[kind.__name__] = made.__dataclass_params__.frozen
+    assert {"Run", "Results", "Scene", "Circle", "Update"} - frozen.keys() == set()
+    assert {name for name, is_frozen in frozen.items() if not is_frozen} == {"FilledSpec", "_Stretch"}
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -46,6 +46,36 @@ def test_a_block_of_python_in_machine_code(came: list[int]) -> None:
         assert len(came) == 4
 
 
+@pytest.mark.parametrize("entering", [True, False])
+def test_ctrl_c_while_handlers_take_turns(entering: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It waits until all are in place; where it ends the work before its block, all is as it was, too."""
+    put, work, pressed = signal.signal, Work(), list[int]()
+
+    def press(number: int, handler: Any) -> Any:
+        if not entering and handler != work._arrive:
+            signal.raise_signal(signal.SIGINT)
+            pressed.append(number)
+        before = put(number, handler)
+        if entering and number == signal.SIGINT and handler == work._arrive:
+            signal.raise_signal(signal.SIGINT)
+        return before
+
+    numbers = signal.SIGINT, signal.SIGALRM
+    alarm = put(signal.SIGALRM, lambda number, frame: None)
+    before = [signal.getsignal(number) for number in numbers], sys.unraisablehook
+    monkeypatch.setattr(signal, "signal", press)
+    try:
+        with pytest.raises(KeyboardInterrupt), work:
+            assert not entering
+        after = [signal.getsignal(number) for number in numbers], sys.unraisablehook
+    finally:
+        for number, handler in zip(numbers, before[0], strict=True):
+            put(number, handler)
+        put(signal.SIGALRM, alarm)
+    assert after == before
+    assert getattr(interrupts._current, "work", None) is None
+
+
 class Late(Exception):
     """What a handler of a student's own raises."""
 
@@ -157,6 +187,28 @@ def test_a_thread_in_machine_code_asks_itself() -> None:
     end.set()
     thread.join(10)
     assert ended == ["stopped"]
+
+
+@pytest.mark.parametrize(("main", "ended", "waits"), [(False, True, 1), (False, False, 0), (True, False, 0)])
+def test_who_waits_for_the_error_that_ends_it(
+    main: bool, ended: bool, waits: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A thread that another has ended, so that the error ends nothing else; no other one."""
+    waited = list[bool]()
+    monkeypatch.setattr(interrupts, "_receive_stopped", lambda: waited.append(True))
+
+    def run() -> None:
+        with Work(threading.Event()):
+            if ended:
+                interrupts._in_threads.clear()
+
+    if main:
+        run()
+    else:
+        thread = threading.Thread(target=run)
+        thread.start()
+        thread.join()
+    assert len(waited) == waits
 
 
 TRACED = """

@@ -1,5 +1,6 @@
 """An MDP in one file: it is the same one for whoever opens it."""
 
+import ast
 import linecache
 import subprocess
 import sys
@@ -131,11 +132,15 @@ def test_what_cannot_be_shared(tmp_path: Path, cell: dict[str, Any]) -> None:
     for name in ("walk.txt", "my-walk.py", "class.py", "1.py"):
         with pytest.raises(ValueError, match="path must be the name of a Python module"):
             share(Morning(), tmp_path / name)
-    with pytest.raises(ValueError, match="mdp must be"):
+    with pytest.raises(ValueError, match=r"^mdp must be"):
         share(3, tmp_path / "three.py")
-    cell["ends"] = {"left": 0, "right": iter([])}
-    with pytest.raises(ValueError, match="ends must be made of numbers, texts and arrays to be shared"):
-        share(cell["Slow"](5, steps=np.array([1, 2])), tmp_path / "slow.py")
+    with pytest.raises(ValueError, match=r"^transition of Lost must return the next state"):
+        share(Lost(), tmp_path / "lost.py")
+    others: tuple[Any, ...] = iter([]), ast.Constant(1)
+    for other in others:
+        cell["ends"] = {"left": 0, "right": other}
+        with pytest.raises(ValueError, match="ends must be made of numbers, texts and arrays to be shared"):
+            share(cell["Slow"](5, steps=np.array([1, 2])), tmp_path / "slow.py")
     assert [*tmp_path.iterdir()] == []
 
 
@@ -206,9 +211,10 @@ def test_a_decorator_is_part_of_the_class(tmp_path: Path, cell: dict[str, Any]) 
 
 
 def test_a_cell_that_was_run_again(tmp_path: Path, cell: dict[str, Any]) -> None:
-    """Of two classes of one name, neither with a method, the last one is shared."""
+    """Of two classes of one name, neither with a method, the last one is shared; a cell that is no Python is none."""
     run("class Place(NamedTuple):\n    y: int\n    x: int = 1\n", 5, cell)
     run("class Place(NamedTuple):\n    x: int\n    again: bool = True\n", 6, cell)
+    linecache.cache["/tmp/ipykernel_1/7.py"] = (8, None, ["%time 1\n"], "/tmp/ipykernel_1/7.py")
     path = share(cell["Walk"](5, steps=np.array([1, 2])), tmp_path / "again.py")
     assert read_mdp(path).initial(None)._fields == ("x", "again")
 
@@ -294,6 +300,15 @@ class Coin(NamedTuple):
     def observation(self, state: int, rng: Any) -> int:
         """The side."""
         return state
+
+
+class Lost(Coin):
+    """A task whose first steps show a mistake."""
+
+    __slots__ = ()
+
+    def transition(self, state: Any, action: int, rng: Any) -> Any:
+        """No `return`."""
 
 
 @wrapper

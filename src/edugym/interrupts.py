@@ -128,7 +128,11 @@ class Work:
             self._hook = sys.unraisablehook
             sys.unraisablehook = self._swallowed
             self._held = False
-            self._deliver()
+            try:
+                self._deliver()
+            except BaseException as error:  # then the block does not begin, and Python does not end it
+                self.__exit__(type(error), error, None)
+                raise
         elif self._stop is not None:
             _in_threads[self] = threading.get_ident()
         return self
@@ -142,10 +146,10 @@ class Work:
             if ended:
                 _receive_stopped()
         self._held = True
-        for number, handler in self._handlers.items():
-            signal.signal(number, handler)
         if self._handlers:
             sys.unraisablehook = self._hook
+        for number, handler in sorted(self._handlers.items(), key=lambda item: item[0] == signal.SIGINT):
+            signal.signal(number, handler)  # that of Ctrl-C last: from then on it raises an error, as ever
         if kind is not None:
             self._raised = None
         self._deliver()

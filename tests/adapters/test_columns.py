@@ -87,6 +87,8 @@ def test_places_are_apart() -> None:
         ([False, True], True),
         ([Pair(0, (1, 2)), Pair(0.5, (1, 2)), Pair(1, (True, 2.5))], Pair(0.25, (7, 0.125))),
         ([np.int64(3), 4.5], 1.5),
+        ([2**63, 3], 4),
+        ([3, -(2**63) - 1], 2**70),
         (["left", "right"], "straight on"),
         ([None, 3], 4),
         ([(), (1,)], (1, 2, 3)),

@@ -10,6 +10,7 @@ import pytest
 from gymnasium import spaces
 from gymnasium.vector import AutoresetMode
 
+from edugym import make_mdp
 from edugym.adapters import vector_env
 from edugym.adapters.copies import step_copies
 from edugym.adapters.gymnasium_env import MDPEnv
@@ -135,6 +136,25 @@ def test_actions_have_the_type_of_their_space(given: Any) -> None:
     for i, own in enumerate(([0, 1], [1, 0])):
         (kept,) = vector.showing(i).actions
         assert (kept.tolist(), kept.dtype) == (own, np.int64)
+
+
+@pytest.mark.parametrize("mode", AutoresetMode)
+def test_what_is_tried_is_like_what_is_run(mode: AutoresetMode) -> None:
+    """The loops are tried, and compiled, with arrays of the same types, which are not those of the copies."""
+    vector = MDPVectorEnv(MDPEnv(make_mdp("Boulder")), 5, autoreset_mode=mode)
+    vector.reset(seed=0)
+    vector._steps[:], vector._over[1] = range(5), True
+    few, all_of_them = vector._few(3), vector._batch()
+    for part, whole in zip(arrays(few), arrays(all_of_them), strict=True):
+        assert part.dtype == whole.dtype
+        assert len(part) == min(3, len(whole))
+        assert not np.shares_memory(part, whole)
+    assert (few.steps.tolist(), few.over.tolist()) == ([0, 1, 2], [False, True, False])
+
+
+def arrays(value: Any) -> list[np.ndarray[Any, Any]]:
+    """All arrays in a tuple."""
+    return [value] if isinstance(value, np.ndarray) else [array for part in value for array in arrays(part)]
 
 
 @pytest.mark.filterwarnings("ignore:.* interpreted")

@@ -8,10 +8,11 @@ from typing import Any
 import gymnasium
 import numpy as np
 import pytest
+from gymnasium import spaces
 from gymnasium.envs.registration import EnvSpec
 
 from edugym import make_mdp
-from edugym.adapters.gymnasium_env import MDPEnv, environment_of, gymnasium_class
+from edugym.adapters.gymnasium_env import MDPEnv, as_element_of, environment_of, gymnasium_class
 from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.registration import ENVIRONMENTS
 from edugym.rendering import window
@@ -77,11 +78,12 @@ def test_outcomes_that_are_drawn() -> None:
     drawn = [env.generative_model(2, 1) for _ in range(2_000)]
     assert {outcome.probability for outcome in drawn} == {1.0}
     assert Counter(outcome.next_state for outcome in drawn)[3] == pytest.approx(1_500, abs=80)
-    runs = []
+    runs: list[Any] = []
     for seed in (3, 4, 3):
         env.reset(seed=seed)
         runs.append([env.model(2, 1, "generative") for _ in range(30)])
     assert runs[0] == runs[2] != runs[1]
+    assert [i for i, outcome in enumerate(runs[0]) if outcome.next_state == 1] == [14, 19, 24, 28]
     assert env.model(2, 1) == env.descriptive_model(2, 1)
     other.reset(seed=3)
     assert [env.step(1) for _ in range(3)] == [other.step(1) for _ in range(3)]
@@ -116,6 +118,14 @@ def test_what_is_inside_an_environment() -> None:
         environment_of(gymnasium.wrappers.TimeLimit(made, 3), "where")
     with pytest.raises(ValueError, match=r"^environment must be an MDP, .* but is 3$"):
         environment_of(3)
+
+
+def test_an_observation_with_a_part_too_few() -> None:
+    """It is no element of a space of two parts, and no part is left out in silence."""
+    shown = as_element_of(spaces.Tuple([spaces.Discrete(3), spaces.Discrete(3)]))
+    assert shown((np.int64(1), 2)) == (1, 2)
+    with pytest.raises(ValueError, match="zip"):
+        shown((1,))
 
 
 def test_the_history_of_an_episode() -> None:

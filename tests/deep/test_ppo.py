@@ -225,12 +225,13 @@ def test_every_kind_of_action(actions: spaces.Space[Any]) -> None:
         assert len({str(action) for action in given}) == (3 if isinstance(actions, spaces.Discrete) else 8)
 
 
-def test_actions_of_another_kind_are_refused() -> None:
+@pytest.mark.parametrize("actions", [spaces.MultiBinary(3), spaces.Box(-1, 1, (2, 2)), spaces.Box(-1, 1, ())])
+def test_actions_of_another_kind_are_refused(actions: spaces.Space[Any]) -> None:
     """The message names the space."""
     with pytest.raises(
         ValueError, match="PPO needs actions that are whole numbers or vectors, but the action space is"
     ):
-        ActorCritic(spaces.Discrete(2), spaces.MultiBinary(3), 4)
+        ActorCritic(spaces.Discrete(2), actions, 4)
 
 
 def test_a_truncated_episode_is_worth_its_last_state() -> None:

@@ -60,6 +60,13 @@ def test_every_column() -> None:
     assert results.agents == {}
 
 
+def test_settings_of_any_kind() -> None:
+    """What JSON does not know is written as text."""
+    half: Any = np.float32(0.5)
+    results = repeat_deep({"one": partial(pretend, more=half)}, 100, repetitions=1, jobs=1)
+    assert results.table["settings"].iloc[0] == '["pretend", {"more": "0.5"}]'
+
+
 def rounds(n_steps: int, *, seed: int, complete: bool = True) -> Run:
     """A run with points after steps of its own, whatever it is asked for."""
     steps, returns = np.array([0, 60, 105, 108]), np.array([0.0, 1.0, 2.0, 3.0])

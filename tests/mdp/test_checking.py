@@ -10,10 +10,11 @@ from gymnasium import spaces
 from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.envs.catch import CatchGrid, Fall
-from edugym.mdp.checking import CheckedMDP, check_mdp, is_own, require_mdp
+from edugym.mdp.checking import CheckedMDP, check_mdp, is_own, refuse_nothing, require_mdp
 from edugym.mdp.protocol import step_limit
 from edugym.registration import ENVIRONMENTS
 from tests.compiled.cells import WALK, cell
+from tests.training.tasks import Stairs
 
 MISTAKES = [
     ("return 1.0 if next_state == self.size else -0.25", "pass", r"reward .* a finite number, but returned None for "),
@@ -229,3 +230,16 @@ def test_spaces_of_several_parts() -> None:
     assert isinstance(env.observation_space, spaces.Dict)
     assert env.observation_space.contains(observation)
     assert env.observation_space.contains(env.step(1)[0])
+
+
+@pytest.mark.parametrize(
+    ("next_state", "says"),
+    [
+        (None, "transition of Stairs must return the next state, but returned None for state 2, action 1 "),
+        (3, "reward of Stairs must return a finite number, but returned None for state 2, action 1, next state 3 "),
+    ],
+)
+def test_which_method_has_no_return(next_state: Any, says: str) -> None:
+    """The reward is None because it has no `return`, or because there is no next state."""
+    with pytest.raises(ValueError, match=says):
+        refuse_nothing(Stairs(), 2, 1, next_state)

@@ -133,6 +133,11 @@ def test_the_longest_stack_that_fits() -> None:
         FrameStack.create(make_mdp("Catch"), 2)
 
 
+def test_the_longest_stack_of_many_observations() -> None:
+    """One, where there are fewer than 2^63; of more there is not even that."""
+    assert [longest_stack(n) for n in (2**31, 2**32, 2**63 - 1, 2**63)] == [2, 1, 1, 0]
+
+
 def test_one_observation_can_be_stacked_without_end() -> None:
     """Who sees nothing has one row, however long the window is; actions in it count."""
     blind = Digits((0,) * 5, 1, 2)

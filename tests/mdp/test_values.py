@@ -66,7 +66,7 @@ class Other(Plain):
         ([1, [2, np.nan]], [1, [2, float("nan")]], [[1, [3, np.nan]], [1], (1, [2, np.nan])]),
         ({"a": np.zeros(2)}, {"a": np.zeros(2)}, [{"a": np.ones(2)}, {"b": np.zeros(2)}, {}]),
         (Plain([1]), Plain([1]), [Plain([2]), Other([1]), [1]]),
-        (2, 2.0, [3, "2", None]),
+        (2, 2.0, [3, "2", None, {}, {"a": 2}]),
     ],
 )
 def test_what_is_the_same(one: Any, equal: Any, different: list[Any]) -> None:

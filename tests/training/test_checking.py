@@ -2,13 +2,17 @@
 
 from typing import Any
 
+import gymnasium
 import numpy as np
 import pytest
 from gymnasium import spaces
+from gymnasium.wrappers import FlattenObservation
 
 from edugym import EpsilonGreedy, QLearning
+from edugym.adapters.tabular_observation import TabularObservation
 from edugym.lessons.own_problem import WithBonus
 from edugym.mdp.checking import CheckedMDP, checked_mdp
+from edugym.training.checked_env import CheckedEnv, checked_env
 from edugym.training.checking import CheckedAgent, checked_agent, shared_by_class, students_parts
 from edugym.training.contract import GreedyActor, learner
 from edugym.training.guarded import GUARDS, ActionsOfASpace, FiniteRewards, RowsOfATable, guarded
@@ -129,3 +133,16 @@ def test_what_a_class_shares() -> None:
     assert (shared["seen"], shared["old"], shared["names"]) == ({1}, [2], {"a": 1})
     assert not shared["table"].any()
     assert shared_by_class(QLearning.create((2, 2))) == {}
+
+
+def test_checks_are_taken_away() -> None:
+    """From around a Gymnasium environment, also from inside the package's wrappers, after an error, too."""
+    inner = gymnasium.make("FrozenLake-v1")
+    for env in (TabularObservation(inner), FlattenObservation(inner)):
+        around = checked_env(env)
+        assert around.__enter__() is env
+        assert type(env.env) is CheckedEnv
+        assert not around.__exit__(KeyError, KeyError(), None)
+        assert env.env is inner
+    with checked_env(inner) as checked:
+        assert type(checked) is CheckedEnv

@@ -99,6 +99,18 @@ class Word(str):
     more: int
 
 
+class Made:
+    """What is in it is made anew when it is asked for."""
+
+    def __init__(self, k: int) -> None:
+        """See the class."""
+        self.k = k
+
+    def __getstate__(self) -> Any:
+        """New lists."""
+        return [[self.k]]
+
+
 def made(body: str, base: type = object) -> Any:
     """A class of a notebook."""
     names: dict[str, Any] = {"__name__": "__main__", "functools": functools, "Base": base}
@@ -151,6 +163,11 @@ def test_what_differs_has_another_one(one: Any, other: Any) -> None:
     """Values, types, shapes and code."""
     assert fingerprint(one) == fingerprint(one) == fingerprint(copy.deepcopy(one))
     assert fingerprint(one) != fingerprint(other)
+
+
+def test_values_that_are_made_for_the_fingerprint() -> None:
+    """Objects that tell what is in them by a new list each time: the place of one that is gone is another's again."""
+    assert fingerprint([Made(k) for k in (1, 2, 3)]) != fingerprint([Made(k) for k in (1, 3, 2)])
 
 
 @pytest.mark.parametrize("kind", ["NamedTuple", "object"])

@@ -113,6 +113,7 @@ def test_an_ordinary_class_is_told_that_it_is_one(monkeypatch: pytest.MonkeyPatc
     ("environment", "agent", "message"),
     [
         (3, Plain(), "environment must be an MDP, a Gymnasium environment or a name, but is 3"),
+        ((1, 2), Plain(), r"environment must be an MDP, a Gymnasium environment or a name, but is \(1, 2\)$"),
         (Plain(), WALL, "environment must come first, before the agent, but is the agent Plain"),
         (QLearning, WALL, "environment must come first, before the agent, but is the agent QLearning"),
         (

@@ -111,6 +111,7 @@ def test_an_index_of_something_else() -> None:
         ("[0, 1][2]", "list index out of range"),
         ("'ab'[2]", "string index out of range"),
         ("np.zeros(4)[4]", "index 4 is out of bounds for axis 0 with size 4"),
+        ("self.Q[0, state + 3]", r"index \d is out of .* size 3: Q of Learner has the shape \(7, 3\), but this"),
         ("self.Q[state + 7, 0]", r"index \d is out of .* size 7: Q of Learner has the shape \(7, 3\), but this"),
     ):
         source = changed(LEARNER, "value = 0.0", f"{wrong}; value = 0.0")
