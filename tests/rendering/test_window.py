@@ -59,6 +59,23 @@ def test_windows_live_side_by_side() -> None:
 
 
 @pytest.mark.usefixtures("screen")
+def test_every_picture_reaches_the_screen(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Once, when it is drawn."""
+    seen: list[tuple[int, ...]] = []
+
+    class Screen(pygame.Window):
+        def flip(self) -> None:
+            seen.append(tuple(self.get_surface().get_at((3, 3))[:3]))
+
+    monkeypatch.setattr(pygame, "Window", Screen)
+    window = Window("seen")
+    for colour in (RED, BLUE):
+        window.show(plain(colour), math.inf)
+    assert seen == [rgb(RED), rgb(BLUE)]
+    window.close()
+
+
+@pytest.mark.usefixtures("screen")
 def test_closing_a_window_stops_only_its_pictures() -> None:
     """The user closes one of two windows: its environment goes on without pictures, the other as before."""
     first, second = Window("first"), Window("second")
