@@ -107,3 +107,12 @@ def test_numbers_that_are_wrong() -> None:
     assert said_of(learn).endswith(
         "Q[1, 0] should go from 1 to 2, but is 1.667: a rate of 0.3333, and it should be 0.5"
     )
+
+
+def test_a_number_that_is_zero() -> None:
+    """It is told where no missing term explains it better."""
+
+    def learn(self: Any, next_state: int) -> None:
+        self.n[next_state] += 1
+
+    assert said_of(learn).endswith("Q[1, 0] should go from 1 to 2, but is 1: a rate of 0, and it should be 0.5")

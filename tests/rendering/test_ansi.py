@@ -69,6 +69,17 @@ def test_a_line_is_drawn_to_its_ends() -> None:
     assert to_text(Scene(10, 8, lines, columns=10)).splitlines() == ["----------", " ++++", "    +", "    +"]
 
 
+def test_coloured_paths() -> None:
+    """A line and an arc have their own colour, on what is behind them."""
+    ground = Rectangle(0, 0, 2, 1, fill=GREEN, outline=None, glyph=" ")
+    paths = (Line(((0.5, 0.5), (1.5, 0.5)), colour=RED, glyph="-"), Arc(2.5, 1, 0.4, 181, 359, colour=BLUE, glyph="^"))
+    red, blue = ("38;2;{};{};{}".format(*rgb(colour)) for colour in (RED, BLUE))
+    green, paper = ("48;2;{};{};{}".format(*rgb(colour)) for colour in (GREEN, PAPER))
+    assert to_text(Scene(3, 2, (ground, *paths), columns=3), colour=True).startswith(
+        f"\x1b[{red};{green}m--\x1b[{blue};{paper}m^"
+    )
+
+
 def test_coloured_text() -> None:
     """In colour, a shape has the colour of its edge on that of its inside, and words leave what is behind them."""
     words, block = Text(2, 1, "ab", colour=BLUE), Rectangle(3, 0, 1, 2, fill=GREEN, outline=None, glyph="+")

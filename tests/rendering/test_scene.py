@@ -33,6 +33,7 @@ from edugym.rendering.scene import (
     Text,
 )
 from edugym.rendering.svg import to_svg
+from edugym.rendering.window import Window
 
 EXAMPLES: dict[type[Shape], Shape] = {
     Rectangle: Rectangle(2, 2, 6, 6, fill=RED, glyph="#"),
@@ -193,6 +194,7 @@ def test_size_in_pixels_is_even() -> None:
     assert Scene(19, 9, ()).size_in_pixels() == (480, 228)  # 227.4
     assert Scene(0.01, 30, ()).size_in_pixels() == (2, 480)
     assert Scene(3, 2, ()).size_in_pixels(297) == (298, 198)  # 198.7
+    assert Scene(3, 2, ()).size_in_pixels(1) == (2, 2)
 
 
 # Colours
@@ -368,8 +370,13 @@ def test_pixels_outlive_pygame(leave: Callable[[], None]) -> None:
     np.testing.assert_array_equal(to_pixels(picture), before)
 
 
-def test_missing_pygame_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("missing", [["pygame.freetype"], ["pygame.freetype", "pygame"]])
+@pytest.mark.parametrize("draw", [to_pixels, Window("none").show])
+def test_missing_pygame_says_what_to_install(
+    missing: list[str], draw: Callable[[Scene], Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Without pygame, the error has the command that installs it."""
-    monkeypatch.setitem(sys.modules, "pygame.freetype", None)
+    for name in missing:
+        monkeypatch.setitem(sys.modules, name, None)
     with pytest.raises(DependencyNotInstalled, match=r'pip install "edugym\[render\]"'):
-        to_pixels(scene_of())
+        draw(scene_of())
