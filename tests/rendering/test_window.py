@@ -38,9 +38,11 @@ def test_windows_live_side_by_side() -> None:
     """Two windows and the user's own display each show their own picture, and the user's events stay in the queue."""
     display = pygame.display.set_mode((30, 20))
     display.fill(rgb(GREEN))
-    key = pygame.event.Event(pygame.KEYDOWN, key=pygame.K_a)
+    early, key = (pygame.event.Event(pygame.KEYDOWN, key=key, unicode="") for key in (pygame.K_e, pygame.K_a))
+    pygame.event.post(early)
     first, second = Window("first"), Window("second")
     first.show(plain(RED), math.inf)
+    assert pygame.event.get(pygame.KEYDOWN) == [early]
     first_window = newest_window()
     second.show(plain(BLUE), math.inf)
     second_window = newest_window()
