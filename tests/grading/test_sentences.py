@@ -116,3 +116,16 @@ def test_a_number_that_is_zero() -> None:
         self.n[next_state] += 1
 
     assert said_of(learn).endswith("Q[1, 0] should go from 1 to 2, but is 1: a rate of 0, and it should be 0.5")
+
+
+def test_a_value_that_grows_by_one_is_no_count() -> None:
+    """Only tables of whole numbers count."""
+
+    def learn(self: Any, state: int, next_state: int) -> None:
+        self.Q[state, 0] = 77.0
+        self.n[next_state] += 1
+
+    assert said_of(learn).endswith(
+        "Q[1, 0] should go from 1 to 2, but is 77: that is none of the usual mistakes, so compare your code with the"
+        " equation, term by term"
+    )

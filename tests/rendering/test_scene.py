@@ -177,6 +177,15 @@ def test_mistakes_are_named(
         make(*arguments, **options)
 
 
+def test_the_smallest_values_are_drawn() -> None:
+    """Shapes without any extent, paths of the fewest points, and the narrowest pictures."""
+    tiny = (Rectangle(0, 0, 0, 0, 0), Circle(0, 0, 0), Line(((0, 0), (0, 0))), Polygon(((0, 0),) * 3))
+    picture = Scene(1, 1, (*tiny, Arc(0, 0, 0, 0, 359.9), Text(0, 0, "", size=0)), columns=1)
+    assert to_text(picture, columns=1) == ""
+    assert to_pixels(picture, 1, supersampling=1).shape == (2, 2, 3)
+    assert to_svg(picture, 1).count("\n") == 9
+
+
 def test_scene_is_a_value() -> None:
     """Scenes made alike are equal, and none can be changed; points and shapes come in any sequence."""
     corners = np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
