@@ -86,6 +86,7 @@ def test_the_status_says_that_the_function_is_running() -> None:
         ([1, 2, 5], ipywidgets.SelectionSlider, 2),
         (range(4), ipywidgets.SelectionSlider, 2),
         ([2, "two"], ipywidgets.Dropdown, 2),
+        ([2, True], ipywidgets.Dropdown, 2),
         (True, ipywidgets.Checkbox, True),
     ],
 )

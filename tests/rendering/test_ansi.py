@@ -3,7 +3,7 @@
 from edugym.rendering import icons
 from edugym.rendering.ansi import to_text
 from edugym.rendering.palette import BLUE, GREEN, INK, PAPER, RED, rgb
-from edugym.rendering.scene import Arc, Circle, Line, Rectangle, Scene, Text
+from edugym.rendering.scene import Arc, Circle, Line, Polygon, Rectangle, Scene, Text
 
 
 def test_text_of_a_small_scene() -> None:
@@ -67,6 +67,16 @@ def test_a_line_is_drawn_to_its_ends() -> None:
     """Both of them; the cells of each, where they do not divide evenly."""
     lines = (Line(((0.5, 1), (9.5, 1)), glyph="-"), Line(((1.5, 3), (4.5, 3), (4.5, 7)), glyph="+"))
     assert to_text(Scene(10, 8, lines, columns=10)).splitlines() == ["----------", " ++++", "    +", "    +"]
+
+
+def test_words_stand_in_the_middle_of_what_they_mark() -> None:
+    """Between the outermost points, wherever most of the points are."""
+    shapes = (
+        Polygon(((1, 0), (10, 0), (10, 4)), glyph="abc"),
+        Line(((1, 8), (2, 8), (10, 4)), glyph="def"),
+        Arc(5.5, 12, 4, 180, 360, glyph="ghi"),
+    )
+    assert to_text(Scene(10, 14, shapes, columns=10)).splitlines() == ["", "    abc", "", "    def", "", "    ghi"]
 
 
 def test_coloured_paths() -> None:

@@ -5,7 +5,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Callable
-from dataclasses import FrozenInstanceError, replace
+from dataclasses import FrozenInstanceError, fields, replace
 from typing import Any, Literal
 from xml.etree import ElementTree
 
@@ -175,6 +175,15 @@ def test_mistakes_are_named(
     """A wrong value is refused where it is written, with its name and what is allowed."""
     with pytest.raises(ValueError, match=message):
         make(*arguments, **options)
+
+
+@pytest.mark.parametrize("shape", EXAMPLES.values(), ids=lambda shape: type(shape).__name__)
+def test_every_shape_checks_all_that_it_has(shape: Shape) -> None:
+    """Its class may check more, but not less."""
+    for name, wrong in {"x": math.nan, "radius": -1, "colour": "red", "fill": "red", "points": [], "glyph": "\n"}.items():
+        if name in {field.name for field in fields(shape)}:
+            with pytest.raises(ValueError, match="must be"):
+                replace(shape, **{name: wrong})
 
 
 def test_the_smallest_values_are_drawn() -> None:
