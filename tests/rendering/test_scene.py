@@ -180,10 +180,10 @@ def test_mistakes_are_named(
 @pytest.mark.parametrize("shape", EXAMPLES.values(), ids=lambda shape: type(shape).__name__)
 def test_every_shape_checks_all_that_it_has(shape: Shape) -> None:
     """Its class may check more, but not less."""
-    for name, wrong in {"x": math.nan, "radius": -1, "colour": "red", "fill": "red", "points": [], "glyph": "\n"}.items():
-        if name in {field.name for field in fields(shape)}:
-            with pytest.raises(ValueError, match="must be"):
-                replace(shape, **{name: wrong})
+    wrong: dict[str, Any] = {"x": math.nan, "radius": -1, "colour": "red", "fill": "red", "points": [], "glyph": "\n"}
+    for name in wrong.keys() & {field.name for field in fields(shape)}:
+        with pytest.raises(ValueError, match="must be"):
+            replace(shape, **{name: wrong[name]})
 
 
 def test_the_smallest_values_are_drawn() -> None:
