@@ -194,7 +194,7 @@ def nothing_returned() -> None:
         (nothing_returned, "image/png", "iVBOR", "made"),
         (lambda: Sheet("made", []), "image/png", "iVBOR", "<lambda>"),
         (lambda: ("two", [1, 2]), "text/html", "<pre>(&#x27;two&#x27;, [1, 2])</pre>", "<lambda>"),
-        (list, "text/html", "<pre>[]</pre>", "<lambda>"),
+        (lambda: [[]], "text/html", "<pre>[[]]</pre>", "<lambda>"),
         (lambda: np.zeros(0), "text/html", "<pre>[]</pre>", "<lambda>"),
         (lambda: Scene(1, 1, (Circle(0.5, 0.5, 0.2),)), "image/svg+xml", "<svg", "<lambda>"),
         (lambda: pd.DataFrame({"method": [1]}), "text/html", "<div>", "<lambda>"),
