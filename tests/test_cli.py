@@ -246,15 +246,21 @@ main()
 
 
 def test_ctrl_c_before_the_experiments(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    """Typer alone would end with the status and no word."""
+    """Typer alone would end with the status and no word, and Python would wait for threads that still compile."""
+
+    class AtOnce(Exception):
+        pass
 
     def press() -> list[str]:
         raise KeyboardInterrupt
 
+    def end_at_once(status: int) -> None:
+        raise AtOnce(status)
+
     monkeypatch.setattr("edugym.commands.lesson_names", press)
     monkeypatch.setattr(sys, "argv", ["edugym", "reproduce"])
-    monkeypatch.setattr(os, "_exit", sys.exit)
-    with pytest.raises(SystemExit, match="130"):
+    monkeypatch.setattr(os, "_exit", end_at_once)
+    with pytest.raises(AtOnce, match="130"):
         commands.run()
     assert capsys.readouterr().err == "edugym: interrupted\n"
 

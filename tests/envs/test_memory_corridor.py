@@ -7,6 +7,7 @@ import pytest
 from hypothesis import strategies as st
 
 from edugym.envs.memory_corridor import MemoryCorridor
+from edugym.rendering.scene import Rectangle
 from tests.contract.described import NO_STEPS, NO_WHOLE_NUMBER, Parameters, refused
 from tests.envs.classes import MemoryCorridorEnv
 
@@ -196,3 +197,15 @@ def test_pictures(num_doors: int) -> None:
     frame = env.render()
     assert f"Door {info['position'] + 1} of {info['length']}" in frame
     assert frame.count("☺") == 1
+
+
+@pytest.mark.parametrize(("position", "place"), [(0, 0), (12, 12), (30, 12), (48, 12), (50, 14), (59, 23)])
+def test_the_place_in_a_long_corridor(position: int, place: int) -> None:
+    """Of sixty squares twenty-four are shown, those around the agent; its own is yellow, those behind it are dark."""
+    task = MemoryCorridor(3, 1000)
+    state = task.initial(np.random.default_rng(0))._replace(length=60, position=position)
+    shapes = [shape for shape in task.scene(state).shapes if isinstance(shape, Rectangle) and shape.y == 6.6]
+    *squares, mark = shapes
+    assert len(squares) == 24
+    assert mark.x == pytest.approx(squares[place].x)
+    assert [square.fill == squares[-1].fill for square in squares[:-1]] == [k >= place for k in range(23)]

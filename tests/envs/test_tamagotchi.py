@@ -21,6 +21,8 @@ from edugym.exact.branching import branches
 from edugym.mdp.protocol import Random
 from edugym.registration import make_environment
 from edugym.rendering.icons import Mood, smiley
+from edugym.rendering.palette import GREEN, RED
+from edugym.rendering.scene import Rectangle
 from edugym.training.loops import play_episodes
 from tests.contract.described import NO_STEPS, NO_WHOLE_NUMBER, Parameters, refused
 from tests.envs.classes import TamagotchiEnv
@@ -361,13 +363,15 @@ def test_frame() -> None:
 
 
 def test_face() -> None:
-    """It smiles above two thirds of its hit points, and is sad in the last third."""
+    """It smiles above two thirds of its hit points, and is sad in the last third, where the bar is red."""
     env = TamagotchiEnv()
     env.reset(seed=0)
     for hp, mood in ((100, "happy"), (67, "happy"), (66, "flat"), (34, "flat"), (33, "sad"), (0, "sad")):
         env.state = env.state._replace(hp=hp)
         mouths = {name: smiley(6.0, 7.9, 1.2, name)[-1] in env.scene().shapes for name in get_args(Mood)}
         assert mouths == {name: name == mood for name in get_args(Mood)}
+        colours = {shape.fill for shape in env.scene().shapes if isinstance(shape, Rectangle)}
+        assert colours & {GREEN, RED} == {RED if mood == "sad" else GREEN}
 
 
 def test_long_messages_are_cut() -> None:

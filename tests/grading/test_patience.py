@@ -86,9 +86,19 @@ def test_another_thread_has_no_limit() -> None:
 
 def test_the_watching_thread_ends() -> None:
     """It does not stay for the rest of the session."""
-    with ending("act(3)"):
-        assert any(thread.name == "edugym-patience" for thread in threading.enumerate())
+    for _ in range(3):
+        with ending("act(3)"):
+            (watching,) = [thread for thread in threading.enumerate() if thread.name == "edugym-patience"]
+            assert watching.daemon  # Python does not wait for it at its end
     end = time.monotonic() + 10
     while any(thread.name == "edugym-patience" for thread in threading.enumerate()) and time.monotonic() < end:
         time.sleep(0.05)
     assert not any(thread.name == "edugym-patience" for thread in threading.enumerate())
+
+
+def test_watching_takes_hardly_any_processor_time() -> None:
+    """The thread sleeps between two looks at the time."""
+    begin = time.process_time()
+    with ending("act(3)"):
+        time.sleep(0.5)
+    assert time.process_time() - begin < 0.05

@@ -51,11 +51,11 @@ def test_an_experiment_that_was_stopped() -> None:
 def test_other_experiments() -> None:
     """What differs is named."""
     other: Methods = {**METHODS, "fast": partial(QLearning.create, learning_rate=0.8)}
-    same: Methods = {**METHODS, "third": METHODS["slow"]}
+    same: Methods = {**METHODS, "again": METHODS["slow"]}
     for answer, says in (
         (results(METHODS, repetitions=3), "mine should be an experiment with repetitions 2, but it has repetitions 3"),
         (results(other), "mine should have for 'fast' the learning_rate 0.9, but it has 0.8"),
-        (results(same), "mine should have different methods, but 'slow' and 'third' are the same agent"),
+        (results(same), "mine should have different methods, but 'slow' and 'again' are the same agent"),
         (
             results({"slow": METHODS["slow"]}),
             "mine should have the method 'fast', but has only slow: keep the labels",

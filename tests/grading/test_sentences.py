@@ -107,3 +107,25 @@ def test_numbers_that_are_wrong() -> None:
     assert said_of(learn).endswith(
         "Q[1, 0] should go from 1 to 2, but is 1.667: a rate of 0.3333, and it should be 0.5"
     )
+
+
+def test_a_number_that_is_zero() -> None:
+    """It is told where no missing term explains it better."""
+
+    def learn(self: Any, next_state: int) -> None:
+        self.n[next_state] += 1
+
+    assert said_of(learn).endswith("Q[1, 0] should go from 1 to 2, but is 1: a rate of 0, and it should be 0.5")
+
+
+def test_a_value_that_grows_by_one_is_no_count() -> None:
+    """Only tables of whole numbers count."""
+
+    def learn(self: Any, state: int, next_state: int) -> None:
+        self.Q[state, 0] = 77.0
+        self.n[next_state] += 1
+
+    assert said_of(learn).endswith(
+        "Q[1, 0] should go from 1 to 2, but is 77: that is none of the usual mistakes, so compare your code with the"
+        " equation, term by term"
+    )

@@ -1,11 +1,14 @@
 """One line for a right answer, one sentence for a wrong one, in a notebook too."""
 
+import math
+from contextlib import AbstractContextManager
+
 import nbformat
 import pytest
 from nbclient import NotebookClient
 from nbformat.v4 import new_code_cell, new_notebook
 
-from edugym.grading import Unsolved, WrongAnswer, check
+from edugym.grading import Unsolved, WrongAnswer, check, student_code, verdict
 
 
 def exercise(answer: int, seed: int) -> str:
@@ -37,6 +40,19 @@ def test_a_wrong_answer_raises_a_sentence() -> None:
     assert caught.value.__cause__ is None
     with pytest.raises(ValueError, match="seed must be 0 or more"):
         check(exercise, 2, seed=-1)
+
+
+def test_a_whole_check_may_take_long(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Only each call of the student's code has a limit."""
+    limits: list[tuple[str, float]] = []
+
+    def running(what: str, limit: float = 30.0) -> AbstractContextManager[None]:
+        limits.append((what, limit))
+        return student_code.running(what, limit)
+
+    monkeypatch.setattr(verdict, "running", running)
+    check(exercise, 2, quiet=True)
+    assert limits == [("your code", math.inf)]
 
 
 @pytest.mark.slow

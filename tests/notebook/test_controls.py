@@ -86,6 +86,7 @@ def test_the_status_says_that_the_function_is_running() -> None:
         ([1, 2, 5], ipywidgets.SelectionSlider, 2),
         (range(4), ipywidgets.SelectionSlider, 2),
         ([2, "two"], ipywidgets.Dropdown, 2),
+        ([2, True], ipywidgets.Dropdown, 2),
         (True, ipywidgets.Checkbox, True),
     ],
 )
@@ -193,6 +194,8 @@ def nothing_returned() -> None:
         (nothing_returned, "image/png", "iVBOR", "made"),
         (lambda: Sheet("made", []), "image/png", "iVBOR", "<lambda>"),
         (lambda: ("two", [1, 2]), "text/html", "<pre>(&#x27;two&#x27;, [1, 2])</pre>", "<lambda>"),
+        (lambda: [[]], "text/html", "<pre>[[]]</pre>", "<lambda>"),
+        (lambda: np.zeros(0), "text/html", "<pre>[]</pre>", "<lambda>"),
         (lambda: Scene(1, 1, (Circle(0.5, 0.5, 0.2),)), "image/svg+xml", "<svg", "<lambda>"),
         (lambda: pd.DataFrame({"method": [1]}), "text/html", "<div>", "<lambda>"),
         (lambda: "a < b", "text/html", "<pre>a &lt; b</pre>", "<lambda>"),

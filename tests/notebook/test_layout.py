@@ -50,6 +50,14 @@ def test_a_film_of_no_step() -> None:
     assert film.still()["image/svg+xml"].count("<svg") == 2
 
 
+def test_the_slider_of_a_film_stands_above_its_picture() -> None:
+    """Beside the button that plays it; what happened stands below."""
+    film = frames("Golf", [])
+    controls, picture, line, _ = film.widget.children
+    assert controls.children == (film.player, film.slider)
+    assert (picture.value[:4], line.value[:5]) == ("<svg", "start")
+
+
 def test_what_jupyter_is_told() -> None:
     """By which version of its protocol the widget is shown; with another one nothing would be."""
     panel = play("Golf")

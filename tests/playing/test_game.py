@@ -1,6 +1,8 @@
 """Games: their actions, their score and their pictures."""
 
 import io
+import os
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -10,7 +12,7 @@ from gymnasium.error import ResetNeeded
 
 from edugym.adapters.keys import keys_of, named_actions
 from edugym.playing import Game, play
-from edugym.playing.game import TERMINATED, TRUNCATED
+from edugym.playing.game import TERMINATED, TRUNCATED, made
 from edugym.registration import ENVIRONMENTS
 from tests.playing.tasks import Still, Walk
 
@@ -109,6 +111,24 @@ def test_environments_of_gymnasium_can_be_played() -> None:
     assert cards.frames[0].picture == f"observation {cards.observation}"
     with pytest.raises(ValueError, match="picture must be a scene"):
         text.frames[0].with_caption()
+
+
+@pytest.mark.parametrize(
+    ("system", "screen", "driver"),
+    [("linux", None, "dummy"), ("linux", "DISPLAY", None), ("linux", "WAYLAND_DISPLAY", None), ("darwin", None, None)],
+)
+def test_pixels_without_a_screen(
+    system: str, screen: str | None, driver: str | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Where Linux has none, pygame is told to do without, and only there."""
+    for name in ("DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"):
+        monkeypatch.setenv(name, "")  # so that it is put back after the test
+        monkeypatch.delenv(name)
+    if screen:
+        monkeypatch.setenv(screen, ":0")
+    monkeypatch.setattr("edugym.playing.game.sys", SimpleNamespace(platform=system))
+    made("CliffWalking-v1", "ansi", {})
+    assert os.environ.get("SDL_VIDEODRIVER") == driver
 
 
 def test_what_cannot_be_played_is_named() -> None:

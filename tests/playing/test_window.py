@@ -1,6 +1,7 @@
 """Playing in a window: keys, pictures, and its end."""
 
 import io
+import time
 from typing import Any
 
 import pygame
@@ -51,6 +52,22 @@ def test_a_window_takes_keys(windows: list[pygame.Window]) -> None:
     assert first.next_key() is None
     second.close()
     assert second.next_key() is None
+
+
+def test_waiting_for_a_key_leaves_the_processor_alone(
+    windows: list[pygame.Window], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Between two looks at the keys the program sleeps."""
+    window = Window("idle")
+    window.show(Scene(10, 10, ()), float("inf"))
+    naps: list[float] = []
+    looks = iter([[], [], [], [key_down(windows[0], pygame.K_a, "a")]])
+    monkeypatch.setattr(time, "sleep", naps.append)
+    monkeypatch.setattr(pygame.event, "get", lambda: next(looks))
+    assert window.next_key() == "a"
+    assert len(naps) >= 3
+    assert min(naps) > 0
+    window.close()
 
 
 def texts(scene: Scene) -> list[str]:

@@ -3,7 +3,7 @@
 from edugym.rendering import icons
 from edugym.rendering.ansi import to_text
 from edugym.rendering.palette import BLUE, GREEN, INK, PAPER, RED, rgb
-from edugym.rendering.scene import Arc, Circle, Line, Rectangle, Scene, Text
+from edugym.rendering.scene import Arc, Circle, Line, Polygon, Rectangle, Scene, Text
 
 
 def test_text_of_a_small_scene() -> None:
@@ -67,6 +67,27 @@ def test_a_line_is_drawn_to_its_ends() -> None:
     """Both of them; the cells of each, where they do not divide evenly."""
     lines = (Line(((0.5, 1), (9.5, 1)), glyph="-"), Line(((1.5, 3), (4.5, 3), (4.5, 7)), glyph="+"))
     assert to_text(Scene(10, 8, lines, columns=10)).splitlines() == ["----------", " ++++", "    +", "    +"]
+
+
+def test_words_stand_in_the_middle_of_what_they_mark() -> None:
+    """Between the outermost points, wherever most of the points are."""
+    shapes = (
+        Polygon(((1, 0), (10, 0), (10, 4)), glyph="abc"),
+        Line(((1, 8), (2, 8), (10, 4)), glyph="def"),
+        Arc(5.5, 12, 4, 180, 360, glyph="ghi"),
+    )
+    assert to_text(Scene(10, 14, shapes, columns=10)).splitlines() == ["", "    abc", "", "    def", "", "    ghi"]
+
+
+def test_coloured_paths() -> None:
+    """A line and an arc have their own colour, on what is behind them."""
+    ground = Rectangle(0, 0, 2, 1, fill=GREEN, outline=None, glyph=" ")
+    paths = (Line(((0.5, 0.5), (1.5, 0.5)), colour=RED, glyph="-"), Arc(2.5, 1, 0.4, 181, 359, colour=BLUE, glyph="^"))
+    red, blue = ("38;2;{};{};{}".format(*rgb(colour)) for colour in (RED, BLUE))
+    green, paper = ("48;2;{};{};{}".format(*rgb(colour)) for colour in (GREEN, PAPER))
+    assert to_text(Scene(3, 2, (ground, *paths), columns=3), colour=True).startswith(
+        f"\x1b[{red};{green}m--\x1b[{blue};{paper}m^"
+    )
 
 
 def test_coloured_text() -> None:

@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from edugym.rendering import clipping
 from edugym.rendering.ansi import MOST_CELLS, to_text
 from edugym.rendering.captions import captioned
 from edugym.rendering.clipping import visible
@@ -98,6 +99,29 @@ def test_large_shapes_are_cut_where_nobody_sees_it() -> None:
         if not isinstance(near, Polygon):  # its glyph stands at the middle of the part that is kept
             assert glyphs[0] == glyphs[1]
             assert "#" in glyphs[0]
+
+
+@pytest.mark.parametrize(("across", "down"), [(-1, 0), (1, 0), (0, -1), (0, 1)])
+def test_what_reaches_far_beyond_one_edge_is_cut_there(across: int, down: int) -> None:
+    """The part that is kept begins where the shape does."""
+    end = (5 + 1e6 * across, 5 + 1e6 * down)
+    left, right = sorted((5.0, end[0]))
+    top, bottom = sorted((5.0, end[1]))
+    for shape in (
+        Rectangle(left - 0.5, top - 0.5, right - left + 1, bottom - top + 1),
+        Polygon(((5 - down, 5 - across), (5 + down, 5 + across), end)),
+        Line(((5, 5), end)),
+    ):
+        (part,) = visible(Scene(10, 10, (shape,)))
+        assert type(part) is type(shape)
+        assert max(map(abs, coordinates(part))) <= 60
+        assert any(abs(number - 5) <= 1 for number in coordinates(part))
+
+
+def test_a_polygon_with_a_side_on_the_edge() -> None:
+    """Keeps it, and nothing is divided by zero; the far corner is cut off."""
+    kept = clipping._cut_polygon(((0, 0), (0, 10), (20, 5)), clipping.Box(0, 0, 10, 10))
+    assert kept == [(10, 2.5), (0, 0), (0, 10), (10, 7.5)]
 
 
 def test_shapes_in_the_picture_stay_as_they_are() -> None:

@@ -5,7 +5,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Callable
-from dataclasses import FrozenInstanceError, replace
+from dataclasses import FrozenInstanceError, fields, replace
 from typing import Any, Literal
 from xml.etree import ElementTree
 
@@ -33,6 +33,7 @@ from edugym.rendering.scene import (
     Text,
 )
 from edugym.rendering.svg import to_svg
+from edugym.rendering.window import Window
 
 EXAMPLES: dict[type[Shape], Shape] = {
     Rectangle: Rectangle(2, 2, 6, 6, fill=RED, glyph="#"),
@@ -176,6 +177,24 @@ def test_mistakes_are_named(
         make(*arguments, **options)
 
 
+@pytest.mark.parametrize("shape", EXAMPLES.values(), ids=lambda shape: type(shape).__name__)
+def test_every_shape_checks_all_that_it_has(shape: Shape) -> None:
+    """Its class may check more, but not less."""
+    wrong: dict[str, Any] = {"x": math.nan, "radius": -1, "colour": "red", "fill": "red", "points": [], "glyph": "\n"}
+    for name in wrong.keys() & {field.name for field in fields(shape)}:
+        with pytest.raises(ValueError, match="must be"):
+            replace(shape, **{name: wrong[name]})
+
+
+def test_the_smallest_values_are_drawn() -> None:
+    """Shapes without any extent, paths of the fewest points, and the narrowest pictures."""
+    tiny = (Rectangle(0, 0, 0, 0, 0), Circle(0, 0, 0), Line(((0, 0), (0, 0))), Polygon(((0, 0),) * 3))
+    picture = Scene(1, 1, (*tiny, Arc(0, 0, 0, 0, 359.9), Text(0, 0, "", size=0)), columns=1)
+    assert to_text(picture, columns=1) == ""
+    assert to_pixels(picture, 1, supersampling=1).shape == (2, 2, 3)
+    assert to_svg(picture, 1).count("\n") == 9
+
+
 def test_scene_is_a_value() -> None:
     """Scenes made alike are equal, and none can be changed; points and shapes come in any sequence."""
     corners = np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
@@ -193,6 +212,7 @@ def test_size_in_pixels_is_even() -> None:
     assert Scene(19, 9, ()).size_in_pixels() == (480, 228)  # 227.4
     assert Scene(0.01, 30, ()).size_in_pixels() == (2, 480)
     assert Scene(3, 2, ()).size_in_pixels(297) == (298, 198)  # 198.7
+    assert Scene(3, 2, ()).size_in_pixels(1) == (2, 2)
 
 
 # Colours
@@ -368,8 +388,13 @@ def test_pixels_outlive_pygame(leave: Callable[[], None]) -> None:
     np.testing.assert_array_equal(to_pixels(picture), before)
 
 
-def test_missing_pygame_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("missing", [["pygame.freetype"], ["pygame.freetype", "pygame"]])
+@pytest.mark.parametrize("draw", [to_pixels, Window("none").show])
+def test_missing_pygame_says_what_to_install(
+    missing: list[str], draw: Callable[[Scene], Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Without pygame, the error has the command that installs it."""
-    monkeypatch.setitem(sys.modules, "pygame.freetype", None)
+    for name in missing:
+        monkeypatch.setitem(sys.modules, name, None)
     with pytest.raises(DependencyNotInstalled, match=r'pip install "edugym\[render\]"'):
-        to_pixels(scene_of())
+        draw(scene_of())

@@ -38,9 +38,11 @@ def test_windows_live_side_by_side() -> None:
     """Two windows and the user's own display each show their own picture, and the user's events stay in the queue."""
     display = pygame.display.set_mode((30, 20))
     display.fill(rgb(GREEN))
-    key = pygame.event.Event(pygame.KEYDOWN, key=pygame.K_a)
+    early, key = (pygame.event.Event(pygame.KEYDOWN, key=key, unicode="") for key in (pygame.K_e, pygame.K_a))
+    pygame.event.post(early)
     first, second = Window("first"), Window("second")
     first.show(plain(RED), math.inf)
+    assert pygame.event.get(pygame.KEYDOWN) == [early]
     first_window = newest_window()
     second.show(plain(BLUE), math.inf)
     second_window = newest_window()
@@ -56,6 +58,23 @@ def test_windows_live_side_by_side() -> None:
     assert (first_window.title, second_window.title) == ("first", "second")
     first.close()
     second.close()
+
+
+@pytest.mark.usefixtures("screen")
+def test_every_picture_reaches_the_screen(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Once, when it is drawn."""
+    seen: list[tuple[int, ...]] = []
+
+    class Screen(pygame.Window):
+        def flip(self) -> None:
+            seen.append(tuple(self.get_surface().get_at((3, 3))[:3]))
+
+    monkeypatch.setattr(pygame, "Window", Screen)
+    window = Window("seen")
+    for colour in (RED, BLUE):
+        window.show(plain(colour), math.inf)
+    assert seen == [rgb(RED), rgb(BLUE)]
+    window.close()
 
 
 @pytest.mark.usefixtures("screen")

@@ -63,7 +63,7 @@ class Sizes(NamedTuple):
         )
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True)
 class Score:
     """How an agent did in a challenge.
 

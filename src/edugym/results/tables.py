@@ -264,8 +264,7 @@ class Results:
                 groups = table[key].map(str) if key in table else [""] * len(table)
                 for column in next(iter(about[key].values()), {}):
                     shared[column] = [about[key][group][column] for group in groups]
-            added = pandas.DataFrame(shared, index=table.index)
-            table = pandas.concat([table, added], axis="columns")[about["columns"]]
+            table = pandas.concat([table, pandas.DataFrame(shared)], axis="columns")[about["columns"]]
         missing = [column for column in MEASURED if column not in table]
         if missing:
             raise ValueError(f"{path} is not a table of results: it has no column {missing[0]!r}")
