@@ -9,7 +9,7 @@ Everything that takes long runs inside `with Work() as work`. A signal is then a
 * A long loop of machine code asks from time to time (`asked_to_stop`), and ends by raising `Stopped`.
 * While runs are under way in other threads and processes (`work.ordering()`), Ctrl-C orders them to stop, so that they
   return what is done. After `PATIENCE` seconds, or with a second Ctrl-C, nobody waits for those that have not stopped,
-  and `Stopped` is raised in the threads among them that are in Python. (Machine code asks.)
+  and `Stopped` is raised in the threads among them that run Python. Those that run machine code ask by themselves.
 
 What cannot be interrupted at all, such as LLVM or the import of a library, runs in a thread (`interruptibly`).
 """
@@ -157,7 +157,7 @@ class Work:
             raise self._error from None
 
     def hold(self, machine_code: bool) -> None:
-        """Let signals wait until `stopped` is asked, from now on and if machine code is to run."""
+        """Say whether machine code is to run. While it does, signals wait until `stopped` is asked."""
         self._machine_code = machine_code
         self._held = machine_code and bool(self._handlers)
 
@@ -213,8 +213,9 @@ class Work:
             if self._order is not None:
                 _press_ctrl_c()
         with _ending:
-            for work in [work for work in _in_threads if work._stop.is_set() and not work._machine_code]:
-                _raise_stopped(_in_threads.pop(work))
+            for work in list(_in_threads):  # other works may begin meanwhile
+                if work._stop.is_set() and not work._machine_code:
+                    _raise_stopped(_in_threads.pop(work))
 
     def _swallowed(self, unraisable: Any) -> None:
         """Press Ctrl-C again where Python ignored it."""
@@ -241,7 +242,7 @@ def _raise_stopped(ident: int) -> None:
 def _receive_stopped() -> None:
     """Wait for a `Stopped` that may not have been raised in this thread yet, so that it ends nothing else.
 
-    Python could withdraw it, but would look for it ever after, which slows all code, and hangs where code is traced.
+    Python can withdraw the error, but would then look for it for ever: all code would be slower, and traced code hangs.
     """
     with suppress(Stopped):
         _raise_stopped(threading.get_ident())  # in place of one that waits; or else one more

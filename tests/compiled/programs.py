@@ -53,7 +53,7 @@ COMPILED = {
         "return 0.5 * s + a + rng.choice((2, 5)) + rng.choice([0.5, 1.5], p=(0.25, 0.75)) + rng.choice(a=p, p=np.arange(9) / 36)", **Q),
     "where it is not zero": program(
         "i = int(s) % 9\nself.Q[i] = math.nan if i == 4 else i % 3, -0.0\nfound = np.flatnonzero(self.Q)\n"
-        "return 0.5 * s + found.sum() + len(np.flatnonzero(self.Q[::2, 0] > 1)) + np.flatnonzero(np.arange(3)).max()", **Q),
+        "return 0.5 * s + found.sum() + len(np.flatnonzero(self.Q[::2, 0] > 1)) + np.flatnonzero(np.arange(3)).max() + np.flatnonzero([k > s for k in range(9)]).sum()", **Q),
     "any and all": program(
         "i = int(s) % 9\nself.Q[i] = i - 4.0, math.nan if i == 3 else 0.0\na = any(self.Q[:, 1]) + 2 * all(self.Q[:, 0] < 4)\n"
         "return 0.5 * s + a + 4 * any([k > s for k in range(9)]) + 8 * all((s > 2.0, s < 5.0)) + 16 * all([s]) + any(self.Q[i:i, 0])", **Q),
@@ -127,7 +127,9 @@ RAISE = {
     "choice with a negative probability": program(
         "return s + 1 + rng.choice(2, p=(0.5, 0.5) if s < 700 else (1.5, -0.5))"
     ),
-    "choice with a probability too many": program("return s + 1 + rng.choice(2, p=np.ones(3 - int(s < 700)) / 2)"),
+    "choice with a probability too many": program(
+        "n = 3 - int(s < 700)\nreturn s + 1 + rng.choice(2, p=np.ones(n) / n)"
+    ),
     "choice with probability nan": program("return s + 1 + rng.choice(2, p=[0.5, 0.5 if s < 700 else math.nan])"),
     "choice with probabilities of more than 1": program(
         "return s + 1 + rng.choice([1], p=[1.0 if s < 700 else 1.000001])"
@@ -162,6 +164,7 @@ RAISE = {
 
 SURPRISES = {
     "events with a large mean": program("return 0.5 * s + rng.poisson(10.0) + rng.binomial(31, 0.5)"),
+    "choice with a sum that NumPy just allows": program("return 0.5 * s + rng.choice(2, p=(0.5, 0.500000012))"),
     "whole to a negative power": program("k = int(s)\nreturn 10 ** -k + s + 1"),
     "negative one": program("i = int(s)\nreturn (i + 2) ** -1 + s"),
     "three to 101": program("return 3 ** (101 + int(s) * 0) % 7 + s"),

@@ -30,8 +30,7 @@ def count(n: int, table: np.ndarray[Any, Any], task: Any, rng: np.random.Generat
     return n
 
 
-COUNTER = """
-class Counter(NamedTuple):
+COUNTER = """class Counter(NamedTuple):
     size: int
     def place(self, rng):
         return int(rng.random() * self.size)

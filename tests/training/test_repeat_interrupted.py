@@ -168,11 +168,8 @@ def test_it_works_in_any_thread() -> None:
 CHILD = f"""
 import json, os, signal, sys, warnings
 import joblib
-from edugym import QLearning, repeat, train
+from edugym import QLearning, repeat
 from edugym.interrupts import Interrupted
-from edugym.training import repeat as repeating
-from edugym.training.checkpoints import Checkpoints
-from edugym.training.run import Run
 
 signal.signal(signal.SIGINT, signal.default_int_handler)
 environment, backend, jobs, runs = sys.argv[1], sys.argv[2], int(sys.argv[3]), int(sys.argv[4])

@@ -147,7 +147,7 @@ def _flatnonzero(a: Any) -> Any:
 
 
 def _choose_flatnonzero(a: Any) -> Any:
-    """`np.flatnonzero` without the lists of indices that Numba makes on its way."""
+    """`np.flatnonzero` of an array, without the arrays that Numba makes on its way."""
 
     def flatnonzero(a: Any) -> Any:
         found, n = np.empty(a.size, np.int64), 0
@@ -157,7 +157,7 @@ def _choose_flatnonzero(a: Any) -> Any:
                 n += 1
         return found[:n]
 
-    return flatnonzero if isinstance(a, types.Array) and isinstance(a.dtype, types.Number | types.Boolean) else None
+    return flatnonzero if isinstance(a, types.Array) else lambda a: np.flatnonzero(a)
 
 
 extending.overload(_clip, strict=False)(_choose_clip)

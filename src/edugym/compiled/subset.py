@@ -41,12 +41,11 @@ MATH = words(
 )
 NUMPY = words(
     "abs absolute all amax amin any arange arccos arcsin arctan arctan2 argmax argmin argwhere array array_equal bool "
-    "bool_ ceil clip "
-    "concatenate copy cos cosh count_nonzero cumprod cumsum diff divide dot e empty empty_like exp expm1 eye "
-    "flatnonzero float64 floor full full_like hypot identity inf int64 intp isfinite isinf isnan linspace log log10 "
-    "log1p log2 max maximum mean median min minimum multiply nan ndarray newaxis nonzero ones ones_like outer pi prod "
-    "searchsorted sign sin sinh sort sqrt square std subtract sum tan tanh trunc var where zeros zeros_like add "
-    "float32 uint8 int8 int16 int32"
+    "bool_ ceil clip concatenate copy cos cosh count_nonzero cumprod cumsum diff divide dot e empty empty_like exp "
+    "expm1 eye flatnonzero float64 floor full full_like hypot identity inf int64 intp isfinite isinf isnan linspace "
+    "log log10 log1p log2 max maximum mean median min minimum multiply nan ndarray newaxis nonzero ones ones_like "
+    "outer pi prod searchsorted sign sin sinh sort sqrt square std subtract sum tan tanh trunc var where zeros "
+    "zeros_like add float32 uint8 int8 int16 int32"
 )
 """Functions that give what NumPy gives, but for the last digits of sums, means, powers and exp."""
 HARMLESS = words(

@@ -245,8 +245,8 @@ def unix_keys(file_descriptor: int) -> Iterator[str]:
 def _read(file_descriptor: int) -> bytes:
     """Wait for input and read it.
 
-    Ctrl-C may come just before the wait, or another thread may receive its signal. Neither ends a wait in the system,
-    so each wait is short: Python raises the `KeyboardInterrupt` between two of them.
+    A Ctrl-C that comes just before the wait does not end it, nor does one whose signal another thread receives. So each
+    wait is short, and Python raises `KeyboardInterrupt` between two of them.
     """
     while not select.select([file_descriptor], [], [], 0.1)[0]:
         pass

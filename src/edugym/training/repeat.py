@@ -263,7 +263,7 @@ def _do_all(
 
     to_do = [planned for planned in experiment.plan if planned not in runs]
     total = len(experiment.plan) * training["n_steps"]
-    done = Runs()  # by threads of this process, before joblib hands them over
+    done = Runs()  # those of threads of this process, as soon as they end: joblib hands them over later
 
     def keep(planned: Planned, run: Run) -> None:
         runs[planned] = run
@@ -310,7 +310,7 @@ def _do(
 ) -> tuple[Planned, Run | Exception]:
     """Do one run of one method; return an error rather than raise it, so that its traceback shows no joblib.
 
-    The run is also added to `done`, which other processes have a copy of.
+    In a thread of this process the run is also added to `done`. (Another process adds it to a copy, which is dropped.)
     """
     in_other_process = os.getpid() != stop.process
     if in_other_process and threading.current_thread() is threading.main_thread():
