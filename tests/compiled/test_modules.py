@@ -67,7 +67,7 @@ def test_arrays_that_code_reaches() -> None:
         "h = around()"
     )
     task = cell(notebook(source, "return s + g(1.0) + h(1.0) + self.D[0][0]", "D = (np.zeros(4),)"))["T"](1)
-    assert sorted(array.size for array in Code(loop, (10, task)).arrays()) == [1, 2, 3, 4]
+    assert sorted(array.size for array in Code(loop, (10, task)).arrays) == [1, 2, 3, 4]
 
 
 def test_nothing_is_left_of_a_build() -> None:

@@ -91,7 +91,7 @@ def test_ctrl_c_ends_the_interpreter_where_machine_code_failed(given_up: bool, m
         ended.append(True)
 
     code: Any = SimpleNamespace(is_current=lambda: True)
-    run = execution._guarded(fails, presses, code, 1, (lambda *_: None) if given_up else presses)
+    run = execution._guarded(fails, presses, code, (lambda *_: None) if given_up else presses)
 
     def work() -> None:
         with Work() as work:

@@ -5,20 +5,20 @@ import math
 import warnings
 from collections.abc import Callable
 from importlib.util import find_spec
-from types import CodeType
 from typing import Any
 
 import numpy as np
 
 from edugym.adapters.columns import Listed, as_sampled, copy_of, head, loose
 from edugym.adapters.copies import STATE_LOST, Batch
-from edugym.compiled.code import Code, package
+from edugym.compiled.code import Code
 from edugym.compiled.execution import executable
 from edugym.interrupts import Work
 from edugym.mdp.checking import checked_mdp
 
 Loop = Callable[..., int]
 REHEARSED = 100  # copies
+MOST_CHANGES = 3  # of code, for each of which machine code is made anew
 
 
 class Runner:
@@ -43,8 +43,8 @@ class Runner:
         self.states = states
         self._mdp, self._n, self._sample = mdp, n, sample
         self._code: dict[Loop, Loop] = {}
-        self._watched: list[Watched] = []
-        self._foreign = False
+        self._watched: list[Code] = []
+        self._foreign, self._changes = False, 0
         self._interpreted = _is_loose(states)
         if self._interpreted and find_spec("numba"):
             warnings.warn(
@@ -76,9 +76,13 @@ class Runner:
             *arguments: what the loop takes between the random stream and the states. Those that are arrays have a place
                 for each copy.
         """
-        if self._foreign and any(watched.has_changed() for watched in self._watched):
+        if self._foreign and not self._interpreted and not all(code.is_current() for code in self._watched):
             self._code.clear()
             self._watched.clear()
+            self._changes += 1
+            if self._changes > MOST_CHANGES:
+                self._interpret()
+                self._say_why("its methods, or global values that they read, change again and again: use fields")
         if loop not in self._code:
             self._prepare(loop, rng, few, arguments)
         if self._interpreted and self._foreign:
@@ -104,12 +108,12 @@ class Runner:
                     self._put_back(kept, rng, batch)
         self._interpret()
         done = self._explained(loop, rng, batch, arguments)
-        warnings.warn(
-            f"{type(self._mdp).__name__} runs interpreted from here on, some hundred times slower: its states have"
-            " changed their type",
-            stacklevel=3,
-        )
+        self._say_why("its states have changed their type")
         return done
+
+    def _say_why(self, reason: str) -> None:
+        name = type(self._mdp).__name__
+        warnings.warn(f"{name} runs interpreted from here on, some hundred times slower: {reason}", stacklevel=4)
 
     def _once(self, loop: Loop, mdp: Any, rng: np.random.Generator, batch: Batch, arguments: tuple[Any, ...]) -> int:
         """Run a loop as it is, and refuse a state that its storage cannot hold."""
@@ -152,7 +156,7 @@ class Runner:
         code = Code(loop, (self._mdp, rng, *some, states, batch))
         self._foreign = code.foreign
         if code.foreign:
-            self._watched.append(Watched(code))
+            self._watched.append(code)
         if not self._interpreted:
             try:
                 values = (self._mdp, copy.deepcopy(rng), *some, states, batch)
@@ -172,42 +176,6 @@ class Runner:
     def __getstate__(self) -> dict[str, Any]:
         """Everything but the machine code, to be pickled or copied."""
         return {**self.__dict__, "_code": {}, "_watched": []}
-
-
-class Watched:
-    """What a loop can reach of a student's code, to notice when a method or a global name is given another value.
-
-    Args:
-        code: what the loop can reach.
-    """
-
-    def __init__(self, code: Code) -> None:
-        """See the class."""
-        self._places: list[tuple[Any, str, Any]] = []
-        for kind in code.classes:
-            for base in kind.__mro__:
-                if base not in (object, tuple) and package(base) != "edugym":
-                    self._places += [(vars(base), name, value) for name, value in vars(base).items()]
-        self._functions = [
-            (function, function.__code__) for function in code.functions if package(function) != "edugym"
-        ]
-        for function, inside in self._functions:
-            known = function.__globals__
-            self._places += [(known, name, known[name]) for name in _names(inside) & known.keys()]
-
-    def has_changed(self) -> bool:
-        """Whether something else stands in one of the places."""
-        for function, inside in self._functions:
-            if function.__code__ is not inside:
-                return True
-        missing = self
-        return any(place.get(name, missing) is not value for place, name, value in self._places)
-
-
-def _names(code: CodeType) -> set[str]:
-    """The names that a function uses, inner functions included."""
-    inner = [_names(part) for part in code.co_consts if isinstance(part, CodeType)]
-    return set(code.co_names).union(*inner)
 
 
 def _plain(arguments: tuple[Any, ...]) -> tuple[Any, ...]:

@@ -82,6 +82,7 @@ class Code:
                 self._member(kind, name)
         self.fingerprint = self._hash.hexdigest()[:24]
         self.is_watchable = not self._changeable and not self.foreign
+        self._were = [array.tobytes() for array in self.arrays]
         self._shapes = [(kind, kind.__mro__, getattr(kind, "_fields", None)) for kind in self._owners]
         self._contents = [(base, set(vars(base))) for base in self._bases()]
         self._functions = [(one, one.__code__, one.__defaults__, one.__kwdefaults__) for one in self.functions]
@@ -112,7 +113,8 @@ class Code:
     def is_current(self) -> bool:
         """Whether the methods and globals of others than the package are still what they were: a look, no walk."""
         return (
-            all(vars(kind).get(name) is member for (kind, name), member in self._watched_members)
+            [array.tobytes() for array in self.arrays] == self._were
+            and all(vars(kind).get(name) is member for (kind, name), member in self._watched_members)
             and all(globals_.get(name) is value for globals_, name, value in self._watched_globals)
             and all(function.__code__ is code for function, code in self._watched_code)
             and all(inside(cell) is value for cell, value in self._watched_cells)
@@ -132,17 +134,17 @@ class Code:
             and all(inside(cell) is value for _, cell, value in self.cells)
         )
 
+    @cached_property
     def arrays(self) -> tuple[np.ndarray[Any, Any], ...]:
         """The arrays that code reaches by a name of its own, and not as an argument."""
-        found: list[np.ndarray[Any, Any]] = []
-        waiting = [*self.globals.values(), *self.members.values(), *(value for *_, value in self.cells)]
-        while waiting:
-            value = waiting.pop()
-            if isinstance(value, np.ndarray):
-                found.append(value)
-            elif isinstance(value, tuple):
-                waiting += value
-        return tuple(found)
+        return tuple(arrays_in(*(value for *_, value in self.named())))
+
+    def named(self) -> Iterator[tuple[FunctionType | type, str, Any]]:
+        """What code reaches by a name of its own, each with the function or class and the name."""
+        yield from ((function, name, value) for (function, name), value in self.globals.items())
+        yield from ((kind, name, value) for (kind, name), value in self.members.items())
+        for function, cell, value in self.cells:
+            yield function, function.__code__.co_freevars[(function.__closure__ or ()).index(cell)], value
 
     @cached_property
     def _watched_members(self) -> list[tuple[tuple[type, str], Any]]:
@@ -320,6 +322,15 @@ def _stable(constant: Any) -> Any:
     if isinstance(constant, tuple):
         return tuple((type(part), _stable(part)) for part in constant)
     return constant
+
+
+def arrays_in(*values: Any) -> Iterator[np.ndarray[Any, Any]]:
+    """The arrays among the values, and in tuples among them."""
+    for value in values:
+        if isinstance(value, np.ndarray):
+            yield value
+        elif isinstance(value, tuple):
+            yield from arrays_in(*tuple.__iter__(value))
 
 
 def inside(cell: CellType, default: Any = None) -> Any:

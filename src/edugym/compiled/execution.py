@@ -29,6 +29,7 @@ COMPILE_FROM = 5_000  # steps; fewer take the interpreter some 15 ms, and compil
 REHEARSED = 200  # steps
 MOST_SURPRISES = 3  # calls in which machine code fails and the interpreter does not, before machine code is given up
 COPYING = 10.0  # large arrays are copied before a call once calls have taken this many times as long as the copying
+NOT_ITS_OWN = "it changes an array that is not its own: pass it as a field"
 _warned: set[Any] = set()  # what was said: a text, or the classes of which it was said
 
 
@@ -83,7 +84,7 @@ def _machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, rehearsed:
         _announce(code)
         return compiled(loop, rehearsed, *arguments, code=code)
     rehearsed = min(rehearsed, REHEARSED)
-    rehearsal, constants = copied(arguments), code.arrays()
+    rehearsal, constants = copied(arguments), code.arrays
     as_before, before = copied(constants), Snapshot()
     before.take(constants)
     try:
@@ -92,7 +93,7 @@ def _machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, rehearsed:
         changed = difference(constants, as_before, "an array", close=0.0)
         before.put_back()
     if changed:
-        raise CompilationError("it changes an array that is not its own: pass it as a field")
+        raise CompilationError(NOT_ITS_OWN)
     _announce(code)
     fast = compiled(loop, rehearsed, *arguments, code=code)
     shadow = copied(arguments)
@@ -104,7 +105,7 @@ def _machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, rehearsed:
     found = difference((result, rehearsal), (shadowed, shadow), "the result")
     if found:
         raise CompilationError(f"machine code comes to something else than Python in the first steps ({found})")
-    return fast if replay is None else _guarded(fast, loop, code, rehearsed, replay)
+    return fast if replay is None else _guarded(fast, loop, code, replay)
 
 
 def _surprise(error: Exception) -> str:
@@ -115,11 +116,12 @@ def _surprise(error: Exception) -> str:
     return f"machine code stops where Python goes on ({said})"
 
 
-def _guarded(fast: Loop, loop: Loop, code: Code, rehearsed: int, replay: Loop) -> Loop:
+def _guarded(fast: Loop, loop: Loop, code: Code, replay: Loop) -> Loop:
     """Machine code of foreign code, with the interpreter at its side.
 
     Where machine code fails, the call is played again by the interpreter from the same start, to stop at the very line,
-    or to go on where Python does. Once code has changed, machine code of what it is now takes over.
+    or to go on where Python does. Once code has changed, or a value outside that it reads, the interpreter goes on
+    alone: such a value may change at every step.
 
     For that the arguments are copied before a call: large arrays only as often as that costs a tenth of the time. A
     call that fails without a copy of them is played again on what it has left of them, and always ends in an error.
@@ -129,10 +131,10 @@ def _guarded(fast: Loop, loop: Loop, code: Code, rehearsed: int, replay: Loop) -
     cost = spent = 0.0  # seconds: what copying everything took the last time, and what calls took since
 
     def run(*arguments: Any) -> Any:
-        nonlocal fast, code, surprises, cost, spent
-        if not code.is_current():
-            code = code_of(loop, arguments[1:])
-            fast = executable(loop, arguments[1:], rehearsed=rehearsed, replay=replay)
+        nonlocal fast, surprises, cost, spent
+        if fast is not loop and not code.is_current():
+            fast = loop
+            _warn_once(code, arguments, "a method, a global variable or an array that is not its own changes meanwhile")
         if fast is loop:
             with held(machine_code=False):
                 return loop(*arguments)

@@ -21,7 +21,7 @@ from typing import Any
 
 import numpy as np
 
-from edugym.compiled.code import LIBRARIES, Code, inside, is_foreign, package
+from edugym.compiled.code import LIBRARIES, Code, arrays_in, inside, is_foreign, package
 
 
 def words(text: str) -> frozenset[str]:
@@ -88,7 +88,8 @@ def refusal(code: Code, arguments: tuple[Any, ...], names: tuple[str, ...]) -> s
     found = next(filter(None, (_of_values(one, of, all_kinds=not foreign, owner=None) for one, of in parts)), None)
     if found or not foreign:
         return found
-    judged = [*map(_of_class, filter(is_foreign, code.classes)), *_of_members(code)]
+    fields = arrays_in(*(argument for argument, name in zip(arguments, names, strict=True) if name != "moment"))
+    judged = [_of_shared(code, list(fields)), *map(_of_class, filter(is_foreign, code.classes)), *_of_members(code)]
     judged += [_of_function(function) for function in code.functions if is_foreign(function)]
     return next(filter(None, judged), None)
 
@@ -159,6 +160,15 @@ def _of_class(kind: type) -> str | None:
                 return f"{base.__name__} defines {name}, which machine code would not call"
             if name in DRAWS_WITH_CHECKS:
                 return f"{base.__name__} has a member named {name}, as rng has"
+    return None
+
+
+def _of_shared(code: Code, fields: list[Any]) -> str | None:
+    """What is wrong with an array that is both a constant, which machine code reads once, and a field that changes."""
+    for of, name, value in code.named():
+        if any(np.may_share_memory(one, field) for one in arrays_in(value) for field in fields):
+            found = f"the array {name} is a field as well: use only the field"
+            return _at(found, of.__code__, None) if isinstance(of, FunctionType) else found
     return None
 
 

@@ -1,0 +1,82 @@
+"""Arrays and numbers outside the agent that change while it learns: machine code, which reads them once, gives way."""
+
+from textwrap import indent
+from typing import Any
+
+import numpy as np
+import pytest
+
+from edugym import MDPEnv, MDPVectorEnv, train
+from edugym.compiled import compiler, execution
+from edugym.training import trainers
+from tests.compiled.cells import LEARNER, SLIPPERY, WALK, cell
+
+TABLE = "Q = np.zeros((6, 2))\n"
+GREEDY = "    def greedy(self, state, rng):\n        return int(self.Q[state, 1] > self.Q[state, 0])\n"
+ACTS, LEARNS = LEARNER.split("    def learn")
+FORGETFUL = ACTS.replace("self.Q[state", "Q[state")
+"""It looks actions up in the notebook's variable `Q`, where `self.Q` is meant."""
+EPSILON = "epsilon = 1.0\n" + LEARNER.replace("< 0.1", "< epsilon").replace(
+    "        value =", "        global epsilon\n        epsilon *= 0.999\n        value ="
+)
+OUTSIDE = {
+    "self forgotten": TABLE + FORGETFUL + "    def learn" + LEARNS,
+    "self forgotten in greedy": TABLE + LEARNER + GREEDY.replace("self.", ""),
+    "a view of it": TABLE + FORGETFUL + "    def learn" + LEARNS + "V = Q[:]",
+    "no field": TABLE + LEARNER.replace("self.Q", "Q").replace("Q: np.ndarray\n", "n: int = 0\n"),
+    "a variable of a function": "def make(Q):\n" + indent(f"{FORGETFUL}    def learn{LEARNS}return Learner", "    "),
+    "a number": EPSILON,
+    "a number of the class": LEARNER.replace("rate: float", "eps = 0.9\n    rate: float")
+    .replace("< 0.1", "< self.eps")
+    .replace("        value =", "        Learner.eps *= 0.999\n        value ="),
+}
+
+
+def trained(source: str) -> tuple[Any, ...]:
+    """Train the agent, and give its table, its curve and what was left of the notebook's variables."""
+    notebook = cell(source)
+    table = notebook.get("Q", np.zeros((6, 2)))
+    kind = notebook["make"](table) if "make" in notebook else notebook["Learner"]
+    agent = kind() if "n" in kind._fields else kind(notebook.get("V", table))
+    run = train(cell(SLIPPERY)["SlipperyWalk"](5, 0.2), agent, 8_000, max_steps=40)
+    return table.tolist(), run.returns.tolist(), notebook.get("epsilon")
+
+
+@pytest.mark.parametrize("name", OUTSIDE)
+def test_the_same_as_in_the_interpreter(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """One sentence says why, and nothing is compiled again and again."""
+    built, build = [], compiler._build
+
+    def counted(*arguments: Any) -> Any:
+        built.append(arguments)
+        return build(*arguments)
+
+    monkeypatch.setattr(compiler, "_build", counted)
+    execution._warned.clear()
+    with pytest.warns(UserWarning, match="Learner cannot be compiled and runs interpreted") as said:
+        compiled = trained(OUTSIDE[name])
+    assert sum("interpreted" in str(one.message) for one in said) == 1
+    assert len(built) <= 2
+    monkeypatch.setattr(trainers, "executable", lambda loop, *_, **__: loop)
+    assert trained(OUTSIDE[name]) == compiled
+
+
+def test_an_array_of_copies_that_changes() -> None:
+    """What a notebook writes into an array counts from the next step on; after some changes the copies give up."""
+    notebook = cell("PAY = np.zeros(1)\n" + WALK.replace("else -0.25", "else PAY[0]"))
+    vector = MDPVectorEnv(MDPEnv(notebook["Walk"](50)), 2)
+    vector.reset(seed=0)
+    paid = []
+
+    def step(pay: float) -> None:
+        notebook["PAY"][0] = pay
+        paid.append(vector.step([1, 1])[1][0])
+
+    for k in range(4):
+        step(k)
+    assert vector.is_compiled
+    with pytest.warns(UserWarning, match="Walk runs interpreted .* change again and again: use fields"):
+        step(4)
+    step(5)
+    assert not vector.is_compiled
+    assert paid == [0, 1, 2, 3, 4, 5]
