@@ -47,6 +47,9 @@ COMPILED = {
     "draws of all kinds": program(
         "i = rng.integers(9) + rng.integers(0, 3, endpoint=True) % 2 + rng.integers(4, size=2)[1] % 2\n"
         "return 0.5 * s + i % 9 + rng.uniform(-1, 2) + rng.uniform(3.0, 3.0) + rng.uniform(size=3)[2]"),
+    "arrays of draws": program(
+        "x, y = rng.normal(0.0, 2.0, 3), rng.normal(size=(2, 2))\nz = rng.exponential(2.0, size=2) + rng.exponential(size=2)\n"
+        "return 0.5 * s + x[2] + y[1, 1] + z[0] + rng.normal(scale=0.1, size=int(s) % 3 + 1)[0]"),
     "choices": program(
         "i = int(s) % 9\nself.Q[i, 1] = rng.random() * (rng.random() < 0.5)\np = self.Q[:, 1] + 0.5\nbest = [k for k in range(9) if p[k] > 0.6] + [2]\n"
         "a = rng.choice(7) + rng.choice(np.flatnonzero(p == p.max())) + rng.choice(9, p=p / p.sum()) + rng.choice(best, None, True)\n"
@@ -143,11 +146,13 @@ RAISE = {
     "modulo of zero": program("return s + 1 + 0 * (5 % (700 - int(s)))"),
     "zero to a negative power": program("return s + 1 + 0 * (700 - s) ** -1"),
     "power too large": program("return s + 1 + 0 * 10.0 ** s"),
+    "normals with a negative deviation": program("return s + 1 + 0 * rng.normal(0.0, 700 - s, 3)[0]"),
     "negative shift": program("return s + 1 + 0 * (1 << (40 - int(s) if s > 20 else 1))"),
     "index": program("self.Q[int(s / 70), 0] += 1\nreturn s + 1", **Q),
     "second index": program("self.Q[0, int(s / 350)] += 1\nreturn s + 1", **Q),
     "row index": program("q = self.Q[3]\nq[int(s / 350)] += 1\nreturn s + 1", **Q),
     "assertion": program("assert s < 700, 'too late'\nreturn s + 1"),
+    "field assigned": program("if s > 700: self.x = 3.0\nreturn s + 1"),
     "not implemented": program("if s > 700: raise NotImplementedError\nreturn s + 1"),
     "error of the author": program("if s > 700: raise ValueError('late')\nreturn s + 1"),
     "list index": program("a = [1.0, 2.0]\nreturn s + a[int(s / 350)]"),
@@ -239,6 +244,11 @@ REFUSED = {
     "negative byte": (program("a = np.zeros(2, np.uint8)\na[0] = -1 if s > 700 else 1\nreturn s + 1"), "uint8"),
     "float32 made": (program("a = np.zeros(2, np.float32)\na[0] = 0.1 + s\nreturn float(a[0])"), "float32"),
     "flat": (program("self.Q.flat[3] = 1.0\nreturn s + self.Q.flat[2]", **Q), "flat"),
+    "matrix": (program("m = self.Q * self.Q\nreturn 0.5 * s + m[0, 1]", "Q: np.ndarray", "np.matrix(np.ones((2, 2)))"), "an ordinary array"),
+    "matrix in a state": (program("return s[0] + 1, s[1] * s[1] % 7", start="(0, np.matrix(np.ones((2, 2))))"), "an ordinary array"),
+    "keyword only": (program("return self.g(s, k=2.0)", more="def g(self, s, *, k): return 0.5 * s + k"), "parameters after *"),
+    "reversed": (program("for k in reversed(range(3)): s = k - 0.5 * s\nreturn s"), "it uses reversed"),
+    "constant of a plain class": (program("return 0.5 * s + C.k", before="class C:\n    k = 1"), "the class C, which is no NamedTuple"),
     "mask": (program("m = self.Q[:, 0] > 1\nreturn s + self.Q[m].sum()", **Q), "picks"),
     "short mask": (program("m = np.array([True, False])\nself.N[m] = 1\nreturn s + self.N[0]", **N), "picks"),
     "array of another shape in place": (program("x = np.zeros(3)\nx += np.ones((3, 3))\nreturn s + x[0]"), "place"),

@@ -27,7 +27,7 @@ def test_reasons() -> None:
         ("return s + rng.choice([(0, 1), (2, 3)])[0]", "rng.choice is compiled only for one draw"),
         ("return s + rng.choice(4, replace=False)", "rng.choice is compiled only for one draw"),
         ("return s + rng.permuted(np.ones(3))[0]", "it uses rng's permuted "),
-        ("return range(3)[int(s)]", r"Numba has no getitem\(range_state_int64, int\) "),
+        ("return range(3)[int(s)]", r"Numba has no getitem\(range, int\) "),
         (
             "best = None\n        if s > 3: best = 0\n        return 1 if best else 2",
             r"Numba has no bool\(int or None\) ",
@@ -51,6 +51,9 @@ def test_reasons() -> None:
         ("return s + rng.integers(2.5)", "rng.integers takes whole numbers, but was given something else "),
         ("return s + np.zeros(3)[0.5]", "an index of an array is of type float "),
         ("return s + rng.integers(3, dtype=np.int8)", "rng.integers draws numbers of another type than int "),
+        ("return s + np.argmax([s, 1.0])", r"it gives a list to a function that takes arrays: .* np.array\(\[...\]\) "),
+        ("return s + int('123'[int(s) % 3])", "it makes a number of text "),
+        ("return s + tuple([1, 2])[0]", r"Numba has no tuple\(list\) "),
         ("return s + np.max([s, 1.0])", r"Numba has no np.max\(list\) "),
         (
             "a = np.zeros(2)\n        a[:] = s, True\n        return a[0]",

@@ -54,6 +54,8 @@ def load(path: str | Path, kinds: Iterable[type] | type = (), *, max_bytes: int 
             that does not fit its class, or larger tables than `max_bytes`.
         OSError: the file cannot be read.
     """
+    if isinstance(path, type):
+        raise ValueError("path must be the name of a file, and come first, but is the class " + path.__name__)
     given = [kinds] if isinstance(kinds, type) else [*kinds]
     known = {kind.__name__: kind for kind in (*_own_classes(), *given)}
     with Path(path).open("rb") as file:

@@ -22,18 +22,18 @@ TOLERANCE = 1e-8
 """How far from 1 a sum of probabilities may be. NumPy allows a little more, and adds with more digits."""
 
 
-def _normal(rng: Any, loc: Any = 0.0, scale: Any = 1.0) -> Any:
-    """`rng.normal(loc, scale)`."""
+def _normal(rng: Any, loc: Any = 0.0, scale: Any = 1.0, size: Any = None) -> Any:
+    """`rng.normal(loc, scale, size)`."""
     if scale < 0:
         raise ValueError("scale < 0")
-    return rng.normal(loc, scale)
+    return rng.normal(loc, scale, size)
 
 
-def _exponential(rng: Any, scale: Any = 1.0) -> Any:
-    """`rng.exponential(scale)`."""
+def _exponential(rng: Any, scale: Any = 1.0, size: Any = None) -> Any:
+    """`rng.exponential(scale, size)`."""
     if scale < 0:
         raise ValueError("scale < 0")
-    return rng.exponential(scale)
+    return rng.exponential(scale, size)
 
 
 def _uniform(rng: Any, low: Any = 0.0, high: Any = 1.0, size: Any = None) -> Any:

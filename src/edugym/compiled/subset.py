@@ -31,7 +31,7 @@ def words(text: str) -> frozenset[str]:
 
 DTYPES = frozenset({"int64", "float64", "bool"})
 BUILTINS = words(
-    "abs all any bool divmod enumerate float int len list max min pow range reversed round sorted sum tuple zip "
+    "abs all any bool divmod enumerate float int len list max min pow range round sorted sum tuple zip "
     "ArithmeticError AssertionError Exception IndexError KeyError NotImplementedError OverflowError RuntimeError "
     "TypeError ValueError ZeroDivisionError True False None"
 )
@@ -117,6 +117,8 @@ def _of_values(value: Any, name: str, *, all_kinds: bool, owner: type | None) ->
         return None
     adapters = owner is not None and owner.__module__.startswith(("edugym.adapters", "edugym.compiled"))
     if isinstance(value, np.ndarray):
+        if type(value) is not np.ndarray:
+            return f"{name} is a {type(value).__name__}: use an ordinary array"
         if value.dtype.hasobject:
             return f"{name} is an array of objects"
         if all_kinds or value.dtype.name in DTYPES or (adapters and value.ndim):
@@ -184,6 +186,8 @@ def _of_function(function: FunctionType) -> str | None:
     """What is wrong with the names and statements of a function, and in which line."""
     if function.__code__.co_flags & inspect.CO_VARKEYWORDS:
         return _at(f"{function.__name__} takes **: name its parameters", function.__code__, None)
+    if function.__code__.co_kwonlyargcount:
+        return _at(f"{function.__name__} has parameters after *: leave it out", function.__code__, None)
     defaults = (*(function.__defaults__ or ()), *(function.__kwdefaults__ or {}).values())
     for value in defaults:
         if found := _of_values(value, f"a default of {function.__name__}", all_kinds=False, owner=None):
@@ -197,18 +201,16 @@ def _of_code(code: CodeType, function: FunctionType) -> str | None:
     line: int | None = code.co_firstlineno
     value: Any = _UNKNOWN  # what the instruction before has taken from a global name
     path = ""
-    places = False  # whether it has named something whose attributes outlast it
     for instruction in dis.get_instructions(code):
         line = instruction.positions.lineno if instruction.positions and instruction.positions.lineno else line
         name, found = instruction.argval, None
         if instruction.opname in GLOBAL or (instruction.opname in OUTER and name in function.__code__.co_freevars):
             path, value = name, _looked_up(function, name)
             found = _of_name(value, path)
-            places = places or isinstance(value, ModuleType | tuple) or _is_own_class(value)
         elif instruction.opname in ("LOAD_ATTR", "LOAD_METHOD") and value is not _UNKNOWN:
             path = f"{path}.{name}"
             found, value = _of_attribute(value, name, path)
-        elif instruction.opname in ("STORE_ATTR", "DELETE_ATTR") and places:
+        elif instruction.opname in ("STORE_ATTR", "DELETE_ATTR"):
             found = f"it assigns the attribute {name}"
         elif instruction.opname == "STORE_DEREF" and name in function.__code__.co_freevars:
             found = f"it assigns {name}, a variable of the function around it"
@@ -268,7 +270,10 @@ def _of_name(value: Any, name: str) -> str | None:
     if _known_function(value):
         return None
     if isinstance(value, type):
-        return None if _is_own_class(value) else OTHERWISE.get(name, f"it uses {name}")
+        plain = (
+            f"it uses {name}" if package(value) in LIBRARIES else f"it uses the class {name}, which is no NamedTuple"
+        )
+        return None if _is_own_class(value) else OTHERWISE.get(name, plain)
     if package(type(value)) == "numba" and hasattr(value, "py_func"):
         return None
     module = getattr(value, "__module__", None) or ""

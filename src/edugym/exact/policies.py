@@ -9,6 +9,7 @@ import numpy as np
 
 from edugym.exact.branching import branches
 from edugym.exact.tables import FiniteModel
+from edugym.exact.values import require_model
 from edugym.mdp.protocol import Reals
 
 MAX_WAYS = 10_000
@@ -39,6 +40,7 @@ def policy_of(agent: Any, model: FiniteModel, *, greedy: bool = False) -> Reals:
     choose_name = "greedy" if greedy and hasattr(agent, "greedy") else "act"
     if isinstance(agent, type) or not hasattr(agent, choose_name):
         raise ValueError(f"agent must be an agent, with a method act(state, rng), but is {agent!r}")
+    require_model(model)
     task = model.table_task()
     n_states, n_actions, _ = model.successors.shape
     acting = copy.deepcopy(agent)

@@ -58,6 +58,8 @@ def as_probabilities(policy: Any, model: FiniteModel) -> Reals:
         ValueError: it has another shape, actions that are not there, or probabilities that are none.
     """
     n_states, n_actions, _ = model.successors.shape
+    if hasattr(policy, "act"):
+        raise ValueError("policy must be an array, but is an agent: policy_of(agent, model) gives its policy")
     given = np.asarray(policy)
     if given.shape == (n_states,) and np.issubdtype(given.dtype, np.integer):
         wrong = given[(given < 0) | (given >= n_actions)]

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
-from edugym.checks import above, between, whole_number
+from edugym.checks import above, between, in_short, whole_number
 from edugym.exact.tables import FiniteModel
 from edugym.mdp.protocol import Reals
 
@@ -120,6 +120,15 @@ def check_model(model: FiniteModel, discount: float) -> None:
     Raises:
         ValueError: one of them is so.
     """
-    if not isinstance(model, FiniteModel):
-        raise ValueError(f"model must be a FiniteModel, as finite_model(mdp) makes it, but is {model!r}")
+    require_model(model)
     between("discount", discount, 0, 1)
+
+
+def require_model(model: Any) -> None:
+    """Refuse what is no model.
+
+    Raises:
+        ValueError: it is none.
+    """
+    if not isinstance(model, FiniteModel):
+        raise ValueError(f"model must be a FiniteModel, as finite_model(mdp) makes it, but is {in_short(model)}")

@@ -23,7 +23,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from edugym.checks import whole_number
+from edugym.checks import between, whole_number
 from edugym.extras import require
 from edugym.mdp.protocol import Reals
 
@@ -72,6 +72,7 @@ def mean_interval(values: ArrayLike, confidence: float = CONFIDENCE) -> Interval
     Returns:
         The interval; unbounded for a single value.
     """
+    between("confidence", confidence, 0, 1)
     known = np.asarray(values, float).ravel()
     known = known[~np.isnan(known)]
     if len(known) < 2:
@@ -100,6 +101,7 @@ def proportion_interval(successes: int, n: int, confidence: float = CONFIDENCE) 
     """
     whole_number("n", n, 0)
     whole_number("successes", successes, 0, n)
+    between("confidence", confidence, 0, 1)
     if n == 0:
         return Interval(math.nan, 0.0, 1.0, 0)
     require("experiments", "scipy")

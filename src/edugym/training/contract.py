@@ -108,15 +108,18 @@ def tables_of(agent: Any) -> dict[str, np.ndarray[Any, Any]]:
 
 def _require_tables(agent: Any) -> None:
     """Refuse tables of values that cannot hold fractions, or that contain NaN."""
+    kind = type(agent).__name__
+    if is_own(agent) and "Q" in getattr(agent, "_fields", ()) and not isinstance(agent.Q, np.ndarray):
+        raise ValueError(f"Q of {kind} must be an array, but is {in_short(agent.Q)}: use {kind}.create(environment)")
     for name, table in tables_of(agent).items():
         if table.dtype.kind in "bui":
             raise ValueError(
-                f"{name} of {type(agent).__name__} must be an array of float, but its dtype is {table.dtype},"
+                f"{name} of {kind} must be an array of float, but its dtype is {table.dtype},"
                 f" which cannot hold fractions: make it with np.zeros({table.shape})"
             )
         if table.dtype.kind == "f" and np.isnan(table).any():
             where = tuple(np.argwhere(np.isnan(table))[0].tolist())
-            raise ValueError(f"{name} of {type(agent).__name__} must hold numbers, but {name}{list(where)} is nan")
+            raise ValueError(f"{name} of {kind} must hold numbers, but {name}{list(where)} is nan")
 
 
 def learner(agent: Any) -> Any:
