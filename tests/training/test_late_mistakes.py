@@ -11,6 +11,7 @@ from gymnasium import spaces
 from edugym import QLearning, train
 from tests.compiled.cells import LEARNER, WALK, cell
 from tests.training.slips import ACTS, END, MOVE, PAY, SEE
+from tests.training.test_slips import LOOKING, VIEW
 
 N_STEPS = 60_000
 RARE = "rng.random() < 0.0002"
@@ -265,3 +266,21 @@ def test_an_agent_that_need_not_store(name: str) -> None:
         tables = learner(changed(LEARNER, UPDATE, STORED_NOWHERE["returned"]))
         tables.Q[0, 1] = 1.0  # what a planner has found, say
         train(walk(), tables, 1_000, max_steps=9)
+
+
+@pytest.mark.parametrize("way", OUTSIDE)
+@pytest.mark.parametrize("seen", ["9.1", "-0.1", "np.nan"])
+@pytest.mark.filterwarnings("ignore:Walk, Looker cannot be compiled")
+def test_a_rare_vector_outside_the_box(seen: str, way: str) -> None:
+    """As where observations are whole numbers."""
+    source = changed(changed(VIEW, "[state, 1.0]", f"[state, {seen} if {RARE} else 1.0]"), MOVE, OUTSIDE[way] + MOVE)
+    with pytest.raises(ValueError, match=r"observation of Walk must return an element of Box\(.*returned array"):
+        train(walk(source), cell(LOOKING)["Looker"](), N_STEPS, seed=2)
+
+
+def test_bounds_are_those_of_the_type_of_the_space() -> None:
+    """0.1 is less than 0.1 in a space of float32, and is no mistake."""
+    source = VIEW.replace("[state, 1.0]", "[0.1, 0.1]").replace("(0, 9,", "(0.1, 0.1,")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        train(walk(source), cell(LOOKING)["Looker"](), 6_000, max_steps=9)

@@ -8,10 +8,11 @@ Where a guard stops machine code, the interpreter plays the call again with all 
 import math
 from typing import Any, NamedTuple
 
+import numpy as np
 from gymnasium import spaces
 
 from edugym.mdp.checking import is_own
-from edugym.mdp.protocol import Random, writes_in_place
+from edugym.mdp.protocol import Random, Reals, writes_in_place
 from edugym.mdp.wrapper import wrapper
 
 
@@ -72,6 +73,39 @@ class RowsOfATable(NamedTuple):
 
 
 @wrapper
+class WithinABox(NamedTuple):
+    """An MDP that stops at a vector of observations that is not within its bounds.
+
+    Attributes:
+        mdp: the task.
+        low: shape (k,): the least numbers that may be seen.
+        high: shape (k,): the greatest.
+    """
+
+    mdp: Any
+    low: Reals
+    high: Reals
+
+    def observation(self, state: Any, rng: Random) -> Any:
+        """The observation of the task.
+
+        Raises:
+            ValueError: a number is too small or too large, or NaN.
+        """
+        observation = self.mdp.observation(state, rng)
+        for i in range(self.low.size):
+            if not self.low[i] <= observation[i] <= self.high[i]:
+                raise ValueError("an observation is not in the observation space")
+        return observation
+
+
+def _widened(bounds: Any, to: float) -> Reals:
+    """Bounds of which a number may exceed the half of a last digit, as it is rounded to the type of the space."""
+    beyond = np.nextafter(bounds, bounds.dtype.type(to))
+    return np.where(np.isfinite(bounds), bounds.astype(float) + (beyond.astype(float) - bounds) / 2, to)
+
+
+@wrapper
 class ActionsOfASpace(NamedTuple):
     """An MDP that stops at an action that it does not have.
 
@@ -110,11 +144,14 @@ def guarded(mdp: Any, agent: Any) -> Any:
     if not is_own(mdp):
         if isinstance(observations, spaces.Discrete) and observations.start == 0:
             mdp = RowsOfATable(mdp, int(observations.n))
+        vector = isinstance(observations, spaces.Box) and len(observations.shape) == 1 and not in_place
+        if vector and observations.dtype.kind == "f":
+            mdp = WithinABox(mdp, _widened(observations.low, -math.inf), _widened(observations.high, math.inf))
         mdp = FiniteRewardsInPlace(mdp) if in_place else FiniteRewards(mdp)
     if not is_own(agent) and isinstance(actions, spaces.Discrete) and actions.start == 0:
         mdp = (ActionsOfASpaceInPlace if in_place else ActionsOfASpace)(mdp, int(actions.n))
     return mdp
 
 
-GUARDS = (ActionsOfASpace, ActionsOfASpaceInPlace, FiniteRewards, FiniteRewardsInPlace, RowsOfATable)
+GUARDS = (ActionsOfASpace, ActionsOfASpaceInPlace, FiniteRewards, FiniteRewardsInPlace, RowsOfATable, WithinABox)
 """The classes of the guards. They say less than the checks."""
