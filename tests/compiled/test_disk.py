@@ -4,6 +4,7 @@ import os
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -158,6 +159,12 @@ def test_the_faster_of_two_wins(tmp_path: Path) -> None:
     assert (kept / "data").stat().st_size == 10
     assert disk.is_whole(kept)
     assert list(tmp_path.iterdir()) == [kept]
+
+
+def test_a_folder_is_sealed_from_within(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A file takes its name at once only on the disk where it is, and that for temporary files may be another one."""
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "another disk"))
+    assert disk.is_whole(folder(tmp_path, "a", 10))
 
 
 def test_folders_that_cannot_be_made(tmp_path: Path) -> None:

@@ -114,9 +114,10 @@ def test_the_challenge() -> None:
 
 
 @pytest.mark.parametrize(
-    ("names", "strange"), [(["A", "Zoe"], "'Zoe'"), ([0, "A"], "0"), (["A", ("B", 1.0)], r"\('B', 1\.0\)")]
+    ("names", "strange"),
+    [(["A", "Zoe"], "'Zoe'"), ([0, "A"], "0"), (["A", ("B", 1.0)], r"\('B', 1\.0\)"), ([["A"], "B"], r"\['A'\]")],
 )
 def test_what_is_no_name_of_a_player(names: list[Any], strange: str) -> None:
-    """Another text, a number, a pair."""
+    """Another text, a number, a pair, a list."""
     with pytest.raises(WrongAnswer, match=f"should hold names such as 'A', but holds {strange}$"):
         exercises.exercise_2(lambda players: names, 0)

@@ -65,6 +65,7 @@ class Other(Plain):
         (np.array([1.0, np.nan]), np.array([1.0, np.nan]), [np.array([1.0, 0.0]), np.array([[1.0, np.nan]]), 1.0]),
         ([1, [2, np.nan]], [1, [2, float("nan")]], [[1, [3, np.nan]], [1], (1, [2, np.nan])]),
         ({"a": np.zeros(2)}, {"a": np.zeros(2)}, [{"a": np.ones(2)}, {"b": np.zeros(2)}, {}]),
+        ({"a": 1, "b": 2}, {"b": 2, "a": 1}, [{"a": 1, "b": 3}, {"a": 0, "b": 2}, {"a": 1}]),
         (Plain([1]), Plain([1]), [Plain([2]), Other([1]), [1]]),
         (2, 2.0, [3, "2", None, {}, {"a": 2}]),
     ],

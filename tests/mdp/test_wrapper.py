@@ -1,5 +1,6 @@
 """Wrappers of MDPs: they say what they change, and pass on the rest."""
 
+from types import SimpleNamespace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -106,6 +107,16 @@ def test_what_a_wrapper_does_not_change() -> None:
     assert not hasattr(once, "observe_into")
     assert not hasattr(once, "grip")
     assert once.grips is WALL.grips
+
+
+def test_what_a_wrapper_does_not_pass_on() -> None:
+    """What is private, and the method that would write the inner observation in place of the wrapper's."""
+    inner = SimpleNamespace(_private=1, public=2, observe_into=print)
+    wrapped: Any = Costly(inner, 0.5)
+    assert wrapped.public == 2
+    for name in ("_private", "observe_into"):
+        with pytest.raises(AttributeError, match=f"^Costly has no attribute '{name}'$"):
+            getattr(wrapped, name)
 
 
 def test_a_wrapper_with_states_of_its_own_keeps_picture_and_info() -> None:

@@ -137,6 +137,7 @@ def test_what_cannot_be_taken_apart_is_said(tmp_path: Path) -> None:
     with pytest.warns(UserWarning, match=r"runs of 'Q' cannot be kept on the disk, so an .* loses them: .*lock"):
         assert small(tmp_path, agents={"Q": make}).complete
     assert list(tmp_path.iterdir()) == []
+    assert small(None, agents={"Q": make}).complete, "nothing was to be kept, so there is nothing to say"
 
 
 def test_a_full_disk_loses_no_finished_run(tmp_path: Path, trained: list[int], monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,6 +1,8 @@
 """An agent's `learn` is bound by the names of its parameters."""
 
 import itertools
+from functools import partial
+from types import SimpleNamespace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -113,6 +115,19 @@ def test_unknown_names_are_refused(more: str, asked: str) -> None:
     agent = agent_that_takes(("state", "action"), more)
     with pytest.raises(ValueError, match=f"learn of Noting has the parameter {asked}.* must be among state, action, "):
         train(Stairs(), agent, 10)
+
+
+def test_learn_may_be_any_callable() -> None:
+    """A function that an instance or a class holds has no `self`, and needs none."""
+    seen = []
+
+    def learn(state: int, action: int, terminated: bool) -> None:
+        seen.append((state, action, terminated))
+
+    agent = SimpleNamespace(act=lambda state, rng: 0, learn=partial(learn))
+    train(Stairs(), agent, 3)
+    assert len(seen) == 3
+    assert {action for _, action, _ in seen} == {0}
 
 
 def test_what_is_no_agent_is_refused() -> None:

@@ -1,5 +1,6 @@
 """Training in Gymnasium environments: what wraps or changes an environment is never left out."""
 
+import re
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
@@ -78,6 +79,25 @@ def test_what_a_wrapper_returns_is_checked() -> None:
         for env in (wrap(gymnasium.make("edugym/Boulder-v0")), wrap(MDPEnv(make_mdp("Boulder")))):
             with pytest.raises(ValueError, match=says):
                 train(env, agent, 300)
+
+
+@pytest.mark.parametrize("returned", [3, (3,), (3, None), [3, {}], (3, {}, 0)], ids=repr)
+def test_what_reset_returns_is_checked(returned: Any) -> None:
+    """One observation and a dictionary, whatever else is missing, too many or of another type."""
+
+    class Returns(gymnasium.Env[Any, Any]):
+        observation_space = action_space = gymnasium.spaces.Discrete(5)
+
+        def reset(self, **options: Any) -> Any:
+            return returned
+
+        def step(self, action: int) -> Any:
+            return 0, 0.0, False, False, {}
+
+    says = rf"^reset of Returns must return \(observation, info\), but returned {re.escape(repr(returned))}$"
+    env = Returns()
+    with pytest.raises(ValueError, match=says):
+        train(env, QLearning.create(env), 300)
 
 
 class GenerousBoulder(MDPEnv[Boulder]):

@@ -12,13 +12,16 @@ from edugym.envs.trashbot import Trashbot
 from edugym.mdp.discretised import DiscreteActions, Discretised
 from edugym.mdp.protocol import Random
 from edugym.mdp.tracebacks import end_at_students_line
+from edugym.training.repeat import MOST_JOBS
 from tests.training.experiments import same, small
 
 
 @pytest.mark.parametrize("n_steps", [2_000, 6_000])
 def test_jobs_change_nothing(n_steps: int) -> None:
-    """One at a time or three at a time, interpreted and compiled."""
-    assert same(small(n_steps, jobs=1), small(n_steps, jobs=3))
+    """One at a time, three at a time, or as many as may be asked for; interpreted and compiled."""
+    one = small(n_steps, jobs=1)
+    assert same(one, small(n_steps, jobs=3))
+    assert same(one, small(n_steps, jobs=MOST_JOBS))
 
 
 def test_runs_share_no_array_of_a_wrapper() -> None:

@@ -317,11 +317,7 @@ def _global_names(code: CodeType) -> set[str]:
 
 def _stable(constant: Any) -> Any:
     """A constant of code in a form whose `repr` is the same in every process: sets have no order."""
-    if isinstance(constant, frozenset):
-        return "set", sorted(repr((type(part), _stable(part))) for part in constant)
-    if isinstance(constant, tuple):
-        return tuple((type(part), _stable(part)) for part in constant)
-    return constant
+    return ("set", sorted(repr(_stable(part)) for part in constant)) if isinstance(constant, frozenset) else constant
 
 
 def arrays_in(*values: Any) -> Iterator[np.ndarray[Any, Any]]:
