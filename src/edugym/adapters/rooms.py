@@ -6,6 +6,7 @@ needs no reference counts.
 """
 
 import math
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -175,6 +176,7 @@ class View:
         mdp: the task.
         agent: the agent.
         on_policy: whether it learns from the action that it will take next.
+        guard: what puts guards around the task, for an agent, once the task has shown what it observes.
 
     Attributes:
         mdp: the task for the loops.
@@ -183,16 +185,18 @@ class View:
         ValueError: the agent takes vectors, and the observations are none.
     """
 
-    def __init__(self, mdp: Any, agent: Any, on_policy: bool = False) -> None:
+    def __init__(
+        self, mdp: Any, agent: Any, on_policy: bool = False, guard: Callable[[Any, Any], Any] = lambda mdp, _: mdp
+    ) -> None:
         """See the class."""
-        self.mdp, self._reader = mdp, None
         rows = _rows(mdp, agent)
+        self.mdp, self._reader = guard(mdp, agent), None
         if rows is None:
             return
         space = mdp.action_space
         writes = hasattr(agent, "act_into") and isinstance(space, spaces.Box) and not on_policy
         actions = np.zeros((2, *space.shape), space.dtype) if writes else np.zeros((2, 1))
-        self.mdp = (ActionsInRooms if writes else InRooms)(mdp, rows, np.zeros(1, np.int64), actions)
+        self.mdp = (ActionsInRooms if writes else InRooms)(self.mdp, rows, np.zeros(1, np.int64), actions)
         self._reader = ReaderAndWriter if writes else OnPolicyReader if on_policy else Reader
         self._rooms = (rows.rows.reshape(2, -1) if takes_vectors(agent) else rows.rows), np.zeros(1, np.int64), actions
 

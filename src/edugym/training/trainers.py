@@ -100,10 +100,10 @@ class MDPTrainer:
     def __init__(self, mdp: Any, agent: Any, seed: int, limit: int | None, expected: int) -> None:
         """See `trainer`; the limit is None where the task has none."""
         self.agent, self.log, self._pace, self._task, self._expected = agent, new_log(), Pace(), mdp, expected
-        mdp, self._before = guarded(mdp, agent), before_training(agent)
+        self._before = before_training(agent)
         environment_rng, agent_rng, self._evaluation_rng, self._actor_rng = streams(seed)
         self._evaluation_limit = limit or EVALUATION_LIMIT
-        training, self._playing = View(mdp, agent, is_on_policy(agent)), View(mdp, agent)
+        training, self._playing = (View(mdp, agent, on_policy, guarded) for on_policy in (is_on_policy(agent), False))
         self._steps_to_check = 0 if is_own(mdp) and is_own(agent) else CHECKED_STEPS
         self._rest = (
             training.mdp,
