@@ -109,7 +109,15 @@ def test_compiled_as_interpreted() -> None:
     assert short.Q.any()
 
 
-@pytest.mark.parametrize(("more", "asked"), [(", rewrad", "'rewrad'"), (", *, done", "'done'"), (", *rest", "'rest'")])
+@pytest.mark.parametrize(
+    ("more", "asked"),
+    [
+        (", rewrad", "'rewrad': is 'reward' meant"),
+        (", *, done", "'done': is 'terminated' meant"),
+        (", *rest", "'rest'"),
+        (", rng", "'rng': draw random numbers in act, which takes it"),
+    ],
+)
 def test_unknown_names_are_refused(more: str, asked: str) -> None:
     """The message lists the names."""
     agent = agent_that_takes(("state", "action"), more)

@@ -66,6 +66,8 @@ def learns_from(agent: Any) -> tuple[str, ...]:
         elif parameter.default is parameter.empty and parameter.kind is not parameter.VAR_KEYWORD:
             near = difflib.get_close_matches(name, (*OTHER_NAMES, *LEARN_PARAMETERS), 1)
             meant = f": is {OTHER_NAMES.get(near[0], near[0])!r} meant?" if near else "."
+            if name == "rng":
+                meant = ": draw random numbers in act, which takes it."
             raise ValueError(
                 f"learn of {type(agent).__name__} has the parameter {name!r}{meant} The parameters of learn without a"
                 f" default must be among {', '.join(LEARN_PARAMETERS)}, for example"
