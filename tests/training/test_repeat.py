@@ -128,6 +128,10 @@ def test_any_gymnasium_environment() -> None:
             {"agents": {"Q": lambda environment, seed: None}},
             r"agents\['Q'\] must take the environment, and nothing else",
         ),
+        (
+            {"agents": {"Q": partial(QLearning.create, rate=0.5)}},
+            "QLearning has no setting 'rate'; it has learning_rate",
+        ),
         ({"agents": {"Q": lambda environment: None}}, r"agents\['Q'\] must make an agent, but made None"),
         ({"agents": {"Q": 3}}, r"agents\['Q'\] must be an agent or a function"),
         ({"n_steps": 0}, "n_steps must be 1 or more, but is 0"),

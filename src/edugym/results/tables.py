@@ -25,6 +25,9 @@ MEASURED = (
 )  # fmt: skip
 """The columns that every table has; the other columns hold the configuration."""
 
+WHOLE = ("repetition", "seed", "step", "episodes", "complete")
+"""Those that hold whole numbers, or True and False: in each row."""
+
 IN_EVERY_ROW = ("method", "repetition", "step", "return", "training_return", "episodes")
 """The columns that a saved table always has; of the others, those whose values vary within a run."""
 
@@ -254,9 +257,12 @@ class Results:
 
         contents = Path(path).read_bytes()
         exact = {column: lambda text: float(text or "nan") for column in ("return", "training_return")}
-        table = pandas.read_csv(
-            io.BytesIO(contents), converters=exact, dtype={"method": str}, keep_default_na=False, na_values=[""]
-        )
+        try:
+            table = pandas.read_csv(
+                io.BytesIO(contents), converters=exact, dtype={"method": str}, keep_default_na=False, na_values=[""]
+            )
+        except ValueError as error:
+            raise ValueError(f"{path} is not a table of results: {str(error).strip()}") from None
         if _beside(path).exists():
             about = _read_about(path, contents)
             shared = {}
@@ -268,6 +274,10 @@ class Results:
         missing = [column for column in MEASURED if column not in table]
         if missing:
             raise ValueError(f"{path} is not a table of results: it has no column {missing[0]!r}")
+        for column in WHOLE if len(table) else ():
+            kind, needed = ("b", "True or False") if column == "complete" else ("i", "whole numbers")
+            if table[column].dtype.kind != kind:
+                raise ValueError(f"{path} is not a table of results: its column {column!r} must hold {needed}")
         return cls(with_types(table))
 
 
