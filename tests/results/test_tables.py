@@ -254,6 +254,21 @@ def test_a_table_that_another_program_has_changed(old: str, new: str, says: str,
         Results.load(path)
 
 
+def test_joined_experiments_of_other_lengths() -> None:
+    """Each method has the steps and the repetitions of its own experiment."""
+    long = Results(table({"long": [([0, 1, 3, 7], [NAN] * 4, [1] * 4)] * 4}, [0, 10, 30, 40]))
+    for parts in ([WHOLE, long], [long, WHOLE]):
+        both = joined(parts)
+        equal(both.final("long"), long.final("long"))
+        equal(both.average("long"), long.average("long"))
+        equal(both.final("1"), WHOLE.final("1"))
+        equal(both.average("1"), WHOLE.average("1"))
+        assert both.complete
+        assert not joined([*parts, NONE_COMPLETE.renamed("none")]).complete
+    with pytest.raises(ValueError, match="parts must have methods of different labels, but 2 of them have 'long'"):
+        joined([long, long])
+
+
 @pytest.mark.parametrize("column", MEASURED)
 def test_every_measured_column_is_needed(column: str, tmp_path: Path) -> None:
     """The message names the one that is missing."""

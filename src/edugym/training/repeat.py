@@ -186,7 +186,7 @@ def _experiment(
     if not isinstance(agents, Mapping):
         raise ValueError(f"agents must be a dictionary of agents by their labels, but is {in_short(agents)}")
     for label in agents:
-        if not isinstance(label, str):
+        if not isinstance(label, str) or not label:
             raise ValueError(f"agents must have texts as labels, but has the label {label!r}")
     makers = {label: _maker(label, agent) for label, agent in agents.items()}
     if not makers:
