@@ -160,6 +160,18 @@ def test_a_class_inside_a_function_is_tried_first(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
+    ("name", "member"),
+    [("reward", "lambda self, *_: 7.0"), ("terminal", "staticmethod(lambda state: True)")],
+)
+def test_a_method_that_was_replaced_later(name: str, member: str, tmp_path: Path, cell: dict[str, Any]) -> None:
+    """The text of the class has the old one."""
+    exec(f"Walk.{name} = {member}", cell)
+    with pytest.raises(ValueError, match=rf"Walk\.{name} was replaced outside the class: write it in the class"):
+        share(eval("Walk(3)", cell), tmp_path / "walk.py")
+    assert not (tmp_path / "walk.py").exists()
+
+
+@pytest.mark.parametrize(
     ("drawing", "says"), [("Shape(1)", "name 'Shape' is not defined"), ("Circle(state.x, 2, 1)", "Circle")]
 )
 def test_a_picture_that_cannot_be_drawn(drawing: str, says: str, tmp_path: Path, cell: dict[str, Any]) -> None:

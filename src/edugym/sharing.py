@@ -11,11 +11,12 @@ import importlib.util
 import inspect
 import keyword
 import linecache
+import re
 import symtable
 import sys
 import tempfile
 import textwrap
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from types import FunctionType, ModuleType
 from typing import Any
@@ -184,6 +185,7 @@ class _Parts:
         elif isinstance(value, type | FunctionType):
             self._under_way.add(name)
             text = source_of(value)
+            _check_whole(value, text)
             if value.__name__ != name:
                 raise ValueError(f"{name} must be called {value.__name__}, as it was defined, to be shared")
             for used in _names(text):
@@ -242,10 +244,27 @@ def _functions(value: Any) -> Iterator[FunctionType]:
     if isinstance(value, FunctionType):
         yield value
         return
-    for member in vars(value).values():
-        inside: Callable[..., Any] | None = getattr(member, "fget", None) or getattr(member, "__func__", None) or member
-        if isinstance(inside, FunctionType) and inside.__module__ == value.__module__:
-            yield inside
+    yield from filter(None, (_written(member, value) for member in vars(value).values()))
+
+
+def _written(member: Any, kind: Any) -> FunctionType | None:
+    """Return the function of a member of a class, if it is one of the student's."""
+    inside = getattr(member, "fget", None) or getattr(member, "__func__", None) or member
+    return inside if isinstance(inside, FunctionType) and inside.__module__ == kind.__module__ else None
+
+
+def _check_whole(value: type | FunctionType, text: str) -> None:
+    """Refuse a class of which a method was replaced, as by `Walk.reward = other`: its text has the old one.
+
+    Raises:
+        ValueError: there is such a method.
+    """
+    for name, member in vars(value).items() if isinstance(value, type) else ():
+        function = _written(member, value)
+        if function and "." not in function.__qualname__ and not re.search(rf"\b{name}\s*[:=]", text):
+            raise ValueError(
+                f"{value.__name__}.{name} was replaced outside the class: write it in the class to share it"
+            )
 
 
 def source_of(value: Any) -> str:

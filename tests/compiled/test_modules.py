@@ -24,6 +24,7 @@ SAID: dict[str, tuple[Any, str | None]] = {
     "random": (random, "it draws from random, which no seed of a run reaches: draw from rng"),
     "np.random": (np.random, "it draws from numpy.random, which no seed of a run reaches: draw from rng"),
     "np.linalg": (np.linalg, "it uses the module numpy.linalg"),
+    "G": (np.random.default_rng(0), "the global G is a random generator: take it as rng"),
     "time": (time, "it uses the module time"),
     "os": (os, "it uses the module os"),
 }

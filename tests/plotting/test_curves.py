@@ -132,6 +132,8 @@ def test_unknown_names_are_refused() -> None:
         Curves(made_results(), methods=["C"]).draw(new_axes())
     with pytest.raises(ValueError, match="column must be one of"):
         Curves(made_results(), column="seed").draw(new_axes())
+    with pytest.raises(ValueError, match=r"results must be Results, as repeat gives .*, but is 'results.csv'$"):
+        Curves("results.csv").draw(new_axes())  # type: ignore[arg-type]
 
 
 def test_without_axes_there_is_a_new_figure() -> None:

@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import threading
 from pathlib import Path
 from typing import Any
@@ -226,6 +227,46 @@ def test_a_pipe_gets_the_whole_table(tmp_path: Path) -> None:
     reader.join()
     pd.testing.assert_frame_equal(Results.load(copied).table, RESULTS.table, check_exact=True)
     assert sorted(file.name for file in tmp_path.iterdir()) == ["copied.csv", "pipe"]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "says"),
+    [
+        ("(?s).*", "", "No columns"),
+        ("(?s).*", "\0a,b\n1,2,3\n", ""),
+        ("8.0", "8;0", "could not convert string to float: '8;0'"),
+        ("True", "WAHR", "its column 'complete' must hold True or False"),
+        ("True\n", "\n", "its column 'complete' must hold True or False"),
+        (",10,", ",10.5,", "its column 'step' must hold whole numbers"),
+    ],
+)
+def test_a_table_that_another_program_has_changed(old: str, new: str, says: str, tmp_path: Path) -> None:
+    """A spreadsheet with other words or signs, or an empty file."""
+    path = tmp_path / "other.csv"
+    text = table()[list(MEASURED)].to_csv(index=False)
+    changed = re.sub(old, new, text, count=1)
+    assert changed != text
+    path.write_text(changed)
+    with pytest.raises(ValueError, match=f"other.csv is not a table of results: .*{says}"):
+        Results.load(path)
+    path.write_bytes(text.encode("utf-16"))
+    with pytest.raises(ValueError, match=r"other.csv is not a table of results: .*utf-8"):
+        Results.load(path)
+
+
+def test_joined_experiments_of_other_lengths() -> None:
+    """Each method has the steps and the repetitions of its own experiment."""
+    long = Results(table({"long": [([0, 1, 3, 7], [NAN] * 4, [1] * 4)] * 4}, [0, 10, 30, 40]))
+    for parts in ([WHOLE, long], [long, WHOLE]):
+        both = joined(parts)
+        equal(both.final("long"), long.final("long"))
+        equal(both.average("long"), long.average("long"))
+        equal(both.final("1"), WHOLE.final("1"))
+        equal(both.average("1"), WHOLE.average("1"))
+        assert both.complete
+        assert not joined([*parts, NONE_COMPLETE.renamed("none")]).complete
+    with pytest.raises(ValueError, match="parts must have methods of different labels, but 2 of them have 'long'"):
+        joined([long, long])
 
 
 @pytest.mark.parametrize("column", MEASURED)

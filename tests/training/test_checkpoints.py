@@ -110,6 +110,14 @@ def test_a_damaged_file_is_computed_again(tmp_path: Path, trained: list[int]) ->
     assert len(trained) == 6
 
 
+def test_a_folder_that_cannot_be_made_is_said_before_the_first_run(tmp_path: Path, trained: list[int]) -> None:
+    """Hours of training would be lost."""
+    (tmp_path / "file").write_text("")
+    with pytest.raises(NotADirectoryError, match="is not a folder"):
+        small(tmp_path / "file")
+    assert trained == []
+
+
 def test_an_agent_that_cannot_be_kept_is_said(tmp_path: Path) -> None:
     """The results are complete all the same."""
 

@@ -2,12 +2,13 @@
 
 import copy
 import functools
+import importlib
 import math
 import platform
 import subprocess
 import sys
 import threading
-from collections import deque
+from collections import defaultdict, deque
 from importlib.metadata import version
 from pathlib import Path
 from types import ModuleType
@@ -113,9 +114,33 @@ class Made:
 
 def made(body: str, base: type = object) -> Any:
     """A class of a notebook."""
-    names: dict[str, Any] = {"__name__": "__main__", "functools": functools, "Base": base}
+    names: dict[str, Any] = {"__name__": "__main__", "functools": functools, "Base": base, "Both": Both}
     exec(f"class Made(Base):\n    {body}", names)
     return names["Made"]
+
+
+def noted(thing: Any, note: int) -> Any:
+    """Give it an attribute."""
+    thing.note = note
+    return thing
+
+
+class Both:
+    """What a class may have instead of a property with a setter."""
+
+    def __init__(self, value: int) -> None:
+        """See the class."""
+        self.value = value
+
+    def __get__(self, thing: Any, kind: Any) -> int:
+        """Read."""
+        return self.value
+
+    def __set__(self, thing: Any, value: int) -> None:
+        """Write."""
+
+
+TABLE = np.zeros(3)
 
 
 @pytest.mark.parametrize(
@@ -141,6 +166,15 @@ def made(body: str, base: type = object) -> Any:
         (QLearning.create((2, 2)), QLearning.create((2, 2), learning_rate=0.2)),
         (np.random.default_rng(1), np.random.default_rng(2)),
         (deque([1, 2]), deque([1, 3])),
+        (defaultdict(int), defaultdict(float)),
+        (made("x = 1", dict)(), made("x = 2", dict)()),
+        (noted(made("pass", dict)(), 1), noted(made("pass", dict)(), 2)),
+        (noted(made("pass", list)(), 1), noted(made("pass", list)(), 2)),
+        (made("x = 1", float)(), made("x = 2", float)()),
+        (np.ma.array([1, 2], mask=[False, True]), np.ma.array([1, 2], mask=[True, False])),
+        ([TABLE, TABLE], [TABLE, TABLE.copy()]),
+        (noted(lambda x: x, 1), noted(lambda x: x, 2)),
+        (made("x = Both(1)"), made("x = Both(2)")),
         (np.array([[1], "x"], object), np.array([[2], "x"], object)),
         (Word("a", 1), Word("a", 2)),
         (made("x = 1"), made("x = 2")),
@@ -256,6 +290,22 @@ def test_a_module_of_ones_own_counts_where_it_is_used(monkeypatch: pytest.Monkey
         with monkeypatch.context() as changed:
             changed.setattr(module, name, 2)
             assert fingerprint(names["use"]) != before
+
+
+@pytest.mark.parametrize("line", ["import mine.part as p; return p.f()", "from mine.part import f; return f()"])
+def test_a_folder_of_ones_own_counts(line: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Also one without __init__.py, and one that is imported when a function is called."""
+    monkeypatch.syspath_prepend(str(tmp_path))
+    (tmp_path / "mine").mkdir()
+    names: dict[str, Any] = {"__name__": "__main__"}
+    exec(f"def use(): {line}", names)
+    prints = set()
+    for result in ("1", "22"):
+        (tmp_path / "mine/part.py").write_text(f"def f(): return {result}")
+        for name in ("mine", "mine.part"):
+            monkeypatch.delitem(sys.modules, name, raising=False)
+        prints |= {fingerprint(names["use"]), fingerprint(importlib.import_module("mine.part").f)}
+    assert len(prints) == 4
 
 
 @pytest.mark.parametrize("module", ["__main__", "gone"])

@@ -119,6 +119,7 @@ def test_any_gymnasium_environment() -> None:
         ({"environment": make_mdp("Boulder"), "parameters": {"height": 3}}, "parameters can be given with the name"),
         ({"agents": {}}, "agents must have one"),
         ({"agents": {"Q": QLearning}}, r"agents\['Q'\] must be an agent or a function"),
+        ({"agents": {"": QLearning.create}}, "agents must have texts as labels, but has the label ''"),
         ({"agents": {1: QLearning.create}}, "agents must have texts as labels, but has the label 1"),
         (
             {"agents": {"Q": lambda: None}},
@@ -127,6 +128,10 @@ def test_any_gymnasium_environment() -> None:
         (
             {"agents": {"Q": lambda environment, seed: None}},
             r"agents\['Q'\] must take the environment, and nothing else",
+        ),
+        (
+            {"agents": {"Q": partial(QLearning.create, rate=0.5)}},
+            "QLearning has no setting 'rate'; it has learning_rate",
         ),
         ({"agents": {"Q": lambda environment: None}}, r"agents\['Q'\] must make an agent, but made None"),
         ({"agents": {"Q": 3}}, r"agents\['Q'\] must be an agent or a function"),

@@ -84,7 +84,8 @@ def refusal(code: Code, arguments: tuple[Any, ...], names: tuple[str, ...]) -> s
     foreign, parts = code.foreign, list[tuple[Any, str]]()
     for argument, name in zip(arguments, names, strict=True):
         known = name == "moment" and isinstance(argument, tuple)  # a student knows the names of its first parts
-        parts += zip(argument, MOMENT, strict=False) if known else [(argument, f"the argument {name}")]
+        if not isinstance(argument, np.random.Generator):
+            parts += zip(argument, MOMENT, strict=False) if known else [(argument, f"the argument {name}")]
     found = next(filter(None, (_of_values(one, of, all_kinds=not foreign, owner=None) for one, of in parts)), None)
     if found or not foreign:
         return found
@@ -125,7 +126,7 @@ def _of_values(value: Any, name: str, *, all_kinds: bool, owner: type | None) ->
             return None
         return f"{name} is an array of {value.dtype.name}; of arrays it takes those of float64, int64 and bool"
     if isinstance(value, np.random.Generator):
-        return f"{name} is a random generator: take it as rng" if owner and is_foreign(owner) else None
+        return f"{name} is a random generator: take it as rng" if owner is None or is_foreign(owner) else None
     if adapters and package(type(value)) == "numba":
         return None
     return _of_constant(value, name)

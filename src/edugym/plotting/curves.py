@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from edugym.checks import whole_number
+from edugym.checks import in_short, whole_number
 from edugym.plotting.panel import ALONE, Place
 from edugym.plotting.style import (
     REFERENCE,
@@ -70,6 +70,9 @@ class Curves(NamedTuple):
         """
         if self.smooth is not None:
             whole_number("smooth", self.smooth, 1)
+        if not isinstance(self.results, Results):
+            what = in_short(self.results)
+            raise ValueError(f"results must be Results, as repeat gives or Results.load reads them, but is {what}")
         ax = own_axes(ax)
         for i, method in enumerate(self.results.methods if self.methods is None else self.methods):
             curves = self.points(method)

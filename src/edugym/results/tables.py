@@ -4,6 +4,7 @@ import hashlib
 import io
 import json
 import os
+from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -11,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 import numpy as np
 
-from edugym.checks import one_of, whole_number
+from edugym.checks import in_short, one_of, whole_number
 from edugym.extras import require
 from edugym.files import write_whole
 from edugym.mdp.protocol import Reals
@@ -24,6 +25,9 @@ MEASURED = (
     "method", "repetition", "seed", "layout_seed", "step", "return", "training_return", "episodes", "complete"
 )  # fmt: skip
 """The columns that every table has; the other columns hold the configuration."""
+
+WHOLE = ("repetition", "seed", "step", "episodes", "complete")
+"""Those that hold whole numbers, or True and False: in each row."""
 
 IN_EVERY_ROW = ("method", "repetition", "step", "return", "training_return", "episodes")
 """The columns that a saved table always has; of the others, those whose values vary within a run."""
@@ -64,7 +68,9 @@ class Results:
     def complete(self) -> bool:
         """Whether every planned run reached its last step."""
         done = self.table[self.table["complete"]][["method", "repetition"]].drop_duplicates()
-        return len(done) > 0 and len(done) == int(self.table["runs"].iloc[0])
+        if len(done) == 0 or len(done) < int(self.table["runs"].iloc[0]):
+            return False
+        return not any(np.isnan(self.final(method)).any() for method in self.methods)
 
     def complete_agents(self, method: str) -> dict[int, Any]:
         """Return the agents of the complete runs of a method, by repetition."""
@@ -101,9 +107,15 @@ class Results:
         """
         if self.table.empty:
             return np.empty(0)
-        curves = self.curves(method, column).reindex(columns=range(int(self.table["repetitions"].iloc[0])))
-        last: Reals = curves.reindex([int(self.table["n_steps"].iloc[0])]).to_numpy(float)[0]
+        curves = self.curves(method, column)
+        curves = curves.reindex([self._planned(method, "n_steps")], columns=range(self._planned(method, "repetitions")))
+        last: Reals = curves.to_numpy(float)[0]
         return last
+
+    def _planned(self, method: str, what: str) -> int:
+        """Return the steps or repetitions of the experiment of a method: joined results come from several."""
+        rows = self.table[self.table["method"] == method]
+        return int((self.table if rows.empty else rows)[what].iloc[0])
 
     def at(self, method: str, step: int, column: str = "return") -> Reals:
         """Return the value of every complete run of a method after a number of training steps.
@@ -121,7 +133,9 @@ class Results:
         """
         curves = self._complete_curves(method, column)
         if step not in curves.index and not np.isnan(self.final(method)).all():
-            raise ValueError(f"step must be a point of the learning curves, {[*curves.index]}, but is {step!r}")
+            raise ValueError(
+                f"step must be a point of the learning curves, {in_short([*curves.index])}, but is {step!r}"
+            )
         values: Reals = curves.reindex([step]).to_numpy(float)[0]
         return values
 
@@ -171,7 +185,7 @@ class Results:
         curves = self.curves(method, column).reindex(columns=range(len(final)))
         values = curves.to_numpy(float)  # shape (n_points, n_repetitions)
         if column == "return":
-            averages = np.trapezoid(values, curves.index.to_numpy(float), axis=0) / int(self.table["n_steps"].iloc[0])
+            averages = np.trapezoid(values, curves.index.to_numpy(float), axis=0) / self._planned(method, "n_steps")
         else:
             episodes = self.curves(method, "episodes").reindex(columns=range(len(final))).to_numpy(float)
             with np.errstate(invalid="ignore"):  # 0 / 0 is NaN: no episode ended
@@ -254,9 +268,12 @@ class Results:
 
         contents = Path(path).read_bytes()
         exact = {column: lambda text: float(text or "nan") for column in ("return", "training_return")}
-        table = pandas.read_csv(
-            io.BytesIO(contents), converters=exact, dtype={"method": str}, keep_default_na=False, na_values=[""]
-        )
+        try:
+            table = pandas.read_csv(
+                io.BytesIO(contents), converters=exact, dtype={"method": str}, keep_default_na=False, na_values=[""]
+            )
+        except ValueError as error:
+            raise ValueError(f"{path} is not a table of results: {str(error).strip()}") from None
         if _beside(path).exists():
             about = _read_about(path, contents)
             shared = {}
@@ -268,6 +285,10 @@ class Results:
         missing = [column for column in MEASURED if column not in table]
         if missing:
             raise ValueError(f"{path} is not a table of results: it has no column {missing[0]!r}")
+        for column in WHOLE if len(table) else ():
+            kind, needed = ("b", "True or False") if column == "complete" else ("i", "whole numbers")
+            if table[column].dtype.kind != kind:
+                raise ValueError(f"{path} is not a table of results: its column {column!r} must hold {needed}")
         return cls(with_types(table))
 
 
@@ -299,10 +320,18 @@ def _plain(value: Any) -> Any:
 
 
 def joined(parts: Iterable[Results]) -> Results:
-    """Join the results of several experiments whose methods have different labels."""
+    """Join the results of several experiments whose methods have different labels.
+
+    Raises:
+        ValueError: two of them have a method of the same label.
+    """
     import pandas
 
     parts = [*parts]
+    counts = Counter(label for part in parts for label in part.methods)
+    for label in counts:
+        if counts[label] > 1:
+            raise ValueError(f"parts must have methods of different labels, but {counts[label]} of them have {label!r}")
     table = pandas.concat([part.table for part in parts], ignore_index=True)
     return Results(table, {label: agents for part in parts for label, agents in part.agents.items()})
 

@@ -1,18 +1,28 @@
 """Fingerprints of what determines a run: values, and all code that they reach."""
 
+import dis
 import functools
 import hashlib
+import importlib
 import inspect
 import platform
 import struct
 import sys
 import sysconfig
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
-from types import BuiltinFunctionType, CodeType, FunctionType, MethodType, ModuleType
+from types import (
+    BuiltinFunctionType,
+    CodeType,
+    FunctionType,
+    GetSetDescriptorType,
+    MemberDescriptorType,
+    MethodType,
+    ModuleType,
+)
 from typing import Any
 
 import numpy as np
@@ -56,12 +66,12 @@ class _Walk:
 
     def visit(self, thing: Any) -> None:
         """Hash a value of any kind."""
-        if isinstance(thing, float):
+        if type(thing) is float:
             self.add("float", struct.pack("<d", thing))
         elif thing is None or (isinstance(thing, bool | int | complex | str | bytes) and type(thing) in _PLAIN):
             self.add(type(thing).__name__, thing)
-        elif isinstance(thing, np.ndarray | np.generic) and not thing.dtype.hasobject:
-            self.add("array", thing.dtype.str, thing.shape, np.ascontiguousarray(thing).tobytes())
+        elif isinstance(thing, np.generic) and not thing.dtype.hasobject:
+            self._array(thing)
         elif id(thing) in self._seen:
             self.add("again", self._seen[id(thing)])
         else:
@@ -71,7 +81,9 @@ class _Walk:
 
     def _visit_object(self, thing: Any) -> None:
         self.add(type(thing).__module__, type(thing).__qualname__)
-        if isinstance(thing, ModuleType | BuiltinFunctionType) or _is_library(thing):
+        if type(thing) is np.ndarray and not thing.dtype.hasobject:
+            self._array(thing)
+        elif isinstance(thing, ModuleType | BuiltinFunctionType) or _is_library(thing):
             self.add(_name(thing), _version(_package(thing)))
             if isinstance(thing, FunctionType) and _package(thing) == "edugym":
                 self._closure(thing)  # functions that one factory made have the same name
@@ -92,9 +104,10 @@ class _Walk:
         elif isinstance(thing, classmethod | staticmethod):
             self._all(thing.__func__)
         elif isinstance(thing, tuple | list):
-            self._all(type(thing), len(thing), *thing)
+            self._all(type(thing), len(thing), *thing, getattr(thing, "__dict__", None))
         elif isinstance(thing, Mapping):
-            self._all(type(thing), len(thing), *(part for item in thing.items() for part in item))
+            more = (getattr(thing, name, None) for name in ("__dict__", "default_factory"))
+            self._all(type(thing), len(thing), *(part for item in thing.items() for part in item), *more)
         elif isinstance(thing, set | frozenset):
             self.add(sorted(fingerprint(part) for part in thing))
         else:
@@ -102,6 +115,9 @@ class _Walk:
             self._all(type(thing), *parts[1:3])
             for more in parts[3:5]:
                 self._all(*(more or ()))
+
+    def _array(self, array: Any) -> None:
+        self.add("array", array.dtype.str, array.shape, np.ascontiguousarray(array).tobytes())
 
     def _all(self, *things: Any) -> None:
         for thing in things:
@@ -111,14 +127,16 @@ class _Walk:
         self.add(kind.__qualname__)
         self._all(*kind.__bases__)
         for name, member in sorted(vars(kind).items(), key=lambda item: item[0]):
-            if (name not in _OF_EVERY_CLASS and not inspect.isdatadescriptor(member)) or isinstance(member, property):
+            if name not in _OF_EVERY_CLASS and not isinstance(member, MemberDescriptorType | GetSetDescriptorType):
                 self.add(name)
                 self.visit(member)
 
     def _function(self, function: FunctionType) -> None:
         self.add(function.__qualname__)
-        self._all(function.__defaults__, function.__kwdefaults__)
+        self._all(function.__defaults__, function.__kwdefaults__, function.__dict__)
         names = self._code(function.__code__)
+        for module in _imported(function.__code__, function.__globals__.get("__package__")):
+            self._reached(module, names)
         for name in sorted(names & function.__globals__.keys()):
             self.add(name)
             self._reached(function.__globals__[name], names)
@@ -149,6 +167,19 @@ class _Walk:
         return names
 
 
+def _imported(code: CodeType, package: str | None) -> Iterator[ModuleType]:
+    """Yield the modules that a function imports when it is called, inner functions included."""
+    lines = [line for line in dis.get_instructions(code) if line.opname != "EXTENDED_ARG"]
+    for k, line in enumerate(lines):
+        if line.opname == "IMPORT_NAME":
+            dots = "." * lines[k - 2].argval
+            with suppress(Exception):  # a call will say what is wrong with it
+                yield importlib.import_module(dots + line.argval, package)
+    for constant in code.co_consts:
+        if isinstance(constant, CodeType):
+            yield from _imported(constant, package)
+
+
 _PLAIN = frozenset({bool, int, complex, str, bytes})
 _OF_EVERY_CLASS = frozenset(
     {"__module__", "__dict__", "__weakref__", "__doc__", "__qualname__", "__firstlineno__", "__static_attributes__"}
@@ -169,11 +200,13 @@ def _is_installed(package: str) -> bool:
     if package == "__main__":
         return False
     module = sys.modules.get(package)
+    if module is None:
+        return False
     file = getattr(module, "__file__", None)
-    if module is None or file is None:
-        return module is not None  # one that is built into Python
-    folders = (sysconfig.get_path(kind) for kind in ("stdlib", "platstdlib", "purelib", "platlib"))
-    return any(Path(file).resolve().is_relative_to(Path(folder).resolve()) for folder in folders)
+    places = [file] if file else [*getattr(module, "__path__", ())]  # a folder without __init__.py has no file
+    folders = [Path(sysconfig.get_path(kind)).resolve() for kind in ("stdlib", "platstdlib", "purelib", "platlib")]
+    # One without a place is built into Python.
+    return all(any(Path(place).resolve().is_relative_to(folder) for folder in folders) for place in places)
 
 
 def _package(thing: Any) -> str:
