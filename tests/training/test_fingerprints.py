@@ -167,6 +167,7 @@ TABLE = np.zeros(3)
         (np.random.default_rng(1), np.random.default_rng(2)),
         (deque([1, 2]), deque([1, 3])),
         (defaultdict(int), defaultdict(float)),
+        (made("x = 1"), made("y = 1")),
         (made("x = 1", dict)(), made("x = 2", dict)()),
         (noted(made("pass", dict)(), 1), noted(made("pass", dict)(), 2)),
         (noted(made("pass", list)(), 1), noted(made("pass", list)(), 2)),
