@@ -6,6 +6,7 @@ from typing import Any
 import pytest
 
 import edugym
+from edugym.plotting import save_figure
 from tests.compiled.cells import WALK, cell
 
 walk = cell(WALK)["Walk"](5)
@@ -22,6 +23,14 @@ CALLS: dict[str, tuple[Callable[[], Any], str]] = {
     ),
     "95 for 95 %": (lambda: edugym.mean_interval([1, 2], 95), "confidence must be from 0 to 1, but is 95"),
     "the same of a share": (lambda: edugym.proportion_interval(1, 2, 95), "confidence must be from 0 to 1, but is 95"),
+    "a run for its agent": (
+        lambda: edugym.train(walk, edugym.train(walk, agent, 9, max_steps=9), 9),
+        r"^agent must be .*, but is a Run: give its agent, run\.agent$",
+    ),
+    "text for a figure": (
+        lambda: save_figure("plot.png", "plot.png"),  # type: ignore[arg-type]
+        r"figure must be a Matplotlib figure, as `draw\(\)` returns it, but is 'plot\.png'$",
+    ),
     "the class first": (lambda: edugym.load(edugym.QLearning, "file"), "path must .* but is the class QLearning"),  # type: ignore[arg-type]
 }
 

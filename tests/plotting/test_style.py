@@ -6,7 +6,10 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 from PIL import Image
+
+from edugym.plotting import Sheet, VisitMap, save_figure
 
 SAVE = """
 import sys
@@ -15,6 +18,14 @@ from edugym.plotting import Sheet, VisitMap, save_figure
 
 save_figure(Sheet("map", [[VisitMap(np.arange(6.0).reshape(2, 3), 10)]]).draw(), sys.argv[1])
 """
+
+
+def test_axes_stand_for_their_figure(tmp_path: Path) -> None:
+    """They are what one draws on."""
+    one, other = (Sheet("map", [[VisitMap(np.arange(6.0).reshape(2, 3), 10)]]).draw() for _ in range(2))
+    paths = [*save_figure(one, tmp_path / "figure"), *save_figure(other.axes[0], tmp_path / "axes")]
+    png, svg, png_of_axes, svg_of_axes = (path.read_bytes() for path in paths)
+    assert (png_of_axes, svg_of_axes) == (png, svg)
 
 
 def test_the_same_figure_is_the_same_file(tmp_path: Path) -> None:

@@ -7,6 +7,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from edugym.checks import in_short
 from edugym.extras import require
 from edugym.files import write_whole
 from edugym.mdp.protocol import Reals
@@ -99,20 +100,24 @@ def format_steps(ax: "Axes") -> None:
     ax.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:,.0f}".replace(",", "\N{NO-BREAK SPACE}")))
 
 
-def save_figure(figure: "Figure", path: str | os.PathLike[str]) -> tuple[Path, Path]:
+def save_figure(figure: "Figure | Axes", path: str | os.PathLike[str]) -> tuple[Path, Path]:
     """Save a figure as PNG and as SVG. The same figure gives the same bytes every time.
 
     Args:
-        figure: the Matplotlib figure.
+        figure: the Matplotlib figure, or axes in it.
         path: the path of both files; an ending is replaced.
 
     Returns:
         The paths of the two files.
 
     Raises:
+        ValueError: it is no figure.
         OSError: a file cannot be written.
     """
-    png, svg = (write_whole(Path(path).with_suffix(f".{kind}"), to_bytes(figure, kind)) for kind in ("png", "svg"))
+    whole: Any = getattr(figure, "figure", None)
+    if not hasattr(whole, "savefig"):
+        raise ValueError(f"figure must be a Matplotlib figure, as `draw()` returns it, but is {in_short(figure)}")
+    png, svg = (write_whole(Path(path).with_suffix(f".{kind}"), to_bytes(whole, kind)) for kind in ("png", "svg"))
     return png, svg
 
 

@@ -10,6 +10,7 @@ from edugym.checks import in_short
 from edugym.compiled.generated import generated_class
 from edugym.mdp.checking import a_class, is_own, require_method
 from edugym.mdp.values import own_copy
+from edugym.training.run import Run
 
 LEARN_PARAMETERS = ("state", "action", "reward", "next_state", "next_action", "terminated", "truncated")
 """The names of the parameters that `learn` may have."""
@@ -91,7 +92,8 @@ def require_agent(agent: Any) -> None:
         return  # the tests check the methods of the package's own agents
     if not any(hasattr(agent, name) for name in METHODS):
         hint = ": call it, and give what it makes" if inspect.isroutine(agent) else ""
-        raise ValueError(f"{needed} {in_short(agent)}{hint}")
+        what = "a Run: give its agent, run.agent" if isinstance(agent, Run) else in_short(agent)
+        raise ValueError(f"{needed} {what}{hint}")
     require_method(agent, "act", METHODS["act"], METHODS)
     if not callable(getattr(agent, "learn", None)):
         require_method(agent, "learn", METHODS["learn"], METHODS)
