@@ -35,8 +35,8 @@ def __getattr__(name: str) -> Any:
     if name == "__all__":  # for `from edugym import *`
         return __dir__()
     home = _homes().get(name)
-    meant = [one for one in _homes() if home is None and one.lower() == name.lower()]
-    if meant:
+    meant = [one for one in _homes() if one.lower() == name.lower()]
+    if meant and home is None:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}: is {meant[0]!r} meant?")
     file = in_snake_case(name)
     for folder in ("agents", "mdp", "envs"):

@@ -237,7 +237,9 @@ def test_a_pipe_gets_the_whole_table(tmp_path: Path) -> None:
         ("8.0", "8;0", "could not convert string to float: '8;0'"),
         ("True", "WAHR", "its column 'complete' must hold True or False"),
         ("True\n", "\n", "its column 'complete' must hold True or False"),
+        ("True\n", "2\n", "its column 'complete' must hold True or False"),
         (",10,", ",10.5,", "its column 'step' must hold whole numbers"),
+        (",10,", ",,", "its column 'step' must hold whole numbers"),
     ],
 )
 def test_a_table_that_another_program_has_changed(old: str, new: str, says: str, tmp_path: Path) -> None:
@@ -267,6 +269,22 @@ def test_joined_experiments_of_other_lengths() -> None:
         assert not joined([*parts, NONE_COMPLETE.renamed("none")]).complete
     with pytest.raises(ValueError, match="parts must have methods of different labels, but 2 of them have 'long'"):
         joined([long, long])
+
+
+def test_joined_with_an_experiment_that_has_not_ended() -> None:
+    """It is not complete, in whatever order, though the methods with rows are: of another one there is none yet."""
+    begun = table({"long": [([0, 1, 3, 7], [NAN] * 4, [1] * 4)] * 2}, [0, 10, 30, 40])
+    begun["runs"] = 4
+    for parts in ([WHOLE, Results(begun)], [Results(begun), WHOLE]):
+        assert not joined(parts).complete
+        equal(joined(parts).final("1"), WHOLE.final("1"))
+
+
+@pytest.mark.parametrize("parts", [[], ["results.csv"], [None]])
+def test_what_cannot_be_joined(parts: Any) -> None:
+    """Paths, or nothing."""
+    with pytest.raises(ValueError, match=r"^parts must be one or more Results, but are \["):
+        joined(parts)
 
 
 @pytest.mark.parametrize("column", MEASURED)

@@ -174,7 +174,7 @@ TABLE = np.zeros(3)
         (made("x = 1", float)(), made("x = 2", float)()),
         (np.ma.array([1, 2], mask=[False, True]), np.ma.array([1, 2], mask=[True, False])),
         ([TABLE, TABLE], [TABLE, TABLE.copy()]),
-        (noted(lambda x: x, 1), noted(lambda x: x, 2)),
+        (noted(lambda f: f.note, 1), noted(lambda f: f.note, 2)),
         (made("x = Both(1)"), made("x = Both(2)")),
         (np.array([[1], "x"], object), np.array([[2], "x"], object)),
         (Word("a", 1), Word("a", 2)),
@@ -293,11 +293,20 @@ def test_a_module_of_ones_own_counts_where_it_is_used(monkeypatch: pytest.Monkey
             assert fingerprint(names["use"]) != before
 
 
-@pytest.mark.parametrize("line", ["import mine.part as p; return p.f()", "from mine.part import f; return f()"])
+@pytest.mark.parametrize(
+    "line",
+    [
+        "import mine.part as p; return p.f()",
+        "from mine.part import f; return f()",
+        "from mine import part; return part.f()",
+        "import other; return other.f()",
+    ],
+)
 def test_a_folder_of_ones_own_counts(line: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Also one without __init__.py, and one that is imported when a function is called."""
     monkeypatch.syspath_prepend(str(tmp_path))
     (tmp_path / "mine").mkdir()
+    (tmp_path / "other.py").write_text("import sys, numpy, mine.part\nsys.exit()")  # it is read, and not run
     names: dict[str, Any] = {"__name__": "__main__"}
     exec(f"def use(): {line}", names)
     prints = set()

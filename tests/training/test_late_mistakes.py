@@ -278,9 +278,10 @@ def test_a_rare_vector_outside_the_box(seen: str, way: str) -> None:
         train(walk(source), cell(LOOKING)["Looker"](), N_STEPS, seed=2)
 
 
-def test_bounds_are_those_of_the_type_of_the_space() -> None:
-    """0.1 is less than 0.1 in a space of float32, and is no mistake."""
-    source = VIEW.replace("[state, 1.0]", "[0.1, 0.1]").replace("(0, 9,", "(0.1, 0.1,")
+@pytest.mark.parametrize("bounds", ["0.1, 0.1", "-np.inf, np.inf", "0, np.inf", "0, np.finfo(np.float32).max"])
+def test_bounds_are_those_of_the_type_of_the_space(bounds: str) -> None:
+    """0.1 is less than 0.1 in a space of float32, and is no mistake; without bounds there is nothing to say either."""
+    source = VIEW.replace("[state, 1.0]", "[0.1, 0.1]").replace("(0, 9,", f"({bounds},")
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         train(walk(source), cell(LOOKING)["Looker"](), 6_000, max_steps=9)

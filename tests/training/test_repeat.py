@@ -119,8 +119,11 @@ def test_any_gymnasium_environment() -> None:
         ({"environment": make_mdp("Boulder"), "parameters": {"height": 3}}, "parameters can be given with the name"),
         ({"agents": {}}, "agents must have one"),
         ({"agents": {"Q": QLearning}}, r"agents\['Q'\] must be an agent or a function"),
-        ({"agents": {"": QLearning.create}}, "agents must have texts as labels, but has the label ''"),
-        ({"agents": {1: QLearning.create}}, "agents must have texts as labels, but has the label 1"),
+        (
+            {"agents": {"": QLearning.create}},
+            "agents must have texts that are not empty as labels, but has the label ''",
+        ),
+        ({"agents": {1: QLearning.create}}, "agents must have texts that are not empty as labels, but has the label 1"),
         (
             {"agents": {"Q": lambda: None}},
             r"agents\['Q'\] must take the environment, and nothing else: write `lambda environment: ...`",

@@ -90,7 +90,7 @@ def test_ctrl_c_ends_the_interpreter_where_machine_code_failed(given_up: bool, m
         signal.raise_signal(signal.SIGINT)
         ended.append(True)
 
-    code: Any = SimpleNamespace(is_current=lambda: True)
+    code: Any = SimpleNamespace(first_change=lambda: None)
     run = execution._guarded(fails, presses, code, (lambda *_: None) if given_up else presses)
 
     def work() -> None:

@@ -1,6 +1,8 @@
 """Arrays and numbers outside the agent that change while it learns: machine code, which reads them once, gives way."""
 
+import sys
 from textwrap import indent
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -25,6 +27,7 @@ OUTSIDE = {
     "a view of it": TABLE + FORGETFUL + "    def learn" + LEARNS + "V = Q[:]",
     "no field": TABLE + LEARNER.replace("self.Q", "Q").replace("Q: np.ndarray\n", "n: int = 0\n"),
     "a variable of a function": "def make(Q):\n" + indent(f"{FORGETFUL}    def learn{LEARNS}return Learner", "    "),
+    "a module's": "import store\nQ = store.Q\n" + LEARNER.replace("self.Q[state", "store.Q[state", 1),
     "a number": EPSILON,
     "a number of the class": LEARNER.replace("rate: float", "eps = 0.9\n    rate: float")
     .replace("< 0.1", "< self.eps")
@@ -51,13 +54,18 @@ def test_the_same_as_in_the_interpreter(name: str, monkeypatch: pytest.MonkeyPat
         built.append(arguments)
         return build(*arguments)
 
+    store: Any = ModuleType("store")
+    monkeypatch.setitem(sys.modules, "store", store)
     monkeypatch.setattr(compiler, "_build", counted)
+    store.Q = np.zeros((6, 2))
     execution._warned.clear()
-    with pytest.warns(UserWarning, match="Learner cannot be compiled and runs interpreted") as said:
+    why = r"(the array (store\.)?Q is a field as well|(store\.Q|Q|epsilon|Learner\.eps) changes during the run)"
+    with pytest.warns(UserWarning, match=f"Learner cannot be compiled and runs interpreted.*{why}") as said:
         compiled = trained(OUTSIDE[name])
     assert sum("interpreted" in str(one.message) for one in said) == 1
     assert len(built) <= 2
     monkeypatch.setattr(trainers, "executable", lambda loop, *_, **__: loop)
+    store.Q = np.zeros((6, 2))
     assert trained(OUTSIDE[name]) == compiled
 
 

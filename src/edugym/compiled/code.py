@@ -66,6 +66,7 @@ class Code:
         self.members: dict[tuple[type, str], Any] = {}
         self.globals: dict[tuple[FunctionType, str], Any] = {}
         self.cells: list[tuple[FunctionType, CellType, Any]] = []
+        self.attributes: list[tuple[FunctionType, ModuleType, str, Any]] = []  # what functions may take from modules
         self._names: dict[str, None] = {}
         self._owners: dict[type, None] = {}  # the classes whose members count
         self._looked_up: dict[tuple[int, str], tuple[dict[str, Any], str, Any]] = {}  # in globals and modules
@@ -82,7 +83,7 @@ class Code:
                 self._member(kind, name)
         self.fingerprint = self._hash.hexdigest()[:24]
         self.is_watchable = not self._changeable and not self.foreign
-        self._were = [array.tobytes() for array in self.arrays]
+        self._were = [(name, one, one.tobytes()) for _, name, value in self.named() for one in arrays_in(value)]
         self._shapes = [(kind, kind.__mro__, getattr(kind, "_fields", None)) for kind in self._owners]
         self._contents = [(base, set(vars(base))) for base in self._bases()]
         self._functions = [(one, one.__code__, one.__defaults__, one.__kwdefaults__) for one in self.functions]
@@ -112,13 +113,27 @@ class Code:
 
     def is_current(self) -> bool:
         """Whether the methods and globals of others than the package are still what they were: a look, no walk."""
-        return (
-            [array.tobytes() for array in self.arrays] == self._were
-            and all(vars(kind).get(name) is member for (kind, name), member in self._watched_members)
-            and all(globals_.get(name) is value for globals_, name, value in self._watched_globals)
-            and all(function.__code__ is code for function, code in self._watched_code)
-            and all(inside(cell) is value for cell, value in self._watched_cells)
-        )
+        return self.first_change() is None
+
+    def first_change(self) -> str | None:
+        """Name a method, a global or an array of others than the package that is not what it was, if there is one."""
+        for name, array, before in self._were:
+            if array.tobytes() != before:
+                return name
+        for (kind, name), member in self._watched_members:
+            if vars(kind).get(name) is not member:
+                return f"{kind.__name__}.{name}"
+        for globals_, name, value in self._watched_globals:
+            if globals_.get(name) is not value:
+                return name
+        for _, module, name, value in self.attributes:
+            if vars(module).get(name) is not value:
+                return f"{module.__name__}.{name}"
+        for function, code in self._watched_code:
+            if function.__code__ is not code:
+                return function.__qualname__
+        changed = next((cell for cell, value in self._watched_cells if inside(cell) is not value), None)
+        return None if changed is None else "a variable of a function around it"
 
     def is_unchanged(self) -> bool:
         """Whether another walk would find the same, if the code is watchable: a look at all that this walk met."""
@@ -145,6 +160,7 @@ class Code:
         yield from ((kind, name, value) for (kind, name), value in self.members.items())
         for function, cell, value in self.cells:
             yield function, function.__code__.co_freevars[(function.__closure__ or ()).index(cell)], value
+        yield from ((function, f"{module.__name__}.{name}", value) for function, module, name, value in self.attributes)
 
     @cached_property
     def _watched_members(self) -> list[tuple[tuple[type, str], Any]]:
@@ -261,12 +277,12 @@ class Code:
         for name in sorted(loaded & function.__globals__.keys()):
             self._add(name)
             self.globals[function, name] = function.__globals__[name]
-            self._reached(function.__globals__[name], names)
+            self._reached(function, function.__globals__[name], names)
         for cell in function.__closure__ or ():
             self.cells.append((function, cell, inside(cell)))
             self._visit(inside(cell))
 
-    def _reached(self, value: Any, names: set[str]) -> None:
+    def _reached(self, function: FunctionType, value: Any, names: set[str]) -> None:
         """What a global name stands for; of a module, what the code may take from it by one of the names it uses."""
         if not isinstance(value, ModuleType):
             self._visit(value)
@@ -276,7 +292,8 @@ class Code:
             self._look_up(vars(value), names)
             for name in sorted(names & vars(value).keys()):
                 self._add(name)
-                self._reached(vars(value)[name], names - {name})
+                self.attributes.append((function, value, name, vars(value)[name]))
+                self._reached(function, vars(value)[name], names - {name})
 
     def _look_up(self, space: dict[str, Any], names: set[str]) -> None:
         """Remember what names stand for, those included that stand for nothing yet."""

@@ -132,9 +132,9 @@ def _guarded(fast: Loop, loop: Loop, code: Code, replay: Loop) -> Loop:
 
     def run(*arguments: Any) -> Any:
         nonlocal fast, surprises, cost, spent
-        if fast is not loop and not code.is_current():
+        if fast is not loop and (changed := code.first_change()):
             fast = loop
-            _warn_once(code, arguments, "a method, a global variable or an array that is not its own changes meanwhile")
+            _warn_once(code, arguments, f"{changed} changes during the run: what changes should be a field")
         if fast is loop:
             with held(machine_code=False):
                 return loop(*arguments)

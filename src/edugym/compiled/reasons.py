@@ -20,7 +20,7 @@ WORDS = (
         r"it uses _replace of a value of type \1: make a new one of all fields",
     ),
     (
-        r"Unknown attribute '\w+' of type list.*",
+        r"Unknown attribute '(size|shape|ndim|dtype|flat|ravel)' of type list.*",
         "it gives a list to a function that takes arrays: make it with np.array([...])",
     ),
     (r"Unknown attribute '(\w+)' of type (.+)", r"it uses \1 of a value of type \2"),

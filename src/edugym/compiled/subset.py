@@ -169,7 +169,7 @@ def _of_class(kind: type) -> str | None:
 def _of_shared(code: Code, fields: list[Any]) -> str | None:
     """What is wrong with an array that is both a constant, which machine code reads once, and a field that changes."""
     for of, name, value in code.named():
-        if any(np.may_share_memory(one, field) for one in arrays_in(value) for field in fields):
+        if any(np.shares_memory(one, field) for one in arrays_in(value) for field in fields):
             found = f"the array {name} is a field as well: use only the field"
             return _at(found, of.__code__, None) if isinstance(of, FunctionType) else found
     return None
@@ -188,7 +188,7 @@ def _of_function(function: FunctionType) -> str | None:
     if function.__code__.co_flags & inspect.CO_VARKEYWORDS:
         return _at(f"{function.__name__} takes **: name its parameters", function.__code__, None)
     if function.__code__.co_kwonlyargcount:
-        return _at(f"{function.__name__} has parameters after *: leave it out", function.__code__, None)
+        return _at(f"{function.__name__} has parameters after *: leave the * out", function.__code__, None)
     defaults = (*(function.__defaults__ or ()), *(function.__kwdefaults__ or {}).values())
     for value in defaults:
         if found := _of_values(value, f"a default of {function.__name__}", all_kinds=False, owner=None):

@@ -111,7 +111,7 @@ def save_figure(figure: "Figure | Axes", path: str | os.PathLike[str]) -> tuple[
         The paths of the two files.
 
     Raises:
-        ValueError: it is no figure.
+        ValueError: `figure` is neither.
         OSError: a file cannot be written.
     """
     whole: Any = getattr(figure, "figure", None)

@@ -26,8 +26,8 @@ MEASURED = (
 )  # fmt: skip
 """The columns that every table has; the other columns hold the configuration."""
 
-WHOLE = ("repetition", "seed", "step", "episodes", "complete")
-"""Those that hold whole numbers, or True and False: in each row."""
+WHOLE = ("repetition", "seed", "step", "episodes")
+"""The columns that must hold a whole number in every row."""
 
 IN_EVERY_ROW = ("method", "repetition", "step", "return", "training_return", "episodes")
 """The columns that a saved table always has; of the others, those whose values vary within a run."""
@@ -68,9 +68,7 @@ class Results:
     def complete(self) -> bool:
         """Whether every planned run reached its last step."""
         done = self.table[self.table["complete"]][["method", "repetition"]].drop_duplicates()
-        if len(done) == 0 or len(done) < int(self.table["runs"].iloc[0]):
-            return False
-        return not any(np.isnan(self.final(method)).any() for method in self.methods)
+        return len(done) > 0 and len(done) == int(self.table["runs"].iloc[0])
 
     def complete_agents(self, method: str) -> dict[int, Any]:
         """Return the agents of the complete runs of a method, by repetition."""
@@ -285,9 +283,11 @@ class Results:
         missing = [column for column in MEASURED if column not in table]
         if missing:
             raise ValueError(f"{path} is not a table of results: it has no column {missing[0]!r}")
-        for column in WHOLE if len(table) else ():
-            kind, needed = ("b", "True or False") if column == "complete" else ("i", "whole numbers")
-            if table[column].dtype.kind != kind:
+        for column in (*WHOLE, "complete"):
+            values = pandas.to_numeric(table[column], errors="coerce").to_numpy(float)
+            fits = np.isin(values, (0, 1)) if column == "complete" else values % 1 == 0
+            if not fits.all():
+                needed = "True or False" if column == "complete" else "whole numbers"
                 raise ValueError(f"{path} is not a table of results: its column {column!r} must hold {needed}")
         return cls(with_types(table))
 
@@ -323,16 +323,20 @@ def joined(parts: Iterable[Results]) -> Results:
     """Join the results of several experiments whose methods have different labels.
 
     Raises:
-        ValueError: two of them have a method of the same label.
+        ValueError: there is none, one is something else, or two of them have a method of the same label.
     """
     import pandas
 
     parts = [*parts]
+    if not parts or not all(isinstance(part, Results) for part in parts):
+        raise ValueError(f"parts must be one or more Results, but are {in_short(parts)}")
     counts = Counter(label for part in parts for label in part.methods)
     for label in counts:
         if counts[label] > 1:
             raise ValueError(f"parts must have methods of different labels, but {counts[label]} of them have {label!r}")
     table = pandas.concat([part.table for part in parts], ignore_index=True)
+    if len(table):
+        table["runs"] = sum(int(part.table["runs"].iloc[0]) for part in parts if len(part.table))
     return Results(table, {label: agents for part in parts for label, agents in part.agents.items()})
 
 
@@ -342,8 +346,7 @@ def with_types(table: "pandas.DataFrame") -> "pandas.DataFrame":
     Measured columns get NumPy's types. Columns of the configuration get pandas' types that allow gaps, since a method
     may lack a setting.
     """
-    whole = ["repetition", "seed", "step", "episodes"]
-    table = table.astype({**dict.fromkeys(whole, "int64"), "return": float, "training_return": float, "complete": bool})
-    others = table.columns.difference([*whole, "return", "training_return", "complete"])
+    table = table.astype({**dict.fromkeys(WHOLE, "int64"), "return": float, "training_return": float, "complete": bool})
+    others = table.columns.difference([*WHOLE, "return", "training_return", "complete"])
     table[others] = table[others].convert_dtypes()
     return table.astype({"layout_seed": "Int64"})

@@ -1,15 +1,16 @@
 """Fingerprints of what determines a run: values, and all code that they reach."""
 
+import ast
 import dis
 import functools
 import hashlib
-import importlib
+import importlib.util
 import inspect
 import platform
 import struct
 import sys
 import sysconfig
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from contextlib import suppress
 from functools import cache
 from importlib.metadata import PackageNotFoundError, version
@@ -106,7 +107,8 @@ class _Walk:
         elif isinstance(thing, tuple | list):
             self._all(type(thing), len(thing), *thing, getattr(thing, "__dict__", None))
         elif isinstance(thing, Mapping):
-            more = (getattr(thing, name, None) for name in ("__dict__", "default_factory"))
+            names = ("default_factory",) if _is_library(type(thing)) else ("__dict__", "default_factory")
+            more = (getattr(thing, name, None) for name in names)
             self._all(type(thing), len(thing), *(part for item in thing.items() for part in item), *more)
         elif isinstance(thing, set | frozenset):
             self.add(sorted(fingerprint(part) for part in thing))
@@ -133,10 +135,11 @@ class _Walk:
 
     def _function(self, function: FunctionType) -> None:
         self.add(function.__qualname__)
-        self._all(function.__defaults__, function.__kwdefaults__, function.__dict__)
+        self._all(function.__defaults__, function.__kwdefaults__)
         names = self._code(function.__code__)
-        for module in _imported(function.__code__, function.__globals__.get("__package__")):
-            self._reached(module, names)
+        self._all({name: value for name, value in vars(function).items() if name in names})
+        for top in sorted(_imported(function.__code__, function.__globals__.get("__package__") or "")):
+            self._module_of(top, set())
         for name in sorted(names & function.__globals__.keys()):
             self.add(name)
             self._reached(function.__globals__[name], names)
@@ -155,6 +158,23 @@ class _Walk:
                 self.add(name)
                 self._reached(vars(value)[name], names - {name})
 
+    def _module_of(self, top: str, seen: set[str]) -> None:
+        """Hash the files of a module or package that is not imported yet, and of those that it imports in turn."""
+        if top in seen or top in ("", "edugym", "__main__"):
+            return
+        seen.add(top)
+        places = _places(top)
+        if _are_installed(places):
+            self.add(top, _version(top))
+            return
+        for place in places:
+            for file in sorted(place.rglob("*.py")) if place.is_dir() else [place]:
+                contents = file.read_bytes()
+                self.add(top, file.name, contents)
+                with suppress(SyntaxError):  # a call will say so
+                    for inner in sorted(_tops(ast.parse(contents))):
+                        self._module_of(inner, seen)
+
     def _code(self, code: CodeType) -> set[str]:
         """Hash the byte code, and return the names it uses, those of inner functions included."""
         names = set(code.co_names)
@@ -167,17 +187,37 @@ class _Walk:
         return names
 
 
-def _imported(code: CodeType, package: str | None) -> Iterator[ModuleType]:
-    """Yield the modules that a function imports when it is called, inner functions included."""
+def _imported(code: CodeType, package: str) -> set[str]:
+    """Return the names of what a function imports when it is called, without what follows the first dot."""
     lines = [line for line in dis.get_instructions(code) if line.opname != "EXTENDED_ARG"]
-    for k, line in enumerate(lines):
-        if line.opname == "IMPORT_NAME":
-            dots = "." * lines[k - 2].argval
-            with suppress(Exception):  # a call will say what is wrong with it
-                yield importlib.import_module(dots + line.argval, package)
-    for constant in code.co_consts:
-        if isinstance(constant, CodeType):
-            yield from _imported(constant, package)
+    found = {
+        (package if lines[k - 2].argval else line.argval).partition(".")[0]
+        for k, line in enumerate(lines)
+        if line.opname == "IMPORT_NAME"
+    }
+    return found.union(*(_imported(part, package) for part in code.co_consts if isinstance(part, CodeType)))
+
+
+def _tops(tree: ast.AST) -> set[str]:
+    """Return the names of what a file imports, without what follows the first dot; its own package counts already."""
+    names: list[str] = []
+    for part in ast.walk(tree):
+        if isinstance(part, ast.Import):
+            names += [one.name for one in part.names]
+        elif isinstance(part, ast.ImportFrom) and not part.level:
+            names.append(part.module or "")
+    return {name.partition(".")[0] for name in names}
+
+
+def _places(top: str) -> list[Path]:
+    """Return the file of a module, or the folders of a package; none of what is built into Python or missing."""
+    try:
+        spec = importlib.util.find_spec(top)
+    except (ImportError, ValueError):
+        return []
+    if spec and spec.submodule_search_locations:
+        return [*map(Path, spec.submodule_search_locations)]
+    return [Path(spec.origin)] if spec and spec.origin and spec.has_location else []
 
 
 _PLAIN = frozenset({bool, int, complex, str, bytes})
@@ -204,9 +244,13 @@ def _is_installed(package: str) -> bool:
         return False
     file = getattr(module, "__file__", None)
     places = [file] if file else [*getattr(module, "__path__", ())]  # a folder without __init__.py has no file
+    return _are_installed([*map(Path, places)])
+
+
+def _are_installed(places: list[Path]) -> bool:
+    """Whether all places are in the folders of installed modules; what is built into Python has none."""
     folders = [Path(sysconfig.get_path(kind)).resolve() for kind in ("stdlib", "platstdlib", "purelib", "platlib")]
-    # One without a place is built into Python.
-    return all(any(Path(place).resolve().is_relative_to(folder) for folder in folders) for place in places)
+    return all(any(place.resolve().is_relative_to(folder) for folder in folders) for place in places)
 
 
 def _package(thing: Any) -> str:

@@ -100,9 +100,12 @@ class WithinABox(NamedTuple):
 
 
 def _widened(bounds: Any, to: float) -> Reals:
-    """Bounds of which a number may exceed the half of a last digit, as it is rounded to the type of the space."""
-    beyond = np.nextafter(bounds, bounds.dtype.type(to))
-    return np.where(np.isfinite(bounds), bounds.astype(float) + (beyond.astype(float) - bounds) / 2, to)
+    """Return the bounds, half a last digit wider: the space rounds a number to its own type before it compares."""
+    with np.errstate(over="ignore", invalid="ignore"):  # at infinite bounds, which stay so
+        beyond = np.nextafter(bounds, bounds.dtype.type(to))
+        wider = bounds.astype(float) + (beyond.astype(float) - bounds) / 2
+    widened: Reals = np.where(np.isfinite(bounds), wider, bounds)
+    return widened
 
 
 @wrapper

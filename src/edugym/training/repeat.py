@@ -132,8 +132,6 @@ def repeat(
             raise ValueError(f"{name} must be a path, but is {in_short(path)}")
     if save_to is not None:
         save_to = check_writable(save_to)
-    if checkpoints is not None:
-        check_writable(Path(checkpoints, "run"))
     curve = {"max_steps": max_steps, "evaluate_every": evaluate_every, "evaluation_episodes": evaluation_episodes}
     training = {"n_steps": n_steps, **curve}
     try:
@@ -141,6 +139,8 @@ def repeat(
     except Exception as error:
         end_at_students_line(error)
         raise
+    if checkpoints is not None:
+        check_writable(Path(checkpoints, ".edugym"))
     plan = experiment.plan
     stopped_before, runs = stop.is_set(), Runs()
     try:
@@ -187,7 +187,7 @@ def _experiment(
         raise ValueError(f"agents must be a dictionary of agents by their labels, but is {in_short(agents)}")
     for label in agents:
         if not isinstance(label, str) or not label:
-            raise ValueError(f"agents must have texts as labels, but has the label {label!r}")
+            raise ValueError(f"agents must have texts that are not empty as labels, but has the label {label!r}")
     makers = {label: _maker(label, agent) for label, agent in agents.items()}
     if not makers:
         raise ValueError("agents must have one method or more, but is empty")
@@ -210,7 +210,7 @@ def _maker(label: str, agent: Any) -> Maker:
         raise ValueError(f"{needed} {in_short(agent)}")
     try:
         inspect.signature(agent).bind("environment")
-    except ValueError:  # a partial with an argument that its function does not have: the call says which
+    except ValueError:  # a partial with an argument that its function does not have: let the call say which
         pass
     except TypeError:
         raise ValueError(
