@@ -278,6 +278,18 @@ def test_a_rare_vector_outside_the_box(seen: str, way: str) -> None:
         train(walk(source), cell(LOOKING)["Looker"](), N_STEPS, seed=2)
 
 
+@pytest.mark.parametrize(("seen", "n"), [("(state, {})", 2), ("np.full(40, {})", 40)])
+def test_other_vectors_outside_the_box(seen: str, n: int) -> None:
+    """A tuple of a whole number and a real one, and many numbers: they compile, and are guarded."""
+    source = VIEW.replace("np.array([state, 1.0])", seen.format("1.0")).replace("(2,)", f"({n},)")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        train(walk(source), cell(LOOKING)["Looker"](), 6_000, max_steps=9)
+        rare = changed(source, seen.format("1.0"), seen.format(f"9.5 if {RARE} else 1.0"))
+        with pytest.raises(ValueError, match=r"observation of Walk must return an element of Box\("):
+            train(walk(rare), cell(LOOKING)["Looker"](), N_STEPS, seed=2)
+
+
 @pytest.mark.parametrize("bounds", ["0.1, 0.1", "-np.inf, np.inf", "0, np.inf", "0, np.finfo(np.float32).max"])
 def test_bounds_are_those_of_the_type_of_the_space(bounds: str) -> None:
     """0.1 is less than 0.1 in a space of float32, and is no mistake; without bounds there is nothing to say either."""

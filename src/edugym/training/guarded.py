@@ -11,9 +11,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
+from edugym.compiled.generated import generated_class
 from edugym.mdp.checking import is_own
 from edugym.mdp.protocol import Random, Reals, writes_in_place
 from edugym.mdp.wrapper import wrapper
+
+FEW = 16
+"""Numbers of an observation that may be a tuple of several types."""
 
 
 @wrapper
@@ -78,13 +82,11 @@ class WithinABox(NamedTuple):
 
     Attributes:
         mdp: the task.
-        low: shape (k,): the least numbers that may be seen.
-        high: shape (k,): the greatest.
+        bounds: between which its numbers must be.
     """
 
     mdp: Any
-    low: Reals
-    high: Reals
+    bounds: Any
 
     def observation(self, state: Any, rng: Random) -> Any:
         """The observation of the task.
@@ -93,10 +95,42 @@ class WithinABox(NamedTuple):
             ValueError: a number is too small or too large, or NaN.
         """
         observation = self.mdp.observation(state, rng)
-        for i in range(self.low.size):
-            if not self.low[i] <= observation[i] <= self.high[i]:
-                raise ValueError("an observation is not in the observation space")
+        if not self.bounds.hold(observation):
+            raise ValueError("an observation is not in the observation space")
         return observation
+
+
+class Bounds(NamedTuple):
+    """The least and the greatest numbers of a vector.
+
+    Attributes:
+        low: shape (k,).
+        high: shape (k,).
+    """
+
+    low: Reals
+    high: Reals
+
+    def hold(self, vector: Any) -> bool:
+        """Return whether all its numbers are between them; NaN is not."""
+        within = True
+        for i in range(self.low.size):
+            within = within and self.low[i] <= vector[i] <= self.high[i]
+        return within
+
+
+def _bounds(space: spaces.Box) -> Any:
+    """Return the bounds of a space of vectors.
+
+    For a few numbers, which may come as a tuple of several types, it writes a class: machine code takes what is in such
+    a tuple only by constants, as in `vector[0]`.
+    """
+    low, high = _widened(space.low, -math.inf), _widened(space.high, math.inf)
+    if low.size > FEW:
+        return Bounds(low, high)
+    between = " and ".join(f"self.low[{i}] <= vector[{i}] <= self.high[{i}]" for i in range(low.size)) or "True"
+    lines = ["    low: object", "    high: object", "    def hold(self, vector):", f"        return {between}"]
+    return generated_class("Bounds", lines, {})(low, high)
 
 
 def _widened(bounds: Any, to: float) -> Reals:
@@ -149,7 +183,7 @@ def guarded(mdp: Any, agent: Any) -> Any:
             mdp = RowsOfATable(mdp, int(observations.n))
         vector = isinstance(observations, spaces.Box) and len(observations.shape) == 1 and not in_place
         if vector and observations.dtype.kind == "f":
-            mdp = WithinABox(mdp, _widened(observations.low, -math.inf), _widened(observations.high, math.inf))
+            mdp = WithinABox(mdp, _bounds(observations))
         mdp = FiniteRewardsInPlace(mdp) if in_place else FiniteRewards(mdp)
     if not is_own(agent) and isinstance(actions, spaces.Discrete) and actions.start == 0:
         mdp = (ActionsOfASpaceInPlace if in_place else ActionsOfASpace)(mdp, int(actions.n))
