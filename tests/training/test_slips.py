@@ -108,7 +108,10 @@ WHOLE = {
         lambda: train(task(), learner_with(np.zeros((6, 2), int)), 30),
         r"Q of Learner must be an array of float, but its dtype is int64, which .* np.zeros\(\(6, 2\)\)",
     ),
-    "copies of a task": (lambda: train(MDPVectorEnv(task(), 3), learner(), 30), "but MDPVectorEnv is many: give one"),
+    "copies of a task": (
+        lambda: train(MDPVectorEnv(task(), 3), learner(), 30),
+        "but MDPVectorEnv holds several: give one",
+    ),
     "sizes for a table": (
         lambda: train(task(), QLearning(6, 2), 30),  # type: ignore[arg-type]
         r"Q of QLearning must be an array, but is 6: use QLearning.create\(environment\)$",

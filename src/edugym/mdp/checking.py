@@ -343,8 +343,7 @@ def require_environment(name: str, environment: Any, allowed: str = "an MDP or a
         ValueError: it is something else, such as None.
     """
     if hasattr(environment, "num_envs"):
-        kind = type(environment).__name__
-        raise ValueError(f"{name} must be {allowed}, but is a {kind}, which holds several: give one of them")
+        raise ValueError(f"{name} must be {allowed}, but {type(environment).__name__} holds several: give one of them")
     if not any(hasattr(environment, part) for part in ("observation_space", "transition", "step")):
         wraps = isinstance(environment, tuple) and "mdp" in getattr(environment, "_fields", ())
         hint = ": is the decorator @edugym.wrapper missing?" if wraps else ""
