@@ -381,9 +381,9 @@ def test_changes_are_noticed() -> None:
     ]
     for change in changes:
         now = Code(loop, (10, kind(1)))
-        assert now.is_current()
+        assert now.first_change() is None
         change()
-        assert not now.is_current()
+        assert now.first_change()
 
 
 def test_a_global_is_one_that_is_loaded_as_one() -> None:

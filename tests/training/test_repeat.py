@@ -121,9 +121,9 @@ def test_any_gymnasium_environment() -> None:
         ({"agents": {"Q": QLearning}}, r"agents\['Q'\] must be an agent or a function"),
         (
             {"agents": {"": QLearning.create}},
-            "agents must have texts that are not empty as labels, but has the label ''",
+            "the labels of agents must be texts that are not empty, but one is ''",
         ),
-        ({"agents": {1: QLearning.create}}, "agents must have texts that are not empty as labels, but has the label 1"),
+        ({"agents": {1: QLearning.create}}, "the labels of agents must be texts that are not empty, but one is 1"),
         (
             {"agents": {"Q": lambda: None}},
             r"agents\['Q'\] must take the environment, and nothing else: write `lambda environment: ...`",

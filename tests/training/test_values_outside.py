@@ -1,6 +1,7 @@
 """Arrays and numbers outside the agent that change while it learns: machine code, which reads them once, gives way."""
 
 import sys
+from collections.abc import Callable
 from textwrap import indent
 from types import ModuleType
 from typing import Any
@@ -69,21 +70,41 @@ def test_the_same_as_in_the_interpreter(name: str, monkeypatch: pytest.MonkeyPat
     assert trained(OUTSIDE[name]) == compiled
 
 
-def test_an_array_of_copies_that_changes() -> None:
-    """What a notebook writes into an array counts from the next step on; after some changes the copies give up."""
-    notebook = cell("PAY = np.zeros(1)\n" + WALK.replace("else -0.25", "else PAY[0]"))
+def write(store: Any, pay: float) -> None:
+    """Into the array."""
+    store.PAY[0] = pay
+
+
+def assign(store: Any, pay: float) -> None:
+    """Another number."""
+    store.PAY = pay
+
+
+@pytest.mark.parametrize(
+    ("reads", "change", "named"),
+    [("PAY[0]", write, "PAY"), ("store.PAY[0]", write, "store.PAY"), ("store.PAY", assign, "store.PAY")],
+)
+def test_copies_read_a_value_that_changes(
+    reads: str, change: Callable[[Any, float], None], named: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It counts from the next step on, in a notebook and in a module; after some changes the copies give up."""
+    store: Any = ModuleType("store")
+    monkeypatch.setitem(sys.modules, "store", store)
+    store.PAY = np.zeros(1)
+    change(store, 0.0)
+    notebook = cell("import store\nPAY = store.PAY\n" + WALK.replace("else -0.25", f"else {reads}"))
     vector = MDPVectorEnv(MDPEnv(notebook["Walk"](50)), 2)
     vector.reset(seed=0)
     paid = []
 
     def step(pay: float) -> None:
-        notebook["PAY"][0] = pay
+        change(store, pay)
         paid.append(vector.step([1, 1])[1][0])
 
     for k in range(4):
         step(k)
     assert vector.is_compiled
-    with pytest.warns(UserWarning, match="Walk runs interpreted .* change again and again: use fields"):
+    with pytest.warns(UserWarning, match=f"Walk runs interpreted .*: {named} changes again and again: what changes"):
         step(4)
     step(5)
     assert not vector.is_compiled

@@ -76,13 +76,14 @@ class Runner:
             *arguments: what the loop takes between the random stream and the states. Those that are arrays have a place
                 for each copy.
         """
-        if self._foreign and not self._interpreted and not all(code.is_current() for code in self._watched):
+        watched = self._watched if self._foreign and not self._interpreted else []
+        if changed := next(filter(None, (code.first_change() for code in watched)), None):
             self._code.clear()
             self._watched.clear()
             self._changes += 1
             if self._changes > MOST_CHANGES:
                 self._interpret()
-                self._say_why("its methods, or global values that they read, change again and again: use fields")
+                self._say_why(f"{changed} changes again and again: what changes should be a field")
         if loop not in self._code:
             self._prepare(loop, rng, few, arguments)
         if self._interpreted and self._foreign:

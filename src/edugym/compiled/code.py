@@ -83,7 +83,12 @@ class Code:
                 self._member(kind, name)
         self.fingerprint = self._hash.hexdigest()[:24]
         self.is_watchable = not self._changeable and not self.foreign
-        self._were = [(name, one, one.tobytes()) for _, name, value in self.named() for one in arrays_in(value)]
+        self._were = [
+            (name, array, array.tobytes())
+            for of, name, value in self.named()
+            if is_foreign(of)
+            for array in arrays_in(value)
+        ]
         self._shapes = [(kind, kind.__mro__, getattr(kind, "_fields", None)) for kind in self._owners]
         self._contents = [(base, set(vars(base))) for base in self._bases()]
         self._functions = [(one, one.__code__, one.__defaults__, one.__kwdefaults__) for one in self.functions]
@@ -111,12 +116,11 @@ class Code:
         own = [kind.__name__ for kind in self.classes if is_foreign(kind)]
         return ", ".join(own or [kind.__name__ for kind in self.classes])
 
-    def is_current(self) -> bool:
-        """Whether the methods and globals of others than the package are still what they were: a look, no walk."""
-        return self.first_change() is None
-
     def first_change(self) -> str | None:
-        """Name a method, a global or an array of others than the package that is not what it was, if there is one."""
+        """Name a method, global or array in a student's code that is not what it was, if there is one.
+
+        It only looks at what the walk has found.
+        """
         for name, array, before in self._were:
             if array.tobytes() != before:
                 return name
@@ -126,8 +130,8 @@ class Code:
         for globals_, name, value in self._watched_globals:
             if globals_.get(name) is not value:
                 return name
-        for _, module, name, value in self.attributes:
-            if vars(module).get(name) is not value:
+        for function, module, name, value in self.attributes:
+            if is_foreign(function) and vars(module).get(name) is not value:
                 return f"{module.__name__}.{name}"
         for function, code in self._watched_code:
             if function.__code__ is not code:

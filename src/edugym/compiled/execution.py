@@ -29,7 +29,6 @@ COMPILE_FROM = 5_000  # steps; fewer take the interpreter some 15 ms, and compil
 REHEARSED = 200  # steps
 MOST_SURPRISES = 3  # calls in which machine code fails and the interpreter does not, before machine code is given up
 COPYING = 10.0  # large arrays are copied before a call once calls have taken this many times as long as the copying
-NOT_ITS_OWN = "it changes an array that is not its own: pass it as a field"
 _warned: set[Any] = set()  # what was said: a text, or the classes of which it was said
 
 
@@ -93,7 +92,7 @@ def _machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, rehearsed:
         changed = difference(constants, as_before, "an array", close=0.0)
         before.put_back()
     if changed:
-        raise CompilationError(NOT_ITS_OWN)
+        raise CompilationError("it changes an array that is not its own: pass it as a field")
     _announce(code)
     fast = compiled(loop, rehearsed, *arguments, code=code)
     shadow = copied(arguments)

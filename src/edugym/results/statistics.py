@@ -71,6 +71,9 @@ def mean_interval(values: ArrayLike, confidence: float = CONFIDENCE) -> Interval
 
     Returns:
         The interval; unbounded for a single value.
+
+    Raises:
+        ValueError: the confidence is not between 0 and 1.
     """
     between("confidence", confidence, 0, 1)
     known = np.asarray(values, float).ravel()

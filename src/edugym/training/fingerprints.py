@@ -171,7 +171,7 @@ class _Walk:
             for file in sorted(place.rglob("*.py")) if place.is_dir() else [place]:
                 contents = file.read_bytes()
                 self.add(top, file.name, contents)
-                with suppress(SyntaxError):  # a call will say so
+                with suppress(SyntaxError, ValueError):  # a call will say so; or it is a library of machine code
                     for inner in sorted(_tops(ast.parse(contents))):
                         self._module_of(inner, seen)
 

@@ -140,7 +140,7 @@ def repeat(
         end_at_students_line(error)
         raise
     if checkpoints is not None:
-        check_writable(Path(checkpoints, ".edugym"))
+        check_writable(Path(checkpoints, ".edugym"))  # some name: whether the folder can be written to
     plan = experiment.plan
     stopped_before, runs = stop.is_set(), Runs()
     try:
@@ -187,7 +187,7 @@ def _experiment(
         raise ValueError(f"agents must be a dictionary of agents by their labels, but is {in_short(agents)}")
     for label in agents:
         if not isinstance(label, str) or not label:
-            raise ValueError(f"agents must have texts that are not empty as labels, but has the label {label!r}")
+            raise ValueError(f"the labels of agents must be texts that are not empty, but one is {label!r}")
     makers = {label: _maker(label, agent) for label, agent in agents.items()}
     if not makers:
         raise ValueError("agents must have one method or more, but is empty")
