@@ -76,8 +76,7 @@ class Runner:
             *arguments: what the loop takes between the random stream and the states. Those that are arrays have a place
                 for each copy.
         """
-        watched = self._watched if self._foreign and not self._interpreted else []
-        if changed := next(filter(None, (code.first_change() for code in watched)), None):
+        if self._watched and (changed := next(filter(None, (code.first_change() for code in self._watched)), None)):
             self._code.clear()
             self._watched.clear()
             self._changes += 1
@@ -156,9 +155,9 @@ class Runner:
         states = head(self.states, n)
         code = Code(loop, (self._mdp, rng, *some, states, batch))
         self._foreign = code.foreign
-        if code.foreign:
-            self._watched.append(code)
         if not self._interpreted:
+            if code.foreign:
+                self._watched.append(code)
             try:
                 values = (self._mdp, copy.deepcopy(rng), *some, states, batch)
                 self._code[loop] = executable(loop, values, rehearsed=n, replayed=False)
@@ -171,6 +170,7 @@ class Runner:
     def _interpret(self) -> None:
         """Run interpreted from here on, with the states as the MDP makes them."""
         self._interpreted = True
+        self._watched.clear()
         if not _is_loose(self.states):
             self.states = loose([self.state(i) for i in range(self._n)])
 
