@@ -57,6 +57,7 @@ def test_what_is_given_out_may_be_changed() -> None:
         (None, "environment must be an MDP, a Gymnasium environment or a shape, but is None"),
         (Boulder, r"environment must be a value, but is the class Boulder: make one with Boulder.create\(...\)"),
         ((4, 0), r"two whole numbers of 1 or more, but is \(4, 0\)"),
+        ((4, 2, 3), r"two whole numbers of 1 or more, but is \(4, 2, 3\)"),
     ],
 )
 def test_what_is_no_environment_is_refused(environment: Any, message: str) -> None:

@@ -246,6 +246,8 @@ REFUSED = {
     "flat": (program("self.Q.flat[3] = 1.0\nreturn s + self.Q.flat[2]", **Q), "flat"),
     "matrix": (program("m = self.Q * self.Q\nreturn 0.5 * s + m[0, 1]", "Q: np.ndarray", "np.matrix(np.ones((2, 2)))"), "an ordinary array"),
     "matrix in a state": (program("return s[0] + 1, s[1] * s[1] % 7", start="(0, np.matrix(np.ones((2, 2))))"), "an ordinary array"),
+    "method named like a draw": (program("return 0.5 * s + self.poisson(2.0)", more="def poisson(self, x): return x * self.x"), "a member named poisson, as rng has"),
+    "type of Numba's": (program("return 0.5 * s + k(s)", before="from numba import int64 as k"), "it uses k"),
     "keyword only": (program("return self.g(s, k=2.0)", more="def g(self, s, *, k): return 0.5 * s + k"), "parameters after *"),
     "reversed": (program("for k in reversed(range(3)): s = k - 0.5 * s\nreturn s"), "it uses reversed"),
     "constant of a plain class": (program("return 0.5 * s + C.k", before="class C:\n    k = 1"), "the class C, which is no NamedTuple"),

@@ -280,7 +280,7 @@ def test_joined_with_an_experiment_that_has_not_ended() -> None:
         equal(joined(parts).final("1"), WHOLE.final("1"))
 
 
-@pytest.mark.parametrize("parts", [[], ["results.csv"], [None]])
+@pytest.mark.parametrize("parts", [[], ["results.csv"], [None], [WHOLE, None]])
 def test_what_cannot_be_joined(parts: Any) -> None:
     """Paths, or nothing."""
     with pytest.raises(ValueError, match=r"^parts must be one or more Results, but are \["):

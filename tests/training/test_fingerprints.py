@@ -4,6 +4,7 @@ import copy
 import functools
 import importlib
 import math
+import os
 import platform
 import subprocess
 import sys
@@ -316,6 +317,22 @@ def test_a_folder_of_ones_own_counts(line: str, tmp_path: Path, monkeypatch: pyt
             monkeypatch.delitem(sys.modules, name, raising=False)
         prints |= {fingerprint(names["use"]), fingerprint(importlib.import_module("mine.part").f)}
     assert len(prints) == 4
+
+
+def test_every_process_reads_a_folder_in_the_same_order(tmp_path: Path) -> None:
+    """Whatever its hash seed, which orders the sets of names that a file imports."""
+    names = [f"part_{letter}" for letter in "abcdef"]
+    for name in names:
+        (tmp_path / f"{name}.py").write_text(f"{name} = 1")
+    (tmp_path / "mine.py").write_text("".join(f"import {name}\n" for name in names))
+    code = "from edugym.training.fingerprints import fingerprint\ndef use():\n    import mine\nprint(fingerprint(use))"
+    said = {
+        subprocess.check_output(
+            [sys.executable, "-c", code], env={**os.environ, "PYTHONHASHSEED": str(seed)}, cwd=tmp_path
+        )
+        for seed in range(3)
+    }
+    assert len(said) == 1
 
 
 @pytest.mark.parametrize("module", ["__main__", "gone"])

@@ -224,6 +224,13 @@ def test_a_table_that_comes_to_hold_nan() -> None:
     assert run.complete
 
 
+def test_a_table_of_objects_is_not_looked_at() -> None:
+    """Python's own numbers, say, or fractions; NumPy cannot say whether they are NaN."""
+    run = train(walk(), cell(PLAIN)["Plain"](np.zeros((6, 2), object)), 1000)
+    assert run.complete
+    assert run.agent.Q.sum() == 1000
+
+
 VALUE = "value = 0.0 if terminated else max(self.Q[next_state, 0], self.Q[next_state, 1])\n"
 UPDATE = "self.Q[state, action] += self.rate * (reward + value - self.Q[state, action])"
 STORED_NOWHERE = {
