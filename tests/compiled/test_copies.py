@@ -51,6 +51,18 @@ def test_what_cannot_be_written_to() -> None:
     assert [part.flags.writeable for part in copy[:3]] == [True, False, True]
 
 
+def test_a_list_in_the_place_of_an_array() -> None:
+    """Numba's own list, in a field that held an array before."""
+    from numba.typed import List
+
+    before, values = Snapshot(), List([1.0, 2.0])
+    before.take((np.zeros(2),))
+    before.take((values,))
+    values[0] = 5.0
+    before.put_back()
+    assert list(values) == [1.0, 2.0]
+
+
 def test_put_back() -> None:
     """Tables, views and streams are as they were, each time; what cannot be written to is left alone."""
     original, before = agent(), Snapshot()

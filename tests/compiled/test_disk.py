@@ -167,6 +167,13 @@ def test_a_folder_is_sealed_from_within(tmp_path: Path, monkeypatch: pytest.Monk
     assert disk.is_whole(folder(tmp_path, "a", 10))
 
 
+def test_a_folder_of_another_program_does_no_harm(tmp_path: Path) -> None:
+    """As a file manager makes one for its previews."""
+    kept = folder(tmp_path, "a", 10)
+    (kept / "previews").mkdir()
+    assert disk.is_whole(kept)
+
+
 def test_folders_that_cannot_be_made(tmp_path: Path) -> None:
     """Nothing is written then."""
     (tmp_path / "file").write_text("")
