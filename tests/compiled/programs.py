@@ -249,6 +249,12 @@ REFUSED = {
     "method named like a draw": (program("return 0.5 * s + self.poisson(2.0)", more="def poisson(self, x): return x * self.x"), "a member named poisson, as rng has"),
     "type of Numba's": (program("return 0.5 * s + k(s)", before="from numba import int64 as k"), "it uses k"),
     "keyword only": (program("return self.g(s, k=2.0)", more="def g(self, s, *, k): return 0.5 * s + k"), "parameters after *"),
+    "strict zip": (program("for k, q in zip(range(9), self.Q[:, 0], strict=True): s = k + q - 0.5 * s\nreturn s", **Q), "it calls zip with strict"),
+    "matrices of two types": (program("return 0.5 * s + (np.ones((2, 2)) @ np.ones(2, np.int64))[0]"), "it multiplies matrices of whole numbers, or of two types"),
+    "matrices of whole numbers": (program("return 0.5 * s + (np.ones((2, 2), np.int64) @ np.ones((2, 2), np.int64))[0, 0]"), "it multiplies matrices of whole numbers, or of two types"),
+    "decorator that passes all on": (
+        program("return self.g(s)", more="@passing\ndef g(self, s): return 0.5 * s + 1", before="def passing(f):\n    def g(*a): return f(*a)\n    return g"),
+        "it calls a function with *, as a decorator may"),
     "reversed": (program("for k in reversed(range(3)): s = k - 0.5 * s\nreturn s"), "it uses reversed"),
     "constant of a plain class": (program("return 0.5 * s + C.k", before="class C:\n    k = 1"), "the class C, which is no NamedTuple"),
     "mask": (program("m = self.Q[:, 0] > 1\nreturn s + self.Q[m].sum()", **Q), "picks"),

@@ -172,6 +172,10 @@ NOTHING = code_of(plain_loop, ())
             ">>> f(IntEnum class<int64>(Colour), Pair(int x 2), Mixed(int, float))",
             "Numba has no f(Colour, Pair, Mixed)",
         ),
+        (
+            ">>> _impl(array(float32, 2d, C), array(float64, 2d, C))",
+            "it multiplies matrices of whole numbers, or of two types: make both arrays of real numbers",
+        ),
         ("Int value is too large: 9", "it has a whole number of more than 64 bits"),
         ("Illegal IR, del found at: del x", "it deletes a variable"),
         ("Failed in nopython mode\n- of which:\nSomething else", "Something else"),

@@ -120,6 +120,8 @@ def _write_out(func_ir: Any, block: Any, statement: Any) -> None:
     called = _global(func_ir, call.func)
     if called is enumerate:
         call.args, call.kws = [*call.args, *(variable for _, variable in call.kws)], ()
+    elif called is zip and call.kws:
+        refuse("it calls zip with strict", statement.loc)
     elif isinstance(called, type) and issubclass(called, tuple) and hasattr(called, "_field_defaults"):
         _give_defaults(func_ir, block, statement, called)
 

@@ -57,7 +57,15 @@ WORDS = (
         "a tuple with values of several types can be indexed only by a constant, as in t[0]",
     ),
     (r">>> le\(float64, unicode_type\)", "it makes a number of text"),
+    (
+        r">>> (_impl|dot)\(array\(.*, array\(.*\)\)",
+        "it multiplies matrices of whole numbers, or of two types: make both arrays of real numbers",
+    ),
     (r">>> (.+)", r"Numba has no \1"),
+    (
+        r"Cannot refine type StarArgTuple.*",
+        "it calls a function with *, as a decorator may: give each argument by itself",
+    ),
     (r"Int value is too large.*", "it has a whole number of more than 64 bits"),
     (r"Illegal IR, del found.*", "it deletes a variable"),
 )
