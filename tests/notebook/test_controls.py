@@ -154,6 +154,9 @@ def test_sliders_show_as_many_digits_as_they_have(step: float, digits: str) -> N
         ({"x": (4, 0)}, r"x must be \(low, high\) or .* but is \(4, 0\)"),
         ({"x": (0, 4, 0)}, r"x must be \(low, high\) or .* but is \(0, 4, 0\)"),
         ({"x": []}, r"x must be \(low, high\) or .* but is \[\]"),
+        ({"x": (0,)}, r"x must be \(low, high\) or .* but is \(0,\)"),
+        ({"x": (0, 4, 1, 2)}, r"x must be \(low, high\) or .* but is \(0, 4, 1, 2\)"),
+        ({"x": (0, "4")}, r"x must be \(low, high\) or .* but is \(0, '4'\)"),
         ({"x": "text"}, r"x must be \(low, high\) or .* but is 'text'"),
     ],
 )
@@ -185,6 +188,12 @@ def nothing_returned() -> None:
     plt.figure().suptitle("made")
 
 
+def text_beside_a_figure() -> str:
+    """What is returned counts, not what was drawn on the way."""
+    plt.figure()
+    return "done"
+
+
 @pytest.mark.parametrize(
     ("function", "mime_type", "data", "description"),
     [
@@ -192,6 +201,7 @@ def nothing_returned() -> None:
         (grid_of_axes, "image/png", "iVBOR", "grid_of_axes"),
         (figure_without_pyplot, "image/png", "iVBOR", "drawn apart"),
         (nothing_returned, "image/png", "iVBOR", "made"),
+        (text_beside_a_figure, "text/html", "<pre>done</pre>", "text_beside_a_figure"),
         (lambda: Sheet("made", []), "image/png", "iVBOR", "<lambda>"),
         (lambda: ("two", [1, 2]), "text/html", "<pre>(&#x27;two&#x27;, [1, 2])</pre>", "<lambda>"),
         (lambda: [[]], "text/html", "<pre>[[]]</pre>", "<lambda>"),
