@@ -98,7 +98,8 @@ def look(artist: Any) -> str:
     """Return what kind of patch or text it is, its colour, and how it is written or framed."""
     kind = type(artist).__name__
     if isinstance(artist, Text):
-        style = f"{artist.get_fontsize():g} {artist.get_horizontalalignment()} {artist.get_verticalalignment()} {artist.get_rotation():g}"
+        across, up = artist.get_horizontalalignment(), artist.get_verticalalignment()
+        style = f"{artist.get_fontsize():g} {across} {up} {artist.get_rotation():g}"
         arrow = artist.arrow_patch if isinstance(artist, Annotation) else None
         line = f" arrow {to_hex(arrow.get_edgecolor())} {arrow.get_linewidth():g}" if arrow else ""
         return f"{kind} {to_hex(artist.get_color())} {style}{line}{layer(artist)}{labelled(artist)}"
