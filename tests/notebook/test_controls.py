@@ -220,6 +220,12 @@ def test_what_functions_return(function: Callable[..., Any], mime_type: str, dat
     assert (result.data == "") == (data == "")
 
 
+def test_a_picture_is_a_png_whatever_the_reader_saves() -> None:
+    """Their setting of Matplotlib is for their own files."""
+    with plt.rc_context({"savefig.format": "svg"}):
+        assert call(curve, {}).data.startswith("iVBOR")
+
+
 def test_figures_of_others_stay_open() -> None:
     """Only what the function made is closed, also when it fails."""
     own = plt.figure()
