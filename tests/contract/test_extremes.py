@@ -1,5 +1,6 @@
 """Whatever the parameters, an environment is made and drawn in a moment, or refuses them by name."""
 
+import inspect
 from typing import Any
 
 import numpy as np
@@ -81,6 +82,18 @@ def test_small_types(entry: Entry) -> None:
         plain = entry.load()(**{name: default}).mdp
         for kind in kinds:
             assert repr(entry.load()(**{name: kind(default)}).mdp) == repr(plain), name
+
+
+@every_environment
+def test_a_task_keeps_numbers_of_python(entry: Entry) -> None:
+    """Whatever numbers its class is given: its methods are compiled once only, and it is written without types."""
+    task = type(entry.load()().mdp)
+    plain = task.create()
+    for name, default in parameters_of(entry.load()).items():
+        if type(default) in (int, float) and name in inspect.signature(task.create).parameters:
+            given = (np.int64 if type(default) is int else np.float64)(default)
+            made = task.create(**{name: given})
+            assert [type(part) for part in made] == [type(part) for part in plain], name
 
 
 def test_whole_numbers_for_the_noise_of_study() -> None:

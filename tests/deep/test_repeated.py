@@ -111,6 +111,11 @@ def test_many_more_or_fewer_steps_are_refused(n_steps: int) -> None:
         repeat_deep({"one": rounds}, n_steps, repetitions=1, jobs=1)
 
 
+def test_a_tenth_fewer_steps_are_enough() -> None:
+    """A run of 108 steps counts as one of 120."""
+    assert repeat_deep({"one": rounds}, 120, repetitions=1, jobs=1).curves("one").index.tolist()[-1] == 120
+
+
 def test_ppo_that_takes_half_the_steps_is_refused() -> None:
     """One round of PPO is 64 times 32 steps; 4000 have room for one."""
     ppo = partial(PPO.create("Catch", epochs=1).train, evaluation_episodes=1)

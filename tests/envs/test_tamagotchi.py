@@ -227,6 +227,14 @@ def test_space() -> None:
     ).observation_space == gymnasium.spaces.MultiDiscrete([101, 7, 7, 7])
 
 
+@pytest.mark.parametrize(("words", "longest"), [(4, 28), (2**31, 1), (3, 35)])
+def test_longest_message(words: int, longest: int) -> None:
+    """It has at most 2^56 meanings; who asks for one word more is told so."""
+    assert Tamagotchi.create(max_msg_length=longest, vocab_size=words).max_msg_length == longest
+    with pytest.raises(ValueError, match=rf"from 1 to {longest} where vocab_size is {words}, but is {longest + 1}$"):
+        Tamagotchi.create(max_msg_length=longest + 1, vocab_size=words)
+
+
 def test_step_limit() -> None:
     """A toy that is cared for lives until the step limit, which truncates; one that is not dies, which is an end."""
     env = TamagotchiEnv(steps_per_episode=7)

@@ -79,6 +79,8 @@ def test_how_far_a_mistake_may_be_rounded(value: float, doubled: bool) -> None:
         compare("x", value, 0.5, {"it is doubled": 1.0})
     with pytest.raises(WrongAnswer, match="none of the usual mistakes"):
         compare("x", value, value - 1e-6, {"it is nearly right": value + 1e-5})
+    with pytest.raises(WrongAnswer, match="none of the usual mistakes"):
+        compare("x", 1.0, 1.0 - 2**-10, {"it is as far away": 1.0 + 2**-10})
 
 
 def test_as_many_digits_as_tell_two_numbers_apart() -> None:
@@ -88,4 +90,5 @@ def test_as_many_digits_as_tell_two_numbers_apart() -> None:
     assert digits(2.0, 3.0) == "2"
     assert digits(78_125.0, 9_765_625.0) == "78125"
     assert digits(-0.0, 1.0) == "0"
+    assert (digits(999_999_999_999_999.0, 1.0), digits(1e300, 1.0)) == ("999999999999999", "1e+300")
     assert digits(-0.8999999999999999, -0.9) == "-0.9"

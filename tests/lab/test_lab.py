@@ -97,6 +97,16 @@ def test_warming_up_ends_with_the_block(tmp_path: Path, monkeypatch: pytest.Monk
     assert process.poll() is not None
 
 
+@pytest.mark.skipif(not Path("/proc").is_dir(), reason="processes are looked for in /proc")
+def test_warming_up_disturbs_nobody() -> None:
+    """It writes nothing into the terminal, Ctrl-C there is not for it, and it has the lowest priority."""
+    with warming_up(["exploration"]) as process:
+        written = [os.readlink(f"/proc/{process.pid}/fd/{number}") for number in (1, 2)]
+        assert written == [os.devnull] * 2
+        assert os.getsid(process.pid) != os.getsid(0)
+        until(lambda: os.getpriority(os.PRIO_PROCESS, process.pid) == 19, "the lowest priority", 20)
+
+
 @pytest.mark.slow
 @pytest.mark.skipif(not Path("/proc").is_dir(), reason="processes are looked for in /proc")
 def test_warming_up_ends_with_a_process_that_was_killed() -> None:

@@ -11,12 +11,16 @@ from edugym.envs.catch import Catch, Fall
 from edugym.lessons.dimensionality import (
     COLUMN,
     COLUMNS,
+    GENERAL,
+    LINEAR,
     NETWORK,
+    NUMBERS,
     OFFSET,
     PPO_IMAGE,
     ROWS,
     SMALL,
     TABLE,
+    TILES,
     TRAINED,
     WITHHELD,
     OpenDQN,
@@ -43,7 +47,7 @@ from edugym.lessons.dimensionality import (
 from edugym.lessons.dimensionality.baird import Baird, weights_of_solid
 from edugym.lessons.dimensionality.boards import Offset
 from edugym.lessons.dimensionality.layers import SmallCNN
-from edugym.lessons.dimensionality.methods import catch_numbers, play_on
+from edugym.lessons.dimensionality.methods import catch_numbers, play_on, thrown
 from edugym.lessons.dimensionality.networks import (
     CNN_SETTINGS,
     DQN_GRID,
@@ -105,6 +109,16 @@ def test_pixels_and_positions_are_one() -> None:
     ]
     assert (curves[0] == curves[1]).all()
     assert (curves[0] != curves[2]).any()
+
+
+@pytest.mark.parametrize(
+    ("label", "rate"), [(TABLE, 0.5), (LINEAR, 0.1), (TILES, 0.5), (OFFSET, 0.1), (NETWORK, 0.001), (NUMBERS, 0.003)]
+)
+def test_settings_in_the_text(label: str, rate: float) -> None:
+    """Each agent that is tested on withheld columns has the learning rate, γ and ε of the lesson's tables."""
+    sees, make = GENERAL[label]
+    agent = make()(thrown(sees, TRAINED))
+    assert (agent.learning_rate, agent.discount, agent.exploration.epsilon) == (rate, 0.9, 0.1)
 
 
 def test_what_generalises() -> None:

@@ -16,11 +16,13 @@ from edugym.envs.supermarket import Supermarket
 from edugym.exact.value_iteration import value_iteration
 from edugym.lessons.model_based import (
     DYNA_10,
+    GIVEN,
     LEARNED,
     LOST,
     OPTIMUM,
     Q_LEARNING,
     R_MAX,
+    REMEDIES,
     SWEEPING,
     Clock,
     Close,
@@ -210,9 +212,11 @@ def test_a_difference_is_paired_by_the_runs_of_both(runs: int, others: int, mean
 def test_methods_keep_their_colours() -> None:
     """Whatever else is in a figure; each of a reader's own has another one."""
     assert strokes_of(["Dyna-30"])["Dyna-30"] == strokes_of(LEARNED)[DYNA_10]
-    looks = strokes_of([*LEARNED, "mine", "Dyna-Q+", "Dyna-30", "last"])
-    assert len({look["color"] for look in looks.values()}) == len(LEARNED) + len(OWN) == len(looks)
-    assert {*LEARNED} <= {*STROKES}
+    methods = {*LEARNED, *GIVEN}
+    looks = strokes_of([*LEARNED, *GIVEN, "mine", "Dyna-Q+", "Dyna-30", "last"])
+    assert len({look["color"] for look in looks.values()}) == len(methods) + len(OWN) == len(looks)
+    assert methods <= {*STROKES}
+    assert len({look["color"] for look in strokes_of([DYNA_10, *REMEDIES]).values()}) == 1 + len(REMEDIES)
 
 
 def test_thirty_sweeps_are_enough() -> None:

@@ -29,7 +29,7 @@ from edugym.lessons.own_problem import (
 from edugym.lessons.own_problem.bedroom import clock
 from edugym.lessons.own_problem.everything import Tour
 from edugym.lessons.own_problem.exact import in_words, random_return, worth
-from edugym.lessons.own_problem.figures import can_be_drawn, initials, names_of
+from edugym.lessons.own_problem.figures import PolicyMap, can_be_drawn, initials, names_of
 from edugym.rendering.ansi import to_text
 from edugym.rendering.icons import smiley
 from edugym.rendering.palette import ORANGE, PAPER, RED
@@ -249,6 +249,16 @@ def test_figures() -> None:
     assert [clock(time, 8) for time in (0, 8)] == ["7:10", "8:30"]
     for state, words in (((8, 1), "overslept"), ((8, 0), "in time"), ((3, 2), "fast asleep")):
         assert words in to_text(Morning().scene(state, 2))
+
+
+def test_a_map_of_states_that_are_single_numbers() -> None:
+    """They stand side by side, and there is nothing to read upwards."""
+    values = own_problem.solve(Circle())
+    assert can_be_drawn(values)
+    ax = PolicyMap(values, ["stay", "go"]).draw()
+    assert [(text.get_position(), text.get_text()) for text in ax.texts] == [((x, 0), "g") for x in range(4)]
+    assert (ax.get_xlim(), ax.get_ylim()) == ((-0.5, 3.5), (-0.5, 0.5))
+    assert (ax.get_ylabel(), len(ax.get_yticks())) == ("", 0)
 
 
 def test_the_bedroom() -> None:

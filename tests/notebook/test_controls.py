@@ -154,6 +154,9 @@ def test_sliders_show_as_many_digits_as_they_have(step: float, digits: str) -> N
         ({"x": (4, 0)}, r"x must be \(low, high\) or .* but is \(4, 0\)"),
         ({"x": (0, 4, 0)}, r"x must be \(low, high\) or .* but is \(0, 4, 0\)"),
         ({"x": []}, r"x must be \(low, high\) or .* but is \[\]"),
+        ({"x": (0,)}, r"x must be \(low, high\) or .* but is \(0,\)"),
+        ({"x": (0, 4, 1, 2)}, r"x must be \(low, high\) or .* but is \(0, 4, 1, 2\)"),
+        ({"x": (0, "4")}, r"x must be \(low, high\) or .* but is \(0, '4'\)"),
         ({"x": "text"}, r"x must be \(low, high\) or .* but is 'text'"),
     ],
 )
@@ -185,6 +188,12 @@ def nothing_returned() -> None:
     plt.figure().suptitle("made")
 
 
+def text_beside_a_figure() -> str:
+    """What is returned counts, not what was drawn on the way."""
+    plt.figure()
+    return "done"
+
+
 @pytest.mark.parametrize(
     ("function", "mime_type", "data", "description"),
     [
@@ -192,6 +201,7 @@ def nothing_returned() -> None:
         (grid_of_axes, "image/png", "iVBOR", "grid_of_axes"),
         (figure_without_pyplot, "image/png", "iVBOR", "drawn apart"),
         (nothing_returned, "image/png", "iVBOR", "made"),
+        (text_beside_a_figure, "text/html", "<pre>done</pre>", "text_beside_a_figure"),
         (lambda: Sheet("made", []), "image/png", "iVBOR", "<lambda>"),
         (lambda: ("two", [1, 2]), "text/html", "<pre>(&#x27;two&#x27;, [1, 2])</pre>", "<lambda>"),
         (lambda: [[]], "text/html", "<pre>[[]]</pre>", "<lambda>"),
@@ -208,6 +218,12 @@ def test_what_functions_return(function: Callable[..., Any], mime_type: str, dat
     assert (result.mime_type, result.description) == (mime_type, description)
     assert result.data.startswith(data)
     assert (result.data == "") == (data == "")
+
+
+def test_a_picture_is_a_png_whatever_the_reader_saves() -> None:
+    """Their setting of Matplotlib is for their own files."""
+    with plt.rc_context({"savefig.format": "svg"}):
+        assert call(curve, {}).data.startswith("iVBOR")
 
 
 def test_figures_of_others_stay_open() -> None:

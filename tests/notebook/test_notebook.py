@@ -44,6 +44,14 @@ def test_playing_with_buttons() -> None:
     assert panel.new_episode.button_style == ""
 
 
+def test_the_seed_of_a_game_with_buttons() -> None:
+    """It is that of `Game`; without one it is 0, and other seeds begin other games."""
+    begun = [play("Catch", seed=seed).game.observation.tolist() for seed in range(8)]
+    assert begun == [Game("Catch", seed=seed).observation.tolist() for seed in range(8)]
+    assert play("Catch").game.observation.tolist() == begun[0]
+    assert any(board != begun[0] for board in begun)
+
+
 def test_playing_blind() -> None:
     """The picture comes with the end of the episode, and goes with the next one; the observation is always there."""
     panel = play("Boulder", height=1, blind=True)

@@ -139,8 +139,8 @@ def test_what_cannot_be_played_is_named() -> None:
         Game("Boulder", heigth=3)
     with pytest.raises(ValueError, match="height must be from 1 to 1000000, but is 0"):
         Game("Boulder", height=0)
-    with pytest.raises(ValueError, match=r"go with the name of an environment, but are \['height'\]"):
-        Game(Walk(), height=3)
+    with pytest.raises(ValueError, match=r"go with the name of an environment, but are \['height', 'n_grips'\]"):
+        Game(Walk(), n_grips=2, height=3)
     with pytest.raises(ValueError, match="picture must be one of"):
         Game("Boulder", picture="human")
 

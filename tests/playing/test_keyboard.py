@@ -158,6 +158,14 @@ def test_play_in_a_terminal() -> None:
     assert terminal.end() == 0
 
 
+def test_a_keyboard_that_is_not_the_standard_input() -> None:
+    """The terminal, opened by its name, is left as it was too."""
+    terminal = Terminal("from edugym.playing import play; play('Supermarket', keyboard=open('/dev/tty'))")
+    terminal.type("", until="[q] quit")
+    terminal.type("q", until="No episode finished yet.")
+    assert terminal.end() == 0
+
+
 @pytest.mark.parametrize("key", ["\x03", "\x04"])
 def test_ctrl_c_and_ctrl_d_leave_the_terminal_as_it_was(key: str) -> None:
     """The score is shown, there is no traceback, and the exit status is 0."""

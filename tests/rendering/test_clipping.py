@@ -82,6 +82,14 @@ def test_large_circles_pass_where_they_should(radius: float, angle: float, depth
     assert len(set(map(tuple, pixels.reshape(-1, 3)))) > 1
 
 
+@pytest.mark.parametrize("unit", [1e-6, 1e-3, 1.0, 1e6])
+def test_a_circle_around_the_whole_picture(unit: float) -> None:
+    """It is one area of its colour, whatever the units of the picture; without a colour it cannot be seen."""
+    circle = Circle(5 * unit, 2 * unit, 100 * unit, fill=RED)
+    kept = [*visible(Scene(10 * unit, 5 * unit, (circle, replace(circle, fill=None))))]
+    assert [(type(shape), getattr(shape, "fill", None)) for shape in kept] == [(Rectangle, RED)]
+
+
 def test_large_shapes_are_cut_where_nobody_sees_it() -> None:
     """A shape a million times as large as the picture has the same edges in the picture as one that just passes it."""
     for near, far in (

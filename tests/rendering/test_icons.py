@@ -68,6 +68,13 @@ def test_a_narrow_picture_gets_margins() -> None:
     ]
 
 
+@pytest.mark.parametrize(("fraction", "bar"), [(0.0, "░░░░"), (0.5, "██░░"), (1.0, "████")])
+def test_a_short_gauge_in_characters(fraction: float, bar: str) -> None:
+    """Also one that is less than a unit long is full as far as it should be."""
+    text = to_text(Scene(1, 1, icons.gauge(0, 0.5, 1, 0.3, "", fraction), columns=4))
+    assert bar in text.splitlines()
+
+
 @pytest.mark.parametrize(
     ("name", "degrees"),
     [("RED", 0), ("BRICK", 14), ("ORANGE", 24), ("WALL", 24), ("SAND", 41), ("YELLOW", 46), ("GRASS", 98),

@@ -83,6 +83,11 @@ def test_unknown_shape_is_refused(draw: Callable[[Scene], object]) -> None:
         draw(scene_of(Filled(glyph="#")))
 
 
+def test_unknown_shape_without_a_glyph() -> None:
+    """Characters leave it out, as they do all shapes that have none."""
+    assert to_text(scene_of(Filled())).strip() == ""
+
+
 def every_figure() -> list[tuple[Shape, ...]]:
     """Return one of every figure, and the variants that take another path through its code."""
     return [
@@ -144,6 +149,7 @@ def test_empty_gauge_is_empty() -> None:
         (Rectangle, (0, 0, -1, 1), {}, "width must be 0 or more, got -1"),
         (Circle, (math.nan, 0, 1), {}, "x must be a number, got nan"),
         (Circle, (0, 0, 1), {"fill": "red"}, "colour must be written"),
+        (Circle, (0, 0, 1), {"fill": 0xFF0000}, "colour must be written .* got 16711680"),
         (Line, (((0, 0),),), {}, "points must be at least 2 pairs"),
         (Polygon, (((0, 0), (1, 1)),), {}, "points must be at least 3 pairs"),
         (Line, (((0, 0), (1, math.nan)),), {}, "points must be a number, got nan"),

@@ -102,6 +102,18 @@ def test_closing_a_window_stops_only_its_pictures() -> None:
 
 
 @pytest.mark.usefixtures("screen")
+def test_a_quit_is_for_the_user_while_the_window_is_open() -> None:
+    """Who has a display too reads from it that the whole program is to end."""
+    window = Window("open")
+    window.show(plain(PAPER), math.inf)
+    pygame.event.post(pygame.event.Event(pygame.QUIT))
+    window.show(plain(PAPER), math.inf)
+    assert len(pygame.event.get(pygame.QUIT)) == 1
+    assert not window.is_closed
+    window.close()
+
+
+@pytest.mark.usefixtures("screen")
 def test_window_outlives_pygame() -> None:
     """When somebody else shuts pygame down, the next scene opens the window again."""
     window = Window("again")

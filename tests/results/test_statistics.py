@@ -190,6 +190,7 @@ def test_expectations_in_words() -> None:
     assert [str(one) for one in (Above(0.5), Below(-2), Within(0.9, 1234.5))] == ["> 0.5", "< -2", "0.9 to 1234"]
     assert exactly(0.25) == (0.25, 0.25, 0.25, 1)
     assert str(exactly(1 / 3)) == "0.333 [0.333, 0.333]"
+    assert Claim("it is so", "value", exactly(0.25), Within(0.25, 0.25)).holds
 
 
 def test_what_was_not_measured_does_not_hold() -> None:

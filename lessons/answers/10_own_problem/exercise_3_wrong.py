@@ -31,6 +31,20 @@ def transition(self, state, action, rng):
     return time + 1, depth, chimes
 
 
+# %% rings do nothing
+# says: that is none of the usual mistakes: write down by hand what can happen
+def transition(self, state, action, rng):
+    time, depth, chimes = state
+    luck = rng.random()
+    if action == 1 and chimes < 2:
+        depth = max(depth - 1, 0) if luck < 0.7 else depth
+    else:
+        depth = min(depth + 1, 2) if luck < 0.5 else depth
+    if action == 1:
+        chimes = min(chimes + 1, 2)
+    return time + 1, depth, chimes
+
+
 # %% counted first
 # says: the second chime does nothing any more: look at how many chimes came *before* this one
 def transition(self, state, action, rng):

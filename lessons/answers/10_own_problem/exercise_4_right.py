@@ -128,3 +128,31 @@ class BusStop(NamedTuple):
 
 
 my_problem = BusStop(longest=4)._replace(longest=6)
+
+
+# %% a ferry, as small as can be
+class Ferry(NamedTuple):
+    """Buy a ticket or jump on board: at the gate (0), on the pier (1), left behind (2), on board (3)."""
+
+    observation_space = property(lambda self: Discrete(4))
+    action_space = property(lambda self: Discrete(2))
+
+    def initial(self, rng):
+        return 0
+
+    def transition(self, state, action, rng):
+        if action == 1:
+            return 3 if rng.random() < (0.9 if state == 0 else 0.5) else 2
+        return 1 if state == 0 else 3
+
+    def reward(self, state, action, next_state, rng):
+        return (1.0 if next_state == 3 else 0.0) - (0.2 if action == 0 else 0.0)
+
+    def terminal(self, state):
+        return state >= 2
+
+    def observation(self, state, rng):
+        return state
+
+
+my_problem = Ferry()

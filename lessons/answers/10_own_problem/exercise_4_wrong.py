@@ -40,6 +40,34 @@ my_problem = Template(days=8)
 my_problem = own_problem.Morning(late=20.0)
 
 
+# %% the problem of the lesson with another name
+# says: that is the problem of the lesson: write one of your own, under its own name
+class Evening(own_problem.Morning):
+    __slots__ = ()
+
+
+my_problem = Evening()
+
+
+# %% the problem of the lesson with another class
+# says: that is the problem of the lesson: write one of your own, under its own name
+class Morning(Plant):
+    __slots__ = ()
+
+
+my_problem = Morning()
+
+
+# %% nothing to choose
+# says: my_problem should have two actions and four states or more, but has 1 and
+class Watched(Plant):
+    __slots__ = ()
+    action_space = property(lambda self: Discrete(1))
+
+
+my_problem = Watched()
+
+
 # %% the class
 # says: is the class Thirsty
 class Thirsty(Plant):
