@@ -126,7 +126,7 @@ CODE: list[tuple[str, str, str, str | None]] = [
     ("", "@classmethod\ndef __sub__(cls, x): return 1", "return s - (self - s)", "T defines __sub__, which machine code would not call"),
     ("", "def __repr__(self): return 'T'", "return s", None),
     ("", "__hidden__ = 2", "return s", None),
-    ("", "def __own(self): return 2", "return s + self.__own()", None),
+    ("", "def own__(self): return 2", "return s + self.own__()", None),
     ("", "def uniform(self): return 2", "return s + self.uniform()", "T has a member named uniform, as rng has"),
     ("A = np.zeros(2)", "K = A[1:]", "return s + self.K[0]", None),
 ]  # fmt: skip
