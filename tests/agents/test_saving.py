@@ -254,7 +254,10 @@ def q_learning(**fields: Any) -> dict[str, Any]:
             {"exploration": {"kind": "EpsilonGreedy", "fields": {"epsilon": {"value": 7}}}},
             "epsilon must be from 0 to 1",
         ),
-        ({"colour": {"value": "red"}}, "QLearning has other fields than the file: colour"),
+        (
+            {name: {"value": "red"} for name in ("zeal", "colour", "hue", "aim", "name")},
+            "QLearning has other fields than the file: aim, colour, hue, name, zeal$",
+        ),
     ],
 )
 def test_values_of_a_file_are_checked(fields: dict[str, Any], reason: str, tmp_path: Path) -> None:
@@ -268,6 +271,23 @@ def test_values_of_a_file_are_checked(fields: dict[str, Any], reason: str, tmp_p
         load(path)
     assert caught.value.__suppress_context__
     assert caught.value.__cause__ is None
+
+
+@pytest.mark.parametrize(
+    ("content", "reason"),
+    [
+        (b"Q,learning_rate", "it is not in the .npz format"),
+        (npz(a=np.zeros(3)), "it holds no agent"),
+        (npz(structure=np.array('{"value": 3}')), "it holds no agent"),
+        (npz(structure=np.array('{"value": [1]}')), "its structure is damaged"),
+        (npz(structure=np.array('{"kind": "QLearning", "fields": {}}')), "QLearning has other fields than the file: Q"),
+    ],
+)
+def test_what_is_wrong_with_a_file(content: bytes, reason: str, tmp_path: Path) -> None:
+    """The sentence ends with it."""
+    (tmp_path / "agent").write_bytes(content)
+    with pytest.raises(ValueError, match=f"agent' cannot be loaded: {reason}$"):
+        load(tmp_path / "agent")
 
 
 def test_what_could_not_be_loaded_is_not_saved(tmp_path: Path) -> None:

@@ -109,6 +109,7 @@ CODE: list[tuple[str, str, str, str | None]] = [
     ("class C(enum.Enum): R = 1\nk = C.R", "", "return s + (s is k)", None),
     ("draw = np.random.default_rng(0).random", "", "return s + draw()", "it draws from random, which no seed of a run reaches: draw from rng (line 6)"),
     ("draw = np.random.rand", "", "return s + draw()", "it draws from random, which no seed of a run reaches: draw from rng (line 6)"),
+    ("class P(NamedTuple):\n    x: float\n    def twice(self): return 2 * self.x\np = P(1.5)", "", "return s + p.twice()", None),
     ("make = np.random.default_rng", "", "return s + make(3).random()", "it draws from random, which no seed of a run reaches: draw from rng (line 6)"),
     ("from numba import int64", "K = int64", "return s + self.K(s)", "T.K is a function or class"),
     ("", "def g(self, s, *, k=1): return s", "return self.g(s)", "g has parameters after *: leave the * out (line 4)"),

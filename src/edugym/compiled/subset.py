@@ -207,7 +207,7 @@ def _of_code(code: CodeType, function: FunctionType) -> str | None:
         if instruction.opname in GLOBAL or (instruction.opname in OUTER and name in function.__code__.co_freevars):
             path, value = name, _looked_up(function, name)
             found = _of_name(value, path)
-        elif instruction.opname in ("LOAD_ATTR", "LOAD_METHOD") and value is not _UNKNOWN:
+        elif instruction.opname in ("LOAD_ATTR", "LOAD_METHOD"):
             path = f"{path}.{name}"
             found, value = _of_attribute(value, name, path)
         elif instruction.opname in ("STORE_ATTR", "DELETE_ATTR"):
