@@ -368,6 +368,20 @@ def test_code_of_a_notebook_counts(module: str) -> None:
     assert fingerprint(type(sys.flags)) == fingerprint(type(sys.flags))  # a class of a module that is no file either
 
 
+def test_the_order_in_which_a_disk_lists_files_does_not_count(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of the package, and of a folder of one's own."""
+    monkeypatch.syspath_prepend(str(tmp_path))
+    (tmp_path / "several").mkdir()
+    for name in "abc":
+        (tmp_path / "several" / f"{name}.py").write_text(f"{name} = 1")
+    names: dict[str, Any] = {"__name__": "__main__"}
+    exec("def use(): import several.a", names)
+    before = fingerprint(names["use"]), _own_code.__wrapped__()
+    listed = Path.rglob
+    monkeypatch.setattr(Path, "rglob", lambda path, pattern: reversed([*listed(path, pattern)]))
+    assert (fingerprint(names["use"]), _own_code.__wrapped__()) == before
+
+
 def test_what_cannot_be_taken_apart_is_an_error() -> None:
     """There is no fingerprint of a lock."""
     with pytest.raises(TypeError):
