@@ -300,7 +300,9 @@ def test_a_module_of_ones_own_counts_where_it_is_used(monkeypatch: pytest.Monkey
         "import mine.part as p; return p.f()",
         "from mine.part import f; return f()",
         "from mine import part; return part.f()",
+        "from .part import f; return f()",
         "import other; return other.f()",
+        "import third; return third.f()",
     ],
 )
 def test_a_folder_of_ones_own_counts(line: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -308,7 +310,8 @@ def test_a_folder_of_ones_own_counts(line: str, tmp_path: Path, monkeypatch: pyt
     monkeypatch.syspath_prepend(str(tmp_path))
     (tmp_path / "mine").mkdir()
     (tmp_path / "other.py").write_text("import sys, numpy, mine.part\nsys.exit()")  # it is read, and not run
-    names: dict[str, Any] = {"__name__": "__main__"}
+    (tmp_path / "third.py").write_text("from mine.part import f")
+    names: dict[str, Any] = {"__name__": "__main__", "__package__": "mine"}
     exec(f"def use(): {line}", names)
     prints = set()
     for result in ("1", "22"):
