@@ -163,6 +163,12 @@ class Table(Shows):
     action_space = spaces.Box(0.0, 1.0, (2, 2))
 
 
+class Several(Shows):
+    """Its actions are whole numbers."""
+
+    action_space = spaces.MultiDiscrete([2, 3])
+
+
 class Endless(Shows):
     """Its actions have no bounds."""
 
@@ -178,6 +184,7 @@ class Endless(Shows):
             3,
             r"the actions of mdp must be a Box of one axis with finite bounds, but are Box\(0.0, 1.0, \(2, 2\)",
         ),
+        (Several(), 3, r"the actions of mdp must be a Box of one axis with finite bounds, but are MultiDiscrete"),
         (Endless(), 3, r"the actions of mdp must be a Box of one axis with finite bounds, but are Box\(-inf, 1.0"),
         (Shows(), 1, "bins must be from 2|bins must be a whole number, 2"),
         (Shows(), 1_000, "bins must give at most 100000 actions, but 1000 gives 1,000,000"),
