@@ -230,7 +230,7 @@ def test_what_is_not_whole_numbers_is_refused(space: spaces.Space[Any]) -> None:
 @pytest.mark.parametrize(
     "space",
     [
-        spaces.MultiDiscrete([[2, 3], [2, 3]]),
+        spaces.MultiDiscrete(np.array([[2, 3], [2, 3]])),
         spaces.MultiBinary([2, 2]),
         spaces.Tuple([spaces.Discrete(2), spaces.MultiDiscrete([2, 3])]),
         spaces.Tuple([spaces.Discrete(2), spaces.Tuple([spaces.Discrete(2)])]),
