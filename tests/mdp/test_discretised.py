@@ -166,7 +166,7 @@ class Table(Shows):
 class Several(Shows):
     """Its actions are whole numbers."""
 
-    action_space = spaces.MultiDiscrete([2, 3])
+    action_space: Any = spaces.MultiDiscrete([2, 3])
 
 
 class Endless(Shows):
