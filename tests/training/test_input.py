@@ -184,8 +184,10 @@ def test_a_long_evaluation_stops_between_episodes() -> None:
     assert time.perf_counter() - began < 30
 
 
-@pytest.mark.parametrize(("shape", "fits"), [((4, 1), False), ((4, 2), True), ((4, 3), True), ((2, 1), True)])
-def test_a_table_with_too_few_actions(shape: tuple[int, int], fits: bool) -> None:
+@pytest.mark.parametrize(
+    ("shape", "fits"), [((4, 1), False), ((4, 2), True), ((4, 3), True), ((2, 1), True), ((4,), True)]
+)
+def test_a_table_with_too_few_actions(shape: tuple[int, ...], fits: bool) -> None:
     """Of a student's agent, and only if it has a row for each observation: others may see something else."""
 
     class Zeros(NamedTuple):
