@@ -1,5 +1,6 @@
 """Features, and values that are linear in them, worked out by hand."""
 
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -47,6 +48,6 @@ def test_features_of_something_else_are_refused() -> None:
     check_features(Identity.create(catch), 50)
     with pytest.raises(ValueError, match="features must be of 3 numbers, as an observation has, but are of 50"):
         check_features(Identity.create(catch), 3)
-    for wrong in (Identity, TileCoding, None, 8):
+    for wrong in (Identity, TileCoding, None, 8, SimpleNamespace(see=len), SimpleNamespace(n_features=50)):
         with pytest.raises(ValueError, match="features must be a value such as TileCoding"):
             check_features(wrong, 50)

@@ -254,7 +254,10 @@ def q_learning(**fields: Any) -> dict[str, Any]:
             {"exploration": {"kind": "EpsilonGreedy", "fields": {"epsilon": {"value": 7}}}},
             "epsilon must be from 0 to 1",
         ),
-        ({"colour": {"value": "red"}}, "QLearning has other fields than the file: colour"),
+        (
+            {name: {"value": "red"} for name in ("zeal", "colour", "hue", "aim", "name")},
+            "QLearning has other fields than the file: aim, colour, hue, name, zeal$",
+        ),
     ],
 )
 def test_values_of_a_file_are_checked(fields: dict[str, Any], reason: str, tmp_path: Path) -> None:
@@ -268,6 +271,48 @@ def test_values_of_a_file_are_checked(fields: dict[str, Any], reason: str, tmp_p
         load(path)
     assert caught.value.__suppress_context__
     assert caught.value.__cause__ is None
+
+
+@pytest.mark.parametrize(
+    ("content", "reason"),
+    [
+        (b"Q,learning_rate", "it is not in the .npz format"),
+        (npz(a=np.zeros(3)), "it holds no agent"),
+        (npz(a=np.zeros(3, complex)), r"a.npy is not an array that save\(\) wrote"),
+        (npz(structure=np.array('{"value": 3}')), "it holds no agent"),
+        (npz(structure=np.array('{"value": [1]}')), "its structure is damaged"),
+        (npz(structure=np.array('{"kind": "QLearning", "fields": {}}')), "QLearning has other fields than the file: Q"),
+    ],
+)
+def test_what_is_wrong_with_a_file(content: bytes, reason: str, tmp_path: Path) -> None:
+    """The sentence ends with it."""
+    (tmp_path / "agent").write_bytes(content)
+    with pytest.raises(ValueError, match=f"agent' cannot be loaded: {reason}$"):
+        load(tmp_path / "agent")
+
+
+def test_an_error_without_words(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its name says what is wrong."""
+
+    def full(text: str) -> None:
+        raise MemoryError
+
+    save(QLearning.create((3, 2)), tmp_path / "agent")
+    monkeypatch.setattr("json.loads", full)
+    with pytest.raises(ValueError, match=r"agent' cannot be loaded: MemoryError\(\)$"):
+        load(tmp_path / "agent")
+
+
+def test_a_file_of_just_the_size_that_is_allowed(tmp_path: Path) -> None:
+    """One that is not compressed needs more bytes on the disk than in memory."""
+    path = tmp_path / "agent"
+    save(QLearning.create((1, 1)), path)
+    with np.load(path) as arrays:
+        path.write_bytes(npz(**arrays))
+    size = path.stat().st_size
+    assert load(path, max_bytes=size).Q.shape == (1, 1)
+    with pytest.raises(ValueError, match=f"it holds more than {size - 1} bytes; to allow that, pass a larger max_byt"):
+        load(path, max_bytes=size - 1)
 
 
 def test_what_could_not_be_loaded_is_not_saved(tmp_path: Path) -> None:

@@ -2,10 +2,12 @@
 
 from typing import Any
 
+import gymnasium
 import numpy as np
 import pytest
+from gymnasium import spaces
 
-from edugym import RMax, finite_model, make_mdp
+from edugym import RMax, TabularObservation, finite_model, make_mdp
 from edugym.agents.tabular_model import TabularModel, empty_model, given_model
 from edugym.mdp.protocol import Random
 from tests.agents.walk import Walk, exact_values
@@ -155,6 +157,20 @@ def test_noise_in_a_given_model_is_planned_with() -> None:
     exact = finite_model(mdp)
     model = given_model(mdp, mdp.distorted(exact))
     assert model.rewards[: model.n_outcomes[0]].std() > given_model(mdp, exact).rewards.std() + 0.1
+
+
+class Five(gymnasium.Env[Any, Any]):
+    """An environment that somebody else has made, with as many observations and actions as the walk."""
+
+    observation_space: Any = spaces.Discrete(5)
+    action_space: Any = spaces.Discrete(2)
+
+
+def test_a_model_for_an_environment_of_somebody_else() -> None:
+    """Its observations are the states, also where a wrapper has a method by the name of `observation`."""
+    exact = finite_model(Walk())
+    for environment in (Five(), TabularObservation(Five())):
+        assert np.array_equal(given_model(environment, exact).rewards, given_model((5, 2), exact).rewards)
 
 
 class Blind(Walk):

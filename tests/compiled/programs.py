@@ -96,6 +96,10 @@ COMPILED = {
     "fields left out": program(
         "return S(s.x + 1, key=s.key or s.x > 9) if s == S(3.0) or s.key else S(s.x + s.k * 0.5)",
         before="class S(NamedTuple):\n    x: float\n    k: int = 1\n    key: bool = False", start="S(0.0)"),
+    "bounds of bytes and of what is left out": program(
+        "self.N[:] += 5\nself.N[2:] //= 2\na, b = np.zeros(2, np.uint8), np.zeros(2, np.uint8)\na[0] = 127\na[1] = 0\nb[:] = a\n"
+        "k, v = None if s > 3 else 1, S(1.0)\nreturn s * 0.5 + self.N[3] % 7 + np.int64(int(s)) % 3 + (1 if k is None else 2) + (v.low < 0 < v.high) + (v.no is None)",
+        before="class S(NamedTuple):\n    x: float\n    low: int = -2**63\n    high: int = 2**63 - 1\n    no: object = None", **N),
     "numbered from one": program("for i, x in enumerate(self.Q[0], start=1): s += i * x + 0.25\nreturn s", **Q),
     "module with a function named as a draw": program(
         "return 0.5 * s + (m.normal(2.0) if s < 9 else m.max())",
@@ -242,6 +246,15 @@ REFUSED = {
     "filled in place with real numbers": (program("self.N.fill(s)\nreturn s + 1 + self.N[0] % 2", **N), "puts a real number"),
     "too large for a byte": (program("a = np.zeros(2, np.uint8)\na[0] = int(s) % 300\nreturn s + 1"), "uint8"),
     "negative byte": (program("a = np.zeros(2, np.uint8)\na[0] = -1 if s > 700 else 1\nreturn s + 1"), "uint8"),
+    "just too large for some bytes": (program("a = np.zeros(2, np.uint8)\na[0] = 128\nreturn s + len(a)"), "may not fit in an array of uint8"),
+    "float32 alone": (program("return s + np.float32(0.1)"), "computes with numbers of type float32"),
+    "whole number of a type of NumPy's": (program("return s + np.int64(s) % 3 + 1"), "use int()"),
+    "power of whole numbers in place": (program("self.N[:] **= 2\nreturn s + 1 + self.N[0]", **N), "in place by real ones"),
+    "list of tuples": (program("k = [(1, 2), (2, 3)]\nreturn s + k[1][0]"), "list of other things than numbers"),
+    "list of rows": (program("k = [self.Q[0], self.Q[1]]\nreturn s + 1 + k[1][0]", **Q), "list of other things than numbers"),
+    "put where indices say": (program("self.Q[0, np.array([0, 1])] = 2.0\nreturn s + 1 + self.Q[0, 1]", **Q), "picks"),
+    "texts joined": (program("k = 'abc'\nif s > 3: k = 'b'\nk = k + 'd'\nreturn s + len(k)"), "it makes text"),
+    "too large a number left out": (program("return s + S(1.0).x", before="class S(NamedTuple):\n    x: float\n    k: int = 2**63"), "it makes a S without k"),
     "float32 made": (program("a = np.zeros(2, np.float32)\na[0] = 0.1 + s\nreturn float(a[0])"), "float32"),
     "flat": (program("self.Q.flat[3] = 1.0\nreturn s + self.Q.flat[2]", **Q), "flat"),
     "matrix": (program("m = self.Q * self.Q\nreturn 0.5 * s + m[0, 1]", "Q: np.ndarray", "np.matrix(np.ones((2, 2)))"), "an ordinary array"),
@@ -266,6 +279,8 @@ REFUSED = {
     "flag and number": (program("k = 1 if s < 700 else s > 3\nreturn s + k"), "True or False and for numbers"),
     "number, late a flag": (program("k = 1\nif s > 700: k = s > 3\nreturn s + k"), "True or False and for numbers"),
     "flag or number returned": (program("return s + g(s)", before="def g(s):\n    if s > 700: return True\n    return 2"), "True or False"),
+    "minus a flag": (program("flag = s > 3\nreturn s + 1 + -flag"), "True and False"),
+    "product of flags": (program("a = np.array([s > 3, True])\nreturn s + 1 + (a * a)[0]"), "True and False"),
     "is True": (program("return s + 1 if (self.Q[0, 0] > -1) is True else s + 2", **Q), "is"),
     "round to decimals": (program("return round(s + 0.15, 1)"), "decimals"),
     "text of a number": (program("return s + len(str(s))"), "text"),

@@ -3,6 +3,7 @@
 import math
 from collections import Counter
 from collections.abc import Callable
+from contextlib import suppress
 from fractions import Fraction
 from itertools import pairwise
 from typing import Any
@@ -215,6 +216,17 @@ def test_means() -> None:
     assert mean(later) == pytest.approx(0.5 * 0.75)
 
 
+def swallowed(draw: Callable[[Any], Any]) -> Callable[[Any], float]:
+    """Code that goes on where a draw is an error."""
+
+    def go_on(rng: Any) -> float:
+        with suppress(ValueError):
+            draw(rng)
+        return 0.0
+
+    return go_on
+
+
 REFUSED: dict[str, tuple[Callable[[Any], Any], str]] = {
     "a continuous state": (lambda rng: rng.random(), "cannot hold a continuous random number"),
     "a sum of two": (lambda rng: rng.random() + rng.random() < 1.0, "several random numbers"),
@@ -234,6 +246,9 @@ REFUSED: dict[str, tuple[Callable[[Any], Any], str]] = {
     "several choices": (lambda rng: rng.choice(3, 2), "cannot follow what is done with a random number"),
     "normal noise": (lambda rng: rng.normal(0.0, 1.0), "cannot follow rng.normal"),
     "another distribution": (lambda rng: rng.poisson(2.0), "cannot follow rng.poisson"),
+    "an error that is caught": (swallowed(lambda rng: rng.poisson(2.0)), "cannot follow rng.poisson"),
+    "a value whose error is caught": (swallowed(lambda rng: math.exp(rng.random())), "not use their value"),
+    "a negative scale": (lambda rng: rng.normal(0.0, -1.0), "rng.normal needs a scale of 0 or more, but got -1.0"),
     "shuffling": (lambda rng: rng.permutation(3), "cannot follow rng.permutation"),
 }
 
@@ -274,6 +289,7 @@ def test_code_that_does_not_end() -> None:
 
     with pytest.raises(ValueError, match=f"more than {MOST_ANSWERS} random choices"):
         list(branches(draw))
+    assert list(branches(lambda rng: [rng.integers(1) for _ in range(MOST_ANSWERS)])) == [(1.0, [0] * MOST_ANSWERS)]
 
 
 def test_mistakes_in_the_code_itself() -> None:

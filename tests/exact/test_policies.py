@@ -143,7 +143,7 @@ class Odd(NamedTuple):
         return self.action
 
 
-@pytest.mark.parametrize("action", [None, -1, 1, 0.5, "0", True, np.array([0])])
+@pytest.mark.parametrize("action", [None, -1, 1, 0.5, "0", True, False, np.array([0])])
 def test_actions_that_are_not_there(action: Any) -> None:
     """As when it is trained."""
     with pytest.raises(ValueError, match=r"act must return an action from 0 to 0, but returns"):

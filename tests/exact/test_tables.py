@@ -91,6 +91,8 @@ def test_states_and_actions_that_are_not_there() -> None:
         model.sample(9, 0, rng)
     right: Any = np.int64(1)
     assert model.outcomes(0, right) == [(1.0, 1, -0.25, False)]
+    assert str(model.outcomes(0, right)) == "[Outcome(probability=1.0, next_state=1, reward=-0.25, terminated=False)]"
+    assert str(model.sample(0, right, rng)) == "Sample(next_state=1, reward=-0.25, terminated=False)"
 
 
 def test_rows_are_in_ascending_order() -> None:

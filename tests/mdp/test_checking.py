@@ -3,6 +3,7 @@
 import traceback
 from typing import Any
 
+import gymnasium
 import numpy as np
 import pytest
 from gymnasium import spaces
@@ -10,7 +11,7 @@ from gymnasium import spaces
 from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.envs.catch import CatchGrid, Fall
-from edugym.mdp.checking import CheckedMDP, check_mdp, is_own, refuse_nothing, require_mdp
+from edugym.mdp.checking import CheckedMDP, check_mdp, checked_mdp, is_own, refuse_nothing, require_mdp
 from edugym.mdp.protocol import step_limit
 from edugym.registration import ENVIRONMENTS
 from tests.compiled.cells import WALK, cell
@@ -89,6 +90,17 @@ def test_every_action_has_a_name(names: str) -> None:
     with pytest.raises(ValueError, match=r"action_names of Walk must have a name for each action, 2, but has [13]"):
         check_mdp(walk("    def initial", f"    action_names = {names}\n\n    def initial"))
     check_mdp(walk("    def initial", "    action_names = {'up': 1}\n\n    def initial"))
+    named = WALK.replace("    def initial", "    action_names = ('down',)\n\n    def initial")
+    several = named.replace("spaces.Discrete(2)", "spaces.MultiDiscrete([2, 3])").replace("* action", "* action[0]")
+    check_mdp(cell(several)["Walk"](5))  # which have no number
+
+
+class Rewarding(gymnasium.Env[int, int]):
+    """An environment with a method that MDPs have, too."""
+
+    def reward(self) -> float:
+        """Whatever it pays."""
+        return 1.0
 
 
 def test_what_is_no_mdp() -> None:
@@ -100,6 +112,7 @@ def test_what_is_no_mdp() -> None:
         (Walk, r"mdp must be a value, but is the class Walk: make one with Walk\(\.\.\.\)"),
         ("Boulder", r"edugym.make_mdp\('Boulder'\)"),
         (MDPEnv(Walk(3)), "mdp must be an MDP"),
+        (Rewarding(), "mdp must be an MDP, .* but is <.*Rewarding object at "),
     ]
     for wrong, says in wrongs:
         with pytest.raises(ValueError, match=says):
@@ -243,3 +256,20 @@ def test_which_method_has_no_return(next_state: Any, says: str) -> None:
     """The reward is None because it has no `return`, or because there is no next state."""
     with pytest.raises(ValueError, match=says):
         refuse_nothing(Stairs(), 2, 1, next_state)
+
+
+def test_something_else_that_is_called_mdp() -> None:
+    """Only the package's wrappers have another task there; a student's class may have anything."""
+    source = WALK.replace(
+        "class Walk(NamedTuple):\n    size: int", "class Note:\n    pass\nclass Walk:\n    size, mdp = 3, Note()"
+    )
+    task = cell(source)["Walk"]()
+    assert check_mdp(task, 1) == [0, check_mdp(task, 1)[1]]
+    assert isinstance(checked_mdp(task), CheckedMDP)
+    assert checked_mdp(task).observation(3, np.random.default_rng(0)) == 3
+
+
+def test_what_the_package_has_itself_is_played_as_it_is() -> None:
+    """Nothing around it takes time."""
+    task = ENVIRONMENTS[0].load_mdp().create()
+    assert checked_mdp(task) is task

@@ -122,6 +122,7 @@ def test_numbers_that_are_none() -> None:
         ({"bins": [2, 2, 2]}, r"bins must be one number or 2, one for each, but is \[2, 2, 2\]"),
         ({"bins": 2, "low": [1, 2, 3]}, r"low must be one number or 2, one for each, but is \[1, 2, 3\]"),
         ({"bins": 2, "low": [0, 3]}, "high must be greater than low, but for number 1 they are 1.0 and 3.0$"),
+        ({"bins": 2, "high": -1.0}, "high must be greater than low, but for number 0 they are -1.0 and -1.0$"),
         ({"bins": 2, "low": np.inf}, "low must be given for a task that observes numbers without bounds"),
     ],
 )
@@ -156,10 +157,35 @@ def test_actions() -> None:
     assert reward == 1.0
 
 
+class Table(Shows):
+    """Its actions have two axes."""
+
+    action_space = spaces.Box(0.0, 1.0, (2, 2))
+
+
+class Several(Shows):
+    """Its actions are whole numbers."""
+
+    action_space: Any = spaces.MultiDiscrete([2, 3])
+
+
+class Endless(Shows):
+    """Its actions have no bounds."""
+
+    action_space = spaces.Box(-np.inf, 1.0, (2,))
+
+
 @pytest.mark.parametrize(
     ("mdp", "bins", "message"),
     [
         (make_mdp("Boulder"), 3, "the actions of mdp must be a Box of one axis with finite bounds"),
+        (
+            Table(),
+            3,
+            r"the actions of mdp must be a Box of one axis with finite bounds, but are Box\(0.0, 1.0, \(2, 2\)",
+        ),
+        (Several(), 3, r"the actions of mdp must be a Box of one axis with finite bounds, but are MultiDiscrete"),
+        (Endless(), 3, r"the actions of mdp must be a Box of one axis with finite bounds, but are Box\(-inf, 1.0"),
         (Shows(), 1, "bins must be from 2|bins must be a whole number, 2"),
         (Shows(), 1_000, "bins must give at most 100000 actions, but 1000 gives 1,000,000"),
         (Shows(), [2, 50_001], "bins must give at most 100000 actions"),

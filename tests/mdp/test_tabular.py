@@ -18,6 +18,7 @@ from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.adapters.tabular_observation import tabular
 from edugym.compiled.compiler import compiled
 from edugym.mdp.protocol import MDP, Random
+from edugym.mdp.tabular import number_of_rows, table_sizes
 from tests.compiled.cells import WALK, cell
 
 
@@ -226,6 +227,24 @@ def test_what_is_not_whole_numbers_is_refused(space: spaces.Space[Any]) -> None:
             refuse()
 
 
+@pytest.mark.parametrize(
+    "space",
+    [
+        spaces.MultiDiscrete(np.array([[2, 3], [2, 3]])),
+        spaces.MultiBinary([2, 2]),
+        spaces.Tuple([spaces.Discrete(2), spaces.MultiDiscrete([2, 3])]),
+        spaces.Tuple([spaces.Discrete(2), spaces.Tuple([spaces.Discrete(2)])]),
+    ],
+    ids=str,
+)
+def test_numbers_in_one_another_are_refused(space: spaces.Space[Any]) -> None:
+    """An MDP shows its numbers side by side; a Gymnasium environment may nest them."""
+    with pytest.raises(ValueError, match=r"observation_space of an MDP must be flat for a table, but is (Multi|Tuple)"):
+        tabular(seen(space))
+    assert TabularObservation(Shows(space, [])).observation_space == spaces.Discrete(math.prod(table_sizes(space)))
+    assert tabular(seen(spaces.MultiBinary(3))).observation_space == spaces.Discrete(8)
+
+
 def test_an_mdp_that_does_not_number_from_0_is_refused() -> None:
     """A Discrete space that starts elsewhere would need another MDP; a Gymnasium environment is wrapped."""
     with pytest.raises(ValueError, match=r"an MDP must number its observations from 0, but .* Discrete\(3, start=1\)"):
@@ -298,6 +317,10 @@ def test_a_table_that_is_too_large_is_refused() -> None:
     for refuse in (lambda: TabularObservation(Shows(space, [])), lambda: tabular(seen(space))):
         with pytest.raises(ValueError, match=r"the rows of a table over .* observations do not fit 63 bits"):
             refuse()
+    assert number_of_rows([2**32 - 1, 2**31]) == 2**63 - 2**31
+    assert number_of_rows([2**63 - 1]) == 2**63 - 1
+    with pytest.raises(ValueError, match="over 9,223,372,036,854,775,808 observations do not fit 63 bits"):
+        number_of_rows([2**32, 2**31])
 
 
 def test_one_number_needs_no_table() -> None:

@@ -28,6 +28,7 @@ NAMED = spaces.Dict(place=NEGATIVE, picture=PIXELS)
         (spaces.MultiBinary(2), [(0, 1), [True, False]], [(0, 2), (1,), (10**30, 0)]),
         (BOTH, [(-1, [0, 0]), [1, (0, 0)]], [(2, [0, 0]), (0, [0]), (0,), (0, [0, 0], 0), 0]),
         (spaces.Tuple((spaces.Discrete(9), spaces.Discrete(2))), [(8, True), (0, np.False_)], [(True, 1), (1, None)]),
+        (spaces.Tuple((PIXELS, spaces.Discrete(2))), [([0, 9], True)], [(True, 1), ([0, 9], 2)]),
         (NAMED, [{"picture": [0, 0], "place": 0}], [{"place": 0}, {"place": 2, "picture": [0, 0]}, (0, [0, 0])]),
         (spaces.Text(3, charset="ab"), ["aba"], ["abc", 3]),
     ],

@@ -3,7 +3,7 @@
 import itertools
 from functools import partial
 from types import SimpleNamespace
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 import pytest
@@ -115,6 +115,7 @@ def test_compiled_as_interpreted() -> None:
         (", rewrad", "'rewrad': is 'reward' meant"),
         (", *, done", "'done': is 'terminated' meant"),
         (", *rest", "'rest'"),
+        (", *reward", "'reward'"),
         (", rng", "'rng': draw random numbers in act, which takes it"),
     ],
 )
@@ -136,6 +137,30 @@ def test_learn_may_be_any_callable() -> None:
     train(Stairs(), agent, 3)
     assert len(seen) == 3
     assert {action for _, action, _ in seen} == {0}
+
+
+class Forgetful(NamedTuple):
+    """A student's agent whose values are in a dictionary, and that counts in an array."""
+
+    Q: dict[tuple[int, int], float]
+    seen: Any
+
+    def act(self, state: int, rng: Random) -> int:
+        """Right."""
+        return 1
+
+    def learn(self, state: int, action: int, reward: float) -> None:
+        """The last reward."""
+        self.Q[state, action] = reward
+
+
+def test_values_may_be_in_a_dictionary() -> None:
+    """Of a student's agent: only those of the package must be arrays."""
+    agent = Forgetful({}, np.zeros(2, np.int64))
+    train(Stairs(), agent, 3)
+    assert agent.Q
+    with pytest.raises(ValueError, match=r"Q of QLearning must be an array, but is \{\}: use QLearning.create"):
+        train(Stairs(), QLearning(cast("Any", {})), 3)
 
 
 def test_what_is_no_agent_is_refused() -> None:

@@ -300,7 +300,9 @@ def test_a_module_of_ones_own_counts_where_it_is_used(monkeypatch: pytest.Monkey
         "import mine.part as p; return p.f()",
         "from mine.part import f; return f()",
         "from mine import part; return part.f()",
+        "from .part import f; return f()",
         "import other; return other.f()",
+        "import third; return third.f()",
     ],
 )
 def test_a_folder_of_ones_own_counts(line: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -308,7 +310,8 @@ def test_a_folder_of_ones_own_counts(line: str, tmp_path: Path, monkeypatch: pyt
     monkeypatch.syspath_prepend(str(tmp_path))
     (tmp_path / "mine").mkdir()
     (tmp_path / "other.py").write_text("import sys, numpy, mine.part\nsys.exit()")  # it is read, and not run
-    names: dict[str, Any] = {"__name__": "__main__"}
+    (tmp_path / "third.py").write_text("from mine.part import f")
+    names: dict[str, Any] = {"__name__": "__main__", "__package__": "mine"}
     exec(f"def use(): {line}", names)
     prints = set()
     for result in ("1", "22"):
@@ -319,13 +322,34 @@ def test_a_folder_of_ones_own_counts(line: str, tmp_path: Path, monkeypatch: pyt
     assert len(prints) == 4
 
 
+def test_modules_in_a_circle_and_none(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Two that import each other count both; a missing one is an error of the call, and not before."""
+    monkeypatch.syspath_prepend(str(tmp_path))
+    names: dict[str, Any] = {"__name__": "__main__"}
+    exec("def use(): import one_way\ndef miss(): import no_such_module", names)
+    prints = {fingerprint(names["miss"])}
+    for one, back in (("", ""), ("x = 1", ""), ("x = 1", "x = 22")):
+        (tmp_path / "one_way.py").write_text(f"import way_back\n{one}")
+        (tmp_path / "way_back.py").write_text(f"import one_way\n{back}")
+        importlib.invalidate_caches()
+        prints.add(fingerprint(names["use"]))
+    assert len(prints) == 4
+
+
 def test_every_process_reads_a_folder_in_the_same_order(tmp_path: Path) -> None:
-    """Whatever its hash seed, which orders the sets of names that a file imports."""
+    """Whatever its hash seed, which orders the sets of names that a file imports, or a function uses."""
     names = [f"part_{letter}" for letter in "abcdef"]
     for name in names:
         (tmp_path / f"{name}.py").write_text(f"{name} = 1")
     (tmp_path / "mine.py").write_text("".join(f"import {name}\n" for name in names))
-    code = "from edugym.training.fingerprints import fingerprint\ndef use():\n    import mine\nprint(fingerprint(use))"
+    (tmp_path / "kit.py").write_text("u, v, w, x, y, z = range(6)")
+    code = (
+        "import kit\nfrom edugym.training.fingerprints import fingerprint\na, b, c, d, e, f = range(6)\n"
+        "def use():\n    import mine, part_c, part_b, part_a\n"
+        "    return a + b + c + d + e + f in {'one', 'two', 'three'}\n"
+        "def use_kit(): return kit.u + kit.v + kit.w + kit.x + kit.y + kit.z\n"
+        "print(fingerprint(use), fingerprint(use_kit))"
+    )
     said = {
         subprocess.check_output(
             [sys.executable, "-c", code], env={**os.environ, "PYTHONHASHSEED": str(seed)}, cwd=tmp_path
@@ -345,6 +369,20 @@ def test_code_of_a_notebook_counts(module: str) -> None:
         prints |= {fingerprint(names["f"]), fingerprint(names["C"])}
     assert len(prints) == 4
     assert fingerprint(type(sys.flags)) == fingerprint(type(sys.flags))  # a class of a module that is no file either
+
+
+def test_the_order_in_which_a_disk_lists_files_does_not_count(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of the package, and of a folder of one's own."""
+    monkeypatch.syspath_prepend(str(tmp_path))
+    (tmp_path / "several").mkdir()
+    for name in "abc":
+        (tmp_path / "several" / f"{name}.py").write_text(f"{name} = 1")
+    names: dict[str, Any] = {"__name__": "__main__"}
+    exec("def use(): import several.a", names)
+    before = fingerprint(names["use"]), _own_code.__wrapped__()
+    listed = Path.rglob
+    monkeypatch.setattr(Path, "rglob", lambda path, pattern: reversed([*listed(path, pattern)]))
+    assert (fingerprint(names["use"]), _own_code.__wrapped__()) == before
 
 
 def test_what_cannot_be_taken_apart_is_an_error() -> None:

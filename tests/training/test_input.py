@@ -4,6 +4,7 @@ import threading
 import time
 import warnings
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any, NamedTuple
 
 import gymnasium
@@ -138,6 +139,8 @@ def test_what_cannot_be_trained_is_refused(environment: Any, agent: Any, message
             {"stop": threading.Event},
             r"stop must be a threading.Event or None, but is the class Event: add brackets, \(\)",
         ),
+        ({"stop": SimpleNamespace(is_set=bool)}, "stop must be a threading.Event or None, but is namespace"),
+        ({"stop": SimpleNamespace(set=bool)}, "stop must be a threading.Event or None, but is namespace"),
         ({"max_steps": 2**70}, r"max_steps must be at most 4611686018427387904, but is 1180591620717411303424"),
         ({"seed": -1}, "seed must be 0 or more, but is -1"),
     ],
@@ -181,8 +184,10 @@ def test_a_long_evaluation_stops_between_episodes() -> None:
     assert time.perf_counter() - began < 30
 
 
-@pytest.mark.parametrize(("shape", "fits"), [((4, 1), False), ((4, 2), True), ((4, 3), True), ((2, 1), True)])
-def test_a_table_with_too_few_actions(shape: tuple[int, int], fits: bool) -> None:
+@pytest.mark.parametrize(
+    ("shape", "fits"), [((4, 1), False), ((4, 2), True), ((4, 3), True), ((2, 1), True), ((4,), True)]
+)
+def test_a_table_with_too_few_actions(shape: tuple[int, ...], fits: bool) -> None:
     """Of a student's agent, and only if it has a row for each observation: others may see something else."""
 
     class Zeros(NamedTuple):

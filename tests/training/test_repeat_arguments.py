@@ -67,6 +67,25 @@ def test_what_was_finished_before_it_was_stopped_is_not_loaded(tmp_path: Path) -
     pd.testing.assert_frame_equal(repeat(Ring(), AGENTS, **arguments).table, whole.table)
 
 
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"jobs": 1001}, "jobs must be a whole number from 1 to 1000, -1 or None, but is 1001"),
+        ({"jobs": -2}, "jobs must be a whole number from 1 to 1000, -1 or None, but is -2"),
+        (
+            {"agents": {"Q": Ring}},
+            r"must be an agent or a function that .* but is the class Ring: give Ring\(\.\.\.\)$",
+        ),
+        ({"agents": AGENTS | {"": Ring()}}, "the labels of agents must be texts that are not empty, but one is ''"),
+    ],
+)
+def test_what_else_is_refused(changes: dict[str, Any], message: str) -> None:
+    """In words that name what is wrong."""
+    arguments: dict[str, Any] = {"environment": Ring(), "agents": AGENTS, "n_steps": 10, "repetitions": 1, "jobs": 1}
+    with pytest.raises(ValueError, match=message):
+        repeat(**arguments | changes)
+
+
 class Odd:
     """A value that no text can hold."""
 

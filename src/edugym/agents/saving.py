@@ -70,7 +70,7 @@ def load(path: str | Path, kinds: Iterable[type] | type = (), *, max_bytes: int 
         check(agent)
     except Exception as error:  # there is no end to what can be wrong with a damaged file
         raise ValueError(
-            f"path must name a file that save() wrote, but {str(path)!r} cannot be loaded: {error or repr(error)}"
+            f"path must name a file that save() wrote, but {str(path)!r} cannot be loaded: {str(error) or repr(error)}"
         ) from None
     return agent
 

@@ -142,7 +142,7 @@ def _of_constant(value: Any, name: str) -> str | None:
         return f"{name} is a {type(value).__name__}: use an array or a tuple"
     if isinstance(value, np.generic):
         return f"{name} is a number of type {type(value).__name__}"
-    if isinstance(value, type) or callable(value):
+    if callable(value):
         return f"{name} is a function or class"
     return f"{name} is a value of {type(value).__name__}, which is no NamedTuple"
 
@@ -189,8 +189,7 @@ def _of_function(function: FunctionType) -> str | None:
         return _at(f"{function.__name__} takes **: name its parameters", function.__code__, None)
     if function.__code__.co_kwonlyargcount:
         return _at(f"{function.__name__} has parameters after *: leave the * out", function.__code__, None)
-    defaults = (*(function.__defaults__ or ()), *(function.__kwdefaults__ or {}).values())
-    for value in defaults:
+    for value in function.__defaults__ or ():
         if found := _of_values(value, f"a default of {function.__name__}", all_kinds=False, owner=None):
             return _at(found, function.__code__, function.__code__.co_firstlineno)
         if isinstance(value, np.ndarray):
@@ -208,7 +207,7 @@ def _of_code(code: CodeType, function: FunctionType) -> str | None:
         if instruction.opname in GLOBAL or (instruction.opname in OUTER and name in function.__code__.co_freevars):
             path, value = name, _looked_up(function, name)
             found = _of_name(value, path)
-        elif instruction.opname in ("LOAD_ATTR", "LOAD_METHOD") and value is not _UNKNOWN:
+        elif instruction.opname in ("LOAD_ATTR", "LOAD_METHOD"):
             path = f"{path}.{name}"
             found, value = _of_attribute(value, name, path)
         elif instruction.opname in ("STORE_ATTR", "DELETE_ATTR"):
@@ -285,9 +284,8 @@ def _of_name(value: Any, name: str) -> str | None:
     return _of_values(value, f"the global {name}", all_kinds=False, owner=None)
 
 
-def _is_own_class(value: Any) -> bool:
-    fits = isinstance(value, type) and (issubclass(value, Enum) or (issubclass(value, tuple)))
-    return fits and (issubclass(value, Enum) or hasattr(value, "_fields"))
+def _is_own_class(value: type) -> bool:
+    return issubclass(value, Enum) or (issubclass(value, tuple) and hasattr(value, "_fields"))
 
 
 def _of_module(name: str) -> str:

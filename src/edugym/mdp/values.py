@@ -17,8 +17,8 @@ def is_finite_number(value: Any) -> bool:
     """Whether it is a real number, Python's or NumPy's, and neither infinite nor NaN."""
     if type(value) is float:  # most are, and this is asked at every step
         return math.isfinite(value)
-    if isinstance(value, np.ndarray) and value.ndim == 0:
-        value = value[()]
+    if isinstance(value, np.ndarray):
+        value = value[()]  # the number in an array of no dimension
     if not isinstance(value, numbers.Real | np.bool_):
         return False
     try:

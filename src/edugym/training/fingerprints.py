@@ -69,7 +69,7 @@ class _Walk:
         """Hash a value of any kind."""
         if type(thing) is float:
             self.add("float", struct.pack("<d", thing))
-        elif thing is None or (isinstance(thing, bool | int | complex | str | bytes) and type(thing) in _PLAIN):
+        elif thing is None or type(thing) in _PLAIN:
             self.add(type(thing).__name__, thing)
         elif isinstance(thing, np.generic) and not thing.dtype.hasobject:
             self._array(thing)

@@ -1,0 +1,159 @@
+# ruff: noqa: E501 (a table, with a case in each line)
+"""The sentences that say why something is not compiled, each in full, and what is next to it and may be."""
+
+import re
+from typing import Any
+
+import numpy as np
+import pytest
+
+from edugym.compiled.code import Code
+from edugym.compiled.subset import place, refusal
+from tests.compiled.cells import cell
+
+
+def loop(n: int, thing: Any, rng: np.random.Generator, out: Any, moment: Any) -> Any:
+    """Call a method n times with what it gave before."""
+    for _ in range(n):
+        moment = thing.f(moment, rng)
+    return moment
+
+
+def said(
+    before: str, members: str, body: str, value: Any = 1.5, moment: Any = (0.0,), out: Any = (), namespace: Any = None
+) -> str | None:
+    """What is said of a class with a field, and of the loop's other arguments."""
+    inside = "\n".join(f"    {line}" for line in members.splitlines())
+    source = f"{before}\nclass T(NamedTuple):\n    v: object\n{inside}\n    def f(self, s, rng):\n        {body}\n"
+    variables = cell(source, None if namespace is None else cell("") | namespace)
+    thing = variables["T"](value)
+    arguments = (thing, np.random.default_rng(0), out, moment)
+    found = refusal(Code(loop, (10, *arguments)), arguments, ("thing", "rng", "out", "moment"))
+    return found and re.sub(r"<cell \d+>, ", "", found)
+
+
+FIELD = "the field v of T"
+VALUES: list[tuple[Any, str | None]] = [
+    (None, None),
+    (True, None),
+    (np.bool_(1), None),
+    ("word", None),
+    (np.float64(1.5), None),
+    (np.int64(3), None),
+    (2**63 - 1, None),
+    (-(2**63), None),
+    ((1, (2.5, "word")), None),
+    (np.zeros(2, np.int64), None),
+    (np.array(1.5), None),
+    (2**63, f"{FIELD} is 9223372036854775808, beyond the whole numbers of 64 bits"),
+    (-(2**63) - 1, f"{FIELD} is -9223372036854775809, beyond the whole numbers of 64 bits"),
+    (np.str_("word"), f"{FIELD} is a number of type str_"),
+    (np.int32(3), f"{FIELD} is a number of type int32"),
+    ([1], f"{FIELD} is a list: use an array or a tuple"),
+    (np.zeros(2).view(np.recarray), f"{FIELD} is a recarray: use an ordinary array"),
+    ({1}, f"{FIELD} is a set: use an array or a tuple"),
+    ({1: 2}, f"{FIELD} is a dict: use an array or a tuple"),
+    (frozenset({1}), f"{FIELD} is a frozenset: use an array or a tuple"),
+    (np.array([1, None]), f"{FIELD} is an array of objects"),
+    (np.zeros(2, np.int32), f"{FIELD} is an array of int32; of arrays it takes those of float64, int64 and bool"),
+    (np.zeros(2, "U3"), f"{FIELD} is an array of str96; of arrays it takes those of float64, int64 and bool"),
+    (np.random.default_rng(0), f"{FIELD} is a random generator: take it as rng"),
+    (int, f"{FIELD} is a function or class"),
+    (max, f"{FIELD} is a function or class"),
+    (1j, f"{FIELD} is a value of complex, which is no NamedTuple"),
+    ((1, [2]), f"{FIELD}[1] is a list: use an array or a tuple"),
+    ((1, (2, np.random.default_rng(0))), f"{FIELD}[1][1] is a random generator: take it as rng"),
+]
+
+
+@pytest.mark.parametrize(("value", "sentence"), VALUES, ids=lambda value: repr(value)[:40])
+def test_values(value: Any, sentence: str | None) -> None:
+    """Of a field: named by its class, and in a tuple by its place."""
+    assert said("", "", "return s + 1", value) == sentence
+
+
+def test_what_a_loop_is_called_with() -> None:
+    """A student knows a loop's moment by what is in it, and other arguments by their names."""
+    a_list = "is a list: use an array or a tuple"
+    assert said("", "", "return s", moment=([0],)) == f"a state {a_list}"
+    assert said("", "", "return s", moment=(0, (1, [0]))) == f"observation[1] {a_list}"
+    assert said("", "", "return s", moment=(0, 1, [0])) == f"an action {a_list}"
+    assert said("", "", "return s", moment=(0, 1, 2, 3)) is None
+    assert said("", "", "return s", moment=[0]) == f"the argument moment {a_list}"
+    assert said("", "", "return s", out=[0]) == f"the argument out {a_list}"
+    assert said("", "", "return s", out=(0, [0])) == f"the argument out[1] {a_list}"
+
+
+CODE: list[tuple[str, str, str, str | None]] = [
+    ("", "def g(self, s, k=np.zeros(1)): return s", "return self.g(s)", "a default of g is an array (line 4)"),
+    ("", "def g(self, s, k=(1, [2])): return s", "return self.g(s)", "default of g[1] is a list: use an array or a tuple (line 4)"),
+    ("", "def g(self, s, k=None): return s", "return self.g(s)", None),
+    ("", "K = (1, [2])", "return s + self.K[0]", "T.K[1] is a list: use an array or a tuple"),
+    ("K = {1}", "", "return s + len(K)", "the global K is a set: use an array or a tuple (line 6)"),
+    ("K = 2**64", "", "return s + K", "the global K is 18446744073709551616, beyond the whole numbers of 64 bits (line 6)"),
+    ("", "", "return s + math.gamma(s)", "it uses math.gamma (line 6)"),
+    ("", "", "return s + np.median(s)", None),
+    ("", "", "return s + np.percentile(s, 3)", "it uses np.percentile (line 6)"),
+    ("", "", "return s + np.linalg.norm(s)", "it uses np.linalg (line 6)"),
+    ("", "", "return s + np.random.random()", "it draws from np.random, which no seed of a run reaches: draw from rng (line 6)"),
+    ("", "", "return s + len(sorted(set()))", "it makes a set (line 6)"),
+    ("", "", "return s + len(dict())", "it makes a dict (line 6)"),
+    ("", "", "return s + len(repr(s))", "it makes text (line 6)"),
+    ("", "", "return s if type(s) is int else s", "it asks for the type of a value (line 6)"),
+    ("", "", "return s + hash(s)", "it uses hash (line 6)"),
+    ("", "", "return s + complex(s).real", "it uses complex (line 6)"),
+    ("from collections import deque", "", "return s + len(deque())", "it uses deque (line 6)"),
+    ("class C: pass", "", "return s + (C is None)", "it uses the class C, which is no NamedTuple (line 6)"),
+    ("class C(tuple): pass", "", "return s + len(C())", "it uses the class C, which is no NamedTuple (line 6)"),
+    ("class C(enum.Enum): R = 1", "", "return s + (s is C.R)", None),
+    ("class C(enum.Enum): R = 1\nk = C.R", "", "return s + (s is k)", None),
+    ("draw = np.random.default_rng(0).random", "", "return s + draw()", "it draws from random, which no seed of a run reaches: draw from rng (line 6)"),
+    ("draw = np.random.rand", "", "return s + draw()", "it draws from random, which no seed of a run reaches: draw from rng (line 6)"),
+    ("class P(NamedTuple):\n    x: float\n    def twice(self): return 2 * self.x\np = P(1.5)", "", "return s + p.twice()", None),
+    ("make = np.random.default_rng", "", "return s + make(3).random()", "it draws from random, which no seed of a run reaches: draw from rng (line 6)"),
+    ("from numba import int64", "K = int64", "return s + self.K(s)", "T.K is a function or class"),
+    ("", "def g(self, s, *, k=1): return s", "return self.g(s)", "g has parameters after *: leave the * out (line 4)"),
+    ("", "def g(self, s, **k): return s", "return self.g(s)", "g takes **: name its parameters (line 4)"),
+    ("f = np.linalg.norm", "", "return s + f(s)", "it uses f (line 6)"),
+    ("def g(x):\n    def h(y):\n        return y\n    return h(x)", "", "return g(s)", None),
+    ("", "", "import math; return s", "it imports (line 6)"),
+    ("", "", "with s: return s", "it has a try or with (line 6)"),
+    ("", "", "yield s", "it has a yield (line 6)"),
+    ("", "", "class C: pass", "it makes a class (line 6)"),
+    ("", "", "self.v = 2", "it assigns the attribute v (line 6)"),
+    ("", "", "return s + missing.y", None),
+    ("def g(x):\n    k = 1\n    def h():\n        nonlocal k\n        k += 1\n    return x", "", "return g(s)", None),
+    ("", "def __call__(self): return 1", "return s", "T defines __call__, which machine code would not call"),
+    ("", "@classmethod\ndef __sub__(cls, x): return 1", "return s - (self - s)", "T defines __sub__, which machine code would not call"),
+    ("", "def __repr__(self): return 'T'", "return s", None),
+    ("", "__hidden__ = 2", "return s", None),
+    ("", "def own__(self): return 2", "return s + self.own__()", None),
+    ("", "def uniform(self): return 2", "return s + self.uniform()", "T has a member named uniform, as rng has"),
+    ("A = np.zeros(2)", "K = A[1:]", "return s + self.K[0]", None),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("before", "members", "body", "sentence"), CODE, ids=lambda text: str(text)[:40])
+def test_code(before: str, members: str, body: str, sentence: str | None) -> None:
+    """With the line, and the names as they stand there."""
+    assert said(before, members, body) == sentence
+
+
+def test_an_array_that_is_a_field_as_well() -> None:
+    """Also a part of one, also in a class; what is shown to the loop from step to step may be one."""
+    table = np.zeros(4)
+    for members, body, sentence in (
+        ("K = (1, A[1:])", "return s + self.K[1][0]", "the array K is a field as well: use only the field"),
+        ("", "return s + A[0]", "the array A is a field as well: use only the field (line 5)"),
+    ):
+        outer: dict[str, Any] = {"A": table}
+        assert said("", members, body, (1, table[:2]), namespace=outer) == sentence
+        assert said("", members, body, (1, np.zeros(2)), moment=(table[:],), namespace=outer) is None
+
+
+def test_lines() -> None:
+    """Cells of a notebook have files with names that mean nothing to their author."""
+    assert place("/tmp/ipykernel_7/1234.py", 3) == "line 3"
+    assert place("<ipython-input-3-abc>", 3) == "line 3"
+    assert place("C:\\work\\agents.py", 3) == "agents.py, line 3"
+    assert place("/work/12/agents.v2.py", 3) == "agents.v2.py, line 3"
