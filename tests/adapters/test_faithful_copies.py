@@ -182,10 +182,14 @@ def test_what_is_none_late(methods: tuple[str, str], says: str, initial: str) ->
     vector.reset(seed=0)
     several_steps(vector, 3)
     if "nan" not in methods[1]:
-        single = MDPEnv(late)
-        single.reset(seed=0)
-        with pytest.raises(ValueError, match=f" of Task must return {says}"):
-            one_by_one(single, 300)
+        for episodes_before in (0, 2):  # among the first 200 steps, which are checked more closely, or after them
+            single = MDPEnv(late)
+            for _ in range(episodes_before):
+                single.reset(seed=0)
+                one_by_one(single, 120)
+            single.reset(seed=0)
+            with pytest.raises(ValueError, match=f" of Task must return {says}"):
+                one_by_one(single, 300)
 
 
 def test_code_that_changes() -> None:

@@ -179,6 +179,17 @@ def test_careless_penalty(penalty: float) -> None:
     assert values.Q[model.row((0, 0)), SLOWER] == penalty
 
 
+def test_a_fall_on_a_long_road() -> None:
+    """What is drawn grows with the road, and the runner falls clear of it."""
+    env = gymnasium.make("edugym/Roadrunner-v0", render_mode="ansi", size=100)
+    env.reset(seed=0)
+    for _ in range(15):
+        env.step(FASTER)
+    fallen = str(env.render()).splitlines()
+    place = next(line.index("☺") for line in fallen if "☺" in line)
+    assert place > max(line.rindex("░") for line in fallen if "░" in line) + 1
+
+
 def test_frames() -> None:
     """What a terminal shows of the best run, a fall and a stall."""
     env = gymnasium.make("edugym/Roadrunner-v0", render_mode="ansi")

@@ -164,6 +164,7 @@ def test_degenerate_draws() -> None:
         lambda rng: rng.random() * 0.0 < 1e-300,
         lambda rng: rng.uniform(2.0, 2.0) < 2.1,
         lambda rng: math.floor(rng.uniform(2.0, 2.0)) == 2,
+        lambda rng: math.floor((u := rng.random()) - u + 2.5) == 2,
         lambda rng: rng.integers(1) == 0,
         lambda rng: rng.normal(3.0, 0.0) == 3.0,
         lambda rng: rng.random() != 0.5,
