@@ -187,7 +187,7 @@ TABLE = np.zeros(3)
             made("@functools.cached_property\n    def f(self): return 2"),
         ),
         (made("@staticmethod\n    def f(): return 1"), made("@staticmethod\n    def f(): return 2")),
-        (staticmethod(functools.partial(helper, 1)), staticmethod(functools.partial(helper, 2))),
+        (made("f = staticmethod(functools.partial(pow, 1))"), made("f = staticmethod(functools.partial(pow, 2))")),
         (made("@classmethod\n    def f(cls): return 1"), made("@classmethod\n    def f(cls): return 2")),
         (made("@functools.cache\n    def f(self): return 1"), made("@functools.cache\n    def f(self): return 2")),
         (made("x = 1", made("y = 1")), made("x = 1", made("y = 2"))),

@@ -10,6 +10,15 @@ def update(self, n):
     pass
 
 
+# %% only the baseline
+# says: should go from
+def update(self, n):
+    G = 0.0
+    for t in range(n - 1, -1, -1):
+        G = self.rewards[t] + self.discount * G
+        self.V[self.states[t]] += self.value_learning_rate * (G - self.V[self.states[t]])
+
+
 # %% no γ^t
 # says: the factor γ^t is missing in the step of the preferences
 # says: and preferences[
