@@ -205,6 +205,15 @@ def test_functions_are_imported_from_where_they_are(tmp_path: Path, cell: dict[s
         share(cell["Rooted"](5, steps=np.array([1, 2])), tmp_path / "renamed.py")
 
 
+def test_a_function_with_the_name_of_one_of_pythons(tmp_path: Path, cell: dict[str, Any]) -> None:
+    """The student's own is in the file, and `__name__` is not."""
+    text = "def abs(x): return 2 * x\n\nclass Other(Walk):\n    __slots__ = ()\n    def name(self): return __name__\n"
+    run(text + "    def reward(self, state, action, next_state, rng): return abs(1.5)\n", 4, cell)
+    path = share(cell["Other"](5, steps=np.array([1, 2])), tmp_path / "other.py")
+    assert read_mdp(path).reward(0, 0, 0, None) == 3
+    assert "__name__ =" not in path.read_text(encoding="utf-8")
+
+
 def run(text: str, number: int, names: dict[str, Any]) -> None:
     """Run one more cell."""
     file = f"/tmp/ipykernel_1/{number}.py"

@@ -5,7 +5,6 @@ with Gymnasium. It is Python: **opening it runs it**, so open only files of peop
 """
 
 import ast
-import builtins
 import contextlib
 import importlib.util
 import inspect
@@ -212,12 +211,11 @@ def _home(name: str, value: Any) -> tuple[str, str] | None:
 
 
 def _names(text: str) -> list[str]:
-    """Return the names that code takes from outside and that Python itself does not have, in order."""
+    """Return the names that code takes from outside, in order; Python's own included, such as `max`."""
     outside = {*_from_outside(symtable.symtable(text, "<shared>", "exec"))}
     nodes = (node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Name))
-    return [
-        name for name in dict.fromkeys(node.id for node in nodes) if name in outside and not hasattr(builtins, name)
-    ]
+    names = dict.fromkeys(node.id for node in nodes)
+    return [name for name in names if name in outside and not name.startswith("__")]  # each module has its __name__
 
 
 def _from_outside(table: symtable.SymbolTable) -> Iterator[str]:
