@@ -66,7 +66,9 @@ VALUES: list[tuple[Any, str | None]] = [
 ]
 
 
-@pytest.mark.parametrize(("value", "sentence"), VALUES, ids=lambda value: repr(value)[:40])
+@pytest.mark.parametrize(
+    ("value", "sentence"), VALUES, ids=lambda value: re.sub(" at 0x[0-9A-F]+", "", repr(value))[:40]
+)
 def test_values(value: Any, sentence: str | None) -> None:
     """Of a field: named by its class, and in a tuple by its place."""
     assert said("", "", "return s + 1", value) == sentence
