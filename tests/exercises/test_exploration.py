@@ -7,6 +7,7 @@ import pytest
 
 from edugym import SARSA, CountBased, make_mdp, repeat
 from edugym.exercises import exploration as exercises
+from edugym.exercises.exploration.explorer import check_act
 from edugym.grading.updates import Transition
 from edugym.lessons.exploration import EPSILON_GREEDY, METHODS, N_STEPS, compare, race
 from edugym.plotting import Curves, Lines
@@ -85,6 +86,29 @@ def test_at_the_end_the_bonus_counts() -> None:
         now = Transition(0, 1, 6.0, 1, 0, terminated=True, truncated=False)
         exercises.EXPLORER.rule(tables, now, learning_rate=1.0, discount=0.5, bonus=6.0, novelty=novelty)
         assert tables["Q"][0, 1] == value
+
+
+def test_what_an_explorer_is_asked_could_have_happened() -> None:
+    """A state was visited as often as its grips were tried: an explorer may look at either."""
+
+    class Explorer:
+        """Takes what it knows too little of, else the best."""
+
+        def __init__(self) -> None:
+            self.Q, self.visits, self.tries = np.zeros((101, 3)), np.zeros(101, int), np.zeros((101, 3), int)
+
+        def act(self, state: int, rng: np.random.Generator) -> int:
+            """Compare the two counts, then act."""
+            assert self.visits[state] == self.tries[state].sum()
+            seen.append(self.tries[state].tolist())
+            untried = np.flatnonzero(self.tries[state] == 0)
+            best = np.flatnonzero(self.Q[state] == self.Q[state].max())
+            return int(rng.choice(untried if untried.size else best))
+
+    seen: list[list[int]] = []
+    check_act(Explorer(), 3)
+    assert [0, 0, 0] in seen
+    assert [7, 1, 2] in seen
 
 
 def test_epsilon() -> None:

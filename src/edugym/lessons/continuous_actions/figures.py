@@ -56,7 +56,7 @@ def curves(results: Results, title: str = "", width: float = WIDTH, **look: Any)
     labels = [label for label in ACTIONS if label in results.methods]
     best = {label: best_return(ACTIONS[label], width) for label in labels}
     strokes = [list(ACTIONS).index(label) for label in labels]
-    return WithBest(Curves(results, title, methods=labels, y_range=(-2.1, 5.2), **look), best, strokes)
+    return WithBest(Curves(results, title, methods=labels, y_range=(-2.1, 5.2), **look), strokes, best)
 
 
 def ppo_figure(stored: Results) -> Sheet:
@@ -185,12 +185,12 @@ def race(own: Mapping[str, Any], *, n_bins: int = 5, n_steps: int = 40_000, repe
     results = joined(parts)
     best = dict.fromkeys(results.methods[:1], best_return(n_bins))
     look = Curves(results, f"{n_bins} bins, {CELLS} cells", y_range=(-2.1, 5.2))
-    return Sheet("race", [[WithBest(look, best, (4, 5, 6))]])
+    return Sheet("race", [[WithBest(look, (4, 5, 6), best)]])
 
 
 def lake_figure(lake: Results) -> Sheet:
     """Return the learning curves of REINFORCE on the frozen lake, with a baseline and without."""
-    return Sheet("lake", [[WithBest(Curves(lake, "FrozenLake", smooth=3, y_range=(-0.05, 1.1)), {}, (4, 5))]])
+    return Sheet("lake", [[WithBest(Curves(lake, "FrozenLake", smooth=3, y_range=(-0.05, 1.1)), (4, 5))]])
 
 
 def maps(table: Any, real: Any, n_bins: int = 5, n: int = 120) -> Sheet:

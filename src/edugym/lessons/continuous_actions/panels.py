@@ -35,14 +35,14 @@ class WithBest(NamedTuple):
 
     Attributes:
         curves: the learning curves.
+        strokes: the number of the stroke of each method, in order.
         best: by label, the best return.
-        strokes: the number of the stroke of each method, in order; None gives 0, 1, 2, ...
         runs: whether to draw each run as a thin line in the place of the band.
     """
 
     curves: Curves
+    strokes: Sequence[int]
     best: Mapping[str, float] = MappingProxyType({})
-    strokes: Sequence[int] | None = None
     runs: bool = False
 
     @property
@@ -54,8 +54,7 @@ class WithBest(NamedTuple):
         """Draw the curves on `ax`, by default in a new figure, and return the axes."""
         ax = self.curves.draw(ax, place)
         methods = self.curves.methods or self.curves.results.methods
-        strokes = self.strokes or range(len(methods))
-        for method, line, band, number in zip(methods, ax.lines[:], ax.collections[:], strokes, strict=False):
+        for method, line, band, number in zip(methods, ax.lines[:], ax.collections[:], self.strokes, strict=False):
             line.set(color=stroke(number).color, linestyle=stroke(number).linestyle)
             band.set_color(stroke(number).color)
             if self.runs:
