@@ -148,6 +148,21 @@ def test_finished_runs_are_not_done_again(tmp_path: Path, monkeypatch: pytest.Mo
     assert len(done) == 4
 
 
+def test_each_run_is_kept_when_it_is_finished(tmp_path: Path) -> None:
+    """Not only when all are: here the second one fails."""
+
+    def failing(n_steps: int, *, seed: int) -> Run:
+        if tries:
+            raise OSError("no room")
+        tries.append(seed)
+        return pretend(n_steps, seed=seed)
+
+    tries: list[int] = []
+    with pytest.raises(OSError, match="no room"):
+        repeat_deep({"own": failing}, 100, repetitions=2, jobs=1, checkpoints=tmp_path)
+    assert len(list(tmp_path.glob("*.run"))) == 1
+
+
 @pytest.mark.slow
 def test_processes_change_nothing() -> None:
     """Two runs of PPO on Catch, one after the other and side by side."""
