@@ -12,9 +12,10 @@ import pytest
 from gymnasium.spaces import Discrete
 from rules import is_code
 
-from edugym import MDPEnv, finite_model, policy_evaluation
+from edugym import MDPEnv, finite_model, policy_evaluation, value_iteration
 from edugym.lessons import own_problem
 from edugym.lessons.own_problem import (
+    BEST_GUESS,
     MEANT,
     POTENTIAL,
     TASKS,
@@ -55,6 +56,15 @@ def test_the_lesson_writes_the_same_class() -> None:
         assert mine.states == theirs.states
         np.testing.assert_array_equal(mine.p, theirs.p)
         np.testing.assert_array_equal(mine.r, theirs.r)
+
+
+def test_with_the_best_guess_nothing_is_left_to_learn() -> None:
+    """Where the potential is v*, the reward of the best action is 0 in every state: v*(s) - φ(s)."""
+    shaped = value_iteration(finite_model(own_problem.REWARDS[BEST_GUESS]))
+    np.testing.assert_allclose(shaped.V, 0.0, atol=1e-9)
+    plain = value_iteration(finite_model(Morning()))
+    assert np.abs(plain.V).max() > 1
+    assert np.array_equal(shaped.greedy_policy(), plain.greedy_policy())
 
 
 def test_what_happens_by_hand() -> None:
