@@ -63,6 +63,17 @@ def test_a_list_in_the_place_of_an_array() -> None:
     assert list(values) == [1.0, 2.0]
 
 
+def test_another_number_of_values() -> None:
+    """A call with fewer, and with more."""
+    before, tables, left = Snapshot(), [np.zeros(3) for _ in range(3)], np.zeros(LARGE // 8)
+    for count in (2, 1, 3):
+        before.take((*tables[:count], left), large=count > 1)
+        for table in tables[:count]:
+            table += 1.0
+        before.put_back()
+        assert not np.any(tables)
+
+
 def test_put_back() -> None:
     """Tables, views and streams are as they were, each time; what cannot be written to is left alone."""
     original, before = agent(), Snapshot()
@@ -108,7 +119,12 @@ def test_difference_names_what_differs() -> None:
         assert difference(one, other, "the agent") == name
     assert difference((1, 2.0), (1, 3.0), "x") == "x[1]"
     assert difference((1,), (1, 2), "x") == "x"
+    assert difference((1, 2), 3, "x") == difference(3, (1, 2), "x") == "x"
+    assert difference(np.ones(2), 1.0, "x") == "x"
     assert difference("a", "b", "x") == "x"
+    assert difference([1, [2, 3]], [1, [2, 3]], "x") == "x"  # no loop is called with such
+    assert difference(np.array([1, None]), np.array([2, None]), "x") == "x"
+    assert difference(np.array([1, None]), np.array([1, None]), "x") is None
     assert difference(None, None, "x") is None
     assert difference(np.nan, np.nan, "x") is None
 
@@ -119,6 +135,11 @@ def test_last_digits() -> None:
     assert difference(table, table * (1 + 1e-15), "x") is None
     assert difference(table, table * (1 + 1e-9), "x") == "x"
     assert difference(2**60, 2**60 + 1, "x") == "x"
+    assert difference(1, 1 + 1e-15, "x") is None
+    assert difference(1 + 1e-15, 1, "x") is None
+    assert difference(1e-10, 1.5e-10, "x") == "x"
+    assert difference(np.array([1e-7, 1e6]), np.array([1.5e-7, 1e6]), "x") is None  # of a sum with the other
+    assert difference(1.7e308, -1.7e308, "x") == "x"
 
 
 def test_large_arrays_may_be_left_out() -> None:
