@@ -277,6 +277,9 @@ def test_what_cannot_be_interrupted_is_waited_for_interruptibly() -> None:
     assert interruptibly(divmod, 7, 2) == (3, 1)
     with pytest.raises(ZeroDivisionError):
         interruptibly(divmod, 7, 0)
+    assert not interruptibly(threading.Event().wait, 0.05)
+    with Work():
+        assert not interruptibly(threading.Event().wait, 0.05)
     go_on, stop = threading.Event(), threading.Event()
 
     def work() -> None:

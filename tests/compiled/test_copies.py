@@ -51,6 +51,17 @@ def test_what_cannot_be_written_to() -> None:
     assert [part.flags.writeable for part in copy[:3]] == [True, False, True]
 
 
+def test_arrays_of_other_kinds() -> None:
+    """One of objects, and one that skips parts of a memory that is no array's: a copy shares nothing with them."""
+    objects = np.array([[1], None], dtype=object)
+    copied(objects)[0].append(2)
+    assert objects[0] == [1]
+    skipping = np.lib.stride_tricks.as_strided(np.arange(6.0), (3,), (16,))
+    copy = copied(skipping)
+    copy[0] = 7.0
+    assert (skipping[0], *copy) == (0.0, 7.0, 2.0, 4.0)
+
+
 def test_a_list_in_the_place_of_an_array() -> None:
     """Numba's own list, in a field that held an array before."""
     from numba.typed import List
@@ -158,6 +169,10 @@ def test_large_arrays_may_be_left_out() -> None:
         assert rng.bit_generator.state == state
         assert not small.any()
         assert large.any() != with_large
+    kept.take((large,))
+    large += 1.0
+    kept.put_back()
+    assert not large.any()
 
 
 TAKER = """

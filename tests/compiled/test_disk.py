@@ -182,6 +182,25 @@ def test_every_file_counts_up_to_the_limit(tmp_path: Path, monkeypatch: pytest.M
     assert list(tmp_path.iterdir()) == [last]
 
 
+@pytest.mark.parametrize("oldest", ["a", "b", "c"])
+def test_the_oldest_goes_first(oldest: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whatever it is called, and however the disk lists it."""
+    for name in "abc":
+        os.utime(folder(tmp_path, name, 1000), (10 if name == oldest else 20,) * 2)
+    monkeypatch.setattr(disk, "LIMIT", 2500)
+    folder(tmp_path, "d", 10)
+    assert {path.name for path in tmp_path.iterdir()} == set("abcd") - {oldest}
+
+
+@pytest.mark.parametrize("damaged", ["data", disk.SEAL])
+def test_a_damaged_folder_is_removed(damaged: str, tmp_path: Path) -> None:
+    """So that another one can take its name."""
+    kept = folder(tmp_path, "a", 10)
+    (kept / damaged).write_bytes(b"y")
+    assert not disk.is_whole(kept)
+    assert not kept.exists()
+
+
 def test_in_folders_that_are_not_there_yet(tmp_path: Path) -> None:
     """A first run makes them all; to remove what another process has removed already is no error."""
     kept = folder(tmp_path / "of the user" / "of the program", "a", 10)
