@@ -107,6 +107,12 @@ COMPILED = {
     "elif without else": program(
         "return s + self.Q[self.transition(int(s) % 2), 1] + 1",
         more="def transition(self, action):\n    if action == 0:\n        return 3\n    elif action == 1:\n        return 4", **Q),
+    "flags and numbers": program(
+        "k = 1\nk += 0.5\nflag = (s > 3) == (s > 1)\nboth = (s > 3) & (s < 5) | flag\n"
+        "return 0.5 * s + k + np.float64(s) % 2 + (1 if not flag else 2) + (1 if both else 0)"),
+    "whole fields and a picture": program(
+        "return self.g(s) + h(np.zeros((2, 3), np.uint8))", "n: int", "2",
+        before="def h(picture): return len(picture)", more="def g(self, x): return 0.5 * x + self.n"),
     "modulo": program("return (-7 + int(s)) // 3 + (-7 - int(s)) % 3 + (s + 1) % 5"),
 }  # fmt: skip
 """Programs that are to compile, and to be the same."""
@@ -243,6 +249,10 @@ REFUSED = {
     "filled with real numbers": (program("a = np.full(2, s if s < 900 else math.nan, dtype=int)\nreturn s + 1 + a[0] % 2"), "puts a real number"),
     "array like one of whole numbers": (program("a = np.full_like(self.N, s)\nreturn s + 1 + a[0] % 2", **N), "puts a real number"),
     "whole numbers made of real ones": (program("a = np.array([s, 1.0], dtype=int)\nreturn s + 1 + a[0] % 2"), "puts a real number"),
+    "array of real numbers put in": (program("self.N[:2] = self.N[2:4] * 0.5\nreturn s + 1 + self.N[0]", **N), "puts a real number"),
+    "whole numbers in place by real ones": (program("self.N[:] *= 0.5\nreturn s + 1 + self.N[0]", **N), "in place by real ones"),
+    "whole numbers made of a tuple": (program("a = np.array((1, s), dtype=int)\nreturn s + 1 + a[0] % 2"), "puts a real number"),
+    "bytes filled": (program("a = np.zeros(2, np.uint8)\na.fill(200)\nreturn s + len(a)"), "computes with numbers of type uint8"),
     "filled in place with real numbers": (program("self.N.fill(s)\nreturn s + 1 + self.N[0] % 2", **N), "puts a real number"),
     "too large for a byte": (program("a = np.zeros(2, np.uint8)\na[0] = int(s) % 300\nreturn s + 1"), "uint8"),
     "negative byte": (program("a = np.zeros(2, np.uint8)\na[0] = -1 if s > 700 else 1\nreturn s + 1"), "uint8"),
@@ -256,7 +266,7 @@ REFUSED = {
     "texts joined": (program("k = 'abc'\nif s > 3: k = 'b'\nk = k + 'd'\nreturn s + len(k)"), "it makes text"),
     "too large a number left out": (program("return s + S(1.0).x", before="class S(NamedTuple):\n    x: float\n    k: int = 2**63"), "it makes a S without k"),
     "float32 made": (program("a = np.zeros(2, np.float32)\na[0] = 0.1 + s\nreturn float(a[0])"), "float32"),
-    "flat": (program("self.Q.flat[3] = 1.0\nreturn s + self.Q.flat[2]", **Q), "flat"),
+    "flat": (program("self.Q.flat[3] = 1.0\nreturn s + self.Q.flat[2]", **Q), "it uses .flat"),
     "matrix": (program("m = self.Q * self.Q\nreturn 0.5 * s + m[0, 1]", "Q: np.ndarray", "np.matrix(np.ones((2, 2)))"), "an ordinary array"),
     "matrix in a state": (program("return s[0] + 1, s[1] * s[1] % 7", start="(0, np.matrix(np.ones((2, 2))))"), "an ordinary array"),
     "method named like a draw": (program("return 0.5 * s + self.poisson(2.0)", more="def poisson(self, x): return x * self.x"), "a member named poisson, as rng has"),
@@ -286,7 +296,7 @@ REFUSED = {
     "text of a number": (program("return s + len(str(s))"), "text"),
     "formatted": (program("return s + len(f'{s}')"), "text"),
     "order of ties": (program("return s + np.argsort(np.array([2., 1., 1., 1.] * 9))[0]"), "argsort"),
-    "recursion": (program("return g(int(s) % 40) + s + 1", before="def g(n): return 0 if n == 0 else 1 + g(n - 1)"), ""),
+    "recursion": (program("return g(int(s) % 40) + s + 1", before="def g(n): return 0 if n == 0 else 1 + g(n - 1)"), "it calls itself"),
     "deep recursion": (program("return g(10 ** 6)", before="def g(n):\n    if n == 0:\n        return 0\n    return 1 + g(n - 1)"), ""),
     "recursive method": (program("return self.g(int(s) % 40) + s + 1", more="def g(self, n): return 0 if n == 0 else 1 + self.g(n - 1)"), ""),
     "two that call each other": (
