@@ -136,7 +136,7 @@ def test_what_cannot_be_shared(tmp_path: Path, cell: dict[str, Any]) -> None:
         share(3, tmp_path / "three.py")
     with pytest.raises(ValueError, match=r"^transition of Lost must return the next state"):
         share(Lost(), tmp_path / "lost.py")
-    others: tuple[Any, ...] = iter([]), ast.Constant(1)
+    others: tuple[Any, ...] = iter([]), ast.Constant(1), np.array([None, 1])
     for other in others:
         cell["ends"] = {"left": 0, "right": other}
         with pytest.raises(ValueError, match="ends must be made of numbers, texts and arrays to be shared"):
@@ -203,6 +203,19 @@ def test_functions_are_imported_from_where_they_are(tmp_path: Path, cell: dict[s
     cell["sqrt"] = cell["halved"]
     with pytest.raises(ValueError, match="sqrt must be called halved, as it was defined, to be shared"):
         share(cell["Rooted"](5, steps=np.array([1, 2])), tmp_path / "renamed.py")
+
+
+def test_functions_that_call_each_other(tmp_path: Path, cell: dict[str, Any]) -> None:
+    """Each is written once."""
+    text = (
+        "def even(n): return n == 0 or odd(n - 1)\ndef odd(n): return n != 0 and even(n - 1)\n\n"
+        "class Parity(Walk):\n    __slots__ = ()\n"
+        "    def reward(self, state, action, next_state, rng): return float(even(next_state.x))\n"
+    )
+    run(text, 4, cell)
+    path = share(cell["Parity"](5, steps=np.array([1, 2])), tmp_path / "parity.py")
+    assert path.read_text(encoding="utf-8").count("def odd") == 1
+    assert read_mdp(path).reward(None, 0, cell["Place"](3), None) == 0.0
 
 
 def test_a_function_with_the_name_of_one_of_pythons(tmp_path: Path, cell: dict[str, Any]) -> None:

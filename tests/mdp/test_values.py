@@ -1,12 +1,13 @@
 """Whether a value is in a space, is a number, and is still what it was, whatever form a student gives it."""
 
+import random
 from typing import Any
 
 import numpy as np
 import pytest
 from gymnasium import spaces
 
-from edugym.mdp.values import fits, is_finite_number, kept, own_copy, same
+from edugym.mdp.values import GlobalDraws, fits, is_finite_number, kept, own_copy, same
 
 PIXELS = spaces.Box(0, 255, (2,), np.uint8)
 NEGATIVE = spaces.Discrete(3, start=-1)
@@ -78,6 +79,17 @@ def test_what_is_the_same(one: Any, equal: Any, different: list[Any]) -> None:
     assert same(one, equal)
     assert same(equal, one)
     assert not any(same(one, other) or same(other, one) for other in different)
+
+
+def test_global_draws_are_looked_for_in_the_first_calls() -> None:
+    """In as many as it says."""
+    draws = GlobalDraws("Walk", calls=2)
+    with draws.refused("initial"):
+        pass
+    with pytest.raises(ValueError, match=r"initial of Walk draws from random or np\.random"), draws.refused("initial"):
+        random.random()
+    with draws.refused("initial"):
+        random.random()
 
 
 class Uncopyable:
