@@ -161,7 +161,11 @@ def test_a_class_inside_a_function_is_tried_first(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("name", "member"),
-    [("reward", "lambda self, *_: 7.0"), ("terminal", "staticmethod(lambda state: True)")],
+    [
+        ("reward", "lambda self, *_: 7.0"),
+        ("terminal", "staticmethod(lambda state: True)"),
+        ("max_steps", "property(lambda self: 5)"),
+    ],
 )
 def test_a_method_that_was_replaced_later(name: str, member: str, tmp_path: Path, cell: dict[str, Any]) -> None:
     """The text of the class has the old one."""
@@ -203,19 +207,6 @@ def test_functions_are_imported_from_where_they_are(tmp_path: Path, cell: dict[s
     cell["sqrt"] = cell["halved"]
     with pytest.raises(ValueError, match="sqrt must be called halved, as it was defined, to be shared"):
         share(cell["Rooted"](5, steps=np.array([1, 2])), tmp_path / "renamed.py")
-
-
-def test_functions_that_call_each_other(tmp_path: Path, cell: dict[str, Any]) -> None:
-    """Each is written once."""
-    text = (
-        "def even(n): return n == 0 or odd(n - 1)\ndef odd(n): return n != 0 and even(n - 1)\n\n"
-        "class Parity(Walk):\n    __slots__ = ()\n"
-        "    def reward(self, state, action, next_state, rng): return float(even(next_state.x))\n"
-    )
-    run(text, 4, cell)
-    path = share(cell["Parity"](5, steps=np.array([1, 2])), tmp_path / "parity.py")
-    assert path.read_text(encoding="utf-8").count("def odd") == 1
-    assert read_mdp(path).reward(None, 0, cell["Place"](3), None) == 0.0
 
 
 def test_a_function_with_the_name_of_one_of_pythons(tmp_path: Path, cell: dict[str, Any]) -> None:
@@ -296,8 +287,9 @@ def test_what_cannot_be_read(tmp_path: Path) -> None:
     (tmp_path / "text.txt").write_text("MDP = 3\n")
     with pytest.raises(ValueError, match="path must be a Python file"):
         read_mdp(tmp_path / "text.txt")
-    with pytest.raises(FileNotFoundError):
-        read_mdp(tmp_path / "missing.py")
+    for name in ("missing.py", "missing.txt"):
+        with pytest.raises(FileNotFoundError, match=name):
+            read_mdp(tmp_path / name)
 
 
 class Coin(NamedTuple):
