@@ -43,7 +43,7 @@ COMPILED = {
         "i = int(s) % 9\nself.Q[i] *= 0.5\nself.Q[i:, 1] += s\nself.Q[::-2, ::-1] -= 1\nself.Q[-1][:] /= 4\nself.Q[i], i = self.Q[3], 2\n"
         "row = self.Q[i]\nrow += 1\nself.Q[i + 1] = row\nrow -= 2\nself.Q[i] = row\nreturn (s + abs(self.Q[4, 1])) % 100", **Q),
     "row in place": program("self.Q[0] *= 0.5\nself.Q[:] += 0.25\nreturn self.Q.sum() + put(self.Q, self.Q[1])",
-        before="def put(Q, row):\n    Q[2] = row\n    return Q[2, 0]", **Q),
+        before="def put(Q, row):\n    Q[2] = row\n    part = Q[3]\n    part += 1\n    Q[4] = part\n    return Q[2, 0] + Q[4, 1]", **Q),
     "normal": program("return rng.normal(0.5 * s, 2.0) + rng.exponential(3.0) + rng.normal() + rng.exponential() + rng.uniform()"),
     "draws of all kinds": program(
         "i = rng.integers(9) + rng.integers(0, 3, endpoint=True) % 2 + rng.integers(4, size=2)[1] % 2\n"
@@ -109,8 +109,8 @@ COMPILED = {
         "return s + self.Q[self.transition(int(s) % 2), 1] + 1",
         more="def transition(self, action):\n    if action == 0:\n        return 3\n    elif action == 1:\n        return 4", **Q),
     "flags and numbers": program(
-        "k = 1\nk += 0.5\nflag = (s > 3) == (s > 1)\nboth = (s > 3) & (s < 5) | flag\n"
-        "return 0.5 * s + k + np.float64(s) % 2 + (1 if not flag else 2) + (1 if both else 0) + (2 if self.word == 'abc' else 0)",
+        "k = 1\nk += 0.5\nflag = (s > 3) == (s > 1)\nboth = (s > 3) & (s < 5) | flag\nneither = not flag\n"
+        "return 0.5 * s + k + np.float64(s) % 2 + (1 if neither else 2) + (1 if both else 0) + (2 if self.word == 'abc' else 0)",
         more="word: str = 'abc'"),
     "whole fields and a picture": program(
         "return self.g(s) + h(np.zeros((2, 3), np.uint8))", "n: int", "2",

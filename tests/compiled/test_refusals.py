@@ -116,6 +116,7 @@ CODE: list[tuple[str, str, str, str | None]] = [
     ("from numba import int64", "K = int64", "return s + self.K(s)", "T.K is a function or class"),
     ("", "def g(self, s, *, k=1): return s", "return self.g(s)", "g has parameters after *: leave the * out (line 4)"),
     ("", "def g(self, s, **k): return s", "return self.g(s)", "g takes **: name its parameters (line 4)"),
+    ("", "", "return self._replace(v=s).v", None),
     ("f = np.linalg.norm", "", "return s + f(s)", "it uses f (line 6)"),
     ("from numba import int64 as k", "", "return s + k(s)", "it uses k (line 6)"),
     ("def g(x):\n    def h(y):\n        return y\n    return h(x)", "", "return g(s)", None),
