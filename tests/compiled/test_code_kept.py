@@ -123,7 +123,7 @@ def test_what_changes_in_place_is_walked_through_each_time(own: Any, monkeypatch
     before = code_of(loop, values)
     table[1] = 1.0
     assert code_of(loop, values).fingerprint != before.fingerprint
-    monkeypatch.setitem(globals(), "CONSTANT", njit(lambda x: x))
+    monkeypatch.setitem(globals(), "CONSTANT", njit(outer))  # whose own code seems to be the package's
     assert not code_of(loop, values).is_watchable
     monkeypatch.setitem(globals(), "CONSTANT", 1.0)
     assert code_of(loop, values).is_watchable

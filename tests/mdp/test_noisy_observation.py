@@ -84,6 +84,7 @@ def test_machine_code_does_the_same() -> None:
         (lambda: NoisyObservation.create(GRID, -1), "levels must be"),
         (lambda: NoisyObservation.create(GRID, sigma=-0.1), "sigma must be 0 or more, but is -0.1"),
         (lambda: NoisyObservation.create(GRID, sigma=np.inf), "sigma must be a finite number"),
+        (lambda: NoisyObservation.create(3, 4), "mdp must be an MDP, .* but is 3"),
         (lambda: Brightness.create(GRID, -0.1), "low must be from 0 to 1, but is -0.1"),
         (lambda: Brightness.create(GRID, 0.5, 0.4), "high must be from 0.5 to 1, but is 0.4"),
         (lambda: Brightness.create(make_mdp("Trashbot")), "the numbers that mdp observes must begin at 0"),
