@@ -51,6 +51,9 @@ COMPILED = {
     "arrays of draws": program(
         "x, y = rng.normal(0.0, 2.0, 3), rng.normal(size=(2, 2))\nz = rng.exponential(2.0, size=2) + rng.exponential(size=2)\n"
         "return 0.5 * s + x[2] + y[1, 1] + z[0] + rng.normal(scale=0.1, size=int(s) % 3 + 1)[0]"),
+    "draws at their ends": program(
+        "return 0.5 * s + rng.normal(1.0, 0.0) + rng.exponential(0.0) + rng.poisson(0.0) + rng.binomial(30, 1.0) + rng.binomial(0, 0.0)"
+        " + (rng.uniform(0.0, 1.7976931348623157e308) > 0)"),
     "choices": program(
         "i = int(s) % 9\nself.Q[i, 1] = rng.random() * (rng.random() < 0.5)\np = self.Q[:, 1] + 0.5\nbest = [k for k in range(9) if p[k] > 0.6] + [2]\n"
         "a = rng.choice(7) + rng.choice(np.flatnonzero(p == p.max())) + rng.choice(9, p=p / p.sum()) + rng.choice(best, None, True)\n"
@@ -101,7 +104,8 @@ COMPILED = {
         "self.N[:] += 5\nself.N[2:] //= 2\na, b = np.zeros(2, np.uint8), np.zeros(2, np.uint8)\na[0] = 127\na[1] = 0\nb[:] = a\n"
         "k, v = None if s > 3 else 1, S(1.0)\nreturn s * 0.5 + self.N[3] % 7 + np.int64(int(s)) % 3 + (1 if k is None else 2) + (v.low < 0 < v.high) + (v.no is None)",
         before="class S(NamedTuple):\n    x: float\n    low: int = -2**63\n    high: int = 2**63 - 1\n    no: object = None", **N),
-    "numbered from one": program("for i, x in enumerate(self.Q[0], start=1): s += i * x + 0.25\nreturn s", **Q),
+    "numbered from one": program("for i, x in enumerate(self.Q[0], start=1): s += i * x + 0.25\n"
+        "for x, y in zip(self.Q[0], range(9)): s -= x * y\nreturn 0.5 * s + round(s) % 2", **Q),
     "module with a function named as a draw": program(
         "return 0.5 * s + (m.normal(2.0) if s < 9 else m.max())",
         before="import types\nm = types.ModuleType('m')\nexec('def normal(x, scale=3.0): return x * scale\\ndef max(): return 2.5', m.__dict__)"),
@@ -133,6 +137,7 @@ RAISE = {
     "normal": program("return s + 1 + 0 * rng.normal(0.0, 700 - s)"),
     "exponential": program("return s + 1 + 0 * rng.exponential(700 - s)"),
     "integers": program("return s + 1 + 0 * rng.integers(0, 700 - int(s))"),
+    "integers of a range that is turned round": program("return s + 1 + 0 * rng.integers(0, 5 - 10 * int(s > 700))"),
     "integers below": program("return s + 1 + 0 * rng.integers(700 - int(s))"),
     "poisson": program("return s + 1 + 0 * rng.poisson(700 - s if s > 695 else 5.0)"),
     "binomial": program("return s + 1 + 0 * rng.binomial(700 - int(s) if s > 695 else 5, 0.5)"),
@@ -254,6 +259,9 @@ REFUSED = {
     "array of real numbers put in": (program("self.N[:2] = self.N[2:4] * 0.5\nreturn s + 1 + self.N[0]", **N), "puts a real number"),
     "whole numbers in place by real ones": (program("self.N[:] *= 0.5\nreturn s + 1 + self.N[0]", **N), "in place by real ones"),
     "whole numbers made of a tuple": (program("a = np.array((1, s), dtype=int)\nreturn s + 1 + a[0] % 2"), "puts a real number"),
+    "choice of a row": (program("return 0.5 * s + rng.choice(self.Q)[0]", **Q), "rng.choice is compiled only for one draw"),
+    "choice without putting back": (program("return 0.5 * s + rng.choice(9, None, False)"), "rng.choice is compiled only for one draw"),
+    "several choices": (program("return 0.5 * s + rng.choice(9, 2)[0]"), "rng.choice is compiled only for one draw"),
     "bytes filled": (program("a = np.zeros(2, np.uint8)\na.fill(200)\nreturn s + len(a)"), "computes with numbers of type uint8"),
     "filled in place with real numbers": (program("self.N.fill(s)\nreturn s + 1 + self.N[0] % 2", **N), "puts a real number"),
     "too large for a byte": (program("a = np.zeros(2, np.uint8)\na[0] = int(s) % 300\nreturn s + 1"), "uint8"),

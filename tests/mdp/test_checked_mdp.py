@@ -21,6 +21,7 @@ from edugym.mdp.checking import (
     require_mdp,
     require_method,
 )
+from edugym.mdp.protocol import step_limit
 from edugym.mdp.tabular import Tabular
 from tests.compiled.cells import LEARNER, WALK, cell
 
@@ -156,6 +157,16 @@ def around(mdp: Any) -> Tabular:
     return Tabular(mdp, np.array([6]), np.zeros(1, np.int64), np.zeros(1, np.int64))
 
 
+def test_a_mistake_in_a_step_limit_inside_a_wrapper() -> None:
+    """It shows, and does not mean that there is none."""
+    limit = "    @property\n    def max_steps(self):\n        return self.sise\n\n    def initial"
+    mistaken: Any = around(cell(WALK.replace("    def initial", limit))["Walk"](5))
+    endless: Any = around(cell(WALK)["Walk"](5))
+    with pytest.raises(AttributeError, match="sise"):
+        step_limit(mistaken)
+    assert step_limit(endless) is None
+
+
 class Size(int):
     """A number of a student's own class."""
 
@@ -170,7 +181,7 @@ def test_where_the_checks_stand() -> None:
     instead = checked_mdp(around(around(walk)), instead_of=(Tabular,))
     assert isinstance(instead, CheckedMDP)
     assert instead._mdp is walk
-    mixed = make_mdp("Boulder")._replace(height=Size(4))  # type: ignore[attr-defined]
+    mixed = make_mdp("Boulder")._replace(height=Size(4))
     assert isinstance(checked_mdp(mixed), CheckedMDP)
 
 
