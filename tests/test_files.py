@@ -6,6 +6,7 @@ import socket
 import stat
 import subprocess
 import sys
+import tempfile
 import threading
 from pathlib import Path
 
@@ -27,13 +28,14 @@ def test_a_new_file_has_the_mode_of_any_new_file(tmp_path: Path) -> None:
     assert os.listdir(path.parent) == ["new"]
 
 
-def test_a_check_leaves_nothing_behind(tmp_path: Path) -> None:
+def test_a_check_leaves_nothing_behind(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """It makes the folder, but no file, and does not touch the one that is there."""
     path = tmp_path / "a" / "b" / "c.csv"
     assert check_writable(path) == path
     assert os.listdir(path.parent) == []
     path.write_bytes(b"old")
     before = path.stat()
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "not there"))  # it is this folder that counts
     check_writable(path)
     assert path.stat() == before
 
@@ -52,12 +54,12 @@ def test_a_replaced_file_keeps_its_mode(tmp_path: Path, mode: int) -> None:
 
 
 def test_nobody_reads_a_private_file_meanwhile(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """While it is written anew, only its owner may open it."""
+    """While it is written anew, only its owner may open it; all of it is on the disk before it takes its place."""
     (tmp_path / "file").touch(0o600)
-    modes: list[int] = []
-    monkeypatch.setattr(os, "fsync", lambda file: modes.append(stat.S_IMODE(os.fstat(file).st_mode)))
+    found: list[os.stat_result] = []
+    monkeypatch.setattr(os, "fsync", lambda file: found.append(os.fstat(file)))
     write_whole(tmp_path / "file", b"new")
-    assert modes == [0o600]
+    assert [(stat.S_IMODE(one.st_mode), one.st_size) for one in found] == [(0o600, 3)]
 
 
 @AS_ROOT

@@ -275,8 +275,12 @@ def test_other_threads_have_nothing_to_do_with_it(came: list[int]) -> None:
 def test_what_cannot_be_interrupted_is_waited_for_interruptibly() -> None:
     """Results and errors come through, and Ctrl-C or an order to stop ends the waiting."""
     assert interruptibly(divmod, 7, 2) == (3, 1)
+    assert interruptibly(threading.current_thread).name == "edugym-current_thread"  # as a debugger shows it
     with pytest.raises(ZeroDivisionError):
         interruptibly(divmod, 7, 0)
+    assert not interruptibly(threading.Event().wait, 0.05)
+    with Work():
+        assert not interruptibly(threading.Event().wait, 0.05)
     go_on, stop = threading.Event(), threading.Event()
 
     def work() -> None:

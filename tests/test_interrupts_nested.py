@@ -1,13 +1,15 @@
 """Signals where works and blocks of machine code stand in each other, and the order to stop in other threads."""
 
+import contextlib
 import os
 import pickle
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -189,16 +191,19 @@ def test_a_thread_in_machine_code_asks_itself() -> None:
     assert ended == ["stopped"]
 
 
-@pytest.mark.parametrize(("main", "ended", "waits"), [(False, True, 1), (False, False, 0), (True, False, 0)])
+@pytest.mark.parametrize(
+    ("main", "ordered", "ended", "waits"),
+    [(False, True, True, 1), (False, True, False, 0), (True, True, False, 0), (False, False, False, 0)],
+)
 def test_who_waits_for_the_error_that_ends_it(
-    main: bool, ended: bool, waits: int, monkeypatch: pytest.MonkeyPatch
+    main: bool, ordered: bool, ended: bool, waits: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A thread that another has ended, so that the error ends nothing else; no other one."""
     waited = list[bool]()
     monkeypatch.setattr(interrupts, "_receive_stopped", lambda: waited.append(True))
 
     def run() -> None:
-        with Work(threading.Event()):
+        with Work(threading.Event() if ordered else None):
             if ended:
                 interrupts._in_threads.clear()
 
@@ -239,3 +244,118 @@ def test_the_order_to_stop(by_event: bool) -> None:
         (event if by_event else stop).set()
         assert (stop.is_set(), copy.is_set(), event.is_set()) == (True, True, by_event)
     assert not folder.exists()
+    assert stop.is_set()  # as a run asks that goes on while nobody waits for it
+
+
+def test_a_folder_that_cannot_be_removed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It stays, as it does where a process on Windows still looks into it, and is no error."""
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    with ordered_by(threading.Event()) as stop:
+        folder = stop._file.parent
+        folder.rmdir()
+        folder.write_text("")
+    assert list(tmp_path.iterdir()) == [folder]
+
+
+@pytest.fixture
+def pressed(monkeypatch: pytest.MonkeyPatch) -> tuple[list[bool], list[Callable[[], None]]]:
+    """Where Ctrl-C is noted instead of being pressed once more, and what would have been done later."""
+    presses: list[bool] = []
+    later: list[Callable[[], None]] = []
+    monkeypatch.setattr(interrupts, "_press_ctrl_c", lambda: presses.append(True))
+    monkeypatch.setattr(interrupts, "_later", lambda seconds, press: later.append(press))
+    return presses, later
+
+
+@pytest.mark.usefixtures("came")
+def test_nobody_insists_once_the_runs_have_stopped(pressed: tuple[list[bool], list[Callable[[], None]]]) -> None:
+    """Before, somebody does."""
+    presses, later = pressed
+    with Work() as work:
+        with work.ordering(lambda: None):
+            signal.raise_signal(signal.SIGINT)
+            later[0]()
+            assert len(presses) == 1
+        later[0]()
+    assert len(presses) == 1
+
+
+def test_another_signal_orders_nothing(came: list[int]) -> None:
+    """Its handler runs, while runs are under way."""
+    ordered: list[bool] = []
+    before = signal.signal(signal.SIGALRM, lambda number, frame: came.append(number))
+    try:
+        with Work() as work, work.ordering(lambda: ordered.append(True)):
+            signal.raise_signal(signal.SIGALRM)
+            assert came == [signal.SIGALRM]
+    finally:
+        signal.signal(signal.SIGALRM, before)
+    assert ordered == []
+    assert not work.ordered
+
+
+def test_what_came_through_is_not_raised_again(pressed: tuple[list[bool], list[Callable[[], None]]]) -> None:
+    """Python ignored it, but the work was asked before it was raised once more."""
+    presses, later = pressed
+
+    class Careless:
+        def __del__(self) -> None:
+            signal.raise_signal(signal.SIGINT)
+
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        with Work() as work:
+            Careless()
+            with pytest.raises(KeyboardInterrupt):
+                work.stopped()
+            later[0]()
+    finally:
+        signal.signal(signal.SIGINT, before)
+    assert presses == []
+
+
+def test_an_error_on_the_way_is_told_first() -> None:
+    """It tells more than the Ctrl-C that something had swallowed before."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+
+    def work() -> None:
+        with Work():
+            with contextlib.suppress(KeyboardInterrupt):
+                signal.raise_signal(signal.SIGINT)
+            raise OSError("on the way")
+
+    try:
+        with pytest.raises(OSError, match="on the way"):
+            work()
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+def test_where_no_signal_can_be_sent_to_a_thread(came: list[int], monkeypatch: pytest.MonkeyPatch) -> None:
+    """As on Windows."""
+    monkeypatch.delattr(signal, "pthread_kill")
+    interrupts._press_ctrl_c()
+    assert came == [signal.SIGINT]
+
+
+def test_later_is_not_at_once() -> None:
+    """The runs have all the time they are given."""
+    done, begun = threading.Event(), time.monotonic()
+    interrupts._later(0.05, done.set)
+    assert done.wait(10)
+    assert time.monotonic() - begun >= 0.05
+
+
+def test_the_error_that_waits_is_received() -> None:
+    """So often as it may come, and whether one waits or not."""
+    ended: list[bool] = []
+
+    def run() -> None:
+        for _ in range(100):
+            interrupts._receive_stopped()
+        ended.append(True)
+
+    thread = threading.Thread(target=run, daemon=True)
+    thread.start()
+    thread.join(10)
+    assert ended == [True]

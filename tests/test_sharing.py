@@ -136,7 +136,7 @@ def test_what_cannot_be_shared(tmp_path: Path, cell: dict[str, Any]) -> None:
         share(3, tmp_path / "three.py")
     with pytest.raises(ValueError, match=r"^transition of Lost must return the next state"):
         share(Lost(), tmp_path / "lost.py")
-    others: tuple[Any, ...] = iter([]), ast.Constant(1)
+    others: tuple[Any, ...] = iter([]), ast.Constant(1), np.array([None, 1])
     for other in others:
         cell["ends"] = {"left": 0, "right": other}
         with pytest.raises(ValueError, match="ends must be made of numbers, texts and arrays to be shared"):
@@ -161,7 +161,11 @@ def test_a_class_inside_a_function_is_tried_first(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("name", "member"),
-    [("reward", "lambda self, *_: 7.0"), ("terminal", "staticmethod(lambda state: True)")],
+    [
+        ("reward", "lambda self, *_: 7.0"),
+        ("terminal", "staticmethod(lambda state: True)"),
+        ("max_steps", "property(lambda self: 5)"),
+    ],
 )
 def test_a_method_that_was_replaced_later(name: str, member: str, tmp_path: Path, cell: dict[str, Any]) -> None:
     """The text of the class has the old one."""
@@ -283,8 +287,9 @@ def test_what_cannot_be_read(tmp_path: Path) -> None:
     (tmp_path / "text.txt").write_text("MDP = 3\n")
     with pytest.raises(ValueError, match="path must be a Python file"):
         read_mdp(tmp_path / "text.txt")
-    with pytest.raises(FileNotFoundError):
-        read_mdp(tmp_path / "missing.py")
+    for name in ("missing.py", "missing.txt"):
+        with pytest.raises(FileNotFoundError, match=name):
+            read_mdp(tmp_path / name)
 
 
 class Coin(NamedTuple):

@@ -50,7 +50,7 @@ def test_changed_code_is_noticed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     found = Stored("lesson", lambda **how: stored_in("memory.recurrent").load(), ())
 
     def code(text: str) -> str:
-        path.write_text(text)
+        path.write_text(f"{text}\nLATE = rate()\n")
         return found.code()
 
     before = code('"""Before."""\n\ndef rate():\n    """The rate."""\n    return 0.1\n')
@@ -102,6 +102,9 @@ def test_made_again_they_are_current(tmp_path: Path, monkeypatch: pytest.MonkeyP
     assert len(found.code()) == 32
     (tmp_path / "other.py").write_text("def other_claim():\n    return 2\n")
     assert not found.is_current()
+    without_checkpoints = Stored("lesson", lambda **how: Results(table.copy()), ("a.other",))
+    without_checkpoints.make_again()
+    assert found.is_current()
 
 
 @pytest.mark.slow

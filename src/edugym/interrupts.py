@@ -159,7 +159,7 @@ class Work:
     def hold(self, machine_code: bool) -> None:
         """Say whether machine code is to run. While it does, signals wait until `stopped` is asked."""
         self._machine_code = machine_code
-        self._held = machine_code and bool(self._handlers)
+        self._held = machine_code
 
     def stopped(self) -> bool:
         """Return whether to stop, after every handler that waits has run.
@@ -167,8 +167,7 @@ class Work:
         Raises:
             KeyboardInterrupt: after Ctrl-C. Other signals raise what their handlers raise.
         """
-        if self._pending or self._raised:
-            self._deliver()
+        self._deliver()
         return self._stop is not None and bool(self._stop.is_set())
 
     @contextmanager

@@ -188,7 +188,7 @@ class _Parts:
             if value.__name__ != name:
                 raise ValueError(f"{name} must be called {value.__name__}, as it was defined, to be shared")
             for used in _names(text):
-                if used != name and (found := _meaning(used, value)) is not _NOTHING:
+                if (found := _meaning(used, value)) is not _NOTHING:
                     self.need(used, found)
             self.definitions[name] = text
         else:
@@ -219,10 +219,10 @@ def _names(text: str) -> list[str]:
 
 
 def _from_outside(table: symtable.SymbolTable) -> Iterator[str]:
-    """Yield the names that are not local to a scope or to one around it."""
+    """Yield the names that are not local to a scope or to one around it, and that of the class or function itself."""
     is_whole = table.get_type() == "module"
     for symbol in table.get_symbols():
-        if (symbol.is_referenced() and not symbol.is_assigned()) if is_whole else symbol.is_global():
+        if is_whole or symbol.is_global():
             yield symbol.get_name()
     for inside in table.get_children():
         yield from _from_outside(inside)
@@ -281,7 +281,8 @@ def source_of(value: Any) -> str:
 
 def _class_source(kind: type) -> str:
     """Return the source of a class: the lines, in the file of its methods, of the class that has them."""
-    codes = [function.__code__ for function in _functions(kind)]
+    functions = (one for one in _functions(kind) if one.__qualname__.startswith(f"{kind.__qualname__}."))
+    codes = [function.__code__ for function in functions]  # and not one from elsewhere, as of `reward = other`
     for file in [codes[0].co_filename] if codes else _cells():
         lines = linecache.getlines(file)
         for node in reversed([*ast.walk(ast.parse("".join(lines)))]):  # of two of one name Python keeps the last

@@ -42,7 +42,8 @@ COMPILED = {
     "parts in place": program(
         "i = int(s) % 9\nself.Q[i] *= 0.5\nself.Q[i:, 1] += s\nself.Q[::-2, ::-1] -= 1\nself.Q[-1][:] /= 4\nself.Q[i], i = self.Q[3], 2\n"
         "row = self.Q[i]\nrow += 1\nself.Q[i + 1] = row\nrow -= 2\nself.Q[i] = row\nreturn (s + abs(self.Q[4, 1])) % 100", **Q),
-    "row in place": program("self.Q[0] *= 0.5\nself.Q[:] += 0.25\nreturn self.Q.sum()", **Q),
+    "row in place": program("self.Q[0] *= 0.5\nself.Q[:] += 0.25\nreturn self.Q.sum() + put(self.Q, self.Q[1])",
+        before="def put(Q, row):\n    Q[2] = row\n    part = Q[3]\n    part += 1\n    Q[4] = part\n    return Q[2, 0] + Q[4, 1]", **Q),
     "normal": program("return rng.normal(0.5 * s, 2.0) + rng.exponential(3.0) + rng.normal() + rng.exponential() + rng.uniform()"),
     "draws of all kinds": program(
         "i = rng.integers(9) + rng.integers(0, 3, endpoint=True) % 2 + rng.integers(4, size=2)[1] % 2\n"
@@ -50,6 +51,9 @@ COMPILED = {
     "arrays of draws": program(
         "x, y = rng.normal(0.0, 2.0, 3), rng.normal(size=(2, 2))\nz = rng.exponential(2.0, size=2) + rng.exponential(size=2)\n"
         "return 0.5 * s + x[2] + y[1, 1] + z[0] + rng.normal(scale=0.1, size=int(s) % 3 + 1)[0]"),
+    "draws at their ends": program(
+        "return 0.5 * s + rng.normal(1.0, 0.0) + rng.exponential(0.0) + rng.poisson(0.0) + rng.binomial(30, 1.0) + rng.binomial(0, 0.0)"
+        " + (rng.uniform(0.0, 1.7976931348623157e308) > 0)"),
     "choices": program(
         "i = int(s) % 9\nself.Q[i, 1] = rng.random() * (rng.random() < 0.5)\np = self.Q[:, 1] + 0.5\nbest = [k for k in range(9) if p[k] > 0.6] + [2]\n"
         "a = rng.choice(7) + rng.choice(np.flatnonzero(p == p.max())) + rng.choice(9, p=p / p.sum()) + rng.choice(best, None, True)\n"
@@ -100,13 +104,21 @@ COMPILED = {
         "self.N[:] += 5\nself.N[2:] //= 2\na, b = np.zeros(2, np.uint8), np.zeros(2, np.uint8)\na[0] = 127\na[1] = 0\nb[:] = a\n"
         "k, v = None if s > 3 else 1, S(1.0)\nreturn s * 0.5 + self.N[3] % 7 + np.int64(int(s)) % 3 + (1 if k is None else 2) + (v.low < 0 < v.high) + (v.no is None)",
         before="class S(NamedTuple):\n    x: float\n    low: int = -2**63\n    high: int = 2**63 - 1\n    no: object = None", **N),
-    "numbered from one": program("for i, x in enumerate(self.Q[0], start=1): s += i * x + 0.25\nreturn s", **Q),
+    "numbered from one": program("for i, x in enumerate(self.Q[0], start=1): s += i * x + 0.25\n"
+        "for x, y in zip(self.Q[0], range(9)): s -= x * y\nreturn 0.5 * s + round(s) % 2", **Q),
     "module with a function named as a draw": program(
         "return 0.5 * s + (m.normal(2.0) if s < 9 else m.max())",
         before="import types\nm = types.ModuleType('m')\nexec('def normal(x, scale=3.0): return x * scale\\ndef max(): return 2.5', m.__dict__)"),
     "elif without else": program(
         "return s + self.Q[self.transition(int(s) % 2), 1] + 1",
         more="def transition(self, action):\n    if action == 0:\n        return 3\n    elif action == 1:\n        return 4", **Q),
+    "flags and numbers": program(
+        "k = 1\nk += 0.5\nflag = (s > 3) == (s > 1)\nboth = (s > 3) & (s < 5) | flag\nneither = not flag\n"
+        "return 0.5 * s + k + np.float64(s) % 2 + (1 if neither else 2) + (1 if both else 0) + (2 if self.word == 'abc' else 0)",
+        more="word: str = 'abc'"),
+    "whole fields and a picture": program(
+        "return self.g(s) + h(np.zeros((2, 3), np.uint8))", "n: int", "2",
+        before="def h(picture): return len(picture)", more="def g(self, x): return 0.5 * x + self.n"),
     "modulo": program("return (-7 + int(s)) // 3 + (-7 - int(s)) % 3 + (s + 1) % 5"),
 }  # fmt: skip
 """Programs that are to compile, and to be the same."""
@@ -125,6 +137,7 @@ RAISE = {
     "normal": program("return s + 1 + 0 * rng.normal(0.0, 700 - s)"),
     "exponential": program("return s + 1 + 0 * rng.exponential(700 - s)"),
     "integers": program("return s + 1 + 0 * rng.integers(0, 700 - int(s))"),
+    "integers of a range that is turned round": program("return s + 1 + 0 * rng.integers(0, 5 - 10 * int(s > 700))"),
     "integers below": program("return s + 1 + 0 * rng.integers(700 - int(s))"),
     "poisson": program("return s + 1 + 0 * rng.poisson(700 - s if s > 695 else 5.0)"),
     "binomial": program("return s + 1 + 0 * rng.binomial(700 - int(s) if s > 695 else 5, 0.5)"),
@@ -243,6 +256,13 @@ REFUSED = {
     "filled with real numbers": (program("a = np.full(2, s if s < 900 else math.nan, dtype=int)\nreturn s + 1 + a[0] % 2"), "puts a real number"),
     "array like one of whole numbers": (program("a = np.full_like(self.N, s)\nreturn s + 1 + a[0] % 2", **N), "puts a real number"),
     "whole numbers made of real ones": (program("a = np.array([s, 1.0], dtype=int)\nreturn s + 1 + a[0] % 2"), "puts a real number"),
+    "array of real numbers put in": (program("self.N[:2] = self.N[2:4] * 0.5\nreturn s + 1 + self.N[0]", **N), "puts a real number"),
+    "whole numbers in place by real ones": (program("self.N[:] *= 0.5\nreturn s + 1 + self.N[0]", **N), "in place by real ones"),
+    "whole numbers made of a tuple": (program("a = np.array((1, s), dtype=int)\nreturn s + 1 + a[0] % 2"), "puts a real number"),
+    "choice of a row": (program("return 0.5 * s + rng.choice(self.Q)[0]", **Q), "rng.choice is compiled only for one draw"),
+    "choice without putting back": (program("return 0.5 * s + rng.choice(9, None, False)"), "rng.choice is compiled only for one draw"),
+    "several choices": (program("return 0.5 * s + rng.choice(9, 2)[0]"), "rng.choice is compiled only for one draw"),
+    "bytes filled": (program("a = np.zeros(2, np.uint8)\na.fill(200)\nreturn s + len(a)"), "computes with numbers of type uint8"),
     "filled in place with real numbers": (program("self.N.fill(s)\nreturn s + 1 + self.N[0] % 2", **N), "puts a real number"),
     "too large for a byte": (program("a = np.zeros(2, np.uint8)\na[0] = int(s) % 300\nreturn s + 1"), "uint8"),
     "negative byte": (program("a = np.zeros(2, np.uint8)\na[0] = -1 if s > 700 else 1\nreturn s + 1"), "uint8"),
@@ -256,7 +276,7 @@ REFUSED = {
     "texts joined": (program("k = 'abc'\nif s > 3: k = 'b'\nk = k + 'd'\nreturn s + len(k)"), "it makes text"),
     "too large a number left out": (program("return s + S(1.0).x", before="class S(NamedTuple):\n    x: float\n    k: int = 2**63"), "it makes a S without k"),
     "float32 made": (program("a = np.zeros(2, np.float32)\na[0] = 0.1 + s\nreturn float(a[0])"), "float32"),
-    "flat": (program("self.Q.flat[3] = 1.0\nreturn s + self.Q.flat[2]", **Q), "flat"),
+    "flat": (program("self.Q.flat[3] = 1.0\nreturn s + self.Q.flat[2]", **Q), "it uses .flat"),
     "matrix": (program("m = self.Q * self.Q\nreturn 0.5 * s + m[0, 1]", "Q: np.ndarray", "np.matrix(np.ones((2, 2)))"), "an ordinary array"),
     "matrix in a state": (program("return s[0] + 1, s[1] * s[1] % 7", start="(0, np.matrix(np.ones((2, 2))))"), "an ordinary array"),
     "method named like a draw": (program("return 0.5 * s + self.poisson(2.0)", more="def poisson(self, x): return x * self.x"), "a member named poisson, as rng has"),
@@ -286,7 +306,7 @@ REFUSED = {
     "text of a number": (program("return s + len(str(s))"), "text"),
     "formatted": (program("return s + len(f'{s}')"), "text"),
     "order of ties": (program("return s + np.argsort(np.array([2., 1., 1., 1.] * 9))[0]"), "argsort"),
-    "recursion": (program("return g(int(s) % 40) + s + 1", before="def g(n): return 0 if n == 0 else 1 + g(n - 1)"), ""),
+    "recursion": (program("return g(int(s) % 40) + s + 1", before="def g(n): return 0 if n == 0 else 1 + g(n - 1)"), "it calls itself"),
     "deep recursion": (program("return g(10 ** 6)", before="def g(n):\n    if n == 0:\n        return 0\n    return 1 + g(n - 1)"), ""),
     "recursive method": (program("return self.g(int(s) % 40) + s + 1", more="def g(self, n): return 0 if n == 0 else 1 + self.g(n - 1)"), ""),
     "two that call each other": (

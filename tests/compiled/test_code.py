@@ -332,7 +332,12 @@ def test_what_no_loop_names_does_not_count() -> None:
 HASHES = """
 from tests.compiled.cells import cell
 from tests.compiled.test_code import Code, loop, notebook
-source = notebook("S = frozenset({'x', 'yy', 'zzz'})", "return s + ('a' in {'a', 'b', 'c', ('d', 'e')}) + ('x' in S)")
+before = (
+    "import types\\nS = frozenset({'x', 'yy', 'zzz'})\\nA, B, C = 1, 2, 3\\nm = types.ModuleType('m')\\n"
+    "m.G, m.H, m.I = 1, 2, 3"
+)
+body = "return s + ('a' in {'a', 'b', 'c', ('d', 'e')}) + ('x' in S) + A + B + C + self.D + self.E + m.G + m.H + m.I"
+source = notebook(before, body, "D, E = 1, 2")
 print(Code(loop, (10, cell(source)["T"](1))).fingerprint)
 """
 
@@ -368,12 +373,16 @@ def test_every_file_of_the_compiler_counts(monkeypatch: pytest.MonkeyPatch) -> N
 def test_changes_are_noticed() -> None:
     """A look tells whether a method, a constant of a class, a global or the code of a function has changed."""
     notebook = cell(
-        "K = 1\ndef g(x): return x + K\nclass T(NamedTuple):\n    size: int\n    L = 3\n"
-        "    def f(self, s, rng): return g(s) + self.L"
+        "K, A = 1, np.zeros(2)\ndef g(x): return x + K + A[0]\n"
+        "def around():\n    k = 1\n    return lambda x: x + k\n"
+        "h = around()\nclass T(NamedTuple):\n    size: int\n    L = 3\n"
+        "    def f(self, s, rng): return g(s) + h(s) + self.L"
     )
     kind, other = notebook["T"], cell("def g(x): return x + 5")["g"]
     changes: list[Callable[[], Any]] = [
         lambda: notebook.update(K=2),
+        lambda: notebook["A"].fill(1),
+        lambda: setattr(notebook["h"].__closure__[0], "cell_contents", 2),
         lambda: setattr(kind, "L", 4),
         lambda: setattr(notebook["g"], "__code__", other.__code__),
         lambda: notebook.update(g=other),

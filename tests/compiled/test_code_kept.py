@@ -1,11 +1,15 @@
 """Walks through the package's own code are kept, and made again when anything in them has changed."""
 
+import sys
 from collections.abc import Callable
+from types import ModuleType
 from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
+from numba import njit
 
+from edugym import make_mdp
 from edugym.compiled import code
 from edugym.compiled.code import Code, code_of
 from tests.compiled.cells import cell
@@ -26,11 +30,13 @@ class Helped(Plain):
 
     def f(self, s: float, rng: object) -> float:
         """Use a member, a global, a helper and a function of Python's own."""
-        total: float = s + self.LEVEL + CONSTANT + helper(1.0) + abs(-1.0) + outer()
+        total: float = s + self.LEVEL + CONSTANT + helper(1.0) + abs(-1.0) + outer() + MODULE.K
         return total
 
 
 CONSTANT: Any = 1.0
+MODULE: Any = ModuleType("edugym.made")
+MODULE.K = 1.0
 
 
 def helper(x: float, more: float = 0.0) -> float:
@@ -39,10 +45,10 @@ def helper(x: float, more: float = 0.0) -> float:
 
 
 def _closure() -> Any:
-    k = 1.0
+    k, m = 1.0, 2.0
 
     def outer() -> float:
-        return k
+        return k + m
 
     return outer
 
@@ -59,12 +65,22 @@ def own(monkeypatch: pytest.MonkeyPatch) -> Any:
     return Helped(1)
 
 
+class Between(Plain):
+    """What may come between the two classes above."""
+
+    __slots__ = ()
+    abs = 5
+
+
 OWN_CHANGES: dict[str, Callable[[pytest.MonkeyPatch], Any]] = {
     "method": lambda patch: patch.setattr(Helped, "f", lambda self, s, rng: s),
     "code of a method": lambda patch: patch.setattr(Helped.f, "__code__", (lambda self, s, rng: s + 3).__code__),
     "constant of a class": lambda patch: patch.setattr(Helped, "LEVEL", 3),
     "member that was inherited": lambda patch: patch.setattr(Helped, "abs", 3, raising=False),
+    "fields": lambda patch: patch.setattr(Plain, "_fields", ("y",)),
+    "default of a keyword": lambda patch: patch.setattr(helper, "__kwdefaults__", {"more": 4.0}),
     "global": lambda patch: patch.setitem(globals(), "CONSTANT", 2.0),
+    "what a module has": lambda patch: patch.setattr(MODULE, "K", 2.0),
     "helper": lambda patch: patch.setitem(globals(), "helper", lambda x: x + 5),
     "default of a helper": lambda patch: patch.setattr(helper, "__defaults__", (4.0,)),
     "builtin that is hidden": lambda patch: patch.setitem(globals(), "abs", lambda x: x + 5),
@@ -75,7 +91,7 @@ OWN_CHANGES: dict[str, Callable[[pytest.MonkeyPatch], Any]] = {
 @pytest.mark.parametrize("change", OWN_CHANGES.values(), ids=OWN_CHANGES)
 def test_a_kept_walk_is_never_stale(change: Any, own: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     """A walk through the package's own code is kept until anything that it met is another: then there is a new one."""
-    values = (10, own)
+    values = (10, own, Plain(2))
     known = code_of(loop, values)
     assert known.is_watchable
     assert code_of(loop, values) is known
@@ -87,6 +103,18 @@ def test_a_kept_walk_is_never_stale(change: Any, own: Any, monkeypatch: pytest.M
     assert code_of(loop, values).fingerprint == known.fingerprint
 
 
+def test_a_kept_walk_is_made_again_when_the_bases_change(own: Any) -> None:
+    """Though each class has what it had."""
+    values = (10, own, Plain(2))
+    known = code_of(loop, values)
+    Helped.__bases__ = (Between,)
+    try:
+        changed = code_of(loop, values)
+    finally:
+        Helped.__bases__ = (Plain,)
+    assert changed.fingerprint != known.fingerprint
+
+
 def test_what_changes_in_place_is_walked_through_each_time(own: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     """No walk is kept through students' code, nor where an array is reached by a name."""
     values = (10, own)
@@ -95,5 +123,62 @@ def test_what_changes_in_place_is_walked_through_each_time(own: Any, monkeypatch
     before = code_of(loop, values)
     table[1] = 1.0
     assert code_of(loop, values).fingerprint != before.fingerprint
+    monkeypatch.setitem(globals(), "CONSTANT", njit(outer))  # whose own code seems to be the package's
+    assert not code_of(loop, values).is_watchable
+    monkeypatch.setitem(globals(), "CONSTANT", 1.0)
+    assert code_of(loop, values).is_watchable
+    monkeypatch.setattr(helper, "__kwdefaults__", {"more": 4.0})
+    assert not code_of(loop, values).is_watchable
     students = cell(notebook("", "return s + 1"))["T"](1)
     assert code_of(loop, (10, students)) is not code_of(loop, (10, students))
+
+
+def test_which_classes_another_process_finds(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Those that a module has under their names; in another program `__main__` is another module."""
+
+    class Local(NamedTuple):
+        """A class that no module has."""
+
+        x: int
+
+    mine = cell("class Mine(NamedTuple):\n    x: int")["Mine"]
+    monkeypatch.setattr(sys.modules["__main__"], "Mine", mine, raising=False)
+    found = [Code(loop, (10, kind(1))).importable for kind in (Plain, Local, mine)]
+    assert found == [True, False, False]
+
+
+def test_a_message_names_the_classes_of_a_student() -> None:
+    """And not those of the package that are met with them."""
+    assert Code(loop, (10, cell(notebook("", "return s + 1"))["T"](1), make_mdp("Boulder"))).names() == "T"
+
+
+def test_what_a_module_has_is_watched() -> None:
+    """While the code of a student takes it from there."""
+    variables = cell(notebook("m = None", "return s + m.K"))
+    module = variables["m"] = ModuleType("m")
+    vars(module).update(K=1, other=1)
+    reached = Code(loop, (10, variables["T"](1)))
+    vars(module).update(other=2)
+    assert reached.first_change() is None
+    vars(module).update(K=2)
+    assert reached.first_change() == "m.K"
+
+
+@pytest.mark.parametrize(
+    "differ",
+    [
+        ("@staticmethod\n    def g(x): return x + {}", "1", "2", "self.g(1.0)"),
+        ("def g(self, x): return x {} 2", "+", "-", "self.g(1.0)"),
+        ("def g(self, x): return (lambda y: y + {})(x)", "1", "2", "self.g(1.0)"),
+        ("class C(enum.{}): R = 1", "Enum", "IntEnum", "(self.C.R == 1)"),
+        ("class C(enum.Enum): R = {}", "1", "2", "self.C.R.value"),
+        ("class P(NamedTuple): x: int = {}", "1", "2", "self.P().x"),
+    ],
+    ids=["static method", "operator", "inner function", "kind of an enum", "number of an enum", "default of a field"],
+)
+def test_small_differences(differ: tuple[str, str, str, str]) -> None:
+    """The machine code of one is not that of the other."""
+    member, one, other, use = differ
+    cells = (notebook("", f"return s + {use}", member.format(version)) for version in (one, one, other))
+    found = [Code(loop, (10, cell(source)["T"](1))).fingerprint for source in cells]
+    assert found[0] == found[1] != found[2]

@@ -51,6 +51,17 @@ def test_what_cannot_be_written_to() -> None:
     assert [part.flags.writeable for part in copy[:3]] == [True, False, True]
 
 
+def test_arrays_of_other_kinds() -> None:
+    """One of objects, and one that skips parts of a memory that is no array's: a copy shares nothing with them."""
+    objects = np.array([[1], None], dtype=object)
+    copied(objects)[0].append(2)
+    assert objects[0] == [1]
+    skipping = np.lib.stride_tricks.as_strided(np.arange(6.0), (3,), (16,))
+    copy = copied(skipping)
+    copy[0] = 7.0
+    assert (skipping[0], *copy) == (0.0, 7.0, 2.0, 4.0)
+
+
 def test_a_list_in_the_place_of_an_array() -> None:
     """Numba's own list, in a field that held an array before."""
     from numba.typed import List
@@ -61,6 +72,17 @@ def test_a_list_in_the_place_of_an_array() -> None:
     values[0] = 5.0
     before.put_back()
     assert list(values) == [1.0, 2.0]
+
+
+def test_another_number_of_values() -> None:
+    """A call with fewer, and with more."""
+    before, tables, left = Snapshot(), [np.zeros(3) for _ in range(3)], np.zeros(LARGE // 8)
+    for count in (2, 1, 3):
+        before.take((*tables[:count], left), large=count > 1)
+        for table in tables[:count]:
+            table += 1.0
+        before.put_back()
+        assert not np.any(tables)
 
 
 def test_put_back() -> None:
@@ -108,7 +130,12 @@ def test_difference_names_what_differs() -> None:
         assert difference(one, other, "the agent") == name
     assert difference((1, 2.0), (1, 3.0), "x") == "x[1]"
     assert difference((1,), (1, 2), "x") == "x"
+    assert difference((1, 2), 3, "x") == difference(3, (1, 2), "x") == "x"
+    assert difference(np.ones(2), 1.0, "x") == "x"
     assert difference("a", "b", "x") == "x"
+    assert difference([1, [2, 3]], [1, [2, 3]], "x") == "x"  # no loop is called with such
+    assert difference(np.array([1, None]), np.array([2, None]), "x") == "x"
+    assert difference(np.array([1, None]), np.array([1, None]), "x") is None
     assert difference(None, None, "x") is None
     assert difference(np.nan, np.nan, "x") is None
 
@@ -119,6 +146,11 @@ def test_last_digits() -> None:
     assert difference(table, table * (1 + 1e-15), "x") is None
     assert difference(table, table * (1 + 1e-9), "x") == "x"
     assert difference(2**60, 2**60 + 1, "x") == "x"
+    assert difference(1, 1 + 1e-15, "x") is None
+    assert difference(1 + 1e-15, 1, "x") is None
+    assert difference(1e-10, 1.5e-10, "x") == "x"
+    assert difference(np.array([1e-7, 1e6]), np.array([1.5e-7, 1e6]), "x") is None  # of a sum with the other
+    assert difference(1.7e308, -1.7e308, "x") == "x"
 
 
 def test_large_arrays_may_be_left_out() -> None:
@@ -137,6 +169,10 @@ def test_large_arrays_may_be_left_out() -> None:
         assert rng.bit_generator.state == state
         assert not small.any()
         assert large.any() != with_large
+    kept.take((large,))
+    large += 1.0
+    kept.put_back()
+    assert not large.any()
 
 
 TAKER = """

@@ -152,6 +152,64 @@ def test_the_latest_are_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a", "c", "d", "unfinished-new"]
 
 
+def test_a_process_that_ended_too_soon(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What it has begun stays for an hour, in which it may go on, whatever else has to go; then it goes first."""
+    kept = folder(tmp_path, "a", 1000)
+    begun = disk.new_folder(tmp_path / "b")
+    assert begun is not None
+    (begun / "data").write_bytes(b"x" * 1000)
+    now = time.time()
+    os.utime(begun, (now - 3000,) * 2)
+    os.utime(kept, (now - 2000,) * 2)
+    monkeypatch.setattr(disk, "LIMIT", 1)
+    last = folder(tmp_path, "c", 10)
+    assert sorted(tmp_path.iterdir()) == sorted([begun, last])
+    os.utime(begun, (now - 4000,) * 2)
+    monkeypatch.setattr(disk, "LIMIT", 10_000)
+    assert sorted([folder(tmp_path, "d", 10), last]) == sorted(tmp_path.iterdir())
+
+
+def test_every_file_counts_up_to_the_limit(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As many bytes may be kept as the limit says, and not one more."""
+    kept = folder(tmp_path, "a", 1000)
+    size = sum(file.stat().st_size for file in kept.iterdir())
+    monkeypatch.setattr(disk, "LIMIT", size)
+    other = folder(tmp_path, "b", 10)  # the latest stays in any case, and does not count
+    assert sorted(tmp_path.iterdir()) == [kept, other]
+    disk.remove(other)
+    monkeypatch.setattr(disk, "LIMIT", size - 1)
+    last = folder(tmp_path, "c", 10)
+    assert list(tmp_path.iterdir()) == [last]
+
+
+@pytest.mark.parametrize("oldest", ["a", "b", "c"])
+def test_the_oldest_goes_first(oldest: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whatever it is called, and however the disk lists it."""
+    for name in "abc":
+        os.utime(folder(tmp_path, name, 1000), (10 if name == oldest else 20,) * 2)
+    monkeypatch.setattr(disk, "LIMIT", 2500)
+    folder(tmp_path, "d", 10)
+    assert {path.name for path in tmp_path.iterdir()} == set("abcd") - {oldest}
+
+
+@pytest.mark.parametrize("damaged", ["data", disk.SEAL])
+def test_a_damaged_folder_is_removed(damaged: str, tmp_path: Path) -> None:
+    """So that another one can take its name."""
+    kept = folder(tmp_path, "a", 10)
+    (kept / damaged).write_bytes(b"y")
+    assert not disk.is_whole(kept)
+    assert not kept.exists()
+
+
+def test_in_folders_that_are_not_there_yet(tmp_path: Path) -> None:
+    """A first run makes them all; to remove what another process has removed already is no error."""
+    kept = folder(tmp_path / "of the user" / "of the program", "a", 10)
+    assert disk.is_whole(kept)
+    disk.remove(kept)
+    disk.remove(kept)
+    assert not disk.is_whole(kept)
+
+
 def test_the_faster_of_two_wins(tmp_path: Path) -> None:
     """Two processes make the same folder: the first stays, the other's is removed."""
     kept = folder(tmp_path, "a", 10)

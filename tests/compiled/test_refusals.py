@@ -116,7 +116,9 @@ CODE: list[tuple[str, str, str, str | None]] = [
     ("from numba import int64", "K = int64", "return s + self.K(s)", "T.K is a function or class"),
     ("", "def g(self, s, *, k=1): return s", "return self.g(s)", "g has parameters after *: leave the * out (line 4)"),
     ("", "def g(self, s, **k): return s", "return self.g(s)", "g takes **: name its parameters (line 4)"),
+    ("", "", "return self._replace(v=s).v", None),
     ("f = np.linalg.norm", "", "return s + f(s)", "it uses f (line 6)"),
+    ("from numba import int64 as k", "", "return s + k(s)", "it uses k (line 6)"),
     ("def g(x):\n    def h(y):\n        return y\n    return h(x)", "", "return g(s)", None),
     ("", "", "import math; return s", "it imports (line 6)"),
     ("", "", "with s: return s", "it has a try or with (line 6)"),
@@ -132,6 +134,24 @@ CODE: list[tuple[str, str, str, str | None]] = [
     ("", "def own__(self): return 2", "return s + self.own__()", None),
     ("", "def uniform(self): return 2", "return s + self.uniform()", "T has a member named uniform, as rng has"),
     ("A = np.zeros(2)", "K = A[1:]", "return s + self.K[0]", None),
+    ("", "def g(self, s, k=(np.zeros(1, np.int32),)): return s", "return self.g(s)", "default of g[0] is an array of int32; of arrays it takes those of float64, int64 and bool (line 4)"),
+    ("", "K = np.zeros(2, np.int32)", "return s + self.K[0]", "T.K is an array of int32; of arrays it takes those of float64, int64 and bool"),
+    ("K = np.zeros(2, np.int32)", "", "return s + K[0]", "the global K is an array of int32; of arrays it takes those of float64, int64 and bool (line 6)"),
+    ("class P(NamedTuple):\n    x: float\n    K = [1.0]\nP.__module__ = 'edugym.somewhere'\np = P(1.5)", "", "return s + p.K[0]", None),
+    ("K = {1}\ndef g(x):\n    K = x\n    def h(y):\n        return y + K\n    return h(K)", "", "return g(s)", None),
+    ("def make(k):\n    def g(x):\n        def h(y):\n            return y + k\n        return h(x)\n    return g\ng = make(2)", "", "return g(s)", None),
+    ("class P(NamedTuple):\n    x: tuple\np = P((1, [2]))", "", "return s + p.x[0]", "the field x of P[1] is a list: use an array or a tuple (line 8)"),
+    ("import types\nm = types.ModuleType('m')", "", "return s + m.missing", None),
+    ("import sys", "", "return s + sys.maxsize % 2", "it uses the module sys (line 6)"),
+    ("import time", "", "return s + time.time()", "it uses the module time (line 6)"),
+    ("from random import random", "", "return s + random()", "it draws from random, which no seed of a run reaches: draw from rng (line 6)"),
+    ("f = 'word'.count", "", "return s + f('w')", "it uses f (line 6)"),
+    ("class C: _fields = ()", "", "return s + (C is None)", "it uses the class C, which is no NamedTuple (line 6)"),
+    ("class P(NamedTuple):\n    x: float", "", "return P(s)", None),
+    ("", "", "k = math; return s.gamma", None),
+    ("", "", "return s + math.pi", None),
+    ("", "", "return s + sum({k} is None for k in range(3))", "it makes a set (line 6)"),
+    ("def make(k):\n    def g(x):\n        nonlocal k\n        k += 1\n        return x + k\n    return g\ng = make(0)", "", "return g(s)", "it assigns k, a variable of the function around it (line 4)"),
 ]  # fmt: skip
 
 
@@ -139,6 +159,39 @@ CODE: list[tuple[str, str, str, str | None]] = [
 def test_code(before: str, members: str, body: str, sentence: str | None) -> None:
     """With the line, and the names as they stand there."""
     assert said(before, members, body) == sentence
+
+
+@pytest.mark.parametrize(
+    ("home", "value", "reason"),
+    [
+        ("edugym.adapters.made", np.zeros(2, np.int32), None),
+        ("edugym.adapters.made", (1, np.zeros(2, np.int32)), None),
+        ("edugym.adapters.made", np.array(1, np.int32), "is an array of int32"),
+        ("edugym.adapters.made", max, "is a function or class"),
+        ("edugym.envs.made", np.zeros(2, np.int32), "is an array of int32"),
+        ("edugym.envs.made", np.random.default_rng(0), None),
+        ("__main__", np.random.default_rng(0), "is a random generator"),
+    ],
+)
+def test_what_the_package_holds(home: str, value: Any, reason: str | None) -> None:
+    """Its adapters keep other programs' tables, and pass them on; its streams are its own."""
+    before = f"class P(NamedTuple):\n    x: object\nP.__module__ = {home!r}\np = P(given)"
+    found = said(before, "", "return s + (p.x is None)", namespace={"given": value})
+    assert reason is None if found is None else reason is not None and reason in found
+
+
+def test_numbas_lists_in_an_adapter() -> None:
+    """It makes them, for what has any number of parts."""
+    from numba.typed import List
+
+    before = "class P(NamedTuple):\n    x: object\nP.__module__ = 'edugym.adapters.made'\np = P(given)"
+    assert said(before, "", "return s + (p.x is None)", namespace={"given": List([1.0])}) is None
+
+
+def test_what_a_second_base_defines() -> None:
+    """It counts as well, though Python's own `tuple` comes before it among the bases."""
+    before = "class M:\n    def __bool__(self): return False\nclass N(NamedTuple):\n    x: float\nclass P(N, M): pass\np = P(1.5)"
+    assert said(before, "", "return s + p.x") == "M defines __bool__, which machine code would not call"
 
 
 def test_an_array_that_is_a_field_as_well() -> None:

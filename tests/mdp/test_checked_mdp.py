@@ -14,11 +14,14 @@ from edugym.mdp.checking import (
     CHECKED_STEPS,
     CheckedMDP,
     check_mdp,
+    checked_mdp,
     innermost,
     is_own,
     require_environment,
+    require_mdp,
     require_method,
 )
+from edugym.mdp.protocol import step_limit
 from edugym.mdp.tabular import Tabular
 from tests.compiled.cells import LEARNER, WALK, cell
 
@@ -154,6 +157,68 @@ def around(mdp: Any) -> Tabular:
     return Tabular(mdp, np.array([6]), np.zeros(1, np.int64), np.zeros(1, np.int64))
 
 
+def test_a_mistake_in_a_step_limit_inside_a_wrapper() -> None:
+    """It shows, and does not mean that there is none."""
+    limit = "    @property\n    def max_steps(self):\n        return self.sise\n\n    def initial"
+    mistaken: Any = around(cell(WALK.replace("    def initial", limit))["Walk"](5))
+    endless: Any = around(cell(WALK)["Walk"](5))
+    with pytest.raises(AttributeError, match="sise"):
+        step_limit(mistaken)
+    assert step_limit(endless) is None
+
+
+class Size(int):
+    """A number of a student's own class."""
+
+
+def test_where_the_checks_stand() -> None:
+    """Around what a student has made, inside the package's wrappers, and in place of a wrapper that checks less."""
+    walk = cell(WALK)["Walk"](5)
+    outer = checked_mdp(around(around(walk)), 7)
+    assert type(outer) is type(outer.mdp) is Tabular
+    assert isinstance(outer.mdp.mdp, CheckedMDP)
+    assert (outer.mdp.mdp._mdp, outer.mdp.mdp._left) == (walk, 7)
+    instead = checked_mdp(around(around(walk)), instead_of=(Tabular,))
+    assert isinstance(instead, CheckedMDP)
+    assert instead._mdp is walk
+    mixed = make_mdp("Boulder")._replace(height=Size(4))
+    assert isinstance(checked_mdp(mixed), CheckedMDP)
+
+
+@pytest.mark.parametrize(
+    ("inside", "says"),
+    [
+        (cell(WALK)["Walk"], r"mdp of Tabular must be a value, but is the class Walk: make one with Walk\(\.\.\.\)"),
+        (3, "mdp of Tabular must be an MDP, .* but is 3"),
+    ],
+    ids=["a class", "a number"],
+)
+def test_what_is_no_mdp_in_a_wrapper(inside: Any, says: str) -> None:
+    """It is said where it stands."""
+    with pytest.raises(ValueError, match=says):
+        require_mdp(around(inside))
+
+
+@pytest.mark.parametrize(
+    ("forgetful", "says"),
+    [
+        ("initial", "initial of Walk must return the first state, but returned None (is a return missing?)"),
+        ("transition", "transition of Walk must return the next state, but returned None (is a return missing?)"),
+    ],
+)
+def test_a_state_that_is_none(forgetful: str, says: str) -> None:
+    """Where it shows only in what is seen, the method that has forgotten it is named."""
+    line = {"initial": "return 0\n", "transition": "return max(0, state + 2 * action - 1)\n"}[forgetful]
+    mdp, rng = cell(WALK.replace(line, "pass\n"))["Walk"](5), np.random.default_rng(0)
+    checked = CheckedMDP(mdp, 0)
+    state = checked.initial(rng)
+    if forgetful == "transition":
+        state = checked.transition(state, 1, rng)
+    with pytest.raises(ValueError, match="must return") as caught:
+        checked.observation(state, rng)
+    assert str(caught.value) == says
+
+
 def test_the_mdp_in_a_wrapper_is_looked_at() -> None:
     """The mistake is named with the class that has it."""
     walk = cell(WALK.replace("def transition(self, state, action, rng)", "def transition(self, state, action)"))["Walk"]
@@ -179,6 +244,11 @@ def test_which_name_may_be_misspelt(has: str) -> None:
         require_method(owner, "initial", ("rng",), ("initial", "terminal", "inial"))
     assert str(caught.value) == f"Task must have a method initial(self, rng){NEAR[has]}"
     require_method(type("Task", (), {"initial": lambda self, stream: 0})(), "initial", ("rng",))
+    wrapper = type("Task", (), {has: lambda self, rng: 0, "_fields": ("mdp",)})()
+    decorator = ", or the decorator @edugym.wrapper, which takes it from the MDP inside"
+    with pytest.raises(ValueError, match="initial") as caught:
+        require_method(wrapper, "initial", ("rng",), ("initial", "terminal", "inial"))
+    assert str(caught.value) == f"Task must have a method initial(self, rng){NEAR[has] or decorator}"
 
 
 OTHERS = {
@@ -219,8 +289,14 @@ def test_a_method_that_is_none() -> None:
 def test_what_an_environment_has(part: str) -> None:
     """One of three is enough to look closer."""
     require_environment("environment", type("Task", (), {part: 0})())
-    with pytest.raises(ValueError, match=r"^where must be a task, but is 3$"):
-        require_environment("where", 3, "a task")
+    for wrong, says in (
+        (3, "is 3"),
+        ((3, 4), "is (3, 4)"),
+        (Around(3), "is Around(mdp=3): is the decorator @edugym.wrapper missing?"),
+        (type("Tasks", (), {part: 0, "num_envs": 2})(), "Tasks holds several: give one of them"),
+    ):
+        with pytest.raises(ValueError, match=f"^where must be a task, but {re.escape(says)}$"):
+            require_environment("where", wrong, "a task")
 
 
 @pytest.mark.parametrize(

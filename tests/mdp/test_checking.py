@@ -71,7 +71,12 @@ STRUCTURE = [
     ),
     ("def terminal(self, state)", "def ends(self, state)", r"Walk must have a method terminal\(self, state\)"),
     ("def action_space(self)", "def actions(self)", r"Walk must have a property action_space, a Gymnasium space"),
-    ("return spaces.Discrete(2)", "return 2", r"action_space of Walk must be a Gymnasium space, .* but is 2"),
+    ("return spaces.Discrete(2)", "return 2", r"action_space of Walk must be a Gymnasium space, .* but is 2$"),
+    (
+        "    @property\n    def action_space",
+        "    def action_space",
+        r"action_space .* but is <.*>: put @property above it$",
+    ),
     ("return spaces.Discrete(2)", "return spaces.Discrete(2, start=1)", "action_space .* from 0"),
 ]
 
@@ -215,8 +220,9 @@ def test_step_limits() -> None:
         task = walk(
             "    def initial", f"    @property\n    def max_steps(self):\n        return {wrong}\n\n    def initial"
         )
-        with pytest.raises(ValueError, match="max_steps must be"):
-            MDPEnv(task)
+        for use in (MDPEnv, require_mdp):
+            with pytest.raises(ValueError, match="max_steps must be"):
+                use(task)
     for right, limit in (("None", None), ("7", 7), ("np.int32(7)", 7)):
         task = walk(
             "    def initial", f"    @property\n    def max_steps(self):\n        return {right}\n\n    def initial"

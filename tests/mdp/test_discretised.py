@@ -123,6 +123,7 @@ def test_numbers_that_are_none() -> None:
         ({"bins": 2, "low": [1, 2, 3]}, r"low must be one number or 2, one for each, but is \[1, 2, 3\]"),
         ({"bins": 2, "low": [0, 3]}, "high must be greater than low, but for number 1 they are 1.0 and 3.0$"),
         ({"bins": 2, "high": -1.0}, "high must be greater than low, but for number 0 they are -1.0 and -1.0$"),
+        ({"bins": 2, "low": [0, 1]}, "high must be greater than low, but for number 1 they are 1.0 and 1.0$"),
         ({"bins": 2, "low": np.inf}, "low must be given for a task that observes numbers without bounds"),
     ],
 )
@@ -133,7 +134,10 @@ def test_arguments(arguments: dict[str, Any], message: str) -> None:
 
 
 def test_tasks_that_observe_something_else() -> None:
-    """No bins for whole numbers, and none where there are no bounds."""
+    """No bins for whole numbers, and none where there are no bounds; what is no task is told first."""
+    for create in (Discretised.create, DiscreteActions.create):
+        with pytest.raises(ValueError, match=r"mdp must be an MDP, .* but is 3"):
+            create(3, 4)
     with pytest.raises(ValueError, match="mdp must observe real numbers"):
         Discretised.create(make_mdp("Boulder"), 3)
     with pytest.raises(ValueError, match="low must be given for a task that observes numbers without bounds: low="):

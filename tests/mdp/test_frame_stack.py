@@ -126,6 +126,8 @@ def test_the_longest_stack_that_fits() -> None:
     with pytest.raises(ValueError, match="actions must be False, since the action space is not Discrete but Box"):
         FrameStack.create(unnumbered, 2, actions=True)
     assert FrameStack.create(unnumbered, 1, actions=True).n_actions == 1
+    with pytest.raises(ValueError, match=r"mdp must be an MDP, .* but is 3"):
+        FrameStack.create(3, 2)
     wrong: Any = 1
     with pytest.raises(ValueError, match="actions must be True or False, but is 1"):
         FrameStack.create(CORRIDOR, 2, wrong)

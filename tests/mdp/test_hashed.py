@@ -237,6 +237,8 @@ def test_observations_that_have_no_row() -> None:
         Hashed.create(Liar("a", spaces.Text(3)), 10)
     with pytest.raises(ValueError, match=r"mdp observes \(1, 2, 3\), which is not as its observation space says"):
         Hashed.create(Liar((1, 2, 3), spaces.MultiDiscrete([5, 5])), 10)
+    with pytest.raises(ValueError, match=r"mdp must be an MDP, .* but is 3"):
+        Hashed.create(3, 10)
 
 
 def test_the_exact_model_is_that_of_the_task() -> None:

@@ -8,7 +8,7 @@ from gymnasium import spaces
 
 from edugym import make_mdp
 from edugym.envs.catch import CatchGrid
-from edugym.mdp.in_place import blank, in_place
+from edugym.mdp.in_place import SeveralNumbers, WholeArray, blank, in_place
 from edugym.mdp.protocol import writes_in_place
 
 TASKS: list[tuple[Any, Any]] = [
@@ -86,6 +86,16 @@ def test_real_numbers_stay_what_they_are(seen: Any) -> None:
     in_place(task).observe_into(0, None, out)
     assert out.dtype == np.float64
     assert np.array_equal(out, np.reshape(seen, out.shape))
+    if np.ndim(seen):  # machine code copies an array at once, and a tuple number by number
+        assert type(in_place(task)) is (WholeArray if isinstance(seen, np.ndarray) else SeveralNumbers)
+
+
+@pytest.mark.parametrize(("seen", "shape"), [((0.25, -0.5), (1,)), (0.25, (2,)), (np.zeros((1, 2)), (2,))])
+def test_what_is_not_as_the_space_says(seen: Any, shape: tuple[int, ...]) -> None:
+    """One number where several are said, or the other way round."""
+    task: Any = Shown(seen, spaces.Box(-1.0, 1.0, shape, np.float64))
+    with pytest.raises(ValueError, match="which is not as its observation space says"):
+        in_place(task)
 
 
 def test_a_subclass_that_overrides_observation_alone() -> None:

@@ -1,13 +1,15 @@
 """Noise and brightness: what they change, how often, and what they leave alone."""
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
+from gymnasium import spaces
 from scipy import stats
 
 from edugym import Brightness, Hashed, MDPEnv, NoisyObservation, make_mdp
 from edugym.envs.catch import Fall
+from edugym.mdp.noisy_observation import bounds
 from tests.mdp.watch import watched
 
 GRID, IMAGE = make_mdp("Catch"), make_mdp("Catch", observation_type="rgb")
@@ -27,6 +29,67 @@ def test_one_noisy_number_of_some_levels() -> None:
         counts = [seen.count(value) for value in values]
         assert sum(counts) == len(seen)
         assert stats.chisquare(counts).pvalue > 1e-4
+
+
+@pytest.mark.parametrize("levels", [0, 1])
+def test_without_noise_nothing_is_drawn(levels: int) -> None:
+    """What is shown is what the task shows."""
+    task: Any = NoisyObservation.create(GRID, levels, 0.0)
+    rng = np.random.default_rng(0)
+    assert np.array_equal(task.observation(STATE, rng), GRID.observation(STATE, rng))
+    assert rng.bit_generator.state == np.random.default_rng(0).bit_generator.state
+
+
+class Bounded(NamedTuple):
+    """Observes two numbers.
+
+    Attributes:
+        low: their lowest values.
+        high: their highest values.
+    """
+
+    low: Any
+    high: Any
+
+    @property
+    def observation_space(self) -> spaces.Box:
+        """Of these bounds."""
+        return spaces.Box(np.array(self.low), np.array(self.high), dtype=np.float64)
+
+    @property
+    def action_space(self) -> spaces.Discrete:
+        """One action."""
+        return spaces.Discrete(1)
+
+    def initial(self, rng: Any) -> int:
+        """The only state."""
+        return 0
+
+    def transition(self, state: int, action: int, rng: Any) -> int:
+        """It stays."""
+        return state
+
+    def reward(self, state: int, action: int, next_state: int, rng: Any) -> float:
+        """None."""
+        return 0.0
+
+    def terminal(self, state: int) -> bool:
+        """Never."""
+        return False
+
+    def observation(self, state: int, rng: Any) -> Any:
+        """The lowest."""
+        return np.array(self.low)
+
+
+@pytest.mark.parametrize(
+    ("low", "high"), [([0.0, -1.0], [1.0, 1.0]), ([0.0, 0.0], [1.0, 2.0]), ([0.0, 0.0], [np.inf, np.inf])]
+)
+def test_bounds_that_differ(low: Any, high: Any) -> None:
+    """Or that are none."""
+    with pytest.raises(ValueError, match="the numbers that mdp observes must all have the same finite bounds, but are"):
+        NoisyObservation.create(Bounded(low, high), 2)
+    assert bounds(Bounded([0.0, 0.0], [1.0, 1.0])) == (0.0, 1.0)
 
 
 def test_normal_noise_in_every_number() -> None:
@@ -84,6 +147,7 @@ def test_machine_code_does_the_same() -> None:
         (lambda: NoisyObservation.create(GRID, -1), "levels must be"),
         (lambda: NoisyObservation.create(GRID, sigma=-0.1), "sigma must be 0 or more, but is -0.1"),
         (lambda: NoisyObservation.create(GRID, sigma=np.inf), "sigma must be a finite number"),
+        (lambda: NoisyObservation.create(3, 4), r"mdp must be an MDP, .* but is 3"),
         (lambda: Brightness.create(GRID, -0.1), "low must be from 0 to 1, but is -0.1"),
         (lambda: Brightness.create(GRID, 0.5, 0.4), "high must be from 0.5 to 1, but is 0.4"),
         (lambda: Brightness.create(make_mdp("Trashbot")), "the numbers that mdp observes must begin at 0"),

@@ -327,3 +327,20 @@ def test_one_number_needs_no_table() -> None:
     """What is a row already is refused, with a word on what to do."""
     with pytest.raises(ValueError, match=r"mdp observes one whole number already, an element of Discrete\(6\)"):
         Tabular.create(cell(WALK)["Walk"](5))
+
+
+class Writing(NamedTuple):
+    """A task that writes two whole numbers in place."""
+
+    observation_space: Any = spaces.MultiDiscrete([3, 4])
+
+    def observe_into(self, state: int, rng: Any, out: Any) -> None:
+        """Write them."""
+        out[:] = state // 4, state % 4
+
+
+def test_what_is_written_in_place_is_one_row() -> None:
+    """The row of what the task has written last."""
+    writing: Any = Writing()
+    task: Any = Tabular.create(writing)
+    assert [task.observation(state, None) for state in (7, 0, 11)] == [7, 0, 11]

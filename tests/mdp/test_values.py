@@ -1,12 +1,13 @@
 """Whether a value is in a space, is a number, and is still what it was, whatever form a student gives it."""
 
+import random
 from typing import Any
 
 import numpy as np
 import pytest
 from gymnasium import spaces
 
-from edugym.mdp.values import fits, is_finite_number, kept, same
+from edugym.mdp.values import GlobalDraws, fits, is_finite_number, kept, own_copy, same
 
 PIXELS = spaces.Box(0, 255, (2,), np.uint8)
 NEGATIVE = spaces.Discrete(3, start=-1)
@@ -69,6 +70,7 @@ class Other(Plain):
         ({"a": 1, "b": 2}, {"b": 2, "a": 1}, [{"a": 1, "b": 3}, {"a": 0, "b": 2}, {"a": 1}]),
         (Plain([1]), Plain([1]), [Plain([2]), Other([1]), [1]]),
         (2, 2.0, [3, "2", None, {}, {"a": 2}]),
+        (np.nan, float("nan"), [1.0, None, "nan"]),
     ],
 )
 def test_what_is_the_same(one: Any, equal: Any, different: list[Any]) -> None:
@@ -77,6 +79,33 @@ def test_what_is_the_same(one: Any, equal: Any, different: list[Any]) -> None:
     assert same(one, equal)
     assert same(equal, one)
     assert not any(same(one, other) or same(other, one) for other in different)
+
+
+def test_global_draws_are_looked_for_in_the_first_calls() -> None:
+    """In as many as it says."""
+    draws = GlobalDraws("Walk", calls=2)
+    with draws.refused("initial"):
+        pass
+    with pytest.raises(ValueError, match=r"initial of Walk draws from random or np\.random"), draws.refused("initial"):
+        random.random()
+    with draws.refused("initial"):
+        random.random()
+
+
+class Uncopyable:
+    """A class whose author has made a mistake."""
+
+    def __deepcopy__(self, memo: Any) -> Any:
+        """Fail."""
+        raise TypeError("a mistake of the author's")
+
+
+def test_what_cannot_be_copied() -> None:
+    """What it holds is named; a mistake in the copying shows as it is."""
+    with pytest.raises(ValueError, match=r"^list holds a generator, which cannot be copied, but we must$"):
+        own_copy([(k for k in range(2))], "we must")
+    with pytest.raises(TypeError, match="author's"):
+        own_copy([Uncopyable()], "we must")
 
 
 def test_what_is_kept() -> None:

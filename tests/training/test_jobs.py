@@ -68,10 +68,19 @@ def test_an_error_in_another_process_names_the_students_line() -> None:
     assert __file__ in note
 
 
+@pytest.mark.parametrize("kind", [AttributeError, TypeError])
+def test_an_error_without_a_line_of_a_student(kind: type[Exception]) -> None:
+    """It says what it says."""
+    error = kind("as it is")
+    end_at_students_line(error)
+    assert (str(error), error.__traceback__) == ("as it is", None)
+
+
 def test_an_error_of_the_package_in_another_process_names_the_students_line_or_none() -> None:
     """Frames of the package, of joblib and of the standard library are no help."""
     frame = '  File "{}", line 3, in act\n    raise ValueError\n'
-    for students, notes in (("", []), (frame.format("/home/me/edugym/mine.py"), ["/home/me/edugym/mine.py"])):
+    shown = ["/home/me/edugym/mine.py", pytest.__file__]
+    for students, notes in (("", []), *((frame.format(file), [file]) for file in shown)):
         error = ValueError("action is 7")
         told = "Traceback (most recent call last):\n" + students + frame.format(edugym.__file__) + "ValueError: 7"
         error.__cause__ = _RemoteTraceback(told)

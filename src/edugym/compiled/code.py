@@ -17,7 +17,7 @@ LIBRARIES = frozenset(
     {"builtins", "math", "numba", "numpy", "typing", "collections", "gymnasium", "operator", "sys", "enum"}
 )
 """Packages whose code does not change under the feet of a session."""
-EXTENDED_ARG, LOAD_GLOBAL, LOAD_NAME = (dis.opmap[name] for name in ("EXTENDED_ARG", "LOAD_GLOBAL", "LOAD_NAME"))
+EXTENDED_ARG, LOAD_GLOBAL = dis.opmap["EXTENDED_ARG"], dis.opmap["LOAD_GLOBAL"]
 NAMEDTUPLE_OWN = frozenset({"_make", "_replace", "_asdict", "_fields", "_field_defaults"})
 """What every NamedTuple has."""
 _ABSENT = object()
@@ -232,8 +232,6 @@ class Code:
             self._visit(type(thing))
             for part in thing:
                 self._visit(part)
-        elif isinstance(thing, frozenset):
-            self._add(_stable(thing))
         elif package(type(thing)) == "numba":
             self._compiled_by_its_author(thing)
 
@@ -331,8 +329,6 @@ def _global_names(code: CodeType) -> set[str]:
         high = argument << 8 if operation == EXTENDED_ARG else 0
         if operation == LOAD_GLOBAL:
             names.add(code.co_names[argument >> 1])  # its last bit is about a call
-        elif operation == LOAD_NAME:
-            names.add(code.co_names[argument])
     return names.union(*(_global_names(constant) for constant in code.co_consts if isinstance(constant, CodeType)))
 
 

@@ -45,9 +45,8 @@ def _copied_array(array: Any, known: dict[int, Any]) -> Any:
         owner = owner.base
     if array.dtype.hasobject or not (owner.flags.c_contiguous or owner.flags.f_contiguous):
         return copy.deepcopy(array)
-    if id(owner) not in known or owner is array:
-        memory = owner.ravel(order="K").copy()
-        known.setdefault(-id(owner), (memory, owner))
+    if -id(owner) not in known:
+        known[-id(owner)] = owner.ravel(order="K").copy(), owner
     memory = known[-id(owner)][0]
     offset = array.__array_interface__["data"][0] - owner.__array_interface__["data"][0]
     made = np.ndarray(array.shape, array.dtype, memory, offset, array.strides)
@@ -97,17 +96,12 @@ class Snapshot:
                 np.copyto(leaf, kept)
 
 
-PLAIN = frozenset({int, float, bool, str, type(None)})
-
-
 def _collect(values: tuple[Any, ...], leaves: list[Any]) -> None:
     for value in tuple.__iter__(values):
         kind = type(value)
-        if kind is np.ndarray or kind is np.random.Generator:
-            leaves.append(value)
-        elif isinstance(value, tuple):
+        if isinstance(value, tuple):
             _collect(value, leaves)
-        elif kind not in PLAIN and (isinstance(value, np.ndarray) or kind.__module__.startswith("numba.typed")):
+        elif isinstance(value, np.ndarray | np.random.Generator) or kind.__module__.startswith("numba.typed"):
             leaves.append(value)
 
 

@@ -77,7 +77,7 @@ def remove(folder: Path) -> None:
 
 
 def _checksums(folder: Path) -> dict[str, str]:
-    files = sorted(path for path in folder.rglob("*") if path.is_file() and path.name != SEAL)
+    files = (path for path in folder.rglob("*") if path.is_file() and path.name != SEAL)
     return {str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest() for path in files}
 
 

@@ -58,8 +58,8 @@ def _binomial(rng: Any, n: Any, p: Any) -> Any:
 
 
 def _nothing(kind: Any) -> bool:
-    """Whether a parameter is None, or is left out."""
-    return kind is None or (isinstance(kind, types.NoneType | types.Omitted) and getattr(kind, "value", None) is None)
+    """Whether a parameter, which is None by default, is None or is left out."""
+    return kind is None or isinstance(kind, types.NoneType | types.Omitted)
 
 
 def _any_integers(rng: Any, low: Any, high: Any, size: Any, dtype: Any, endpoint: Any) -> Any:

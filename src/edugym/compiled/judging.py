@@ -63,8 +63,8 @@ def after_typing(state: Any) -> bool:
         elif isinstance(statement, ir.Return):
             _judge_flag(statement.value, kinds, state.return_type, statement.loc)
         elif isinstance(statement, ir.SetItem | ir.StaticSetItem):
-            index = getattr(statement, "index_var", None) or statement.index
-            _judge_index(kinds[index.name] if isinstance(index, ir.Var) else None, statement.loc)
+            if isinstance(statement, ir.SetItem):  # another one has a constant for an index
+                _judge_index(kinds[statement.index.name], statement.loc)
             target, value = kinds[statement.target.name], kinds[statement.value.name]
             if isinstance(target, types.Array):
                 _judge_stored(target, value, statement.loc)
@@ -110,7 +110,7 @@ def _judge_type(kind: Any, loc: Any) -> None:
             refuse(f"it computes with numbers of type {kind}", loc)
         return None
     if isinstance(kind, types.Array):
-        if not isinstance(kind.dtype, types.Number | types.Boolean) or isinstance(kind.dtype, types.Complex):
+        if not isinstance(kind.dtype, types.Number | types.Boolean):
             refuse(f"it has an array of {kind.dtype}", loc)
         return None
     if isinstance(kind, types.List):
@@ -167,8 +167,8 @@ def _judge(expr: Any, kinds: Any, calltypes: Any, statement: Any) -> None:
     if isinstance(result, types.UnicodeType) and expr.op not in ("getattr", "static_getitem", "getitem", "cast", "phi"):
         refuse("it makes text", loc)
     _judge_narrow(expr, kinds, loc)
-    if expr.op in ("getitem", "static_getitem"):
-        _judge_index(kinds[expr.index.name] if expr.op == "getitem" else None, loc)
+    if expr.op == "getitem":
+        _judge_index(kinds[expr.index.name], loc)
     elif expr.op == "getattr":
         for kind, members, whose in MEMBERS:
             if isinstance(kinds[expr.value.name], kind) and expr.attr not in members:

@@ -99,7 +99,7 @@ def _global(func_ir: Any, variable: Any) -> Any:
 
 
 def _stand_in(statement: Any, value: Any) -> None:
-    if not isinstance(value, ModuleType | list | dict | set) and (function := _entry(REPLACED, value)):
+    if function := _entry(REPLACED, value):
         statement.value = ir.Global(function.__name__, function, statement.loc)
 
 

@@ -126,7 +126,7 @@ def _of_values(value: Any, name: str, *, all_kinds: bool, owner: type | None) ->
             return None
         return f"{name} is an array of {value.dtype.name}; of arrays it takes those of float64, int64 and bool"
     if isinstance(value, np.random.Generator):
-        return f"{name} is a random generator: take it as rng" if owner is None or is_foreign(owner) else None
+        return f"{name} is a random generator: take it as rng" if is_foreign(owner) else None
     if adapters and package(type(value)) == "numba":
         return None
     return _of_constant(value, name)
@@ -156,10 +156,10 @@ def _of_class(kind: type) -> str | None:
             if name in getattr(kind, "_fields", ()) and type(member).__name__ != "_tuplegetter":
                 return f"{base.__name__} replaces the field {name} by something else"
             function = getattr(member, "__func__", member)
-            special = name.startswith("__") and name.endswith("__") and name not in HARMLESS and callable(function)
+            special = name.startswith("__") and name not in HARMLESS and callable(function)
             own = getattr(function, "__globals__", {}).get("__name__", "").startswith("namedtuple_")
             ours = package(function) == "edugym"  # as what the decorator `wrapper` adds
-            if special and not ours and not (name == "__new__" and own):
+            if special and not ours and not own:
                 return f"{base.__name__} defines {name}, which machine code would not call"
             if name in DRAWS_WITH_CHECKS:
                 return f"{base.__name__} has a member named {name}, as rng has"
@@ -202,7 +202,7 @@ def _of_code(code: CodeType, function: FunctionType) -> str | None:
     value: Any = _UNKNOWN  # what the instruction before has taken from a global name
     path = ""
     for instruction in dis.get_instructions(code):
-        line = instruction.positions.lineno if instruction.positions and instruction.positions.lineno else line
+        line = getattr(instruction.positions, "lineno", None) or line
         name, found = instruction.argval, None
         if instruction.opname in GLOBAL or (instruction.opname in OUTER and name in function.__code__.co_freevars):
             path, value = name, _looked_up(function, name)
@@ -296,8 +296,6 @@ def _of_module(name: str) -> str:
 
 def _of_attribute(value: Any, name: str, path: str) -> tuple[str | None, Any]:
     """What is wrong with an attribute of what a global name stands for, and its value if that is known."""
-    if value is math:
-        return (None if name in MATH else f"it uses {path}"), _UNKNOWN
     if value is np:
         if name == "random":
             return _of_module("np.random"), _UNKNOWN

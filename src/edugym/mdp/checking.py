@@ -345,7 +345,7 @@ def require_environment(name: str, environment: Any, allowed: str = "an MDP or a
     if hasattr(environment, "num_envs"):
         raise ValueError(f"{name} must be {allowed}, but {type(environment).__name__} holds several: give one of them")
     if not any(hasattr(environment, part) for part in ("observation_space", "transition", "step")):
-        wraps = isinstance(environment, tuple) and "mdp" in getattr(environment, "_fields", ())
+        wraps = "mdp" in getattr(environment, "_fields", ())
         hint = ": is the decorator @edugym.wrapper missing?" if wraps else ""
         raise ValueError(f"{name} must be {allowed}, but is {in_short(environment)}{hint}")
 
