@@ -98,15 +98,15 @@ def test_a_complete_experiment_removes_its_own_runs_only(tmp_path: Path, trained
 
 
 def test_a_damaged_file_is_computed_again(tmp_path: Path, trained: list[int]) -> None:
-    """Cut off, emptied, or with a byte that has changed."""
-    whole = small(tmp_path).table
+    """Cut off, emptied, or with another number in a table."""
+    whole = small(tmp_path)
     one, two, three = sorted(tmp_path.iterdir())
     one.write_bytes(one.read_bytes()[:-1])
     two.write_bytes(b"")
     changed = bytearray(three.read_bytes())
-    changed[100] ^= 1
+    changed[max(changed.find(agent.Q.tobytes()) for agent in whole.agents["Q"].values())] ^= 1
     three.write_bytes(changed)
-    pd.testing.assert_frame_equal(small(tmp_path).table, whole)
+    pd.testing.assert_frame_equal(small(tmp_path).table, whole.table)
     assert len(trained) == 6
 
 
@@ -119,7 +119,7 @@ def test_a_folder_that_cannot_be_made_is_said_before_the_first_run(tmp_path: Pat
 
 
 def test_an_agent_that_cannot_be_kept_is_said(tmp_path: Path) -> None:
-    """The results are complete all the same."""
+    """Once, and the results are complete all the same."""
 
     class Local(QLearning):
         """A class that no other process finds."""
@@ -129,9 +129,13 @@ def test_an_agent_that_cannot_be_kept_is_said(tmp_path: Path) -> None:
     def make(task: Any) -> Any:
         return Local(*QLearning.create(task))
 
-    with pytest.warns(UserWarning, match="finished runs of 'Q' cannot be kept on the disk"):
+    with pytest.warns(UserWarning, match="finished runs of 'Q' cannot be kept on the disk") as said:
         assert small(tmp_path, agents={"Q": make}).complete
+    assert len(said) == 1
     assert list(tmp_path.iterdir()) == []
+    with pytest.warns(UserWarning, match="finished runs of 'Q' cannot be kept on the disk"):
+        small(None, agents={"Q": make}, save_to=tmp_path / "results.csv")
+    assert sorted(file.name for file in tmp_path.iterdir()) == ["results.csv", "results.csv.json"]
 
 
 def test_what_cannot_be_taken_apart_is_said(tmp_path: Path) -> None:

@@ -34,6 +34,7 @@ def defined(code: str, name: str) -> Any:
         ({1, 2}, {1, 3}),
         ([FIRST, SECOND, FIRST], [FIRST, SECOND, SECOND]),
         (type("One", (), {}), type("Two", (), {})),
+        (type("Slots", (), {"__slots__": ("a",)}), type("Slots", (), {"__slots__": ("b",)})),
         (defined("def one(): pass", "one"), defined("def two(): pass", "two")),
     ],
 )
@@ -53,6 +54,15 @@ def test_a_number_has_no_place_of_its_own() -> None:
 def test_the_name_fits_in_the_name_of_a_file() -> None:
     """It is short, whatever is hashed."""
     assert len(fingerprint(1)) == len(fingerprint(range(1000))) == 32
+
+
+@pytest.mark.parametrize(
+    "code", ["def use():\n    def inner(): return rate\n    return inner()", "def use(): return [rate for _ in '12']"]
+)
+def test_what_an_inner_function_reaches_counts(code: str) -> None:
+    """A global of a function inside a function, or of a list."""
+    one, other = (defined(f"rate = {rate}\n{code}", "use") for rate in (1, 2))
+    assert fingerprint(one) != fingerprint(other)
 
 
 def test_what_a_function_takes_from_a_library_is_not_taken_apart() -> None:
