@@ -92,6 +92,24 @@ def test_only_the_first_steps_are_checked_in_every_way() -> None:
         CheckedAgent(agent, Stairs(), 1).act(state, RNG)
 
 
+def test_no_lesson_is_lost_when_the_checks_end() -> None:
+    """The agent learns from every step, from then on without a detour."""
+
+    class Counting(Acting):
+        n_learned = 0
+
+        def learn(self, reward: float) -> None:
+            self.n_learned += 1
+
+    agent = Counting(0, Stairs().action_space)
+    checked = CheckedAgent(agent, Stairs(), 1)
+    for n_learned in (1, 2, 3):
+        checked.act(0, RNG)
+        checked.learn(reward=1.0)
+        assert agent.n_learned == n_learned
+    assert checked.learn == agent.learn
+
+
 def test_checks_are_next_to_the_students_task() -> None:
     """Inside the package's wrappers, whose classes no message should blame; guards, which say less, are left out."""
     student = Stairs()
