@@ -97,6 +97,13 @@ def test_a_complete_experiment_removes_its_own_runs_only(tmp_path: Path, trained
     assert not folder.exists()
 
 
+def test_a_folder_of_ones_own_is_used_and_left(tmp_path: Path) -> None:
+    """Nothing is kept beside the file then."""
+    assert small(tmp_path / "runs", save_to=tmp_path / "results.csv").complete
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["results.csv", "results.csv.json", "runs"]
+    assert len(list((tmp_path / "runs").iterdir())) == 3
+
+
 def test_a_damaged_file_is_computed_again(tmp_path: Path, trained: list[int]) -> None:
     """Cut off, emptied, or with another number in a table."""
     whole = small(tmp_path)
@@ -152,9 +159,15 @@ def test_what_cannot_be_taken_apart_is_said(tmp_path: Path) -> None:
     assert small(None, agents={"Q": make}).complete, "nothing was to be kept, so there is nothing to say"
 
 
-def test_a_full_disk_loses_no_finished_run(tmp_path: Path, trained: list[int], monkeypatch: pytest.MonkeyPatch) -> None:
-    """The error says so, and the same call goes on when there is room."""
+@pytest.mark.parametrize("older", [False, True])
+def test_a_full_disk_loses_no_finished_run(
+    older: bool, tmp_path: Path, trained: list[int], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The error says so, and the same call goes on when there is room, also where there is an older file."""
     path = tmp_path / "results.csv"
+    if older:
+        small(None, save_to=path, seed=1)
+        trained.clear()
 
     def write(file: Path, contents: bytes) -> Path:
         if len(trained) == 2:
@@ -164,8 +177,9 @@ def test_a_full_disk_loses_no_finished_run(tmp_path: Path, trained: list[int], m
     monkeypatch.setattr(checkpoints, "write_whole", write)
     with pytest.raises(OSError, match="no space left"):
         small(None, save_to=path)
-    assert not path.exists()
+    assert path.exists() == older
     assert len(trained) == 2
+    assert len(list(Path(f"{path}.unfinished").iterdir())) == 1
     monkeypatch.undo()
     assert small(None, save_to=path).complete
     assert sorted(file.name for file in tmp_path.iterdir()) == ["results.csv", "results.csv.json"]
