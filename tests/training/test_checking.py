@@ -1,6 +1,6 @@
 """What is checked of students' agents and tasks: which actions pass, where the checks sit, and what a class shares."""
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import gymnasium
 import numpy as np
@@ -110,6 +110,39 @@ def test_no_lesson_is_lost_when_the_checks_end() -> None:
     assert checked.learn == agent.learn
 
 
+@pytest.mark.parametrize("n_rows", [5_000, 5_001])
+def test_only_a_small_table_is_searched_for_nan(n_rows: int) -> None:
+    """After each of the first steps: up to 10 000 numbers."""
+
+    class Spoiling(Acting):
+        Q = np.zeros((2, 2))
+
+        def learn(self, reward: float) -> None:
+            self.Q[0, 1] = reward
+
+    agent = Spoiling(0, Stairs().action_space)
+    agent.Q = np.zeros((n_rows, 2))
+    checked = CheckedAgent(agent, Stairs(), 1)
+    if n_rows > 5_000:
+        checked.learn(reward=NAN)
+        return
+    with pytest.raises(ValueError, match=r"learn of Spoiling must leave numbers in Q, but Q\[0, 1\] is nan"):
+        checked.learn(reward=NAN)
+
+
+def test_a_key_of_a_dictionary_of_ones_own_is_only_missing_there() -> None:
+    """It is not what `learn` is told, though it has the same name."""
+
+    class Looking(Acting):
+        def learn(self, state: int) -> None:
+            notes: dict[str, float] = {}
+            notes["reward"] += 1
+
+    agent = Looking(0, Stairs().action_space)
+    with pytest.raises(KeyError, match=r"^'reward'$"):
+        CheckedAgent(agent, Stairs(), 1).learn(state=0)
+
+
 def test_checks_are_next_to_the_students_task() -> None:
     """Inside the package's wrappers, whose classes no message should blame; guards, which say less, are left out."""
     student = Stairs()
@@ -126,6 +159,12 @@ def test_checks_are_next_to_the_students_task() -> None:
     assert type(wrapped.mdp) is CheckedMDP
 
 
+class Both(NamedTuple):
+    """A student's agent in another one."""
+
+    inner: Any
+
+
 def test_checks_are_next_to_the_students_agent() -> None:
     """Inside what the loops make of it; the package's own agents have none."""
     own: QLearning = QLearning.create(Stairs())
@@ -136,6 +175,7 @@ def test_checks_are_next_to_the_students_agent() -> None:
     with_strategy = own._replace(exploration=mine)
     assert type(checked_agent(with_strategy, Stairs())) is CheckedAgent
     assert students_parts(with_strategy) == ["StudentsQLearning"]
+    assert students_parts(Both(mine)) == []
     assert students_parts(own._replace(exploration=EpsilonGreedy(0.2))) == students_parts(mine) == []
 
 
