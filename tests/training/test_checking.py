@@ -138,9 +138,27 @@ def test_a_key_of_a_dictionary_of_ones_own_is_only_missing_there() -> None:
             notes: dict[str, float] = {}
             notes["reward"] += 1
 
-    agent = Looking(0, Stairs().action_space)
+    class LookingForMore(Acting):
+        def learn(self, **told: Any) -> None:
+            told["bonus"] += 1
+
+    space = Stairs().action_space
     with pytest.raises(KeyError, match=r"^'reward'$"):
-        CheckedAgent(agent, Stairs(), 1).learn(state=0)
+        CheckedAgent(Looking(0, space), Stairs(), 1).learn(state=0)
+    with pytest.raises(KeyError, match=r"^'bonus'$"):
+        CheckedAgent(LookingForMore(0, space), Stairs(), 1).learn(state=0)
+
+
+@pytest.mark.parametrize(
+    ("action", "of_a_row"), [(2, True), (np.int64(2), True), (True, False), (None, False), (0.5, False)]
+)
+def test_the_size_of_a_table_explains_a_number_only(action: Any, of_a_row: bool) -> None:
+    """An action that is no whole number has not come from a table that is too wide."""
+    agent: Any = Acting(action, Stairs().action_space)
+    agent.Q = np.zeros((4, 3))
+    with pytest.raises(ValueError, match="act of Acting must return an action") as caught:
+        CheckedAgent(agent, Stairs(), 1).act(0, RNG)
+    assert ("Q of Acting has the shape (4, 3)" in str(caught.value)) == of_a_row
 
 
 def test_checks_are_next_to_the_students_task() -> None:

@@ -15,6 +15,7 @@ import pytest
 
 from edugym import EpsilonGreedy, QLearning, Results, repeat
 from edugym.files import write_whole
+from edugym.interrupts import Interrupted
 from edugym.training import checkpoints
 from edugym.training import repeat as repeating
 from edugym.training.run import Run
@@ -102,6 +103,21 @@ def test_a_folder_of_ones_own_is_used_and_left(tmp_path: Path) -> None:
     assert small(tmp_path / "runs", save_to=tmp_path / "results.csv").complete
     assert sorted(path.name for path in tmp_path.iterdir()) == ["results.csv", "results.csv.json", "runs"]
     assert len(list((tmp_path / "runs").iterdir())) == 3
+
+
+@pytest.mark.parametrize(("where", "is_kept"), [(None, False), ("save_to", True), ("checkpoints", True)])
+def test_an_interruption_says_whether_runs_are_kept(
+    where: str | None, is_kept: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Beside the file, or in a folder."""
+
+    def press(*_: Any) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(repeating, "_do_all", press)
+    with pytest.raises(Interrupted, match="0 of 3 runs are complete") as caught:
+        small(None, **({} if where is None else {where: tmp_path / "kept"}))
+    assert str(caught.value).endswith("the same call goes on from there") == is_kept
 
 
 def test_a_damaged_file_is_computed_again(tmp_path: Path, trained: list[int]) -> None:
