@@ -6,7 +6,7 @@ import gymnasium
 import numpy as np
 import pytest
 from gymnasium import spaces
-from gymnasium.wrappers import FlattenObservation
+from gymnasium.wrappers import FlattenObservation, TransformReward
 
 from edugym import EpsilonGreedy, QLearning
 from edugym.adapters.tabular_observation import TabularObservation
@@ -209,6 +209,29 @@ def test_what_a_class_shares() -> None:
     assert (shared["seen"], shared["old"], shared["names"]) == ({1}, [2], {"a": 1})
     assert not shared["table"].any()
     assert shared_by_class(QLearning.create((2, 2))) == {}
+
+
+class Lost(gymnasium.Env[Any, Any]):
+    """An environment that shows what is not in its space, from the first step on."""
+
+    observation_space, action_space = spaces.Discrete(2), spaces.Discrete(2)
+
+    def step(self, action: int) -> tuple[int, float, bool, bool, dict[str, Any]]:
+        """Somewhere else."""
+        return 7, 0.0, False, False, {}
+
+
+def test_the_last_of_the_first_steps_of_an_environment_is_checked() -> None:
+    """The one after it is not."""
+    with pytest.raises(ValueError, match=r"step of Lost must return an observation in Discrete\(2\), but returned 7"):
+        CheckedEnv(Lost(), 1).step(0)
+    assert CheckedEnv(Lost(), 0).step(0)[0] == 7
+
+
+def test_a_wrapper_of_gymnasium_is_named_where_nothing_is_the_students() -> None:
+    """Around a task of the package, which is not to blame."""
+    env = TransformReward(gymnasium.make("edugym/Golf-v0"), lambda reward: 2 * float(reward))
+    assert CheckedEnv(env)._of == "TransformReward"
 
 
 def test_checks_are_taken_away() -> None:
