@@ -158,6 +158,7 @@ def test_sliders_show_as_many_digits_as_they_have(step: float, digits: str) -> N
         ({"x": (0, 4, 1, 2)}, r"x must be \(low, high\) or .* but is \(0, 4, 1, 2\)"),
         ({"x": (0, "4")}, r"x must be \(low, high\) or .* but is \(0, '4'\)"),
         ({"x": "text"}, r"x must be \(low, high\) or .* but is 'text'"),
+        ({"x": np.array([0, 4])}, r"x must be \(low, high\) or .* but is array\(\[0, 4\]\)"),
     ],
 )
 def test_wrong_controls_are_named(controls: dict[str, Any], message: str) -> None:
