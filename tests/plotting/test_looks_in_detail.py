@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from matplotlib import rc_context
 from matplotlib.colors import to_hex
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from PIL import Image
@@ -37,8 +38,9 @@ def test_ticks_and_frame_are_quiet(name: str) -> None:
 
 
 def test_a_legend_stands_on_white_ground() -> None:
-    """Without a frame, so that no line runs through its text."""
-    legend: Any = PANELS["lines"]().draw(new_axes()).get_legend()
+    """Without a frame, so that no line runs through its text, also for a reader whose own legends have no ground."""
+    with rc_context({"legend.frameon": False}):
+        legend: Any = PANELS["lines"]().draw(new_axes()).get_legend()
     assert {text.get_fontsize() for text in legend.get_texts()} == {8}
     frame = legend.get_frame()
     assert legend.get_frame_on()
