@@ -88,3 +88,13 @@ def test_others_are_not(make: Callable[[], Any]) -> None:
         warnings.simplefilter("error")
         warnings.filterwarnings("ignore", message=".*cannot be compiled")
         train(Ring(), make(), 1_000)
+
+
+@pytest.mark.parametrize(
+    "tables",
+    [{"Q": np.zeros(2)}, {"V": np.zeros((2, 1))}, {"Q": np.zeros((3, 1))}, {"weights": np.ones((2, 1))}],
+    ids=["a value of each state", "values in a column", "other rows", "weights"],
+)
+def test_only_a_table_of_states_and_actions_must_have_their_numbers(tables: dict[str, Any]) -> None:
+    """What has another form or name may be of any size."""
+    assert train(Ring(), Adding(**{"weights": np.arange(3.0), **tables}), 10).complete
