@@ -177,6 +177,34 @@ def test_checks_are_next_to_the_students_task() -> None:
     assert type(wrapped.mdp) is CheckedMDP
 
 
+class Pictures(Stairs):
+    """A task that shows pictures."""
+
+    __slots__ = ()
+
+    @property
+    def observation_space(self) -> Any:
+        """Four pixels."""
+        return spaces.Box(0.0, 1.0, (2, 2))
+
+
+class PicturesInPlace(Pictures):
+    """It writes them into an array."""
+
+    __slots__ = ()
+
+    def observe_into(self, state: int, rng: Any, out: Any) -> None:
+        """Write them."""
+        out[:] = 0.0
+
+
+def test_pictures_have_no_guard_and_those_in_place_stay_so() -> None:
+    """Machine code would look at each pixel."""
+    mine = StudentsQLearning(np.zeros((4, 2)))
+    assert type(guarded(Pictures(), QLearning.create(Stairs())).mdp) is Pictures
+    assert hasattr(guarded(PicturesInPlace(), mine), "observe_into")
+
+
 class Both(NamedTuple):
     """A student's agent in another one."""
 
