@@ -48,3 +48,17 @@ def test_what_is_refused(space: spaces.Space[Any], action: Any) -> None:
     """The sentence has the action and the space."""
     with pytest.raises(ValueError, match=r"^action .* is not in the action space (Discrete|Multi|Box|Text)"):
         checked_action(space, action)
+
+
+class Stumbling(spaces.Discrete):
+    """As Gymnasium's own was up to 1.3."""
+
+    def contains(self, x: Any) -> bool:
+        """Fail at a huge number."""
+        raise OverflowError("Python integer out of bounds")
+
+
+def test_a_number_that_is_too_large_for_gymnasium_is_refused() -> None:
+    """In the same words as every other."""
+    with pytest.raises(ValueError, match=r"^action .* is not in the action space Discrete\(3\)"):
+        checked_action(Stumbling(3), 10**30)

@@ -1,5 +1,7 @@
 """The start page, and the record of solved exercises that it shows."""
 
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -91,3 +93,27 @@ def test_every_lesson_of_the_course_can_be_shown() -> None:
         assert lesson.title
         assert lesson.exercises >= 2
         assert all(lesson.part(label) for label in ("The challenge", "Time", "Before you start")), lesson.name
+
+
+ENCODED = """
+import os, sys, warnings
+from pathlib import Path
+warnings.filterwarnings("error", category=EncodingWarning, module="edugym")
+import edugym
+edugym.QLearning
+from edugym.lab import lessons
+from edugym.lab.progress import record_passed
+from edugym.lab.server import prepare
+lessons.PACKAGED = Path(sys.argv[1])
+print(prepare(Path("mine")), prepare(Path("mine")))
+os.chdir("mine")
+record_passed("doubling", 1)
+record_passed("doubling", 1)
+"""
+
+
+def test_files_do_not_depend_on_the_language_of_the_computer(tmp_path: Path, shipped: Path) -> None:
+    """Each is opened with an encoding; Python warns of those that are not, if it is asked to."""
+    command = [sys.executable, "-X", "warn_default_encoding", "-c", ENCODED, str(shipped)]
+    assert subprocess.check_output(command, text=True, cwd=tmp_path) == "[] []\n"
+    assert (tmp_path / "mine" / PASSED).read_text(encoding="utf-8") == "doubling 1\n"

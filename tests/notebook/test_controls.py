@@ -158,6 +158,8 @@ def test_sliders_show_as_many_digits_as_they_have(step: float, digits: str) -> N
         ({"x": (0, 4, 1, 2)}, r"x must be \(low, high\) or .* but is \(0, 4, 1, 2\)"),
         ({"x": (0, "4")}, r"x must be \(low, high\) or .* but is \(0, '4'\)"),
         ({"x": "text"}, r"x must be \(low, high\) or .* but is 'text'"),
+        ({"x": (2, 2)}, r"x must be \(low, high\) or .* with low < high .* but is \(2, 2\)"),
+        ({"x": np.array([0, 4])}, r"x must be \(low, high\) or .* but is array\(\[0, 4\]\)"),
     ],
 )
 def test_wrong_controls_are_named(controls: dict[str, Any], message: str) -> None:
@@ -249,3 +251,26 @@ def test_a_first_call_that_fails_fails_in_the_cell() -> None:
 
     with pytest.raises(RuntimeError, match="no"):
         sliders(failing, x=(1, 2))
+
+
+@pytest.mark.parametrize("allowed", [(2, 5), (0, 2)])
+def test_a_default_may_be_at_an_end(allowed: tuple[int, int]) -> None:
+    """The slider starts there."""
+
+    def doubled(x: int = 2) -> str:
+        return str(2 * x)
+
+    control = sliders(doubled, x=allowed).controls["x"]
+    assert (control.value, control.min, control.max) == (2, *allowed)
+
+
+def test_a_figure_is_cut_to_what_is_drawn() -> None:
+    """Empty margins take room from the cell."""
+
+    def small() -> Figure:
+        figure = Figure(figsize=(6, 6), dpi=50)
+        figure.add_axes((0.4, 0.4, 0.2, 0.2))
+        return figure
+
+    width, height = Image.open(io.BytesIO(base64.b64decode(call(small, {}).data))).size
+    assert max(width, height) < 150

@@ -34,6 +34,8 @@ def test_many_buttons_begin_a_new_row() -> None:
     assert [(button.tooltip, button.layout.width) for button in buttons.children] == [
         (name, "auto") for name in panel.actions
     ]
+    assert {button.layout.min_width for button in buttons.children} == {"148px"}
+    assert (again.description, controls.layout.width) == ("New episode", "360px")
 
 
 def test_pictures_of_different_heights_side_by_side() -> None:

@@ -109,7 +109,7 @@ def test_a_film_of_an_agent() -> None:
     agent = QLearning.create(make_mdp("Golf"))
     agent.Q[:, 1] = 1.0
     film = frames("Golf", agent, stochasticity_level=0.0, frames_per_second=5)
-    assert (film.slider.min, film.slider.max) == (0, 3)
+    assert (film.slider.description, film.slider.min, film.slider.max) == ("step", 0, 3)
     assert (film.player.min, film.player.max, film.player.interval) == (0, 3, 200)
     assert (film._link.source, film._link.target) == ((film.player, "value"), (film.slider, "value"))
     assert texts(film.widget)[1] == "start, observation 3 0, total 0"

@@ -46,6 +46,9 @@ def test_a_percentage_of_a_share() -> None:
     prediction = predict("What share of the runs?", unit="(from 0 to 1)")
     answer(prediction, "30%")
     assert prediction.answer == 0.3
+    answer(prediction, "0.3")
+    assert prediction.answer == 0.3
+    answer(prediction, "30%")
     assert "You predicted 0.3. Measured: 0.25." in repr(prediction.measured(0.25))
 
 

@@ -86,6 +86,13 @@ def test_who_wants_no_colours_gets_none(name: str, coloured: bool, monkeypatch: 
     assert ("\x1b[38;2;" in screen.getvalue()) == coloured
 
 
+def test_an_environment_of_gymnasium_is_drawn_in_characters() -> None:
+    """Where it can be: pixels say nothing in a terminal."""
+    screen = io.StringIO()
+    play("FrozenLake-v1", keyboard=io.StringIO(), screen=screen, is_slippery=False)
+    assert "SFFF\nFHFH\n" in screen.getvalue().replace("\x1b[41m", "").replace("\x1b[0m", "")
+
+
 def test_a_screen_with_few_characters() -> None:
     """What its encoding does not have becomes a question mark."""
     written = io.BytesIO()

@@ -203,6 +203,8 @@ def test_what_was_not_measured_does_not_hold() -> None:
     [
         (Interval(0.5, 0.25, 0.75, 4), "0.5 [0.25, 0.75]"),
         (Interval(2046.4, 1999.6, 2100.2, 4), "2046 [2000, 2100]"),
+        (Interval(999.5, 999.4, 1000.0, 4), "1000 [999, 1000]"),
+        (Interval(-999.9, -1000.0, -999.4, 4), "-1000 [-1000, -999]"),
         (Interval(7.0, -math.inf, math.inf, 1), "7 [-inf, inf]"),
     ],
 )

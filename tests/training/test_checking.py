@@ -1,12 +1,12 @@
 """What is checked of students' agents and tasks: which actions pass, where the checks sit, and what a class shares."""
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import gymnasium
 import numpy as np
 import pytest
 from gymnasium import spaces
-from gymnasium.wrappers import FlattenObservation
+from gymnasium.wrappers import FlattenObservation, TransformReward
 
 from edugym import EpsilonGreedy, QLearning
 from edugym.adapters.tabular_observation import TabularObservation
@@ -92,6 +92,75 @@ def test_only_the_first_steps_are_checked_in_every_way() -> None:
         CheckedAgent(agent, Stairs(), 1).act(state, RNG)
 
 
+def test_no_lesson_is_lost_when_the_checks_end() -> None:
+    """The agent learns from every step, from then on without a detour."""
+
+    class Counting(Acting):
+        n_learned = 0
+
+        def learn(self, reward: float) -> None:
+            self.n_learned += 1
+
+    agent = Counting(0, Stairs().action_space)
+    checked = CheckedAgent(agent, Stairs(), 1)
+    for n_learned in (1, 2, 3):
+        checked.act(0, RNG)
+        checked.learn(reward=1.0)
+        assert agent.n_learned == n_learned
+    assert checked.learn == agent.learn
+
+
+@pytest.mark.parametrize("n_rows", [5_000, 5_001])
+def test_only_a_small_table_is_searched_for_nan(n_rows: int) -> None:
+    """After each of the first steps: up to 10 000 numbers."""
+
+    class Spoiling(Acting):
+        Q = np.zeros((2, 2))
+
+        def learn(self, reward: float) -> None:
+            self.Q[0, 1] = reward
+
+    agent = Spoiling(0, Stairs().action_space)
+    agent.Q = np.zeros((n_rows, 2))
+    checked = CheckedAgent(agent, Stairs(), 1)
+    if n_rows > 5_000:
+        checked.learn(reward=NAN)
+        return
+    with pytest.raises(ValueError, match=r"learn of Spoiling must leave numbers in Q, but Q\[0, 1\] is nan"):
+        checked.learn(reward=NAN)
+
+
+def test_a_key_of_a_dictionary_of_ones_own_is_only_missing_there() -> None:
+    """It is not what `learn` is told, though it has the same name."""
+
+    class Looking(Acting):
+        def learn(self, state: int) -> None:
+            notes: dict[str, float] = {}
+            notes["reward"] += 1
+
+    class LookingForMore(Acting):
+        def learn(self, **told: Any) -> None:
+            told["bonus"] += 1
+
+    space = Stairs().action_space
+    with pytest.raises(KeyError, match=r"^'reward'$"):
+        CheckedAgent(Looking(0, space), Stairs(), 1).learn(state=0)
+    with pytest.raises(KeyError, match=r"^'bonus'$"):
+        CheckedAgent(LookingForMore(0, space), Stairs(), 1).learn(state=0)
+
+
+@pytest.mark.parametrize(
+    ("action", "of_a_row"), [(2, True), (np.int64(2), True), (True, False), (None, False), (0.5, False)]
+)
+def test_the_size_of_a_table_explains_a_number_only(action: Any, of_a_row: bool) -> None:
+    """An action that is no whole number has not come from a table that is too wide."""
+    agent: Any = Acting(action, Stairs().action_space)
+    agent.Q = np.zeros((4, 3))
+    with pytest.raises(ValueError, match="act of Acting must return an action") as caught:
+        CheckedAgent(agent, Stairs(), 1).act(0, RNG)
+    assert ("Q of Acting has the shape (4, 3)" in str(caught.value)) == of_a_row
+
+
 def test_checks_are_next_to_the_students_task() -> None:
     """Inside the package's wrappers, whose classes no message should blame; guards, which say less, are left out."""
     student = Stairs()
@@ -108,6 +177,40 @@ def test_checks_are_next_to_the_students_task() -> None:
     assert type(wrapped.mdp) is CheckedMDP
 
 
+class Pictures(Stairs):
+    """A task that shows pictures."""
+
+    __slots__ = ()
+
+    @property
+    def observation_space(self) -> Any:
+        """Four pixels."""
+        return spaces.Box(0.0, 1.0, (2, 2))
+
+
+class PicturesInPlace(Pictures):
+    """It writes them into an array."""
+
+    __slots__ = ()
+
+    def observe_into(self, state: int, rng: Any, out: Any) -> None:
+        """Write them."""
+        out[:] = 0.0
+
+
+def test_pictures_have_no_guard_and_those_in_place_stay_so() -> None:
+    """Machine code would look at each pixel."""
+    mine = StudentsQLearning(np.zeros((4, 2)))
+    assert type(guarded(Pictures(), QLearning.create(Stairs())).mdp) is Pictures
+    assert hasattr(guarded(PicturesInPlace(), mine), "observe_into")
+
+
+class Both(NamedTuple):
+    """A student's agent in another one."""
+
+    inner: Any
+
+
 def test_checks_are_next_to_the_students_agent() -> None:
     """Inside what the loops make of it; the package's own agents have none."""
     own: QLearning = QLearning.create(Stairs())
@@ -118,6 +221,7 @@ def test_checks_are_next_to_the_students_agent() -> None:
     with_strategy = own._replace(exploration=mine)
     assert type(checked_agent(with_strategy, Stairs())) is CheckedAgent
     assert students_parts(with_strategy) == ["StudentsQLearning"]
+    assert students_parts(Both(mine)) == []
     assert students_parts(own._replace(exploration=EpsilonGreedy(0.2))) == students_parts(mine) == []
 
 
@@ -133,6 +237,29 @@ def test_what_a_class_shares() -> None:
     assert (shared["seen"], shared["old"], shared["names"]) == ({1}, [2], {"a": 1})
     assert not shared["table"].any()
     assert shared_by_class(QLearning.create((2, 2))) == {}
+
+
+class Lost(gymnasium.Env[Any, Any]):
+    """An environment that shows what is not in its space, from the first step on."""
+
+    observation_space, action_space = spaces.Discrete(2), spaces.Discrete(2)
+
+    def step(self, action: int) -> tuple[int, float, bool, bool, dict[str, Any]]:
+        """Somewhere else."""
+        return 7, 0.0, False, False, {}
+
+
+def test_the_last_of_the_first_steps_of_an_environment_is_checked() -> None:
+    """The one after it is not."""
+    with pytest.raises(ValueError, match=r"step of Lost must return an observation in Discrete\(2\), but returned 7"):
+        CheckedEnv(Lost(), 1).step(0)
+    assert CheckedEnv(Lost(), 0).step(0)[0] == 7
+
+
+def test_a_wrapper_of_gymnasium_is_named_where_nothing_is_the_students() -> None:
+    """Around a task of the package, which is not to blame."""
+    env = TransformReward(gymnasium.make("edugym/Golf-v0"), lambda reward: 2 * float(reward))
+    assert CheckedEnv(env)._of == "TransformReward"
 
 
 def test_checks_are_taken_away() -> None:

@@ -15,6 +15,7 @@ import pytest
 
 from edugym import EpsilonGreedy, QLearning, Results, repeat
 from edugym.files import write_whole
+from edugym.interrupts import Interrupted
 from edugym.training import checkpoints
 from edugym.training import repeat as repeating
 from edugym.training.run import Run
@@ -97,16 +98,38 @@ def test_a_complete_experiment_removes_its_own_runs_only(tmp_path: Path, trained
     assert not folder.exists()
 
 
+def test_a_folder_of_ones_own_is_used_and_left(tmp_path: Path) -> None:
+    """Nothing is kept beside the file then."""
+    assert small(tmp_path / "runs", save_to=tmp_path / "results.csv").complete
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["results.csv", "results.csv.json", "runs"]
+    assert len(list((tmp_path / "runs").iterdir())) == 3
+
+
+@pytest.mark.parametrize(("where", "is_kept"), [(None, False), ("save_to", True), ("checkpoints", True)])
+def test_an_interruption_says_whether_runs_are_kept(
+    where: str | None, is_kept: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Beside the file, or in a folder."""
+
+    def press(*_: Any) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(repeating, "_do_all", press)
+    with pytest.raises(Interrupted, match="0 of 3 runs are complete") as caught:
+        small(None, **({} if where is None else {where: tmp_path / "kept"}))
+    assert str(caught.value).endswith("the same call goes on from there") == is_kept
+
+
 def test_a_damaged_file_is_computed_again(tmp_path: Path, trained: list[int]) -> None:
-    """Cut off, emptied, or with a byte that has changed."""
-    whole = small(tmp_path).table
+    """Cut off, emptied, or with another number in a table."""
+    whole = small(tmp_path)
     one, two, three = sorted(tmp_path.iterdir())
     one.write_bytes(one.read_bytes()[:-1])
     two.write_bytes(b"")
     changed = bytearray(three.read_bytes())
-    changed[100] ^= 1
+    changed[max(changed.find(agent.Q.tobytes()) for agent in whole.agents["Q"].values())] ^= 1
     three.write_bytes(changed)
-    pd.testing.assert_frame_equal(small(tmp_path).table, whole)
+    pd.testing.assert_frame_equal(small(tmp_path).table, whole.table)
     assert len(trained) == 6
 
 
@@ -119,7 +142,7 @@ def test_a_folder_that_cannot_be_made_is_said_before_the_first_run(tmp_path: Pat
 
 
 def test_an_agent_that_cannot_be_kept_is_said(tmp_path: Path) -> None:
-    """The results are complete all the same."""
+    """Once, and the results are complete all the same."""
 
     class Local(QLearning):
         """A class that no other process finds."""
@@ -129,9 +152,13 @@ def test_an_agent_that_cannot_be_kept_is_said(tmp_path: Path) -> None:
     def make(task: Any) -> Any:
         return Local(*QLearning.create(task))
 
-    with pytest.warns(UserWarning, match="finished runs of 'Q' cannot be kept on the disk"):
+    with pytest.warns(UserWarning, match="finished runs of 'Q' cannot be kept on the disk") as said:
         assert small(tmp_path, agents={"Q": make}).complete
+    assert len(said) == 1
     assert list(tmp_path.iterdir()) == []
+    with pytest.warns(UserWarning, match="finished runs of 'Q' cannot be kept on the disk"):
+        small(None, agents={"Q": make}, save_to=tmp_path / "results.csv")
+    assert sorted(file.name for file in tmp_path.iterdir()) == ["results.csv", "results.csv.json"]
 
 
 def test_what_cannot_be_taken_apart_is_said(tmp_path: Path) -> None:
@@ -148,9 +175,15 @@ def test_what_cannot_be_taken_apart_is_said(tmp_path: Path) -> None:
     assert small(None, agents={"Q": make}).complete, "nothing was to be kept, so there is nothing to say"
 
 
-def test_a_full_disk_loses_no_finished_run(tmp_path: Path, trained: list[int], monkeypatch: pytest.MonkeyPatch) -> None:
-    """The error says so, and the same call goes on when there is room."""
+@pytest.mark.parametrize("older", [False, True])
+def test_a_full_disk_loses_no_finished_run(
+    older: bool, tmp_path: Path, trained: list[int], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The error says so, and the same call goes on when there is room, also where there is an older file."""
     path = tmp_path / "results.csv"
+    if older:
+        small(None, save_to=path, seed=1)
+        trained.clear()
 
     def write(file: Path, contents: bytes) -> Path:
         if len(trained) == 2:
@@ -160,8 +193,9 @@ def test_a_full_disk_loses_no_finished_run(tmp_path: Path, trained: list[int], m
     monkeypatch.setattr(checkpoints, "write_whole", write)
     with pytest.raises(OSError, match="no space left"):
         small(None, save_to=path)
-    assert not path.exists()
+    assert path.exists() == older
     assert len(trained) == 2
+    assert len(list(Path(f"{path}.unfinished").iterdir())) == 1
     monkeypatch.undo()
     assert small(None, save_to=path).complete
     assert sorted(file.name for file in tmp_path.iterdir()) == ["results.csv", "results.csv.json"]

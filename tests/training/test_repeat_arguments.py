@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import pytest
+from gymnasium.error import DependencyNotInstalled
 
 from edugym import SARSA, QLearning, repeat, train
 from edugym.envs.boulder import Boulder
@@ -84,6 +85,14 @@ def test_what_else_is_refused(changes: dict[str, Any], message: str) -> None:
     arguments: dict[str, Any] = {"environment": Ring(), "agents": AGENTS, "n_steps": 10, "repetitions": 1, "jobs": 1}
     with pytest.raises(ValueError, match=message):
         repeat(**arguments | changes)
+
+
+@pytest.mark.parametrize("library", ["joblib", "pandas"])
+def test_a_library_that_is_missing_is_said_first(library: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """With what brings it."""
+    monkeypatch.setattr("edugym.extras.find_spec", lambda name: None if name == library else name)
+    with pytest.raises(DependencyNotInstalled, match=rf'{library} is not .* "edugym\[experiments\]"'):
+        repeat(Ring(), AGENTS, 0)
 
 
 class Odd:

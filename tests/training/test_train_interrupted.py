@@ -1,6 +1,7 @@
 """Ctrl-C in a student's agent of which one method is machine code and another is not."""
 
 import signal
+import threading
 from types import SimpleNamespace
 from typing import Any, NamedTuple
 
@@ -8,9 +9,12 @@ import numpy as np
 import pytest
 
 import edugym
+from edugym import QLearning
 from edugym.compiled import execution
 from edugym.interrupts import Interrupted, Work
 from edugym.mdp.protocol import Random, Reals
+from edugym.training import trainers
+from tests.training.tasks import Ring
 
 CALLS: list[int] = []
 """One item for each call of `pressing`. A method that changes a global list is not compiled."""
@@ -102,3 +106,22 @@ def test_ctrl_c_ends_the_interpreter_where_machine_code_failed(given_up: bool, m
     with pytest.raises(KeyboardInterrupt):
         work()
     assert not ended
+
+
+@pytest.mark.parametrize(("is_set", "expected"), [(None, 300), (False, 300), (True, 0)])
+def test_nothing_is_compiled_for_a_run_that_is_stopped_already(
+    is_set: bool | None, expected: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It has no steps to come; one that may be stopped has all of them."""
+    seen: list[int] = []
+
+    def trainer(environment: Any, agent: Any, seed: int, max_steps: int | None, expected: int) -> Any:
+        seen.append(expected)
+        return trainers.trainer(environment, agent, seed, max_steps, expected)
+
+    monkeypatch.setattr("edugym.training.train.trainer", trainer)
+    stop = None if is_set is None else threading.Event()
+    if stop is not None and is_set:
+        stop.set()
+    run = edugym.train(Ring(), QLearning.create(Ring()), 300, stop=stop)
+    assert (seen, run.complete) == ([expected], not is_set)

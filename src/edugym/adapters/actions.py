@@ -30,7 +30,7 @@ def checked_action(space: spaces.Space[Any], action: Any) -> Any:
             return np.clip(array, space.low, space.high).astype(space.dtype)
     elif isinstance(space, spaces.MultiDiscrete):
         array = _array(action, "iu")
-        if array is not None and space.contains(array):
+        if space.contains(array):
             return array.astype(space.dtype)
     else:
         try:  # Gymnasium up to 1.3 stumbles over huge numbers

@@ -155,7 +155,7 @@ def call(function: Callable[..., Any], arguments: dict[str, Any]) -> Shown:
         result = function(**arguments)
         made = [number for number in plt.get_fignums() if number not in before]
         figure = figure_of(result)
-        if figure is None and result is None and made:
+        if result is None and made:
             figure = plt.figure(made[-1])
         return shown(result if figure is None else figure, function.__name__)
     finally:

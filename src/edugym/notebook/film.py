@@ -32,8 +32,8 @@ class Film(NotebookWidget):
         """Make the widgets."""
         self.frames = list(frames)
         last = len(self.frames) - 1
-        self.slider = ipywidgets.IntSlider(description="step", min=0, max=last)
-        self.player = ipywidgets.Play(min=0, max=last, interval=round(1000 / frames_per_second))
+        self.slider = ipywidgets.IntSlider(description="step", max=last)
+        self.player = ipywidgets.Play(max=last, interval=round(1000 / frames_per_second))
         self._link = ipywidgets.jslink((self.player, "value"), (self.slider, "value"))
         self._picture, self._line = ipywidgets.HTML(), ipywidgets.HTML()
         self.slider.observe(self.calling(self.show), "value")

@@ -61,7 +61,7 @@ class VisitMap(NamedTuple):
         dress(ax, "training steps", self.y_label, self.title)
         format_steps(ax)
         if place.last:
-            bar = ax.figure.colorbar(picture, ax=ax, pad=0.02)
+            bar = ax.figure.colorbar(picture, pad=0.02)
             bar.set_label(f"visits in {self.n_steps / n_intervals:.3g} steps", fontsize=8)
             bar.ax.tick_params(labelsize=7)
             bar.outline.set_visible(False)

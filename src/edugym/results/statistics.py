@@ -59,7 +59,7 @@ def exactly(value: float) -> Interval:
 
 def in_short(number: float) -> str:
     """Format a number with three significant digits, or a large one as a whole number."""
-    return f"{number:.3g}" if abs(number) < 1_000 or math.isinf(number) else f"{number:.0f}"
+    return f"{number:.3g}" if abs(number) < 999.5 else f"{number:.0f}"
 
 
 def mean_interval(values: ArrayLike, confidence: float = CONFIDENCE) -> Interval:

@@ -29,7 +29,7 @@ class Checkpoints:
     def __init__(self, folder: Path | None) -> None:
         """Take the folder, which is made when it is first needed; None to keep nothing."""
         self._folder = folder
-        self._methods: dict[str, str | None] = {}
+        self._methods: dict[str, str] = {}
         self._used: set[Path] = set()
 
     def describe(self, method: str, *determined_by: Any) -> None:
@@ -39,7 +39,6 @@ class Checkpoints:
         try:
             self._methods[method] = fingerprint(*determined_by)
         except Exception as error:  # each class has its own for what cannot be taken apart
-            self._methods[method] = None
             _cannot_keep(method, error)
 
     def found(self, plan: list[Planned]) -> dict[Planned, Run]:
@@ -59,7 +58,7 @@ class Checkpoints:
         try:
             contents = pickle.dumps(run)
         except Exception as error:  # as of a class that is defined in a function: each has an error of its own
-            self._methods[planned.method] = None
+            del self._methods[planned.method]  # which is said once
             _cannot_keep(planned.method, error)
             return
         write_whole(path, hashlib.sha256(contents).digest() + contents)

@@ -15,15 +15,7 @@ from contextlib import suppress
 from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
-from types import (
-    BuiltinFunctionType,
-    CodeType,
-    FunctionType,
-    GetSetDescriptorType,
-    MemberDescriptorType,
-    MethodType,
-    ModuleType,
-)
+from types import BuiltinFunctionType, CodeType, FunctionType, MethodType, ModuleType
 from typing import Any
 
 import numpy as np
@@ -128,8 +120,8 @@ class _Walk:
     def _class(self, kind: type) -> None:
         self.add(kind.__qualname__)
         self._all(*kind.__bases__)
-        for name, member in sorted(vars(kind).items(), key=lambda item: item[0]):
-            if name not in _OF_EVERY_CLASS and not isinstance(member, MemberDescriptorType | GetSetDescriptorType):
+        for name, member in sorted(vars(kind).items()):
+            if name not in _OF_EVERY_CLASS:
                 self.add(name)
                 self.visit(member)
 
