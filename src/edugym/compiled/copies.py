@@ -154,8 +154,4 @@ def _same(one: np.ndarray[Any, Any], other: np.ndarray[Any, Any], close: float) 
             finite = np.abs(one[np.isfinite(one)])
             largest = float(finite.max()) if finite.size else 0.0
             return bool(np.allclose(one, other, rtol=close, atol=close * largest, equal_nan=True))
-    if one.dtype.kind == "O":
-        if one.ndim == 0:  # None, for one
-            return bool(one.item() == other.item())
-        return all(difference(a, b, "", close) is None for a, b in zip(one.flat, other.flat, strict=True))
     return bool(np.all(one == other))
