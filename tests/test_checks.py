@@ -100,6 +100,11 @@ def test_what_is_not_coerced() -> None:
     assert coerced(Outer(Inner(0.5, 1), table, 1)).other is table
     for value in (table, 3, "text", None, (1, 2)):
         assert coerced(value) is value
+    odd: Any
+    for odd in (2.75, np.float64(2.75), "2", None, table):  # for a field of whole numbers: nothing is cut off
+        assert coerced(Inner(0.5, odd)).steps is odd
+    for odd in ("0.5", None, table):
+        assert coerced(Inner(odd, 1)).rate is odd
 
 
 def test_step_limits() -> None:
