@@ -221,9 +221,7 @@ def as_sampled(value: Any, sample: Any) -> Any:
     if isinstance(sample, tuple):
         parts = [as_sampled(part, like) for part, like in zip(value, sample, strict=True)]
         return type(sample)(*parts) if hasattr(sample, "_fields") else tuple(parts)
-    if isinstance(value, np.generic) and not isinstance(sample, np.generic):
-        return value.item()
-    return value
+    return value if isinstance(sample, np.generic) else value.item()
 
 
 def listed(values: list[Any]) -> Listed:
