@@ -3,6 +3,7 @@
 import base64
 import io
 from collections.abc import Callable, Iterator
+from types import SimpleNamespace
 from typing import Any
 
 import ipywidgets
@@ -177,6 +178,14 @@ def grid_of_axes() -> Any:
     return plt.subplots(1, 2)[1]
 
 
+def axes_in_a_subfigure() -> Any:
+    """Axes in a part of a figure."""
+    part: Any = plt.figure().subfigures()
+    axes = part.subplots()
+    axes.set_title("a part")
+    return axes
+
+
 def figure_without_pyplot() -> Figure:
     """A figure that no list of open figures knows."""
     figure = Figure()
@@ -201,6 +210,7 @@ def text_beside_a_figure() -> str:
     [
         (curve, "image/png", "iVBOR", "slope 1"),
         (grid_of_axes, "image/png", "iVBOR", "grid_of_axes"),
+        (axes_in_a_subfigure, "image/png", "iVBOR", "a part"),
         (figure_without_pyplot, "image/png", "iVBOR", "drawn apart"),
         (nothing_returned, "image/png", "iVBOR", "made"),
         (text_beside_a_figure, "text/html", "<pre>done</pre>", "text_beside_a_figure"),
@@ -211,6 +221,7 @@ def text_beside_a_figure() -> str:
         (lambda: Scene(1, 1, (Circle(0.5, 0.5, 0.2),)), "image/svg+xml", "<svg", "<lambda>"),
         (lambda: pd.DataFrame({"method": [1]}), "text/html", "<div>", "<lambda>"),
         (lambda: "a < b", "text/html", "<pre>a &lt; b</pre>", "<lambda>"),
+        (lambda: SimpleNamespace(figure=3), "text/html", "<pre>namespace(figure=3)</pre>", "<lambda>"),
         (lambda: None, "text/html", "", "<lambda>"),
     ],
 )

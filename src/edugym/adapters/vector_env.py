@@ -154,7 +154,7 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
             raise ResetNeeded(f"step of finished copies {waiting}: call reset(options={{'reset_mask': ...}}) for them")
         array = self._checked(actions)
         batch = self._batch()
-        last_states = copy_of(runner.states) if self._asked and "last_state" in self._asked else None
+        last_states = copy_of(runner.states) if "last_state" in self._asked else None
         try:
             finished = runner.run(
                 step_copies,

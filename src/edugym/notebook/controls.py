@@ -165,13 +165,11 @@ def call(function: Callable[..., Any], arguments: dict[str, Any]) -> Shown:
 
 def figure_of(result: Any) -> "Figure | None":
     """Return the figure in a result, or the figure of its axes; None if the result is something else."""
-    from matplotlib.figure import Figure
-
     first = np.ravel(result)[0] if isinstance(result, np.ndarray) and result.size > 0 else result
     while isinstance(first, list | tuple) and first:
         first = first[0]
-    figure = getattr(first, "figure", None)
-    return figure if isinstance(figure, Figure) else None
+    figure: Figure | None = getattr(getattr(first, "figure", None), "figure", None)  # also from axes in a SubFigure
+    return figure
 
 
 def shown(result: Any, name: str) -> Shown:
