@@ -23,6 +23,8 @@ COMPILED = {
     "power of a number below one": program("return self.x * 0.999 ** int(s) + s", values="0.5"),
     "whole power": program("return s + 3 ** int(rng.random() * 30) % 7"),
     "largest whole power": program("return s + 9223372036854775807 ** int(rng.random() * 2) % 7"),
+    "power of minus one": program("return s % 9 + (int(s) % 3 - 1) ** int(rng.random() * 30)"),
+    "power of infinity": program("return s % 9 + (2.0 if (2.0 + s) ** self.x > 9.0 else 1.0)", values="math.inf"),
     "cube": program("return self.x * (s - 0.4375) ** 3 % 10 - 4.5"),
     "square": program("return (s + 1.25) ** 2 % 10"),
     "fine domain": program("return math.sqrt(abs(s)) + math.log(1 + abs(s)) + math.exp(-abs(s)) + math.floor(s)"),

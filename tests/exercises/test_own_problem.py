@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from contextlib import AbstractContextManager, nullcontext
 from functools import partial
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
@@ -162,3 +162,24 @@ def test_where_a_step_can_lead_is_told() -> None:
     dozing = exercises._ways(partial(exercises.UsedToChimes().transition, (3, 1, 1), 2), "")
     assert exercises._told(asleep) == "(4, 0, 1) (p = 0.9) or (4, 1, 1) (p = 0.1)"
     assert exercises._told(dozing) == "(4, 0, 1) (p = 1)"
+
+
+class UsedToIt(exercises.UsedToChimes):
+    """A ring wakes her in 8 of 10 cases, and not in 9."""
+
+    __slots__ = ()
+
+    def transition(self, state: Any, action: int, rng: np.random.Generator, mistake: str = "") -> Any:
+        """Right but for the chances of a ring."""
+        time, depth, chimes = super().transition(state, action, rng)
+        if action == 2:
+            depth = 0 if rng.random() < 0.8 else max(state[1] - 1, 0)
+        return time, depth, chimes
+
+
+def test_chances_count() -> None:
+    """States that are right are not enough."""
+    with pytest.raises(
+        WrongAnswer, match=r"should lead to .* \(p = 0\.9\) or .* \(p = 0\.1\), but leads to .* \(p = 0\.8\) or "
+    ):
+        exercises.exercise_3(UsedToIt, 0)

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import pytest
+from matplotlib.text import Annotation
 
 from edugym.agents.dyna_q import DynaQ
 from edugym.agents.prioritised_sweeping import PrioritisedSweeping
@@ -240,3 +241,13 @@ def test_figures_are_drawn() -> None:
     ):
         assert sheet._repr_png_()[:4] == b"\x89PNG"
         check_legends(sheet)
+
+
+def test_arrows_where_something_is_known() -> None:
+    """One in each cell with a value above 0, but not at the entrance, which has its label."""
+    Q = np.full((800, 4), np.nan)
+    Q[[8 * 5, 80 * 3 + 8 * 4, 80 * 6 + 8 * 2]] = 1.0  # in the row of the entrance, and in two others
+    Q[80 * 7] = -1.0
+    axes = FloorMap(Q, arrows=True).draw()
+    arrows = [text for text in axes.texts if isinstance(text, Annotation)]
+    assert [(round(arrow.xy[0]), round(arrow.xy[1])) for arrow in arrows] == [(4, 3), (2, 6)]
