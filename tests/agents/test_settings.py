@@ -97,6 +97,17 @@ def test_tables_of_a_strategy_within_a_strategy() -> None:
         QLearning.create((3, 2), exploration=Half(UCB.create((4, 2))))
 
 
+class OfAKind(NamedTuple):
+    """Holds a class."""
+
+    kind: Any = UCB
+
+
+def test_a_class_in_a_field_has_no_tables() -> None:
+    """It is no strategy that was made for an environment."""
+    assert new(OfAKind, (3, 2), {}) == OfAKind(UCB)
+
+
 @pytest.mark.parametrize("value", ["1", None, math.nan, math.inf, True])
 def test_first_values_that_are_no_numbers(value: Any) -> None:
     """They are refused by name."""

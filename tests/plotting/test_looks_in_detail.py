@@ -11,6 +11,7 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from PIL import Image
 
 from edugym.plotting import Sheet, VisitMap
+from edugym.plotting.style import REFERENCE, SOFT_REFERENCE
 from edugym.rendering.palette import INK
 from tests.plotting.samples import figure_of, new_axes
 from tests.plotting.test_looks import PANELS
@@ -82,3 +83,9 @@ def test_steps_are_labelled_by_round_whole_numbers() -> None:
     locator: Any = PANELS["curves"]().draw(new_axes()).xaxis.get_major_locator()
     assert locator.tick_values(0, 300).tolist() == [0, 100, 200, 300]
     assert locator.tick_values(0, 1).tolist() == [0, 1]
+
+
+def test_lines_to_compare_with() -> None:
+    """Thin and dashed, behind the others; the second kind has short dashes."""
+    assert REFERENCE == {"color": INK, "linewidth": 0.9, "linestyle": (0, (5, 3)), "zorder": 1}
+    assert SOFT_REFERENCE == {**REFERENCE, "linestyle": (0, (1.5, 2))}

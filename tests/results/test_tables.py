@@ -173,6 +173,13 @@ def test_saving_keeps_everything(results: Results, tmp_path: Path) -> None:
     assert loaded.agents == {}
 
 
+def test_a_table_of_one_row(tmp_path: Path) -> None:
+    """It is saved as any other."""
+    one = Results(table().iloc[:1].copy())
+    one.save(tmp_path / "one.csv")
+    assert Results.load(tmp_path / "one.csv").table.equals(one.table)
+
+
 def test_the_table_is_short(tmp_path: Path) -> None:
     """What is the same in all rows, in those of a method, or in those of a repetition, is in the file beside."""
     RESULTS.save(tmp_path / "results.csv")
