@@ -96,12 +96,14 @@ class Snapshot:
                 np.copyto(leaf, kept)
 
 
+ARRAYS_AND_STREAMS = (np.ndarray, np.random.Generator)  # a union would take longer at each call
+
+
 def _collect(values: tuple[Any, ...], leaves: list[Any]) -> None:
     for value in tuple.__iter__(values):
-        kind = type(value)
         if isinstance(value, tuple):
             _collect(value, leaves)
-        elif isinstance(value, np.ndarray | np.random.Generator) or kind.__module__.startswith("numba.typed"):
+        elif isinstance(value, ARRAYS_AND_STREAMS) or type(value).__module__.startswith("numba.typed"):
             leaves.append(value)
 
 
