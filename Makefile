@@ -21,6 +21,7 @@ lab: .venv/lab.installed
 test: .venv/dev.installed
 	$(RUN) ruff check
 	$(RUN) ruff format --check
+	.venv/bin/lint-imports
 	$(RUN) mypy & types=$$!; trap "kill $$types 2>/dev/null" EXIT; trap "exit 130" INT TERM; \
 		$(RUN) pytest -n $(JOBS) --dist worksteal $(ARGS) && \
 		{ wait $$types || { echo "mypy failed: what it says stands above, among the tests" >&2; exit 1; }; }

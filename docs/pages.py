@@ -18,10 +18,10 @@ from typing import Any
 from PIL import Image, ImageDraw, ImageFont
 
 from edugym import EpsilonGreedy, QLearning, train
+from edugym.adapters.playing.films import play_episode, record
+from edugym.adapters.playing.game import Frame
+from edugym.adapters.registration import ENVIRONMENTS, Entry, in_course_order
 from edugym.envs.trashbot.planning import ScriptedController
-from edugym.playing.films import play_episode, record
-from edugym.playing.game import Frame
-from edugym.registration import ENVIRONMENTS, Entry, in_course_order
 from edugym.rendering.palette import INK
 from edugym.rendering.pixels import to_pixels
 from edugym.rendering.scene import Scene
@@ -51,7 +51,7 @@ def parameters(entry: Entry) -> str:
 
 def lesson_link(entry: Entry) -> str:
     """Return a link to the lesson on an environment, or nothing if it is not written yet."""
-    sources = (PAGES.parents[1] / "lessons").glob(f"{entry.lesson or 0:02d}_*.py")
+    sources = (PAGES.parents[1] / "src/edugym_course/lessons").glob(f"*/{entry.lesson or 0:02d}_*.py")
     links = [f" · lesson: [{source.stem[3:]}](../../notebooks/{source.stem}.ipynb)" for source in sources]
     return "".join(links)
 

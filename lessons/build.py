@@ -1,6 +1,7 @@
 """Builds the notebooks of every lesson from its source.
 
-A lesson is one file `lessons/NN_name.py` in the py:percent format of jupytext. From its marks come three editions:
+The text of a lesson is one file, `src/edugym_course/lessons/name/NN_name.py`, in the py:percent format of jupytext.
+Three editions come from its marks:
 
 - `notebooks/NN_name.ipynb` for students: without solutions, hidden tests and outputs;
 - `notebooks/solutions/NN_name.ipynb`: everything, executed, with its outputs;
@@ -40,6 +41,7 @@ from nbformat.v4 import new_code_cell, new_markdown_cell
 from rules import is_check, is_code, is_exercise, problems, where, without_marks, without_solutions
 
 ROOT = Path(__file__).resolve().parent.parent
+LESSONS = Path("src", "edugym_course", "lessons")  # the folders of the lessons, below the root of a checkout
 REPOSITORY: str = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["urls"]["Repository"]
 
 CELL_SECONDS = 60  # a reader waits no longer than this for any cell
@@ -91,6 +93,12 @@ CHECK_TAGS = ["check", "raises-exception"]  # the second lets `Run All` go on wh
 
 class LessonError(Exception):
     """A lesson breaks a rule or does not run; the message names the lesson, the cell and what to do."""
+
+
+def lesson_sources(root: Path = ROOT) -> dict[str, Path]:
+    """The texts of all lessons, by name (`01_exploration`) and in order."""
+    paths = sorted((root / LESSONS).glob("*/[0-9][0-9]_*.py"), key=lambda path: path.name)
+    return {path.stem: path for path in paths}
 
 
 def read_lesson(source: Path) -> NotebookNode:
@@ -328,7 +336,7 @@ def main(arguments: Sequence[str] | None = None, root: Path = ROOT) -> int:
 
     Args:
         arguments: What follows the name of the program; those of the process if None.
-        root: The folder that holds `lessons` and `notebooks`.
+        root: The checkout: texts are below `src/edugym_course/lessons` in it, notebooks in `notebooks`.
 
     Returns:
         The exit status: 0, or 1 where a lesson breaks a rule, does not run, or (`--check`) is not up to date.
@@ -338,7 +346,7 @@ def main(arguments: Sequence[str] | None = None, root: Path = ROOT) -> int:
     parser.add_argument("--check", action="store_true", help="write nothing; fail if a notebook is not up to date")
     parser.add_argument("--execute", action="store_true", help="execute solutions again, changed or not")
     options = parser.parse_args(arguments)
-    known = {path.stem: path for path in sorted((root / "lessons").glob("[0-9][0-9]_*.py"))}
+    known = lesson_sources(root)
     if unknown := [name for name in options.lessons if name not in known]:
         parser.error(f"no lesson {', '.join(unknown)}; there are: {', '.join(known) or 'none'}")
     sources = [known[name] for name in options.lessons or known]

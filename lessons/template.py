@@ -12,8 +12,8 @@
 
 # %%
 from edugym import SARSA, EpsilonGreedy, QLearning, finite_model, make_mdp, repeat, train, value_iteration
-from edugym.notebook import frames, play, predict, sliders, source
-from edugym.plotting import Curves, Sheet
+from edugym.experiments.figures import Curves, Sheet
+from edugym_course.notebook import frames, play, predict, sliders, source
 
 # %% [markdown]
 # ## Meet the environment: what is in the picture
@@ -46,7 +46,7 @@ source(QLearning.learn)
 # ## The experiment: what is compared
 #
 # A question comes before each experiment. Then every setting: discount, learning rate, exploration, budget,
-# repetitions. The experiment itself belongs into the module of the lesson, `src/edugym/lessons/<name>.py`, with the
+# repetitions. The experiment itself belongs into a file beside the text (CONTRIBUTING), with the
 # claims that the text makes; it is here only to keep the template in one file.
 
 

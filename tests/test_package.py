@@ -20,9 +20,10 @@ def test_the_wheel_has_every_file_and_the_students_notebooks(tmp_path: Path) -> 
     made = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
     assert made.returncode == 0, made.stderr
     (wheel,) = tmp_path.glob("*.whl")
-    inside = {name for name in zipfile.ZipFile(wheel).namelist() if name.startswith("edugym/")}
-    sources = [path for path in (ROOT / "src" / "edugym").rglob("*") if path.is_file() and path.suffix != ".pyc"]
+    inside = {name for name in zipfile.ZipFile(wheel).namelist() if name.startswith(("edugym/", "edugym_course/"))}
+    sources = [path for path in (ROOT / "src").rglob("*") if path.is_file() and path.suffix != ".pyc"]
+    sources = [path for path in sources if "answers" not in path.parts and not path.name[0].isdigit()]
     expected = {path.relative_to(ROOT / "src").as_posix() for path in sources}
-    notebooks = {f"edugym/lab/notebooks/{path.name}" for path in (ROOT / "notebooks").glob("*.ipynb")}
+    notebooks = {f"edugym_course/lab/notebooks/{path.name}" for path in (ROOT / "notebooks").glob("*.ipynb")}
     assert notebooks
     assert inside == expected | notebooks

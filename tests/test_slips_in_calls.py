@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 import edugym
-from edugym.plotting import save_figure
+from edugym.experiments.figures import save_figure
 from tests.compiled.cells import WALK, cell
 
 walk = cell(WALK)["Walk"](5)

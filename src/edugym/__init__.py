@@ -13,14 +13,16 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from edugym.interrupts import Work
+from edugym.system.interrupts import Work
 
 with Work():  # Python ignores a Ctrl-C that comes at certain moments of an import
-    from edugym.registration import in_snake_case, register_environments
+    from edugym._old_names import install
+    from edugym.adapters.registration import in_snake_case, register_environments
 
 __version__ = "0.1.0"
 
 register_environments()
+install()
 
 
 @cache

@@ -11,10 +11,10 @@ from gymnasium.envs.registration import EnvSpec
 from gymnasium.wrappers import vector as vector_wrappers
 
 from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.adapters.registration import ENVIRONMENTS, Entry, find, make_environment, make_mdp
 from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.exact.model import finite_model
 from edugym.exact.value_iteration import value_iteration
-from edugym.registration import ENVIRONMENTS, Entry, find, make_environment, make_mdp
 from tests.contract.parameters import PARAMETERS
 from tests.contract.play import every_environment, plain
 

@@ -13,8 +13,8 @@ from gymnasium.envs.registration import EnvSpec
 
 from edugym import make_mdp
 from edugym.adapters.gymnasium_env import MDPEnv, as_element_of, environment_of, gymnasium_class
+from edugym.adapters.registration import ENVIRONMENTS
 from edugym.adapters.vector_env import MDPVectorEnv
-from edugym.registration import ENVIRONMENTS
 from edugym.rendering import window
 from edugym.rendering.scene import Scene, Text
 from tests.compiled.cells import SLIPPERY, WALK, cell

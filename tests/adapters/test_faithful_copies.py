@@ -11,9 +11,9 @@ import pytest
 
 from edugym.adapters import runner
 from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.adapters.registration import make_mdp
 from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.compiled.execution import executable
-from edugym.registration import make_mdp
 from tests.compiled.cells import WALK, cell
 from tests.contract.play import every_environment, plain
 

@@ -6,7 +6,7 @@ import pytest
 from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.adapters.keys import keys_of
 from edugym.rendering.scene import Text
-from tests.playing.tasks import Walk
+from tests.adapters.playing.tasks import Walk
 from tests.training.tasks import Stairs
 
 

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from gymnasium import spaces
 
-from edugym.adapters.rooms import View, check_sizes, takes_vectors
+from edugym.adapters.fitting import check_sizes, takes_vectors
+from edugym.adapters.rooms import View
 from edugym.mdp.protocol import Random
 
 RNG = np.random.default_rng(0)

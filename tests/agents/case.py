@@ -7,7 +7,7 @@ import gymnasium
 import numpy as np
 from gymnasium.wrappers import FlattenObservation
 
-from edugym.adapters.rooms import takes_vectors
+from edugym.adapters.fitting import takes_vectors
 from edugym.adapters.tabular_observation import tabular
 
 

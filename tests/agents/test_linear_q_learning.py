@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from edugym import EpsilonGreedy, Identity, LinearQLearning, QLearning, SemiGradientSARSA, TileCoding, make_mdp, train
-from edugym.lessons.dimensionality.baird import weights_of_solid
+from edugym_course.lessons.dimensionality.baird import weights_of_solid
 from tests.agents.case import Case, same
 
 CASES = {

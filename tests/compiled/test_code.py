@@ -11,12 +11,12 @@ from typing import Any
 import numpy as np
 import pytest
 
+from edugym.adapters.registration import make_mdp
 from edugym.agents.q_learning import QLearning
 from edugym.compiled import code
 from edugym.compiled.code import Code
 from edugym.compiled.compiler import CompilationError, compiled
 from edugym.compiled.subset import refusal
-from edugym.registration import make_mdp
 from edugym.training.loops import play_episodes
 from tests.compiled.cells import cell
 

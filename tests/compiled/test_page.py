@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
+from edugym.checks.mdps import CHECKED_STEPS
 from edugym.compiled import copies, disk, execution, subset, turns
-from edugym.mdp.checking import CHECKED_STEPS
 from edugym.training import trainers
 
 PAGE = " ".join((Path(__file__).parents[2] / "docs" / "machine-code.md").read_text(encoding="utf-8").split())

@@ -15,7 +15,7 @@ from gymnasium.spaces import Discrete
 
 import edugym
 from edugym.adapters.vector_env import MDPVectorEnv
-from edugym.interrupts import Interrupted
+from edugym.system.interrupts import Interrupted
 
 PATIENT = 20_000  # steps before the first that does not end
 SOME_SECONDS = 3.0  # of processor time: compiling takes one or two

@@ -6,7 +6,7 @@ An environment joins the contract tests by its file and its test file.
 import importlib
 from pathlib import Path
 
-from edugym.registration import ENVIRONMENTS, Entry
+from edugym.adapters.registration import ENVIRONMENTS, Entry
 from tests.contract.described import Keywords, Parameters
 
 __all__ = ["PARAMETERS", "Keywords", "Parameters"]

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from gymnasium.vector import AutoresetMode
 
-from edugym.registration import ENVIRONMENTS
+from edugym.adapters.registration import ENVIRONMENTS
 from tests.contract.parameters import PARAMETERS
 
 CORNERS = [

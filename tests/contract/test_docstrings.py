@@ -5,7 +5,7 @@ import math
 import re
 from typing import Any
 
-from edugym.registration import Entry
+from edugym.adapters.registration import Entry
 from tests.contract.parameters import Keywords
 from tests.contract.play import Player, every_corner, every_environment
 

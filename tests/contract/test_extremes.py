@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edugym.registration import Entry, make_environment, parameters_of
+from edugym.adapters.registration import Entry, make_environment, parameters_of
 from edugym.rendering.ansi import to_text
 from edugym.rendering.palette import STONE
 from edugym.rendering.scene import Circle

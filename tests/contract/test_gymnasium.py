@@ -20,9 +20,9 @@ from gymnasium.wrappers import TimeLimit
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from edugym.checks import in_short
-from edugym.mdp.protocol import step_limit
-from edugym.registration import ENVIRONMENTS, Entry
+from edugym.adapters.registration import ENVIRONMENTS, Entry
+from edugym.checks.mdps import step_limit
+from edugym.checks.parameters import in_short
 from tests.contract.parameters import PARAMETERS, Keywords
 from tests.contract.play import Env, Player, every_corner, every_environment, plain
 
@@ -129,7 +129,7 @@ def test_random_stream_goes_on(entry: Entry) -> None:
 DIGESTS = """
 import sys, json
 from tests.contract.play import Player
-from edugym.registration import ENVIRONMENTS
+from edugym.adapters.registration import ENVIRONMENTS
 print(json.dumps({entry.name: repr(Player(entry.load()(**given), entry.name, seed=5).play(200))
     for entry in ENVIRONMENTS for given in [json.loads(sys.argv[1]).get(entry.name, {})]}))
 """

@@ -5,9 +5,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from edugym.adapters.registration import Entry
 from edugym.exact.model import finite_model
 from edugym.exact.tables import FiniteModel, Outcome
-from edugym.registration import Entry
 from tests.contract.parameters import PARAMETERS, Keywords
 from tests.contract.play import every_corner, every_environment, plain
 

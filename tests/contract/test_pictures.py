@@ -10,7 +10,7 @@ from typing import Any
 import gymnasium
 import pytest
 
-from edugym.registration import ENVIRONMENTS, Entry
+from edugym.adapters.registration import ENVIRONMENTS, Entry
 from edugym.rendering.scene import Scene
 from tests.contract.parameters import PARAMETERS
 from tests.contract.play import Player, every_environment

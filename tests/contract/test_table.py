@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from edugym.checks import in_short
-from edugym.registration import ENVIRONMENTS, Entry, in_course_order, make_mdp
+from edugym.adapters.registration import ENVIRONMENTS, Entry, in_course_order, make_mdp
+from edugym.checks.parameters import in_short
 from tests.contract.described import refused
 from tests.contract.parameters import PARAMETERS, Keywords
 from tests.contract.play import CORNERS, every_corner, every_environment

@@ -11,9 +11,9 @@ from gymnasium import spaces
 from gymnasium.error import ResetNeeded
 from gymnasium.vector import AutoresetMode
 
+from edugym.adapters.registration import Entry
 from edugym.adapters.vector_env import MDPVectorEnv
-from edugym.checks import in_short
-from edugym.registration import Entry
+from edugym.checks.parameters import in_short
 from tests.contract.parameters import PARAMETERS, Keywords
 from tests.contract.play import MODES, Copies, every_corner, every_environment, plain
 from tests.envs.classes import BoulderEnv

@@ -12,7 +12,7 @@ from gymnasium.vector import AutoresetMode
 
 from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.deep.curves import Curve, Policy, copies, one_thread
-from tests.playing.tasks import Walk
+from tests.adapters.playing.tasks import Walk
 from tests.training.tasks import Ring, Stairs
 
 

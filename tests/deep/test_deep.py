@@ -16,10 +16,10 @@ from stable_baselines3.common.monitor import Monitor
 from stable_baselines3.common.vec_env import DummyVecEnv, VecMonitor, VecNormalize
 
 from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.adapters.registration import ENVIRONMENTS, Entry
 from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.deep import stable_baselines3_env
 from edugym.envs.boulder import Boulder
-from edugym.registration import ENVIRONMENTS, Entry
 
 every_environment = pytest.mark.parametrize("entry", ENVIRONMENTS, ids=[entry.name for entry in ENVIRONMENTS])
 

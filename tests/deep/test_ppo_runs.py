@@ -12,7 +12,7 @@ from edugym import MDPEnv
 from edugym.deep import PPO
 from edugym.deep.curves import Curve, copies
 from edugym.deep.ppo import ActorCritic, Adam
-from tests.playing.tasks import Walk
+from tests.adapters.playing.tasks import Walk
 
 SMALL: dict[str, Any] = {"num_envs": 2, "length": 5, "hidden": 4}
 

@@ -13,9 +13,9 @@ pytest.importorskip("torch")
 
 from edugym.deep import PPO, repeated
 from edugym.deep.repeated import repeat_deep
-from edugym.results.tables import MEASURED
-from edugym.training.configuration import Planned, planned_runs
-from edugym.training.fingerprints import versions
+from edugym.experiments.configuration import Planned, planned_runs
+from edugym.experiments.fingerprints import versions
+from edugym.experiments.results.tables import MEASURED
 from edugym.training.run import Run
 
 

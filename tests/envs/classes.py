@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from edugym.registration import find
+from edugym.adapters.registration import find
 
 BoulderEnv: Any = find("Boulder").load()
 CatchEnv: Any = find("Catch").load()

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from hypothesis import strategies as st
 
+from edugym.adapters.registration import make_mdp
 from edugym.envs.boulder import Boulder
 from edugym.exact.model import finite_model
 from edugym.exact.value_iteration import value_iteration
-from edugym.registration import make_mdp
 from tests.contract.described import LAYOUT_SEEDS, NO_STEPS, NO_WHOLE_NUMBER, Parameters, refused
 from tests.envs.classes import BoulderEnv
 

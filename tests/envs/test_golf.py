@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from hypothesis import strategies as st
 
+from edugym.adapters.registration import make_mdp
 from edugym.envs.golf import DISTANCES, Ball, Golf
 from edugym.exact.model import finite_model
 from edugym.exact.value_iteration import value_iteration
-from edugym.registration import make_mdp
 from tests.contract.described import NO_WHOLE_NUMBER, Keywords, Parameters, refused
 from tests.envs.classes import GolfEnv
 

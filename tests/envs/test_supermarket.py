@@ -11,10 +11,10 @@ import pytest
 from gymnasium.error import ResetNeeded
 from hypothesis import strategies as st
 
+from edugym.adapters.registration import make_mdp
 from edugym.envs.supermarket import MAP, Countdown, Supermarket, SupermarketEnv
 from edugym.exact.model import finite_model
 from edugym.exact.value_iteration import value_iteration
-from edugym.registration import make_mdp
 from edugym.rendering.scene import Arc
 from tests.contract.described import LAYOUT_SEEDS, NO_STEPS, NO_WHOLE_NUMBER, Parameters, refused
 

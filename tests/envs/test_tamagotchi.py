@@ -14,12 +14,12 @@ from hypothesis import strategies as st
 from scipy import stats
 
 import edugym
+from edugym.adapters.registration import make_environment
 from edugym.agents.strategies import EpsilonGreedy
 from edugym.compiled.execution import executable
 from edugym.envs.tamagotchi import Tamagotchi, Toy, happiness, meaning, urgency
 from edugym.exact.branching import branches
 from edugym.mdp.protocol import Random
-from edugym.registration import make_environment
 from edugym.rendering.icons import Mood, smiley
 from edugym.rendering.palette import GREEN, RED
 from edugym.rendering.scene import Rectangle

@@ -18,7 +18,7 @@ from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.adapters.tabular_observation import tabular
 from edugym.compiled.compiler import compiled
 from edugym.mdp.protocol import MDP, Random
-from edugym.mdp.tabular import number_of_rows, table_sizes
+from edugym.mdp.sizes import number_of_rows, table_sizes
 from tests.compiled.cells import WALK, cell
 
 

@@ -24,8 +24,8 @@ from edugym import (
     wrapper,
 )
 from edugym.adapters.tabular_observation import tabular
-from edugym.mdp.checking import require_mdp
-from edugym.mdp.protocol import named_actions, step_limit
+from edugym.checks.mdps import require_mdp, step_limit
+from edugym.mdp.protocol import named_actions
 from edugym.rendering.ansi import to_text
 
 

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edugym.mdp.checking import CHECKED_STEPS
+from edugym.checks.mdps import CHECKED_STEPS
 from edugym.training import trainers
 from tests.training.tasks import Stairs, StudentsQLearning
 

@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from edugym import QLearning, train
-from tests.training.experiments import small
+from tests.experiments.experiments import small
 from tests.training.tasks import Stairs
 
 

@@ -11,8 +11,8 @@ import pytest
 import edugym
 from edugym import QLearning
 from edugym.compiled import execution
-from edugym.interrupts import Interrupted, Work
 from edugym.mdp.protocol import Random, Reals
+from edugym.system.interrupts import Interrupted, Work
 from edugym.training import trainers
 from tests.training.tasks import Ring
 

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from gymnasium import spaces
 
-from edugym.checks import in_short
+from edugym.checks.parameters import in_short
 
 
 def checked_action(space: spaces.Space[Any], action: Any) -> Any:

@@ -16,10 +16,10 @@ from gymnasium.wrappers import OrderEnforcing, PassiveEnvChecker
 from edugym.adapters import keys
 from edugym.adapters.actions import checked_action
 from edugym.adapters.specification import filled
-from edugym.checks import in_short, one_of
-from edugym.mdp.checking import CHECKED_STEPS, CheckedMDP, checked_step, is_own, refuse_nothing, require_mdp
-from edugym.mdp.protocol import MDP, coerced, history_wanted, named_actions, step_limit
-from edugym.mdp.tracebacks import end_at_students_line
+from edugym.checks.mdps import CHECKED_STEPS, CheckedMDP, checked_step, is_own, refuse_nothing, require_mdp, step_limit
+from edugym.checks.parameters import in_short, one_of
+from edugym.checks.tracebacks import end_at_students_line
+from edugym.mdp.protocol import MDP, coerced, history_wanted, named_actions
 
 if TYPE_CHECKING:
     from edugym.exact.tables import FiniteModel, Outcome
@@ -35,7 +35,7 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
 
     It adds the API: it keeps the state, the random stream and the step limit, and asks the MDP for everything else, the
     picture, the info and the names of the actions included. In the first steps of a student's MDP it checks what the
-    methods return (see `edugym.mdp.checking`).
+    methods return (see `edugym.checks.mdps`).
 
     Args:
         mdp: the task, with `observation_space` and `action_space` (see `edugym.mdp.protocol.MDP`).
@@ -50,7 +50,7 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         info_takes: which of `edugym.mdp.protocol.HISTORY` the MDP's `info` asks for.
 
     Raises:
-        ValueError: there is no such render mode, or `mdp` is no MDP (see `edugym.mdp.checking.require_mdp`).
+        ValueError: there is no such render mode, or `mdp` is no MDP (see `edugym.checks.mdps.require_mdp`).
     """
 
     metadata = RENDERING

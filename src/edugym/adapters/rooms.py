@@ -5,7 +5,6 @@ are arrays, the other way round. So the loops handle nothing but numbers, no arr
 needs no reference counts.
 """
 
-import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
@@ -13,10 +12,10 @@ import numpy as np
 from gymnasium import spaces
 
 from edugym.adapters.columns import RowsInPlace, observation_rows
-from edugym.agents.vectors import vector_length
-from edugym.mdp.checking import innermost
+from edugym.adapters.fitting import takes_vectors
+from edugym.checks.mdps import innermost
 from edugym.mdp.protocol import Integers, Random, Reals
-from edugym.mdp.tabular import table_lows, table_sizes
+from edugym.mdp.sizes import table_lows, table_sizes, vector_length
 from edugym.mdp.wrapper import wrapper
 
 
@@ -214,27 +213,6 @@ def _rows(mdp: Any, agent: Any) -> Any:
         return None
     kind = observation_rows(mdp, None)
     return kind(np.zeros((2, *space.shape), space.dtype)) if kind is RowsInPlace else None
-
-
-def takes_vectors(agent: Any) -> bool:
-    """Whether an agent takes vectors of numbers: it has no table, and says how long they are."""
-    return getattr(agent, "tabular", True) is False and hasattr(agent, "n_inputs")
-
-
-def check_sizes(agent: Any, environment: Any) -> None:
-    """Refuse an agent that takes vectors where it was made for another environment.
-
-    Raises:
-        ValueError: its `n_inputs` or `n_actions` are not those of the environment.
-    """
-    actions = environment.action_space
-    sizes = {"n_inputs": vector_length(environment.observation_space)}
-    if isinstance(actions, spaces.Discrete | spaces.Box):
-        sizes["n_actions"] = int(actions.n) if isinstance(actions, spaces.Discrete) else math.prod(actions.shape)
-    for name, needed in sizes.items():
-        given = getattr(agent, name, needed)
-        if given != needed:
-            raise ValueError(f"agent must be one for {name} = {needed}, as this environment has, but its is {given}")
 
 
 def _vector_rows(mdp: Any) -> Any:

@@ -11,10 +11,10 @@ import numpy as np
 
 from edugym.adapters.columns import Listed, as_sampled, copy_of, head, loose
 from edugym.adapters.copies import STATE_LOST, Batch
+from edugym.checks.mdps import checked_mdp
 from edugym.compiled.code import Code
 from edugym.compiled.execution import executable
-from edugym.interrupts import Work
-from edugym.mdp.checking import checked_mdp
+from edugym.system.interrupts import Work
 
 Loop = Callable[..., int]
 REHEARSED = 100  # copies

@@ -8,9 +8,10 @@ import numpy as np
 from gymnasium import spaces
 
 from edugym.adapters.gymnasium_env import MDPEnv
-from edugym.checks import in_short
+from edugym.checks.parameters import in_short
 from edugym.mdp.protocol import MDP
-from edugym.mdp.tabular import number_of_rows, table_lows, table_sizes, tabular_mdp
+from edugym.mdp.sizes import number_of_rows, table_lows, table_sizes
+from edugym.mdp.tabular import tabular_mdp
 
 
 class TabularObservation(gymnasium.ObservationWrapper[int, Any, Any]):

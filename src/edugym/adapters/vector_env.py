@@ -16,10 +16,10 @@ from edugym.adapters.copies import ACTION_OUTSIDE, MODES, Batch, reset_copies, s
 from edugym.adapters.gymnasium_env import RENDERING, M, MDPEnv, environment_of
 from edugym.adapters.runner import Runner
 from edugym.adapters.specification import filled
-from edugym.checks import in_short, number_of_steps, one_of, whole_number
-from edugym.mdp.checking import check_mdp, is_own
-from edugym.mdp.protocol import HISTORY, history_wanted, step_limit
-from edugym.mdp.tracebacks import end_at_students_line
+from edugym.checks.mdps import check_mdp, is_own, step_limit
+from edugym.checks.parameters import in_short, number_of_steps, one_of, whole_number
+from edugym.checks.tracebacks import end_at_students_line
+from edugym.mdp.protocol import HISTORY, history_wanted
 
 NO_LIMIT = 2**62
 NOTHING = np.empty(0, np.int64)

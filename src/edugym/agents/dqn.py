@@ -9,7 +9,7 @@ from edugym.agents.settings import Counter, Discount, LearningRate, Range, Table
 from edugym.agents.strategies import EpsilonGreedy, Exploration
 from edugym.agents.tables import best_value, greedy_action, one_step_target
 from edugym.agents.vectors import input_scale, vector_bounds, vector_size
-from edugym.checks import whole_number
+from edugym.checks.parameters import whole_number
 from edugym.mdp.protocol import Integers, Random, Reals
 
 

@@ -8,7 +8,7 @@ from edugym.agents.settings import ActionValues, Discount, LearningRate, Range, 
 from edugym.agents.strategies import EpsilonGreedy, Exploration
 from edugym.agents.tables import best_value, greedy_action, one_step_target, random_action
 from edugym.agents.tabular_model import TabularModel, model_of
-from edugym.checks import whole_number
+from edugym.checks.parameters import whole_number
 from edugym.exact.tables import FiniteModel
 from edugym.mdp.protocol import Random
 

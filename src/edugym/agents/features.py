@@ -12,7 +12,7 @@ from typing import Annotated, Any, NamedTuple, Protocol
 
 from edugym.agents.settings import Counter, Range, Table, new
 from edugym.agents.vectors import vector_size
-from edugym.checks import in_short
+from edugym.checks.parameters import in_short
 from edugym.mdp.protocol import Integers, Reals
 
 

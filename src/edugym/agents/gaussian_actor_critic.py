@@ -10,7 +10,7 @@ from edugym.agents.settings import Discount, LearningRate, Range, Table, new, sh
 from edugym.agents.tables import one_step_target
 from edugym.agents.tile_coding import TileCoding
 from edugym.agents.vectors import vector_size
-from edugym.checks import a_number
+from edugym.checks.parameters import a_number
 from edugym.mdp.protocol import Random, Reals
 
 

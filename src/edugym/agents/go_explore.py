@@ -5,7 +5,7 @@ from typing import Annotated, Any, NamedTuple
 
 from edugym.agents.settings import Counter, Discount, LearningRate, Range, Table, new, shows_settings
 from edugym.agents.tables import best_value, greedy_action, one_step_target, random_action, replaces
-from edugym.checks import whole_number
+from edugym.checks.parameters import whole_number
 from edugym.mdp.protocol import Integers, Random, Reals
 
 

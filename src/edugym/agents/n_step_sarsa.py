@@ -7,7 +7,7 @@ from edugym.agents.last_steps import LastSteps
 from edugym.agents.settings import ActionValues, Discount, LearningRate, Range, Table, new, shows_settings
 from edugym.agents.strategies import EpsilonGreedy, Exploration
 from edugym.agents.tables import greedy_action
-from edugym.checks import number_of_steps, whole_number
+from edugym.checks.parameters import number_of_steps, whole_number
 from edugym.mdp.protocol import Random, Reals
 
 

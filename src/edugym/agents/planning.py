@@ -5,7 +5,7 @@ import time
 from typing import Annotated, Any, NamedTuple, Protocol
 
 from edugym.agents.settings import Part
-from edugym.checks import above, number_of_steps, whole_number
+from edugym.checks.parameters import above, number_of_steps, whole_number
 
 
 class Budget(Protocol):

@@ -7,10 +7,11 @@ from edugym.agents.heap import Heap
 from edugym.agents.planning import Planning, budget
 from edugym.agents.settings import ActionValues, Discount, LearningRate, Range, new, shows_settings
 from edugym.agents.strategies import EpsilonGreedy, Exploration
-from edugym.agents.tables import greedy_action, table_size
+from edugym.agents.tables import greedy_action
 from edugym.agents.tabular_model import TabularModel, model_of
 from edugym.exact.tables import FiniteModel
 from edugym.mdp.protocol import Random
+from edugym.mdp.sizes import table_size
 
 
 @shows_settings

@@ -6,10 +6,11 @@ import numpy as np
 
 from edugym.agents.planning import Planning, budget
 from edugym.agents.settings import Counter, Discount, Range, Table, new, shows_settings
-from edugym.agents.tables import greedy_action, table_size
+from edugym.agents.tables import greedy_action
 from edugym.agents.tabular_model import TabularModel, model_of
 from edugym.exact.tables import FiniteModel
 from edugym.mdp.protocol import Integers, Random, Reals
+from edugym.mdp.sizes import table_size
 
 MOST = 1e300
 

@@ -5,7 +5,7 @@ from typing import Annotated, Any, NamedTuple
 from edugym.agents.settings import Counter, Discount, LearningRate, Range, Table, new, shows_settings
 from edugym.agents.softmax import draw_action, follow_log_gradient, softmax
 from edugym.agents.tables import greedy_action
-from edugym.checks import whole_number
+from edugym.checks.parameters import whole_number
 from edugym.mdp.protocol import Integers, Random, Reals
 
 

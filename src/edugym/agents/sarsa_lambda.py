@@ -4,9 +4,10 @@ from typing import Annotated, Any, NamedTuple
 
 from edugym.agents.settings import ActionValues, Discount, LearningRate, Range, new, shows_settings
 from edugym.agents.strategies import EpsilonGreedy, Exploration
-from edugym.agents.tables import greedy_action, one_step_target, table_size
+from edugym.agents.tables import greedy_action, one_step_target
 from edugym.agents.traces import Replacing, Trace, Traces, check_trace
 from edugym.mdp.protocol import Random
+from edugym.mdp.sizes import table_size
 
 
 @shows_settings

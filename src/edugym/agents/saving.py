@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 
 from edugym.agents.settings import check
-from edugym.checks import in_short
-from edugym.files import write_whole
+from edugym.checks.parameters import in_short
+from edugym.system.files import write_whole
 
 MOST_BYTES = 2**30
 """How large the arrays of a file may be by default: a small file can unpack to a thousand times its size."""

@@ -19,11 +19,11 @@ from typing import Annotated, Any, NamedTuple, TypeVar, get_args, get_origin, ge
 
 import numpy as np
 
-from edugym.agents.tables import table_size
-from edugym.checks import a_number, above, at_least, between, in_short, whole_number
-from edugym.mdp.checking import is_own, require_method
+from edugym.checks.mdps import is_own, require_method
+from edugym.checks.parameters import a_number, above, at_least, between, in_short, whole_number
 from edugym.mdp.protocol import Integers, Reals
-from edugym.memory import require_memory
+from edugym.mdp.sizes import table_size
+from edugym.system.memory import require_memory
 
 Made = TypeVar("Made")
 

@@ -24,7 +24,7 @@ from edugym.agents.tables import (
     epsilon_greedy_value,
     greedy_action,
 )
-from edugym.checks import between, in_short
+from edugym.checks.parameters import between, in_short
 from edugym.mdp.protocol import Integers, Random, Reals
 
 

@@ -3,15 +3,7 @@
 One loop over single entries finds the best action, counts its equals and draws among them, and makes no new array.
 """
 
-import math
-from typing import Any
-
-import numpy as np
-from gymnasium import spaces
-
-from edugym.checks import in_short
 from edugym.mdp.protocol import Random, Reals
-from edugym.mdp.tabular import table_sizes
 
 
 def greedy_action(Q: Reals, state: int, rng: Random) -> int:
@@ -93,47 +85,3 @@ def one_step_target(reward: float, discount: float, next_value: float, terminate
     A truncated episode has not terminated: the value of its last state counts as in any other step.
     """
     return reward if terminated else reward + discount * next_value
-
-
-def table_size(environment: Any) -> tuple[int, int]:
-    """The shape (n_states, n_actions) of a table of action values for an environment.
-
-    Args:
-        environment: an MDP, a Gymnasium environment, or the shape itself.
-
-    Raises:
-        ValueError: it is no environment, its observations are not whole numbers, or its actions are not 0, 1, ...
-    """
-    if isinstance(environment, tuple) and not hasattr(environment, "_fields"):
-        return check_shape(environment, "(n_states, n_actions)")
-    if isinstance(environment, type):
-        name = environment.__name__
-        made = f"{name}.create(...)" if hasattr(environment, "create") else f"{name}(...)"
-        raise ValueError(f"environment must be a value, but is the class {name}: make one with {made}")
-    if not hasattr(environment, "action_space"):
-        raise ValueError(
-            f"environment must be an MDP, a Gymnasium environment or a shape, but is {in_short(environment)}"
-        )
-    actions = environment.action_space
-    if not isinstance(actions, spaces.Discrete) or actions.start != 0:
-        raise ValueError(f"a table needs the actions 0, 1, ..., but the action space is {actions}")
-    n_states: int = math.prod(table_sizes(environment.observation_space))
-    return n_states, int(actions.n)
-
-
-def check_shape(shape: tuple[Any, ...], name: str) -> tuple[int, int]:
-    """Refuse a shape that is not two whole numbers of 1 or more.
-
-    Args:
-        shape: what was given in place of an environment.
-        name: what the two numbers are.
-
-    Raises:
-        ValueError: it is something else.
-    """
-    if len(shape) != 2 or not all(isinstance(size, int | np.integer) and size >= 1 for size in shape):
-        raise ValueError(
-            f"environment must be an environment or the shape {name} of a table, two whole numbers of 1 or more, but is"
-            f" {shape!r}"
-        )
-    return int(shape[0]), int(shape[1])

@@ -6,10 +6,11 @@ import gymnasium
 import numpy as np
 
 from edugym.agents.settings import Counter, Table, new
-from edugym.agents.tables import best_value, one_step_target, random_action, table_size
-from edugym.checks import in_short, whole_number
+from edugym.agents.tables import best_value, one_step_target, random_action
+from edugym.checks.parameters import in_short, whole_number
 from edugym.exact.tables import FiniteModel
 from edugym.mdp.protocol import Integers, Random, Reals
+from edugym.mdp.sizes import table_size
 from edugym.mdp.tabular import tabular_mdp
 
 

@@ -9,7 +9,7 @@ from gymnasium import spaces
 
 from edugym.agents.settings import Table, check
 from edugym.agents.vectors import UNBOUNDED, vector_bounds, vector_size
-from edugym.checks import in_short, whole_number
+from edugym.checks.parameters import in_short, whole_number
 from edugym.mdp.protocol import Integers, Reals
 
 MOST_FEATURES = 10_000_000

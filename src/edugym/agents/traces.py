@@ -3,7 +3,7 @@
 from typing import Annotated, Any, NamedTuple, Protocol
 
 from edugym.agents.settings import Counter, Table
-from edugym.checks import in_short
+from edugym.checks.parameters import in_short
 from edugym.mdp.protocol import Integers, Reals
 
 NEGLIGIBLE = 1e-9

@@ -6,7 +6,7 @@ from edugym.agents.last_steps import LastSteps
 from edugym.agents.settings import ActionValues, Discount, LearningRate, Range, new, shows_settings
 from edugym.agents.strategies import EpsilonGreedy, Exploration, Greedy, Policy, check_policy
 from edugym.agents.tables import greedy_action, one_step_target
-from edugym.checks import whole_number
+from edugym.checks.parameters import whole_number
 from edugym.mdp.protocol import Random
 
 

@@ -4,16 +4,14 @@ An array is taken row after row. A whole number becomes a 1 among zeros, as Gymn
 that no number counts as larger than another; several whole numbers become one such part after the other.
 """
 
-import math
 from typing import Any
 
 import numpy as np
 from gymnasium import spaces
 
-from edugym.agents.tables import check_shape
-from edugym.checks import in_short
+from edugym.checks.parameters import in_short
 from edugym.mdp.protocol import Reals
-from edugym.mdp.tabular import table_sizes
+from edugym.mdp.sizes import check_shape, vector_length
 
 UNBOUNDED = 1e9
 """A bound of this size or more counts as none: many environments give the largest float32 for infinity."""
@@ -43,24 +41,6 @@ def vector_size(environment: Any, actions: type[spaces.Space[Any]] = spaces.Disc
             return vector_length(environment.observation_space), space.shape[0]
     needed = "the actions 0, 1, ..." if actions is spaces.Discrete else "actions that are vectors of real numbers"
     raise ValueError(f"this agent needs {needed}, but the action space is {space}")
-
-
-def vector_length(space: spaces.Space[Any]) -> int:
-    """How many numbers an observation is as a vector.
-
-    Raises:
-        ValueError: it is none.
-    """
-    if isinstance(space, spaces.Box):
-        return math.prod(space.shape)
-    try:
-        if isinstance(space, spaces.MultiBinary):
-            raise ValueError
-        return sum(table_sizes(space))
-    except ValueError:
-        raise ValueError(
-            f"a vector needs observations that are numbers, but the observation space is {space}"
-        ) from None
 
 
 def vector_bounds(environment: Any) -> tuple[Reals, Reals]:

@@ -13,6 +13,8 @@ from typing import Any
 
 import numpy as np
 
+from edugym.system.packages import is_ours, package_of
+
 LIBRARIES = frozenset(
     {"builtins", "math", "numba", "numpy", "typing", "collections", "gymnasium", "operator", "sys", "enum"}
 )
@@ -194,7 +196,7 @@ class Code:
 
     def _bases(self) -> Iterator[type]:
         """The classes in which members are looked up, in order, some of them more than once."""
-        return (base for kind in self._owners for base in kind.__mro__ if package(base) not in LIBRARIES)
+        return (base for kind in self._owners for base in kind.__mro__ if package_of(base) not in LIBRARIES)
 
     def _member(self, kind: type, name: str) -> None:
         if (kind, name) in self.members:
@@ -218,9 +220,9 @@ class Code:
         if known < len(self._kept):
             return
         self._kept.append(thing)
-        self._add(package(thing), getattr(thing, "__qualname__", None), getattr(thing, "__name__", None))
+        self._add(package_of(thing), getattr(thing, "__qualname__", None), getattr(thing, "__name__", None))
         if isinstance(thing, FunctionType):
-            if package(thing) not in LIBRARIES:
+            if package_of(thing) not in LIBRARIES:
                 self._function(thing)
         elif isinstance(thing, type):
             self._class(thing)
@@ -232,7 +234,7 @@ class Code:
             self._visit(type(thing))
             for part in thing:
                 self._visit(part)
-        elif package(type(thing)) == "numba":
+        elif package_of(type(thing)) == "numba":
             self._compiled_by_its_author(thing)
 
     def _compiled_by_its_author(self, thing: Any) -> None:
@@ -248,7 +250,7 @@ class Code:
             self._add(re.sub(r"0x[0-9a-f]+", "", str(thing)))
 
     def _class(self, kind: type) -> None:
-        if package(kind) in LIBRARIES:
+        if package_of(kind) in LIBRARIES:
             return
         self._add(kind.__qualname__, getattr(kind, "_fields", ()))
         if issubclass(kind, tuple) and hasattr(kind, "_fields"):
@@ -290,7 +292,7 @@ class Code:
             self._visit(value)
             return
         self._add(value.__name__)
-        if package(value) not in LIBRARIES:
+        if package_of(value) not in LIBRARIES:
             self._look_up(vars(value), names)
             for name in sorted(names & vars(value).keys()):
                 self._add(name)
@@ -356,13 +358,7 @@ def inside(cell: CellType, default: Any = None) -> Any:
 
 def is_foreign(thing: Any) -> bool:
     """Whether a class, function or module is not the package's own."""
-    return package(thing) != "edugym"
-
-
-def package(thing: Any) -> str:
-    """The package in which a class, function or module is defined."""
-    name = thing.__name__ if isinstance(thing, ModuleType) else getattr(thing, "__module__", None)
-    return (name or "").partition(".")[0]
+    return not is_ours(thing)
 
 
 def classes_of(value: Any) -> Iterator[type]:

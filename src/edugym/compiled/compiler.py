@@ -26,7 +26,7 @@ from edugym.compiled.bridge import building, take_scipy_for_granted, teach
 from edugym.compiled.code import Code, code_of
 from edugym.compiled.disk import SEAL, cache_directory, is_whole, new_folder, publish, remove, seal
 from edugym.compiled.reasons import reason
-from edugym.interrupts import interruptibly
+from edugym.system.interrupts import interruptibly
 
 Function = Callable[..., Any]
 

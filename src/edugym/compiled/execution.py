@@ -21,7 +21,8 @@ from edugym.compiled.code import LIBRARIES, Code, code_of, is_foreign
 from edugym.compiled.compiler import CompilationError, NoCompiler, check_compiler, compiled, is_built, is_on_disk
 from edugym.compiled.copies import Snapshot, copied, difference
 from edugym.compiled.subset import refusal
-from edugym.interrupts import Stopped, held
+from edugym.system.interrupts import Stopped, held
+from edugym.system.packages import OURS
 
 Loop = Callable[..., Any]
 
@@ -198,7 +199,7 @@ def _warn_once(code: Code, arguments: tuple[Any, ...], reason: str) -> None:
 def _callers_level() -> int:
     """The `stacklevel` of the user's line that has called `_warn_once` by way of the package."""
     level, frame = 1, sys._getframe(1)
-    while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith(("edugym", "joblib")):
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").partition(".")[0] in {*OURS, "joblib"}:
         level, frame = level + 1, frame.f_back
     return level
 

@@ -21,7 +21,8 @@ from typing import Any
 
 import numpy as np
 
-from edugym.compiled.code import LIBRARIES, Code, arrays_in, inside, is_foreign, package
+from edugym.compiled.code import LIBRARIES, Code, arrays_in, inside, is_foreign
+from edugym.system.packages import is_ours, package_of
 
 
 def words(text: str) -> frozenset[str]:
@@ -127,7 +128,7 @@ def _of_values(value: Any, name: str, *, all_kinds: bool, owner: type | None) ->
         return f"{name} is an array of {value.dtype.name}; of arrays it takes those of float64, int64 and bool"
     if isinstance(value, np.random.Generator):
         return f"{name} is a random generator: take it as rng" if is_foreign(owner) else None
-    if adapters and package(type(value)) == "numba":
+    if adapters and package_of(type(value)) == "numba":
         return None
     return _of_constant(value, name)
 
@@ -150,7 +151,7 @@ def _of_constant(value: Any, name: str) -> str | None:
 def _of_class(kind: type) -> str | None:
     """What operations would do with its values that machine code would not."""
     for base in kind.__mro__:
-        if package(base) in LIBRARIES or not is_foreign(base):
+        if package_of(base) in LIBRARIES or not is_foreign(base):
             continue
         for name, member in vars(base).items():
             if name in getattr(kind, "_fields", ()) and type(member).__name__ != "_tuplegetter":
@@ -158,7 +159,7 @@ def _of_class(kind: type) -> str | None:
             function = getattr(member, "__func__", member)
             special = name.startswith("__") and name not in HARMLESS and callable(function)
             own = getattr(function, "__globals__", {}).get("__name__", "").startswith("namedtuple_")
-            ours = package(function) == "edugym"  # as what the decorator `wrapper` adds
+            ours = is_ours(function)  # as what the decorator `wrapper` adds
             if special and not ours and not own:
                 return f"{base.__name__} defines {name}, which machine code would not call"
             if name in DRAWS_WITH_CHECKS:
@@ -265,16 +266,16 @@ def _of_name(value: Any, name: str) -> str | None:
     if value is _UNKNOWN or isinstance(value, FunctionType):
         return None
     if isinstance(value, ModuleType):
-        own = package(value) not in LIBRARIES and value.__name__ not in {"random", "time", "os"}
+        own = package_of(value) not in LIBRARIES and value.__name__ not in {"random", "time", "os"}
         return None if own or value in (math, np) else _of_module(value.__name__)
     if _known_function(value):
         return None
     if isinstance(value, type):
         plain = (
-            f"it uses {name}" if package(value) in LIBRARIES else f"it uses the class {name}, which is no NamedTuple"
+            f"it uses {name}" if package_of(value) in LIBRARIES else f"it uses the class {name}, which is no NamedTuple"
         )
         return None if _is_own_class(value) else OTHERWISE.get(name, plain)
-    if package(type(value)) == "numba" and hasattr(value, "py_func"):
+    if package_of(type(value)) == "numba" and hasattr(value, "py_func"):
         return None
     module = getattr(value, "__module__", None) or ""
     if callable(value):

@@ -9,7 +9,7 @@ import ctypes
 import importlib
 from typing import Any
 
-from edugym.interrupts import Stopped, asked_to_stop
+from edugym.system.interrupts import Stopped, asked_to_stop
 
 ir: Any = importlib.import_module("numba.core.ir")
 ir_utils: Any = importlib.import_module("numba.core.ir_utils")

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 from gymnasium.error import DependencyNotInstalled
 
 from edugym.adapters.gymnasium_env import MDPEnv, environment_of
+from edugym.adapters.registration import make_environment
 from edugym.adapters.vector_env import MDPVectorEnv
-from edugym.checks import in_short
-from edugym.registration import make_environment
+from edugym.checks.parameters import in_short
 
 if TYPE_CHECKING:
     from edugym.deep.baselines import stable_baselines3_run as stable_baselines3_run

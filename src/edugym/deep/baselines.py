@@ -7,7 +7,7 @@ import numpy as np
 import stable_baselines3
 from stable_baselines3.common.callbacks import BaseCallback
 
-from edugym.checks import one_of, whole_number
+from edugym.checks.parameters import one_of, whole_number
 from edugym.deep import stable_baselines3_env
 from edugym.deep.curves import Curve, Policy, one_thread
 from edugym.training.run import Run
@@ -76,7 +76,7 @@ def _class(algorithm: str) -> Any:
     """The class of an algorithm."""
     if algorithm != "RecurrentPPO":
         return getattr(stable_baselines3, algorithm)
-    from edugym.extras import require
+    from edugym.system.extras import require
 
     require("deep", "sb3_contrib")
     import sb3_contrib

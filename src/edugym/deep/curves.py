@@ -12,10 +12,10 @@ import torch
 from gymnasium.vector import AutoresetMode, VectorEnv
 
 from edugym.adapters.gymnasium_env import MDPEnv
+from edugym.adapters.registration import ENVIRONMENTS, full_id, make_environment
 from edugym.adapters.vector_env import MDPVectorEnv
-from edugym.checks import whole_number
-from edugym.mdp.protocol import step_limit
-from edugym.registration import ENVIRONMENTS, full_id, make_environment
+from edugym.checks.mdps import step_limit
+from edugym.checks.parameters import whole_number
 from edugym.training.run import Run
 from edugym.training.trainers import EVALUATION_LIMIT
 

@@ -13,10 +13,10 @@ from torch.optim.adam import adam
 from torch.random import fork_rng
 
 from edugym.agents.settings import Discount, LearningRate, Probability, Range, new, shows_settings
-from edugym.agents.vectors import input_scale, vector_length
-from edugym.checks import whole_number
+from edugym.agents.vectors import input_scale
+from edugym.checks.parameters import whole_number
 from edugym.deep.curves import Curve, copies, one_thread
-from edugym.mdp.tabular import table_lows, table_sizes
+from edugym.mdp.sizes import table_lows, table_sizes, vector_length
 from edugym.training.run import Run
 
 Whole = Annotated[int, Range(1)]

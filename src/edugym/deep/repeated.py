@@ -11,12 +11,12 @@ from typing import Any
 
 import numpy as np
 
-from edugym.checks import whole_number
-from edugym.extras import require
-from edugym.results.tables import MEASURED, Results, with_types
-from edugym.training.checkpoints import Checkpoints
-from edugym.training.configuration import Planned, planned_runs
-from edugym.training.fingerprints import versions
+from edugym.checks.parameters import whole_number
+from edugym.experiments.checkpoints import Checkpoints
+from edugym.experiments.configuration import Planned, planned_runs
+from edugym.experiments.fingerprints import versions
+from edugym.experiments.results.tables import MEASURED, Results, with_types
+from edugym.system.extras import require
 from edugym.training.run import Run
 
 TOLERANCE = 0.1

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
-from edugym.checks import number_of_steps, whole_number
+from edugym.checks.parameters import number_of_steps, whole_number
 from edugym.mdp.protocol import Integers, Random
 from edugym.rendering.icons import flag, smiley
 from edugym.rendering.palette import CRACK, GRASS, SKY, STONE, WALL

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
-from edugym.checks import one_of, whole_number
+from edugym.checks.parameters import one_of, whole_number
 from edugym.mdp.protocol import Random
 from edugym.rendering.icons import Mood, smiley
 from edugym.rendering.palette import GRASS, PAPER, RED, SHADE, SKY, YELLOW, rgb

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
-from edugym.checks import above, between, in_short, whole_number
+from edugym.checks.parameters import above, between, in_short, whole_number
 from edugym.mdp.protocol import Random
 from edugym.rendering.icons import Mood, flag, smiley
 from edugym.rendering.palette import GRASS, GREEN, SAND, WATER, WHITE, blend

@@ -4,7 +4,7 @@ from typing import Any, NamedTuple
 
 from gymnasium import spaces
 
-from edugym.checks import number_of_steps, whole_number
+from edugym.checks.parameters import number_of_steps, whole_number
 from edugym.mdp.protocol import Random
 from edugym.rendering.icons import door, lamp, smiley
 from edugym.rendering.palette import BRICK, ROAD, SHADE, WALL, blend

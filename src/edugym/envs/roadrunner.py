@@ -4,7 +4,7 @@ from typing import Any, NamedTuple
 
 from gymnasium import spaces
 
-from edugym.checks import between, number_of_steps, whole_number
+from edugym.checks.parameters import between, number_of_steps, whole_number
 from edugym.mdp.protocol import Random
 from edugym.rendering.icons import Mood, sign, smiley
 from edugym.rendering.palette import GRASS, INK, ROAD, SAND, SKY, WALL, WHITE

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
-from edugym.checks import between, whole_number
+from edugym.checks.parameters import between, whole_number
 from edugym.mdp.protocol import Integers, Random, Reals
 from edugym.rendering.icons import Mood, gauge, smiley
 from edugym.rendering.palette import BLUE, GREEN, INK, ORANGE, RED, SHADE, WHITE, blend

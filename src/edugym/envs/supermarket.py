@@ -8,7 +8,7 @@ import numpy as np
 from gymnasium import spaces
 
 from edugym.adapters.gymnasium_env import MDPEnv
-from edugym.checks import between, number_of_steps, whole_number
+from edugym.checks.parameters import between, number_of_steps, whole_number
 from edugym.exact.tables import FiniteModel
 from edugym.mdp.protocol import Integers, Random
 from edugym.rendering.icons import door, sign, smiley

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
-from edugym.checks import at_least, number_of_steps, whole_number
+from edugym.checks.parameters import at_least, number_of_steps, whole_number
 from edugym.mdp.protocol import Random
 from edugym.rendering.icons import Mood, gauge, smiley, speech_bubble
 from edugym.rendering.palette import BLUE, GREEN, INK, ORANGE, PAPER, PURPLE, RED, SKY, WHITE, blend

@@ -2,7 +2,7 @@
 
 from itertools import islice
 
-from edugym.checks import whole_number
+from edugym.checks.parameters import whole_number
 from edugym.exact.tables import FiniteModel
 from edugym.exact.value_iteration import best_values
 from edugym.exact.values import Values, check_model, expected_return, sweeps

@@ -14,12 +14,12 @@ from typing import Any
 import numpy as np
 from gymnasium import Env, spaces
 
-from edugym.checks import whole_number
+from edugym.checks.parameters import whole_number
+from edugym.checks.tracebacks import end_at_students_line
 from edugym.exact.branching import branches
 from edugym.exact.checking import compare_with_steps, global_randomness
 from edugym.exact.tables import FiniteModel, plain
 from edugym.mdp.protocol import MDP
-from edugym.mdp.tracebacks import end_at_students_line
 
 MAX_STATES = 50_000
 MAX_WAYS = 20_000

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from edugym.checks import whole_number
+from edugym.checks.parameters import whole_number
 from edugym.exact.policy_evaluation import policy_evaluation
 from edugym.exact.tables import FiniteModel
 from edugym.exact.values import Values, check_model

@@ -4,7 +4,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from edugym.checks import whole_number
+from edugym.checks.parameters import whole_number
 from edugym.exact.branching import branches
 from edugym.mdp.protocol import MDP, Integers, Random, Reals
 from edugym.mdp.tabular import tabular_mdp

@@ -1,6 +1,6 @@
 """Value iteration: the optimum of a task with a finite model."""
 
-from edugym.checks import between
+from edugym.checks.parameters import between
 from edugym.exact.tables import FiniteModel
 from edugym.exact.values import StateValues, Values, sweep_until_settled
 from edugym.mdp.protocol import Reals

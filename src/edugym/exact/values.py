@@ -6,7 +6,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
-from edugym.checks import above, between, in_short, whole_number
+from edugym.checks.parameters import above, between, in_short, whole_number
 from edugym.exact.tables import FiniteModel
 from edugym.mdp.protocol import Reals
 

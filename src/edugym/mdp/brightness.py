@@ -2,7 +2,7 @@
 
 from typing import Any, NamedTuple
 
-from edugym.checks import between
+from edugym.checks.parameters import between
 from edugym.mdp.in_place import blank, in_place, written
 from edugym.mdp.noisy_observation import bounds
 from edugym.mdp.protocol import Random

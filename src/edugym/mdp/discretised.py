@@ -7,12 +7,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
-from edugym.checks import whole_number
-from edugym.mdp.checking import require_mdp
+from edugym.checks.mdps import require_mdp
+from edugym.checks.parameters import whole_number
 from edugym.mdp.in_place import blank, in_place, written
 from edugym.mdp.protocol import Integers, Random, Reals
 from edugym.mdp.wrapper import wrapper
-from edugym.memory import in_digits
+from edugym.system.memory import in_digits
 
 MOST_ACTIONS = 100_000
 

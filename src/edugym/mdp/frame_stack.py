@@ -5,10 +5,11 @@ from typing import Any, NamedTuple
 
 from gymnasium import spaces
 
-from edugym.checks import in_short, whole_number
-from edugym.mdp.checking import require_mdp
+from edugym.checks.mdps import require_mdp
+from edugym.checks.parameters import in_short, whole_number
 from edugym.mdp.protocol import Random
-from edugym.mdp.tabular import MOST_ROWS, table_sizes, tabular_mdp
+from edugym.mdp.sizes import MOST_ROWS, table_sizes
+from edugym.mdp.tabular import tabular_mdp
 from edugym.mdp.wrapper import wrapper
 
 

@@ -4,7 +4,7 @@ from typing import Any, NamedTuple
 
 from gymnasium import spaces
 
-from edugym.mdp.checking import require_mdp
+from edugym.checks.mdps import require_mdp
 from edugym.mdp.hashed_table import HashedTable
 from edugym.mdp.in_place import blank, in_place
 from edugym.mdp.protocol import Random

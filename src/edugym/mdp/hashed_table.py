@@ -5,9 +5,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from edugym.checks import whole_number
+from edugym.checks.parameters import whole_number
 from edugym.mdp.protocol import Integers
-from edugym.memory import require_memory
+from edugym.system.memory import require_memory
 
 PRIME = 2**31 - 1
 FACTOR = 742_938_285

@@ -4,8 +4,8 @@ from typing import Any, NamedTuple
 
 from gymnasium import spaces
 
-from edugym.checks import a_number, at_least, whole_number
-from edugym.mdp.checking import require_mdp
+from edugym.checks.mdps import require_mdp
+from edugym.checks.parameters import a_number, at_least, whole_number
 from edugym.mdp.in_place import blank, in_place, written
 from edugym.mdp.protocol import Random
 from edugym.mdp.wrapper import wrapper

@@ -14,8 +14,6 @@ from typing import Any, Protocol, TypeAlias, TypeVar
 import numpy as np
 from gymnasium import Space
 
-from edugym.checks import number_of_steps
-
 Integers: TypeAlias = np.ndarray[tuple[int, ...], np.dtype[np.int64]]
 Reals: TypeAlias = np.ndarray[tuple[int, ...], np.dtype[np.float64]]
 Random: TypeAlias = np.random.Generator
@@ -117,31 +115,6 @@ class Agent(Actor[Observation_contra], Protocol[Observation_contra]):
         In your agent, write `learn` as an ordinary method. This protocol declares it as a property for one reason: type
         checkers then accept a `learn` with any parameters.
         """
-
-
-def step_limit(mdp: MDP[Any, Any]) -> int | None:
-    """The number of steps after which an episode of `mdp` is truncated, or None when there is no limit.
-
-    Raises:
-        ValueError: `max_steps` is neither None nor a whole number of 1 or more.
-    """
-    any_mdp: Any = mdp  # `max_steps` is no part of the protocol, since not every MDP has it
-    try:
-        limit = any_mdp.max_steps
-    except AttributeError:
-        if _defines(mdp, "max_steps"):  # `max_steps` is a property whose own code raised this AttributeError: show it
-            raise
-        return None
-    if limit is None:
-        return None
-    number_of_steps("max_steps", limit)
-    return int(limit)
-
-
-def _defines(mdp: Any, name: str) -> bool:
-    """Whether the class of `mdp` defines `name`. If `mdp` is a wrapper, the MDP that it wraps counts too."""
-    inner = getattr(mdp, "mdp", None)
-    return hasattr(type(mdp), name) or (inner is not None and _defines(inner, name))
 
 
 def coerced(value: Any) -> Any:

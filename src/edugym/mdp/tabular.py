@@ -1,18 +1,14 @@
 """Observations of several whole numbers as one: the row of a table."""
 
 import math
-from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 from gymnasium import spaces
 
 from edugym.mdp.protocol import MDP, Integers, Random, writes_in_place
+from edugym.mdp.sizes import number_of_rows, table_lows, table_sizes
 from edugym.mdp.wrapper import wrapper
-from edugym.memory import in_digits
-
-MOST_ROWS = 2**63 - 1
-"""The largest number of rows that machine code can count."""
 
 
 @wrapper
@@ -78,21 +74,6 @@ class TabularInPlace(Tabular):
         return self.row(self.seen)
 
 
-def number_of_rows(sizes: Sequence[int]) -> int:
-    """The number of rows of a table for several numbers, which take so many values each.
-
-    Raises:
-        ValueError: there are 2^63 rows or more.
-    """
-    rows = math.prod(sizes)
-    if rows > MOST_ROWS:
-        raise ValueError(
-            f"the rows of a table over {in_digits(rows)} observations do not fit 63 bits: give rows only to those that"
-            " occur (edugym.Hashed)"
-        )
-    return rows
-
-
 def tabular_mdp(mdp: MDP[Any, Any]) -> Any:
     """The MDP with its observations as the rows of a table; unchanged if they are already.
 
@@ -105,29 +86,3 @@ def tabular_mdp(mdp: MDP[Any, Any]) -> Any:
             raise ValueError(f"an MDP must number its observations from 0, but its observation space is {space}")
         return mdp
     return Tabular.create(mdp)
-
-
-def table_sizes(space: spaces.Space[Any]) -> tuple[int, ...]:
-    """How many values each whole number in an element of `space` takes.
-
-    Raises:
-        ValueError: there are other things than whole numbers in it.
-    """
-    if isinstance(space, spaces.Discrete):
-        return (int(space.n),)
-    if isinstance(space, spaces.MultiDiscrete):
-        return tuple(int(n) for n in np.ravel(space.nvec))
-    if isinstance(space, spaces.MultiBinary):
-        return (2,) * math.prod(space.shape)
-    if isinstance(space, spaces.Tuple):
-        return tuple(size for part in space.spaces for size in table_sizes(part))
-    raise ValueError(f"a table needs observations that are whole numbers, but the observation space is {space}")
-
-
-def table_lows(space: spaces.Space[Any]) -> Sequence[int]:
-    """The lowest value of each whole number in an element of `space`."""
-    if isinstance(space, spaces.Tuple):
-        return [low for part in space.spaces for low in table_lows(part)]
-    if isinstance(space, spaces.Discrete | spaces.MultiDiscrete):
-        return [int(low) for low in np.ravel(space.start)]
-    return [0] * len(table_sizes(space))

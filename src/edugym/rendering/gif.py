@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from edugym.extras import require
-from edugym.files import write_whole
 from edugym.rendering.pixels import to_pixels
 from edugym.rendering.scene import Scene
+from edugym.system.extras import require
+from edugym.system.files import write_whole
 
 if TYPE_CHECKING:
     from PIL import Image

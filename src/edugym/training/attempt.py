@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from edugym.mdp.protocol import step_limit
+from edugym.checks.mdps import step_limit
 from edugym.training.contract import is_on_policy, learner
 
 

@@ -1,47 +1,17 @@
 """Checks of students' code: what Gymnasium environments return (and `checking` what agents return)."""
 
-import inspect
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
 import gymnasium
 import numpy as np
-from gymnasium import ActionWrapper, ObservationWrapper, RewardWrapper
 from gymnasium.wrappers import FlattenObservation, OrderEnforcing, PassiveEnvChecker
 
 from edugym.adapters.tabular_observation import TabularObservation
-from edugym.checks import in_short
-from edugym.mdp.checking import CHECKED_STEPS, is_own
-from edugym.mdp.values import fits, is_finite_number, without_flag
-
-
-def require_env(env: gymnasium.Env[Any, Any]) -> None:
-    """Refuse an environment, or a wrapper in it, whose `reset` or `step` is missing or takes something else.
-
-    Raises:
-        ValueError: one of them is not as Gymnasium calls it.
-    """
-    name = type(env).__name__
-    if isinstance(env, gymnasium.Wrapper) and "_observation_space" not in vars(env):
-        raise ValueError(f"__init__ of {name} must call super().__init__(env)")
-    for kind, method in ((ObservationWrapper, "observation"), (ActionWrapper, "action"), (RewardWrapper, "reward")):
-        if isinstance(env, kind) and getattr(type(env), method) is getattr(kind, method):
-            raise ValueError(f"{name} must have a method {method}(self, {method})")
-    for method, takes, given, named in (
-        ("reset", "(self, *, seed=None, options=None)", (), {"seed": None, "options": None}),
-        ("step", "(self, action)", ("action",), {}),
-    ):
-        if getattr(type(env), method) is getattr(gymnasium.Env, method):
-            raise ValueError(f"{name} must have a method {method}{takes}")
-        signature = inspect.signature(getattr(env, method))
-        try:
-            signature.bind(*given, **named)
-        except TypeError:
-            taken = ", ".join(["self", *map(str, signature.parameters.values())])
-            raise ValueError(f"{method} of {name} must take {takes}, but takes ({taken})") from None
-    if isinstance(env, gymnasium.Wrapper):
-        require_env(env.env)
+from edugym.checks.mdps import CHECKED_STEPS, is_own
+from edugym.checks.parameters import in_short
+from edugym.checks.values import fits, is_finite_number, without_flag
 
 
 @contextmanager

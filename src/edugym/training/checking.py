@@ -16,10 +16,11 @@ import gymnasium
 import numpy as np
 from gymnasium import spaces
 
-from edugym.checks import in_short
-from edugym.mdp.checking import CHECKED_STEPS, innermost, is_own, refuse_change
+from edugym.checks.mdps import CHECKED_STEPS, innermost, is_own, refuse_change
+from edugym.checks.parameters import in_short
+from edugym.checks.values import GlobalDraws, fits, kept, same
 from edugym.mdp.protocol import Random
-from edugym.mdp.values import GlobalDraws, fits, kept, same
+from edugym.system.packages import is_ours
 from edugym.training.contract import LEARN_PARAMETERS, METHODS, tables_of
 from edugym.training.run import Run
 
@@ -157,7 +158,7 @@ def _nothing_learned(agent: Any, blank: dict[str, float], run: Run) -> list[str]
 
 def students_parts(agent: Any) -> list[str]:
     """Return the names of the student's classes, such as a strategy, that are parts of one of the package's agents."""
-    if not isinstance(agent, tuple) or not type(agent).__module__.startswith("edugym."):
+    if not isinstance(agent, tuple) or not is_ours(type(agent)):
         return []
     return [type(part).__name__ for part in tuple.__iter__(agent) if not is_own(part)]
 

@@ -6,10 +6,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from edugym.checks import in_short
+from edugym.checks.mdps import a_class, is_own, require_method
+from edugym.checks.parameters import in_short
+from edugym.checks.values import own_copy
 from edugym.compiled.generated import generated_class
-from edugym.mdp.checking import a_class, is_own, require_method
-from edugym.mdp.values import own_copy
 from edugym.training.run import Run
 
 LEARN_PARAMETERS = ("state", "action", "reward", "next_state", "next_action", "terminated", "truncated")

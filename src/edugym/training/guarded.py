@@ -11,8 +11,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
+from edugym.checks.mdps import is_own
 from edugym.compiled.generated import generated_class
-from edugym.mdp.checking import is_own
 from edugym.mdp.protocol import Random, Reals, writes_in_place
 from edugym.mdp.wrapper import wrapper
 

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from edugym.checks import in_short, number_of_steps, whole_number
-from edugym.interrupts import Interrupted, Stopped, Work
+from edugym.checks.parameters import in_short, number_of_steps, whole_number
+from edugym.checks.tracebacks import end_at_students_line
 from edugym.mdp.protocol import Integers, Reals
-from edugym.mdp.tracebacks import end_at_students_line
+from edugym.system.interrupts import Interrupted, Stopped, Work
 from edugym.training.progress import progress_bar
 from edugym.training.run import Run
 from edugym.training.trainers import Trainer, trainer

@@ -12,21 +12,17 @@ from typing import Any, Protocol
 
 import gymnasium
 import numpy as np
-from gymnasium import spaces
-from gymnasium.wrappers import FlattenObservation, OrderEnforcing, PassiveEnvChecker
 
-from edugym.adapters.gymnasium_env import MDPEnv
-from edugym.adapters.rooms import View, check_sizes, takes_vectors
-from edugym.adapters.tabular_observation import tabular
-from edugym.agents.tables import table_size
+from edugym.adapters.fitting import fitting, takes_vectors
+from edugym.adapters.registration import full_id
+from edugym.adapters.rooms import View
+from edugym.checks.mdps import CHECKED_STEPS, checked_mdp, is_own, require_task
+from edugym.checks.values import own_copy
 from edugym.compiled.execution import executable
-from edugym.interrupts import held
-from edugym.mdp.checking import CHECKED_STEPS, checked_mdp, is_own, require_environment, require_mdp, require_spaces
-from edugym.mdp.protocol import coerced, step_limit
-from edugym.mdp.values import own_copy
-from edugym.registration import full_id
+from edugym.mdp.protocol import coerced
+from edugym.system.interrupts import held
 from edugym.training import gymnasium_loops, loops
-from edugym.training.checked_env import checked_env, require_env
+from edugym.training.checked_env import checked_env
 from edugym.training.checking import before_training, checked_agent, doubts
 from edugym.training.contract import actor, forget_episode, is_on_policy, learner, learns_from, tables_of
 from edugym.training.guarded import GUARDS, guarded
@@ -83,11 +79,15 @@ def trainer(environment: Any, agent: Any, seed: int, max_steps: int | None, expe
     Raises:
         ValueError: one is no environment or no agent, or they do not fit each other.
     """
+    if isinstance(environment, str):
+        environment = gymnasium.make(full_id(environment))
+    limit = require_task(environment)
+    learns_from(agent)  # refuses what is no agent
     agent = coerced(agent)
-    task = coerced(_task(environment, agent))
+    task = coerced(fitting(environment, agent, tables_of(agent)))
     forget_episode(agent)
     kind = GymnasiumTrainer if isinstance(task, gymnasium.Env) else MDPTrainer
-    return kind(task, agent, seed, max_steps or _step_limit(task), expected)
+    return kind(task, agent, seed, max_steps or limit, expected)
 
 
 class MDPTrainer:
@@ -296,71 +296,3 @@ def streams(seed: int) -> list[np.random.Generator]:
 def new_log() -> Log:
     """Return a log of no episodes."""
     return Log(np.zeros(1), np.zeros(1, np.int64))
-
-
-def _task(environment: Any, agent: Any) -> Any:
-    """Return the MDP behind an environment, if there is one and no wrapper changes it; else the environment."""
-    if isinstance(environment, str):
-        environment = gymnasium.make(full_id(environment))
-    if hasattr(environment, "act") and not hasattr(environment, "observation_space"):
-        kind = environment if isinstance(environment, type) else type(environment)
-        raise ValueError(f"environment must come first, before the agent, but is the agent {kind.__name__}")
-    if isinstance(environment, type):
-        require_mdp(environment, "environment")  # says how to make a value
-    require_environment("environment", environment, "an MDP, a Gymnasium environment or a name")
-    if isinstance(environment, gymnasium.Env):
-        require_env(environment)
-        require_spaces(environment)
-    elif not is_own(environment):
-        require_mdp(environment, "environment")
-    learns_from(agent)  # refuses what is no agent
-    inside = environment
-    while isinstance(inside, PassiveEnvChecker | OrderEnforcing):
-        inside = inside.env
-    if isinstance(inside, MDPEnv) and inside.only_plays_its_mdp:
-        environment = inside.mdp
-    if takes_vectors(agent):
-        check_sizes(agent, environment)
-        return FlattenObservation(environment) if isinstance(environment, gymnasium.Env) else environment
-    if getattr(agent, "tabular", True) is False:
-        return environment
-    _check_table(agent, environment)
-    try:
-        return tabular(environment)
-    except ValueError as error:
-        if is_own(agent):
-            raise
-        what = f"write `tabular = False` in the class {type(agent).__name__} if it takes such observations as they are"
-        raise ValueError(f"{error}: {what}") from None
-
-
-def _check_table(agent: Any, environment: Any) -> None:
-    """Refuse a table that was made for another environment.
-
-    A student's may have other rows, as where states are aggregated; but not a row for each state and too few actions.
-    """
-    own = type(agent).__module__.startswith("edugym.agents.")
-    for name, table in tables_of(agent).items():
-        if own and name in ("Q", "preferences"):
-            shape = table_size(environment)
-            if table.shape[-2:] != shape:
-                raise ValueError(
-                    f"agent must have a table {name} of shape {shape} for this environment, but its is"
-                    f" {table.shape[-2:]}"
-                )
-        elif name == "Q" and table.ndim == 2 and isinstance(environment.action_space, spaces.Discrete):
-            rows, columns = table_size(environment)
-            if len(table) == rows and table.shape[1] < columns:
-                raise ValueError(
-                    f"{name} of {type(agent).__name__} has the shape {table.shape}, but this environment has"
-                    f" {rows} observations and {columns} actions"
-                )
-
-
-def _step_limit(task: Any) -> int | None:
-    """Return the step limit of an MDP or Gymnasium environment, or None if it is unknown or there is none."""
-    if not isinstance(task, gymnasium.Env):
-        return step_limit(task)
-    if isinstance(task.unwrapped, MDPEnv):
-        return step_limit(task.unwrapped.mdp)
-    return task.spec.max_episode_steps if task.spec else None

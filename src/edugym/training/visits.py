@@ -4,9 +4,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from edugym.agents.tables import table_size
-from edugym.checks import whole_number
+from edugym.checks.parameters import whole_number
 from edugym.mdp.protocol import Integers, Random
+from edugym.mdp.sizes import table_size
 from edugym.training.contract import actor, forget_episode, is_on_policy, learner
 
 

@@ -9,13 +9,13 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
+from edugym.adapters.playing.films import play_episode
+from edugym.adapters.registration import make_environment
 from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.deep import stable_baselines3_env
 from edugym.envs.trashbot.geometry import SHOULDER_Y, Robot, arm
 from edugym.envs.trashbot.planning import ScriptedController, best_plan, joint_angles
 from edugym.envs.trashbot.task import DELIVERED, MOVING, START
-from edugym.playing.films import play_episode
-from edugym.registration import make_environment
 from tests.envs.classes import TrashbotEnv
 from tests.envs.trashbot.moves import DEFAULT, RNG, SCALE
 

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
-from edugym.checks import above, between, number_of_steps, whole_number
+from edugym.checks.parameters import above, between, number_of_steps, whole_number
 from edugym.envs.trashbot.geometry import (
     BASE,
     BOX,

@@ -1,0 +1,112 @@
+"""Where things were in version 0.1: the old names of modules work for one more version, with a DeprecationWarning.
+
+A finder at the end of Python's list of import systems is asked only for modules that nobody else finds.
+"""
+
+import importlib
+import importlib.abc
+import importlib.machinery
+import pkgutil
+import sys
+import warnings
+from collections.abc import Sequence
+from types import ModuleType
+from typing import Any
+
+MOVED = {
+    "cli": "edugym_course.cli",
+    "commands": "edugym_course.commands",
+    "exercises": "edugym_course.lessons",
+    "extras": "edugym.system.extras",
+    "files": "edugym.system.files",
+    "grading": "edugym_course.grading",
+    "interrupts": "edugym.system.interrupts",
+    "lab": "edugym_course.lab",
+    "lessons": "edugym_course.lessons",
+    "mdp.checking": "edugym.checks.mdps",
+    "mdp.tracebacks": "edugym.checks.tracebacks",
+    "mdp.values": "edugym.checks.values",
+    "memory": "edugym.system.memory",
+    "notebook": "edugym_course.notebook",
+    "playing": "edugym.adapters.playing",
+    "plotting": "edugym.experiments.figures",
+    "registration": "edugym.adapters.registration",
+    "results": "edugym.experiments.results",
+    "sharing": "edugym.adapters.sharing",
+    "stored": "edugym_course.stored",
+    "training.checkpoints": "edugym.experiments.checkpoints",
+    "training.configuration": "edugym.experiments.configuration",
+    "training.fingerprints": "edugym.experiments.fingerprints",
+    "training.repeat": "edugym.experiments.repeat",
+}
+"""The new place of each module or package that has moved, by its old name below `edugym`."""
+
+
+def new_name(old: str) -> str | None:
+    """The new name of a module, or None if it has not moved. Modules inside a package moved along with it."""
+    below, rest = old.removeprefix("edugym."), ""
+    while below:
+        if below in MOVED:
+            if below == "exercises" and rest:  # each lesson holds its own now
+                lesson, _, inner = rest[1:].partition(".")
+                rest = f".{lesson}.exercises" + (f".{inner}" if inner else "")
+            return MOVED[below] + rest
+        below, _, last = below.rpartition(".")
+        rest = f".{last}{rest}"
+    return None
+
+
+class OldNames(importlib.abc.MetaPathFinder, importlib.abc.Loader):
+    """Imports a module by its old name."""
+
+    def find_spec(
+        self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
+    ) -> importlib.machinery.ModuleSpec | None:
+        """Describe the module, if it has moved."""
+        if not fullname.startswith("edugym.") or new_name(fullname) is None:
+            return None
+        return importlib.machinery.ModuleSpec(fullname, self, is_package=True)
+
+    def create_module(self, spec: importlib.machinery.ModuleSpec) -> ModuleType:
+        """Make the module that stands for the moved one."""
+        new = new_name(spec.name)
+        assert new is not None
+        importlib.import_module(new)  # it may say that a library is missing
+        warnings.warn(f"{spec.name} has moved: import {new}", DeprecationWarning, stacklevel=2)
+        return Moved(spec.name, new)
+
+    def exec_module(self, module: ModuleType) -> None:
+        """There is nothing to do: names are looked up in the new module."""
+
+
+class Moved(ModuleType):
+    """A module under its old name: it has the names of the new one, and of the modules in it if that is a lesson."""
+
+    def __init__(self, old: str, new: str) -> None:
+        """Stand for the module `new`."""
+        super().__init__(old, importlib.import_module(new).__doc__)
+        self.__path__: list[str] = []
+        self._new = new
+
+    def __getattr__(self, name: str) -> Any:
+        """Look up a name; a lesson once handed on what its files define."""
+        if name.startswith("__") and name != "__all__":
+            raise AttributeError(name)
+        module = importlib.import_module(self._new)
+        if isinstance(getattr(module, name, None), ModuleType):
+            return importlib.import_module(f"{self.__name__}.{name}")
+        if hasattr(module, name):
+            return getattr(module, name)
+        files = [inner.name for inner in pkgutil.iter_modules(getattr(module, "__path__", ()))]
+        if self._new.startswith("edugym_course.lessons."):
+            for file in filter(str.isidentifier, files):
+                found = getattr(importlib.import_module(f"{self._new}.{file}"), name, None)
+                if found is not None:
+                    return found
+        raise AttributeError(f"module {self.__name__!r} has no attribute {name!r}")
+
+
+def install() -> None:
+    """Let the old names be found."""
+    if not any(isinstance(finder, OldNames) for finder in sys.meta_path):
+        sys.meta_path.append(OldNames())

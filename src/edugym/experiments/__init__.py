@@ -1,0 +1,1 @@
+"""Experiments: repetition over seeds, tables of results, and figures."""

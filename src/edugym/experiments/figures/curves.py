@@ -1,0 +1,107 @@
+"""Learning curves."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+from edugym.checks.parameters import in_short, whole_number
+from edugym.experiments.figures.panel import ALONE, Place
+from edugym.experiments.figures.style import (
+    REFERENCE,
+    SOFT_REFERENCE,
+    add_legend,
+    dress,
+    format_steps,
+    own_axes,
+    plot_line,
+    stroke,
+)
+from edugym.experiments.results.statistics import by_point
+from edugym.experiments.results.tables import Results
+
+if TYPE_CHECKING:
+    import pandas
+    from matplotlib.axes import Axes
+
+LABELS = {
+    "return": "return (greedy)",
+    "training_return": "return (while exploring)",
+    "episodes": "episodes ended",
+}
+SHARE_LABEL = "share of runs with return 1 (greedy)"
+
+
+class Curves(NamedTuple):
+    """The learning curve of each method: the mean over repetitions, with its 95 % confidence interval as a band.
+
+    Attributes:
+        results: the results to draw.
+        title: the text above the axes.
+        column: "return" (of evaluation episodes, played without exploring), "training_return" (of the training
+            episodes, explored as the method does) or "episodes" (that ended since the point before).
+        methods: the labels of the methods to draw; None draws all. Their order gives the colours, so that figures with
+            the same methods have the same colours.
+        share: whether every value is 1 or 0, so that the mean is a share; the band is then Wilson's interval.
+        optimum: the best possible value, drawn as a dashed line; None draws none.
+        soft_optimum: the best value of a policy that goes on exploring, drawn as a dotted line; None draws none.
+        soft_label: what the legend calls it.
+        smooth: the number of points to average, the point itself and those before it; None averages none. Training
+            returns are weighted by their numbers of episodes.
+        y_label: the label of the y axis; None describes the column.
+        y_range: both ends of the y axis, to cut off a bad start; None shows everything.
+    """
+
+    results: Results
+    title: str = ""
+    column: str = "return"
+    methods: Sequence[str] | None = None
+    share: bool = False
+    optimum: float | None = None
+    soft_optimum: float | None = None
+    soft_label: str = "best ε-soft policy"
+    smooth: int | None = None
+    y_label: str | None = None
+    y_range: tuple[float, float] | None = None
+
+    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
+        """Draw the curves on `ax`, by default in a new figure, and return the axes.
+
+        Raises:
+            ValueError: an attribute is not as described in the class.
+        """
+        if self.smooth is not None:
+            whole_number("smooth", self.smooth, 1)
+        if not isinstance(self.results, Results):
+            what = in_short(self.results)
+            raise ValueError(f"results must be Results, as repeat gives or Results.load reads them, but is {what}")
+        ax = own_axes(ax)
+        for i, method in enumerate(self.results.methods if self.methods is None else self.methods):
+            curves = self.points(method)
+            steps = curves.index.to_numpy()
+            mean, low, high = by_point(curves.to_numpy(float), share=self.share and self.smooth is None).T
+            plot_line(ax, i, steps, mean, method)
+            ax.fill_between(steps, low, high, color=stroke(i).color, alpha=0.16, linewidth=0)
+        if self.optimum is not None:
+            ax.axhline(self.optimum, label="optimum", **REFERENCE)
+        if self.soft_optimum is not None:
+            ax.axhline(self.soft_optimum, label=self.soft_label, **SOFT_REFERENCE)
+        default = SHARE_LABEL if self.share and self.column == "return" else LABELS[self.column]
+        dress(ax, "training steps", default if self.y_label is None else self.y_label, self.title)
+        if not self.results.table.empty:
+            ax.set_xlim(0, self.results.table["step"].max())
+        if self.y_range is not None:
+            ax.set_ylim(self.y_range)
+        format_steps(ax)
+        if place.alone:
+            add_legend(ax)
+        return ax
+
+    def points(self, method: str) -> "pandas.DataFrame":
+        """Return the curves of a method, smoothed: one row a step, one column a repetition."""
+        curves = self.results.curves(method, self.column)
+        if self.smooth is None:
+            return curves
+        weights = curves.notna().astype(float)
+        if self.column == "training_return":
+            weights *= self.results.curves(method, "episodes")
+        total, weight = (part.rolling(self.smooth, min_periods=1).sum() for part in (curves * weights, weights))
+        return total / weight

@@ -1,0 +1,48 @@
+"""Lines over anything else than training steps."""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import TYPE_CHECKING, NamedTuple
+
+from edugym.experiments.figures.panel import ALONE, Place
+from edugym.experiments.figures.style import REFERENCE, add_legend, dress, own_axes, plot_line
+from edugym.mdp.protocol import Reals
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+
+class Lines(NamedTuple):
+    """A line for each method, and dashed lines for what theory predicts.
+
+    Attributes:
+        x: shape (n,): the places of the values on the x axis.
+        lines: by label of the method, its values, shape (n,).
+        title: the text above the axes.
+        x_label: the label of the x axis.
+        y_label: the label of the y axis.
+        theory: by label, the values that theory predicts, shape (n,).
+        log: whether the y axis is logarithmic.
+    """
+
+    x: Reals
+    lines: Mapping[str, Reals]
+    title: str = ""
+    x_label: str = ""
+    y_label: str = ""
+    theory: Mapping[str, Reals] = MappingProxyType({})
+    log: bool = False
+
+    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
+        """Draw the lines on `ax`, by default in a new figure, and return the axes."""
+        ax = own_axes(ax)
+        for i, (method, line) in enumerate(self.lines.items()):
+            plot_line(ax, i, self.x, line, method)
+        for label, line in self.theory.items():
+            ax.plot(self.x, line, label=label, **REFERENCE)
+        if self.log:
+            ax.set_yscale("log")
+        dress(ax, self.x_label, self.y_label, self.title)
+        if place.alone:
+            add_legend(ax)
+        return ax

@@ -1,0 +1,77 @@
+"""Figures of several panels."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+from edugym.experiments.figures.panel import Panel, Place
+from edugym.experiments.figures.style import PANEL_SIZE, to_bytes
+from edugym.system.extras import require
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.figure import Figure
+
+SCREEN_DPI = 110
+
+
+class Sheet(NamedTuple):
+    """Rows of panels. What they have in common is drawn once: the legend, and the label of the y axis of a row.
+
+    In a notebook a sheet shows itself as the last value of a cell.
+
+    Attributes:
+        name: the name of its file, without an ending.
+        rows: the panels of each row, from the left; a shorter row leaves its last places empty.
+    """
+
+    name: str
+    rows: Sequence[Sequence[Panel]]
+
+    def draw(self) -> "Figure":
+        """Draw all panels, in memory: no window opens.
+
+        Returns:
+            The Matplotlib figure; `save_figure` writes it to files.
+        """
+        require("plot", "matplotlib")
+        from matplotlib.figure import Figure
+
+        panels = [panel for row in self.rows for panel in row]
+        n_rows, n_columns = max(len(self.rows), 1), max([1, *map(len, self.rows)])
+        width = max(n_columns, 1.4) * PANEL_SIZE[0]  # a single panel is wider, for its legend
+        figure = Figure(figsize=(width, n_rows * PANEL_SIZE[1]), layout="constrained")
+        axes = figure.subplots(n_rows, n_columns, squeeze=False)
+        labelled: dict[str, Artist] = {}
+        for row, places in zip([*self.rows, []], axes, strict=False):
+            for ax in places[len(row) :]:
+                ax.set_axis_off()
+            for panel, ax in zip(row, places, strict=False):
+                panel.draw(ax, Place(panels, last=panel is row[-1]))
+                labelled |= {label: artist for artist, label in zip(*ax.get_legend_handles_labels(), strict=True)}
+                if ax is not places[0] and ax.get_ylabel() == places[0].get_ylabel():
+                    ax.set_ylabel("")
+        if labelled:
+            n_in_a_row = max(2, int(width / 2))  # a label takes about two inches
+            figure.set_figheight(figure.get_figheight() + 0.25 * -(-len(labelled) // n_in_a_row))
+            figure.legend(
+                labelled.values(),
+                labelled.keys(),
+                loc="outside upper center",
+                ncols=n_in_a_row,
+                frameon=False,
+                fontsize=9,
+            )
+        return figure
+
+    def __repr__(self) -> str:
+        """Return the name and the titles; the panels themselves hold whole tables."""
+        return f"<Sheet {self.name!r}: {', '.join(panel.title for row in self.rows for panel in row)}>"
+
+    def _repr_png_(self) -> bytes:
+        """Return the picture for a notebook."""
+        return to_bytes(self.draw(), "png", dpi=SCREEN_DPI)
+
+
+def in_pairs(name: str, panels: Sequence[Panel]) -> Sheet:
+    """Return a sheet with two panels in a row, so that it can be read on a narrow page."""
+    return Sheet(name, [panels[first : first + 2] for first in range(0, len(panels), 2)])

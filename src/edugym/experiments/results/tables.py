@@ -1,0 +1,352 @@
+"""The results of repeated training, as one tidy table."""
+
+import hashlib
+import io
+import json
+import os
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias
+
+import numpy as np
+
+from edugym.checks.parameters import in_short, one_of, whole_number
+from edugym.experiments.results.statistics import Interval, mean_interval, paired_difference, share_interval
+from edugym.mdp.protocol import Reals
+from edugym.system.extras import require
+from edugym.system.files import write_whole
+
+if TYPE_CHECKING:
+    import pandas
+
+MEASURED = (
+    "method", "repetition", "seed", "layout_seed", "step", "return", "training_return", "episodes", "complete"
+)  # fmt: skip
+"""The columns that every table has; the other columns hold the configuration."""
+
+WHOLE = ("repetition", "seed", "step", "episodes")
+"""The columns that must hold a whole number in every row."""
+
+IN_EVERY_ROW = ("method", "repetition", "step", "return", "training_return", "episodes")
+"""The columns that a saved table always has; of the others, those whose values vary within a run."""
+
+Period: TypeAlias = Literal["end", "training"]
+"""What one value of a run is taken from: the last point of its learning curve, or the average over all of training."""
+
+
+@dataclass(frozen=True)
+class Results:
+    """Learning curves of several methods over several repetitions, with what is needed to repeat the experiment.
+
+    Attributes:
+        table: one row for each point of each learning curve (pandas.DataFrame). Its columns:
+
+            * `method`: the label of the method; `repetition`: 0, 1, ...; `seed` and `layout_seed`: the seeds of this
+              repetition, the same for every method (`layout_seed` is empty where the task has no layout);
+            * `step`: the training steps so far; `return`: the mean undiscounted return of the evaluation episodes that
+              were played at this step, without exploring; `training_return`: the mean undiscounted return of the
+              training episodes that ended since the point before, NaN where none did; `episodes`: their number;
+            * `complete`: whether this run reached its last step;
+            * `environment`, `environment.height`, ..., `agent`, `agent.learning_rate`, ...: the configuration, one
+              column a setting; `n_steps`, `repetitions`, ...: the arguments of the experiment; `versions`: of Python
+              and packages.
+        agents: the trained agents: `agents["novelty"][3]` is that of repetition 3. They are not saved, so loaded
+            results have none.
+    """
+
+    table: "pandas.DataFrame"
+    agents: dict[str, dict[int, Any]] = field(default_factory=dict)
+
+    @property
+    def methods(self) -> list[str]:
+        """The labels of the methods, in the order in which they were given."""
+        return list(dict.fromkeys([*self.agents, *map(str, self.table["method"].unique())]))
+
+    @property
+    def complete(self) -> bool:
+        """Whether every planned run reached its last step."""
+        done = self.table[self.table["complete"]][["method", "repetition"]].drop_duplicates()
+        return len(done) > 0 and len(done) == int(self.table["runs"].iloc[0])
+
+    def complete_agents(self, method: str) -> dict[int, Any]:
+        """Return the agents of the complete runs of a method, by repetition."""
+        final = self.final(method)
+        return {i: agent for i, agent in self.agents[method].items() if not np.isnan(final[i])}
+
+    def curves(self, method: str, column: str = "return") -> "pandas.DataFrame":
+        """Return the learning curves of a method: one row a step, one column a repetition, NaN after an interruption.
+
+        Args:
+            method: one of `methods`.
+            column: "return", "training_return" or "episodes".
+
+        Raises:
+            ValueError: an argument is none of these.
+        """
+        one_of("method", method, self.methods)
+        one_of("column", column, ["return", "training_return", "episodes"])
+        rows = self.table[self.table["method"] == method]
+        return rows.pivot(index="step", columns="repetition", values=column)
+
+    def final(self, method: str, column: str = "return") -> Reals:
+        """Return the last value of every complete run of a method.
+
+        Args:
+            method: one of `methods`.
+            column: as in `curves`.
+
+        Returns:
+            Shape (n_repetitions,); NaN where a run is not complete.
+
+        Raises:
+            ValueError: an argument is none of these.
+        """
+        if self.table.empty:
+            return np.empty(0)
+        curves = self.curves(method, column)
+        curves = curves.reindex([self._planned(method, "n_steps")], columns=range(self._planned(method, "repetitions")))
+        last: Reals = curves.to_numpy(float)[0]
+        return last
+
+    def _planned(self, method: str, what: str) -> int:
+        """Return the steps or repetitions of the experiment of a method: joined results come from several."""
+        rows = self.table[self.table["method"] == method]
+        return int((self.table if rows.empty else rows)[what].iloc[0])
+
+    def at(self, method: str, step: int, column: str = "return") -> Reals:
+        """Return the value of every complete run of a method after a number of training steps.
+
+        Args:
+            method: one of `methods`.
+            step: the training steps; the learning curves have a point there.
+            column: as in `curves`.
+
+        Returns:
+            Shape (n_repetitions,); NaN where a run is not complete.
+
+        Raises:
+            ValueError: an argument is none of these.
+        """
+        curves = self._complete_curves(method, column)
+        if step not in curves.index and not np.isnan(self.final(method)).all():
+            raise ValueError(
+                f"step must be a point of the learning curves, {in_short([*curves.index])}, but is {step!r}"
+            )
+        values: Reals = curves.reindex([step]).to_numpy(float)[0]
+        return values
+
+    def late(self, method: str, points: int = 5, column: str = "return") -> Reals:
+        """Return the mean of the last points of the learning curve of every complete run of a method.
+
+        Args:
+            method: one of `methods`.
+            points: the number of points, 1 or more.
+            column: as in `curves`.
+
+        Returns:
+            Shape (n_repetitions,); NaN where a run is not complete, or where one of these points has no value.
+
+        Raises:
+            ValueError: an argument is none of these.
+        """
+        whole_number("points", points, 1)
+        values: Reals = self._complete_curves(method, column).iloc[-points:].to_numpy(float).mean(axis=0)
+        return values
+
+    def _complete_curves(self, method: str, column: str = "return") -> "pandas.DataFrame":
+        """Return the learning curves of a method with a column for every repetition; NaN in those not complete."""
+        final = self.final(method)
+        curves = self.curves(method, column).reindex(columns=range(len(final)))
+        curves.loc[:, np.isnan(final)] = np.nan
+        return curves
+
+    def average(self, method: str, column: str = "return") -> Reals:
+        """Return the average over training of every complete run of a method: how well it did while it learned.
+
+        Args:
+            method: one of `methods`.
+            column: "return" (the area under the learning curve, by trapezoids, divided by the training steps) or
+                "training_return" (the mean return of all training episodes that ended, each with the same weight).
+
+        Returns:
+            Shape (n_repetitions,); NaN where a run is not complete, or where no episode ended.
+
+        Raises:
+            ValueError: an argument is none of these.
+        """
+        one_of("column", column, ["return", "training_return"])
+        if self.table.empty:
+            return np.empty(0)
+        final = self.final(method)
+        curves = self.curves(method, column).reindex(columns=range(len(final)))
+        values = curves.to_numpy(float)  # shape (n_points, n_repetitions)
+        if column == "return":
+            averages = np.trapezoid(values, curves.index.to_numpy(float), axis=0) / self._planned(method, "n_steps")
+        else:
+            episodes = self.curves(method, "episodes").reindex(columns=range(len(final))).to_numpy(float)
+            with np.errstate(invalid="ignore"):  # 0 / 0 is NaN: no episode ended
+                averages = np.nansum(values * episodes, axis=0) / np.nansum(episodes, axis=0)
+        return np.where(np.isnan(final), np.nan, averages)
+
+    def mean(self, method: str, column: str = "return", over: Period = "end") -> Interval:
+        """Return the mean of a method over its complete runs, with its interval.
+
+        Args:
+            method: one of `methods`.
+            column: as in `final` or, over training, as in `average`.
+            over: "end" takes the last value of each run (`final`), "training" its average over training (`average`).
+
+        Raises:
+            ValueError: an argument is none of these.
+        """
+        return mean_interval(self._values(method, column, over))
+
+    def share(self, method: str, at_least: float, column: str = "return", over: Period = "end") -> Interval:
+        """Return the share of complete runs with a value of `at_least` this much; other arguments as in `mean`."""
+        values = self._values(method, column, over)
+        return share_interval(values[~np.isnan(values)] >= at_least)
+
+    def difference(self, method: str, other: str, column: str = "return", over: Period = "end") -> Interval:
+        """Return the mean of `method` minus `other`, paired by repetition; other arguments as in `mean`."""
+        return paired_difference(self._values(method, column, over), self._values(other, column, over))
+
+    def _values(self, method: str, column: str, over: Period) -> Reals:
+        """Return one value of each complete run."""
+        one_of("over", over, ["end", "training"])
+        return self.final(method, column) if over == "end" else self.average(method, column)
+
+    def renamed(self, label: str) -> "Results":
+        """Return the results of a single method under another label."""
+        agents = [*self.agents.values()]
+        return Results(self.table.assign(method=label), {label: agents[0]} if agents else {})
+
+    def save(self, path: str | os.PathLike[str]) -> Path:
+        """Write the table as a compact CSV file, and a JSON file beside it with what is the same in all rows.
+
+        The JSON file has the name of the CSV file with `.json` added. It holds the configuration, seeds and layout
+        seeds, and a hash of the CSV file, so that two files that do not belong together are noticed. To a device or a
+        pipe, such as /dev/stdout, the whole table is written as one CSV file.
+
+        Raises:
+            OSError: a file cannot be written.
+        """
+        if Path(path).exists() and not Path(path).is_file():
+            return write_whole(path, _csv(self.table))
+        import pandas
+
+        rest = self.table
+        about: dict[str, Any] = {"columns": list(rest.columns)}
+        for key in ("all", "method", "repetition"):
+            groups = rest[key] if key in rest else pandas.Series("", rest.index)
+            grouped = rest.drop(columns=list(IN_EVERY_ROW)).groupby(groups, sort=False)
+            different = grouped.nunique(dropna=False).max()
+            same = [column for column in different.index if different[column] <= 1]
+            about[key] = {
+                str(group): {column: _plain(rows[column].iloc[0]) for column in same} for group, rows in grouped
+            }
+            rest = rest.drop(columns=same)
+        contents = _csv(rest)
+        about["sha256"] = hashlib.sha256(contents).hexdigest()
+        write_whole(_beside(path), (json.dumps(about, ensure_ascii=False, indent=1) + "\n").encode())
+        return write_whole(path, contents)
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> "Results":
+        """Read a table that `save` wrote.
+
+        Raises:
+            OSError: a file cannot be read.
+            ValueError: the file is not a table of results, or the JSON file beside it belongs to another one.
+            gymnasium.error.DependencyNotInstalled: pandas is missing.
+        """
+        require("experiments", "pandas")
+        import pandas
+
+        contents = Path(path).read_bytes()
+        exact = {column: lambda text: float(text or "nan") for column in ("return", "training_return")}
+        try:
+            table = pandas.read_csv(
+                io.BytesIO(contents), converters=exact, dtype={"method": str}, keep_default_na=False, na_values=[""]
+            )
+        except ValueError as error:
+            raise ValueError(f"{path} is not a table of results: {str(error).strip()}") from None
+        if _beside(path).exists():
+            about = _read_about(path, contents)
+            shared = {}
+            for key in ("all", "method", "repetition"):
+                groups = table[key].map(str) if key in table else [""] * len(table)
+                for column in next(iter(about[key].values()), {}):
+                    shared[column] = [about[key][group][column] for group in groups]
+            table = pandas.concat([table, pandas.DataFrame(shared)], axis="columns")[about["columns"]]
+        missing = [column for column in MEASURED if column not in table]
+        if missing:
+            raise ValueError(f"{path} is not a table of results: it has no column {missing[0]!r}")
+        for column in (*WHOLE, "complete"):
+            values = pandas.to_numeric(table[column], errors="coerce").to_numpy(float)
+            fits = np.isin(values, (0, 1)) if column == "complete" else values % 1 == 0
+            if not fits.all():
+                needed = "True or False" if column == "complete" else "whole numbers"
+                raise ValueError(f"{path} is not a table of results: its column {column!r} must hold {needed}")
+        return cls(with_types(table))
+
+
+def _beside(path: str | os.PathLike[str]) -> Path:
+    """Return the path of the JSON file that belongs to a CSV file."""
+    return Path(f"{os.fspath(path)}.json")
+
+
+def _read_about(path: str | os.PathLike[str], contents: bytes) -> dict[str, Any]:
+    """Read the JSON file beside a CSV file with these contents."""
+    try:
+        about: dict[str, Any] = json.loads(_beside(path).read_bytes())
+        belongs = about["sha256"] == hashlib.sha256(contents).hexdigest()
+    except (ValueError, TypeError, KeyError):
+        raise ValueError(f"{_beside(path)} is not the file that `save` wrote beside {path}") from None
+    if not belongs:
+        raise ValueError(f"{_beside(path)} belongs to other results than {path}: one of them was changed alone")
+    return about
+
+
+def _csv(table: "pandas.DataFrame") -> bytes:
+    return table.to_csv(index=False, lineterminator="\n").encode()
+
+
+def _plain(value: Any) -> Any:
+    """Return a number, text or boolean as JSON can hold it, and None for no value."""
+    plain = value.item() if isinstance(value, np.generic) else value
+    return plain if isinstance(plain, bool | int | float | str) and plain == plain else None
+
+
+def joined(parts: Iterable[Results]) -> Results:
+    """Join the results of several experiments whose methods have different labels.
+
+    Raises:
+        ValueError: there is none, one is something else, or two of them have a method of the same label.
+    """
+    import pandas
+
+    parts = [*parts]
+    if not parts or not all(isinstance(part, Results) for part in parts):
+        raise ValueError(f"parts must be one or more Results, but are {in_short(parts)}")
+    counts = Counter(label for part in parts for label in part.methods)
+    for label in counts:
+        if counts[label] > 1:
+            raise ValueError(f"parts must have methods of different labels, but {counts[label]} of them have {label!r}")
+    table = pandas.concat([part.table for part in parts], ignore_index=True)
+    if len(table):
+        table["runs"] = sum(int(part.table["runs"].iloc[0]) for part in parts if len(part.table))
+    return Results(table, {label: agents for part in parts for label, agents in part.agents.items()})
+
+
+def with_types(table: "pandas.DataFrame") -> "pandas.DataFrame":
+    """Return the table with settled column types, so that saving and loading gives the same table.
+
+    Measured columns get NumPy's types. Columns of the configuration get pandas' types that allow gaps, since a method
+    may lack a setting.
+    """
+    table = table.astype({**dict.fromkeys(WHOLE, "int64"), "return": float, "training_return": float, "complete": bool})
+    others = table.columns.difference([*WHOLE, "return", "training_return", "complete"])
+    table[others] = table[others].convert_dtypes()
+    return table.astype({"layout_seed": "Int64"})

@@ -1,0 +1,62 @@
+"""What `repeat` returned, against what was asked for."""
+
+from collections.abc import Callable, Mapping
+from itertools import combinations
+from typing import Any
+
+from edugym.experiments.configuration import described
+from edugym.experiments.results.tables import Results
+from edugym_course.grading.values import given
+from edugym_course.grading.wrong import WrongAnswer
+
+
+def check_results(
+    what: str,
+    answer: Any,
+    *,
+    asked: Mapping[str, Any],
+    methods: Mapping[str, Callable[[Any], Any]],
+    environment: Any,
+) -> Results:
+    """Check with what an experiment was done.
+
+    Args:
+        what: the name of the answer, for the sentence.
+        answer: the student's value.
+        asked: by the name of a column of the results, what it should hold: "environment", "environment.map_name",
+            "n_steps", "repetitions", ... (see `Results.table`).
+        methods: by label, functions that make the agents that were asked for; others may be there as well.
+        environment: what the agents are made for.
+
+    Raises:
+        WrongAnswer: it is no results, or those of another experiment.
+    """
+    given(what, answer)
+    if not isinstance(answer, Results):
+        hint = ": call it" if callable(answer) else ""
+        raise WrongAnswer(
+            f"{what} should be what `repeat(...)` returns, but is of the type {type(answer).__name__}{hint}"
+        )
+    if not answer.complete:
+        raise WrongAnswer(f"{what} is not complete: the experiment was stopped, so run its cell again")
+    rows = answer.table.groupby("method", sort=False).first()
+    for column, value in asked.items():
+        found = rows[column].iloc[0] if column in rows else None
+        if found != value:
+            setting = column.rpartition(".")[2]
+            raise WrongAnswer(f"{what} should be an experiment with {setting} {value}, but it has {setting} {found}")
+    missing = [label for label in methods if label not in answer.methods]
+    if missing:
+        there = ", ".join(answer.methods)
+        raise WrongAnswer(f"{what} should have the method {missing[0]!r}, but has only {there}: keep the labels")
+    agents = answer.table.filter(regex=r"^(method|agent)").groupby("method", sort=False).first()
+    for one, other in combinations(agents.index, 2):
+        if agents.loc[[one]].to_dict("records") == agents.loc[[other]].to_dict("records"):
+            raise WrongAnswer(f"{what} should have different methods, but {one!r} and {other!r} are the same agent")
+    for label, make in methods.items():
+        for column, value in described(make(environment), "agent").items():
+            found = rows.loc[label].get(column)
+            if found != value:
+                setting = column.rpartition(".")[2]
+                raise WrongAnswer(f"{what} should have for {label!r} the {setting} {value}, but it has {found}")
+    return answer

@@ -1,0 +1,113 @@
+"""Errors in a student's code: one sentence, which ends at the student's own line."""
+
+import linecache
+import re
+import traceback
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import numpy as np
+
+from edugym.system.packages import is_installed, own_folders
+from edugym_course.grading.patience import LIMIT, ending
+from edugym_course.grading.wrong import Unsolved, WrongAnswer
+
+PACKAGES = tuple(map(str, own_folders()))
+
+HINTS = (
+    ("can't set attribute", "the fields of a NamedTuple are fixed, so change the entries of its arrays instead"),
+    ("object does not support item assignment", "only arrays and lists have entries that can be changed"),
+    ("truth value of an array", "compare single entries, not whole rows"),
+    (
+        r"name '(Q|V|w|visits|tries|preferences|probabilities|weights|memory|steps|learning_rate|value_learning_rate"
+        r"|discount|bonus|epsilon|target_epsilon|kappa|last|ring|late)' is not defined",
+        "write `self.` before a field",
+    ),
+    ("cannot access local variable", "it gets a value on some paths only"),
+    ("'NoneType'", "something is None there: is a `return` missing?"),
+    ("division by zero", "the number below the line can be 0: is it a count that should grow first?"),
+    ("_tuplegetter", "that is the field of the class: write `self.` for the table of this agent"),
+    (
+        "converted to Python scalar",
+        "an array stands where one number is needed: take an entry of it, or calculate with + - * / **, which arrays"
+        " have as well",
+    ),
+    ("could not be broadcast", "two arrays of different sizes meet there"),
+    ("(function|method)' object is not subscriptable", "a function is called, with parentheses"),
+    ("too many indices", "the array has fewer axes than there are indices"),
+    (
+        "out of bounds|index out of range",
+        "indices go from 0 to the size less 1: is the range, or the order of the indices, right?",
+    ),
+    ("math domain error|expected a positive input", "a logarithm needs a number above 0: leave zeros out"),
+    ("inhomogeneous", "an array of numbers is needed there: is a call such as `.greedy_policy()` missing?"),
+    ("only integer", "an index is a whole number"),
+    (r"create\(\) (missing|takes)", "`create` takes the environment first, and then settings by their names"),
+    (r"missing \d+ required", "it has more parameters than the call gives it values"),
+    ("positional argument", "its parameters are not those of the exercise"),
+    ("unexpected keyword argument", "its parameters are not those of the exercise"),
+    ("'list' object has no attribute", "that is a list: np.array(...) makes an array of it"),
+    ("has no attribute", "is the name spelt as in the exercise?"),
+)
+"""What often lies behind an error, by what its message contains."""
+
+
+@contextmanager
+def running(what: str, limit: float = LIMIT) -> Iterator[None]:
+    """Run a student's code: an error in it becomes one sentence, and a placeholder "not solved yet".
+
+    Args:
+        what: what is running, for the sentence: "optimist(wall)".
+        limit: the seconds of processor time that it may take.
+
+    Raises:
+        WrongAnswer: the code raises an error, or does not end.
+        Unsolved: the code is the placeholder of the exercise.
+    """
+    try:
+        with ending(what, limit), np.errstate(all="ignore"), warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            yield
+    except WrongAnswer:
+        raise
+    except NotImplementedError:
+        raise Unsolved("Not solved yet: write your solution in the cell above, run it, and run this one.") from None
+    except Exception as error:
+        raise WrongAnswer(_sentence(what, error)) from None
+
+
+def _sentence(what: str, error: Exception) -> str:
+    message = " ".join(str(error).split())
+    if isinstance(error, KeyError):
+        message = f"there is no key {message}"
+    hints = [hint for pattern, hint in HINTS if re.search(pattern, message)]
+    because = f" ({hints[0]})" if hints else ""
+    kind = type(error).__name__
+    if isinstance(error, RecursionError):
+        message, because = "a function calls itself for ever", ""
+    line = _student_line(error)
+    if not line and isinstance(error, ValueError) and _last_file(error).startswith(PACKAGES):
+        return message  # a check of the package refuses what it was given, and says so in a sentence
+    place = f"the line `{line}`" if line else what
+    return f"{place} raises {kind}: {message}{because}"
+
+
+def _student_line(error: Exception) -> str:
+    """Return the last line of the student's own code on the way to the error, or "" if there is none."""
+    lines = [
+        linecache.getline(frame.f_code.co_filename, number).strip()
+        for frame, number in traceback.walk_tb(error.__traceback__)
+        if not _is_ours(frame.f_code.co_filename)
+    ]
+    return next(filter(None, reversed(lines)), "")
+
+
+def _last_file(error: Exception) -> str:
+    """Return the file in which an error was raised."""
+    return [frame.f_code.co_filename for frame, _ in traceback.walk_tb(error.__traceback__)][-1]
+
+
+def _is_ours(file: str) -> bool:
+    """Whether a file belongs to this package or to a library, and not to the student."""
+    return file.startswith(PACKAGES) or is_installed(file)

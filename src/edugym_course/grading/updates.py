@@ -1,0 +1,369 @@
+"""An agent's `learn` against an update rule, on tables and transitions that are made up for the check.
+
+The rule is written once, as a function with keyword arguments. Each usual mistake is the same rule with other arguments
+("the mean for the maximum": `backup="mean"`), so what it gives in every case is known. The answer is run on many cases.
+If it differs from the rule in any of them, the mistake that agrees in all of them is named; if no single one does, then
+two of them together, or a wrong number (a learning rate) that is computed from what came out.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from edugym.training.contract import learns_from
+from edugym_course.grading.student_code import running
+from edugym_course.grading.values import TOLERANCE, digits
+from edugym_course.grading.wrong import WrongAnswer
+
+Tables = dict[str, Any]
+"""The arrays of an agent, by the names of its fields."""
+
+Settings = Mapping[str, Any]
+
+
+class Transition(NamedTuple):
+    """What an agent learns from; the names are those of the parameters of `learn`."""
+
+    state: int
+    action: int
+    reward: float
+    next_state: int
+    next_action: int
+    terminated: bool
+    truncated: bool
+
+
+class Case(NamedTuple):
+    """Tables before learning, and the transitions to learn from, in order."""
+
+    tables: Tables
+    transitions: list[Transition]
+
+
+class Difference(NamedTuple):
+    """The first entry of a table that differs from the rule.
+
+    Attributes:
+        case: the number of the case.
+        step: the number of the transition in it.
+        table: the name of the table.
+        entry: the index of the entry.
+    """
+
+    case: int
+    step: int
+    table: str
+    entry: tuple[int, ...]
+
+
+NEWTON_STEPS = 8  # the rules are products of few numbers
+
+Outcomes = list[list[Tables]]
+"""The tables after every transition of every case."""
+
+
+@dataclass(frozen=True)
+class Update:
+    """An update rule with the mistakes that are usually made in it.
+
+    Attributes:
+        rule: changes tables in place: `rule(tables, transition, **settings)`.
+        tables: makes tables up: `tables(n_states, n_actions, rng)`. Take simple numbers, so that a student can follow a
+            case by hand, and include negative values, and counts that are 0 and more.
+        mistakes: by the sentence that tells of it, the settings of the rule that change.
+        numbers: the settings that are numbers, each with what to say of a wrong one, with {found} and {right} in it.
+    """
+
+    rule: Callable[..., None]
+    tables: Callable[[int, int, np.random.Generator], Tables]
+    mistakes: Mapping[str, Settings]
+    numbers: Mapping[str, str]
+
+    def check(self, make: Callable[[], Any], size: tuple[int, int], settings: Settings, seed: int) -> None:
+        """Check the `learn` of an agent.
+
+        Args:
+            make: makes the student's agent.
+            size: the numbers of states and actions of its tables; 4 states or more.
+            settings: the right settings of the rule.
+            seed: the number from which the cases are drawn.
+
+        Raises:
+            WrongAnswer: it does something else than the rule.
+        """
+        cases = self.cases(size, seed)
+        right = self.outcomes(cases, settings)
+        found, names, returned = _students(make, cases)
+        difference = _first_difference(right, found)
+        if difference is not None:
+            why = self._why(cases, right, found, settings, difference, returned)
+            numbers = {name: settings[name] for name in self.numbers}
+            raise WrongAnswer(f"{_told(cases, right, found, difference, names, numbers)}: {why}")
+
+    def cases(self, size: tuple[int, int], seed: int) -> list[Case]:
+        """Make cases up: ordinary steps, ends, cut-off episodes, steps that stay in their state, steps taken twice."""
+        rng = np.random.default_rng(seed)
+        return [Case(self.tables(*size, rng), steps) for _ in range(4) for steps in _transitions(*size, rng)]
+
+    def outcomes(self, cases: list[Case], settings: Settings) -> Outcomes:
+        """Return what the rule makes of every case."""
+        return [list(self._outcome(case, settings)) for case in cases]
+
+    def _outcome(self, case: Case, settings: Settings) -> Iterator[Tables]:
+        tables = {name: values.copy() for name, values in case.tables.items()}
+        with np.errstate(all="ignore"):
+            for transition in case.transitions:
+                self.rule(tables, transition, **settings)
+                yield {name: values.copy() for name, values in tables.items()}
+
+    def _why(
+        self,
+        cases: list[Case],
+        right: Outcomes,
+        found: Outcomes,
+        settings: Settings,
+        difference: Difference,
+        returned: bool,
+    ) -> str:
+        """Return the sentence about the mistake that fits."""
+        before = [[case.tables] * len(case.transitions) for case in cases]
+        if _first_difference(before, found) is None:
+            hint = "; it returns something instead, which nobody reads" if returned else ""
+            return f"`learn` changes no table at all{hint}"
+        singles = {sentence: dict(change) for sentence, change in self.mistakes.items()}
+        for sentence, change in singles.items():
+            if self._fits(cases, found, {**settings, **change}):
+                return sentence
+        wrong = self._numbers_that_fit(cases, found, settings)
+        if wrong and all(wrong.values()):  # where a number is 0, a term is missing, and that says more
+            return self._told_numbers(wrong, settings)
+        for (one, first), (two, second) in combinations(singles.items(), 2):
+            if not first.keys() & second.keys() and self._fits(cases, found, {**settings, **first, **second}):
+                return f"{one}; and {two}"
+        for sentence, change in singles.items():
+            if other := self._numbers_that_fit(cases, found, {**settings, **change}):
+                return f"{sentence}; and {self._told_numbers(other, settings)}"
+        if wrong:
+            return self._told_numbers(wrong, settings)
+        if counted := _miscounted(cases, right, found, difference):
+            return counted
+        mine, asked = (outcomes[difference.case][difference.step] for outcomes in (found, right))
+        for sentence, change in singles.items():  # none fits everywhere: one that fits here
+            outcome = list(self._outcome(cases[difference.case], {**settings, **change}))[difference.step]
+            if _close(outcome[difference.table], mine[difference.table]):
+                return f"in this case it looks like this: {sentence}"
+        changed = int(np.sum(~_close_entries(_before(cases, found, difference), mine[difference.table])))
+        if changed > int(np.sum(~_close_entries(_before(cases, found, difference), asked[difference.table]))):
+            return f"{changed} entries of `{difference.table}` change, and only one should"
+        return "that is none of the usual mistakes, so compare your code with the equation, term by term"
+
+    def _fits(self, cases: list[Case], found: Outcomes, settings: Settings) -> bool:
+        """Whether the rule with these settings does what the answer does, in every case."""
+        return all(
+            all(map(_agree, self._outcome(case, settings), tables)) for case, tables in zip(cases, found, strict=True)
+        )
+
+    def _numbers_that_fit(self, cases: list[Case], found: Outcomes, settings: Settings) -> dict[str, float]:
+        """Return the numbers that are wrong (a learning rate, a discount) if those explain it all; else none.
+
+        Gauss and Newton's method fits them to the first transition of every case; what it finds must fit all others.
+        """
+        firsts = [Case(case.tables, case.transitions[:1]) for case in cases]
+        mine = _entries([steps[:1] for steps in found])
+        right = np.array([settings[name] for name in self.numbers], float)
+        numbers = right.copy()
+        for _ in range(NEWTON_STEPS):
+            points = [numbers, *(numbers + row for row in np.eye(len(numbers)))]
+            at, *beside = (
+                _entries(self.outcomes(firsts, {**settings, **dict(zip(self.numbers, map(float, point), strict=True))}))
+                for point in points
+            )
+            if not all(np.isfinite(entries).all() for entries in (mine, at, *beside)):
+                return {}
+            slopes = np.array(beside).T - at[:, np.newaxis]
+            step = np.linalg.lstsq(slopes, mine - at, rcond=None)[0]
+            numbers = numbers + step
+            if np.abs(step).max(initial=0.0) < TOLERANCE:
+                break
+        numbers = np.where(np.abs(numbers - numbers.round(6)) < 1e-8, numbers.round(6), numbers)
+        fitted = dict(zip(self.numbers, map(float, numbers), strict=True))
+        wrong = {name: value for name, value in fitted.items() if value != settings[name]}
+        return wrong if self._fits(cases, found, {**settings, **fitted}) else {}
+
+    def _told_numbers(self, wrong: Mapping[str, float], settings: Settings) -> str:
+        return "; and ".join(
+            self.numbers[name].format(found=value, right=settings[name]) for name, value in wrong.items()
+        )
+
+
+def _miscounted(cases: list[Case], right: Outcomes, found: Outcomes, difference: Difference) -> str:
+    """Return what is wrong with a count that should have grown by one, or ""."""
+    case, step, table, entry = difference
+    before = _before(cases, found, difference)
+    if before.dtype.kind != "i" or right[case][step][table][entry] != before[entry] + 1:
+        return ""
+    now = found[case][step][table][entry]
+    counted = [right[k][0][table] != cases[k].tables[table] for k in range(len(cases))]
+    if all((found[k][0][table][grows] == 1).all() for k, grows in enumerate(counted)):
+        return f"`{table}` is set to 1 there, and it should become one more: write `+= 1`"
+    if now == before[entry]:
+        return f"`{table}` does not change there, and every time it should be one more"
+    return f"`{table}` changes by {now - before[entry]:+g} there, and every time it should be one more"
+
+
+def _before(cases: list[Case], found: Outcomes, difference: Difference) -> Any:
+    """Return a table of the answer before the transition that made the difference."""
+    case, step, table, _ = difference
+    return (found[case][step - 1] if step else cases[case].tables)[table]
+
+
+def _entries(outcomes: Outcomes) -> Any:
+    """Return all entries of all tables in one row."""
+    return np.concatenate(
+        [np.ravel(values).astype(float) for steps in outcomes for tables in steps for values in tables.values()]
+    )
+
+
+def _transitions(n_states: int, n_actions: int, rng: np.random.Generator) -> Iterator[list[Transition]]:
+    """Yield the transitions of cases of every kind."""
+
+    def draw(stays: bool = False, **end: bool) -> Transition:
+        state, other = map(int, rng.choice(n_states, 2, replace=False))
+        action, next_action = (int(rng.integers(n_actions)) for _ in range(2))
+        reward = float(rng.choice([-2.0, -1.0, 1.0, 2.0, 3.0]))
+        ends = {"terminated": False, "truncated": False} | end
+        return Transition(state, action, reward, state if stays else other, next_action, **ends)
+
+    ordinary, again = draw(), draw()
+    yield [ordinary]
+    yield [draw(terminated=True)]
+    yield [draw(truncated=True)]
+    yield [draw(stays=True)]
+    yield [again, again, again._replace(reward=0.0)]
+    yield [draw(), draw(), draw(truncated=True), draw(terminated=True)]
+
+
+def _students(make: Callable[[], Any], cases: list[Case]) -> tuple[Outcomes, tuple[str, ...], bool]:
+    """Run the student's `learn` on every case.
+
+    Returns:
+        What came out, the parameters that `learn` takes, and whether it ever returned something.
+    """
+    outcomes: Outcomes = []
+    names: tuple[str, ...] = ()
+    returned = False
+    for case in cases:
+        agent = make()
+        try:
+            names = learns_from(agent)
+        except ValueError as error:
+            raise WrongAnswer(str(error)) from None
+        for table, values in case.tables.items():
+            table_of(agent, table, values.shape, values.dtype.kind)[...] = values
+        after: list[Tables] = []
+        for transition in case.transitions:
+            told = {name: getattr(transition, name) for name in names}
+            with running(f"learn({_arguments(told)})"):
+                returned = agent.learn(**told) is not None or returned
+            after.append(
+                {
+                    table: table_of(agent, table, values.shape, values.dtype.kind).copy()
+                    for table, values in case.tables.items()
+                }
+            )
+        outcomes.append(after)
+    return outcomes, names, returned
+
+
+def table_of(agent: Any, name: str, shape: tuple[int, ...] | None, kind: str = "f") -> Any:
+    """Return a table of a student's agent.
+
+    Args:
+        agent: the agent.
+        name: the field.
+        shape: the shape that it should have; None is any.
+        kind: "f" for real numbers, "i" for whole ones, which may also be stored as real ones.
+
+    Raises:
+        WrongAnswer: it is missing, or is no such array.
+    """
+    table = getattr(agent, name, None)
+    if table is None:
+        raise WrongAnswer(f"the agent should have a table `{name}`, but {type(agent).__name__} has none")
+    if not isinstance(table, np.ndarray):
+        raise WrongAnswer(f"the table `{name}` should be a NumPy array, but is a {type(table).__name__}")
+    if shape is not None and table.shape != shape:
+        raise WrongAnswer(f"the table `{name}` should have the shape {shape}, but has {table.shape}")
+    if table.dtype.kind != "f" and kind == "f":
+        raise WrongAnswer(
+            f"the table `{name}` holds {table.dtype} numbers, so every update loses what is behind the decimal point:"
+            " make it with np.zeros(shape) or np.full(shape, 1.0)"
+        )
+    return table
+
+
+def _first_difference(right: Outcomes, found: Outcomes) -> Difference | None:
+    """Return the first entry in which two outcomes differ."""
+    for case, (steps, mine) in enumerate(zip(right, found, strict=True)):
+        for step, (tables, my_tables) in enumerate(zip(steps, mine, strict=True)):
+            for name, values in tables.items():
+                wrong = np.argwhere(~_close_entries(values, my_tables[name]))
+                if len(wrong):
+                    return Difference(case, step, name, tuple(map(int, wrong[0])))
+    return None
+
+
+def _agree(one: Tables, other: Tables) -> bool:
+    return all(_close(values, other[name]) for name, values in one.items())
+
+
+def _close(one: Any, other: Any) -> bool:
+    return bool(_close_entries(one, other).all())
+
+
+def _close_entries(one: Any, other: Any) -> Any:
+    return np.isclose(one, other, rtol=TOLERANCE, atol=TOLERANCE, equal_nan=True)
+
+
+def _told(
+    cases: list[Case],
+    right: Outcomes,
+    found: Outcomes,
+    difference: Difference,
+    names: tuple[str, ...],
+    numbers: Settings,
+) -> str:
+    """Return the first part of the sentence: what was expected in which case, and what came.
+
+    For a value it gives all that is needed to follow the case by hand; for a count the call is enough.
+    """
+    number, step, table, entry = difference
+    before = right[number][step - 1] if step else cases[number].tables
+    now = cases[number].transitions[step]
+    old, expected, mine = (float(tables[table][entry]) for tables in (before, right[number][step], found[number][step]))
+    known = [f"{name} = {value:g}" for name, value in numbers.items()]
+    known += [
+        f"{name}[{now.next_state}] = {_short(values[now.next_state])}"
+        for name, values in before.items()
+        if values.ndim == 1 or values.dtype.kind == "f"
+    ]
+    where = f" where {', '.join(known)}," if before[table].dtype.kind == "f" else ""
+    should = (
+        f"go from {digits(old, mine)} to {digits(expected, mine)}" if expected != old else f"stay {digits(old, mine)}"
+    )
+    call = f"learn({_arguments({name: getattr(now, name) for name in names})})"
+    index = ", ".join(map(str, entry))
+    return f"after {call},{where} {table}[{index}] should {should}, but is {digits(mine, expected)}"
+
+
+def _short(values: Any) -> str:
+    return "[" + ", ".join(f"{value:.4g}" for value in values) + "]" if np.ndim(values) else f"{values:.4g}"
+
+
+def _arguments(told: Settings) -> str:
+    return ", ".join(
+        f"{name}={value:g}" if isinstance(value, float) else f"{name}={value}" for name, value in told.items()
+    )

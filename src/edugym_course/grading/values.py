@@ -1,0 +1,127 @@
+"""A number against the one worked out by hand, and against those that the usual mistakes would give."""
+
+import math
+from collections.abc import Callable, Mapping
+from decimal import Decimal
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from edugym_course.grading.wrong import Unsolved, WrongAnswer
+
+TOLERANCE = 1e-9
+"""How far two numbers may differ, relative to the larger one, that are the same but for rounding."""
+
+
+def given(what: str, value: Any) -> None:
+    """Refuse an answer that was not given.
+
+    Raises:
+        Unsolved: the value is the placeholder `...`, or None.
+        WrongAnswer: the value is None, and it is what a function returned.
+    """
+    if value is ...:
+        raise Unsolved(f"Not solved yet: {what} is still `...`; put your answer there.")
+    if value is None:
+        if "(" in what:
+            raise WrongAnswer(f"{what} gives None: is a `return` missing? Or is none reached?")
+        raise Unsolved(f"Not solved yet: {what} is None; give it a value.")
+
+
+def number(what: str, value: Any) -> float:
+    """Return a finite number as a float, of whatever kind it is: of NumPy, an array without axes, a fraction.
+
+    Args:
+        what: what the value is, for the sentence: "epsilon", "V(3)".
+        value: the student's value.
+
+    Raises:
+        WrongAnswer: it is no finite number.
+    """
+    given(what, value)
+    if isinstance(value, bool | np.bool_):
+        raise WrongAnswer(f"{what} should be a number, but is the truth value {value}")
+    if isinstance(value, str):
+        raise WrongAnswer(f"{what} should be a number, but is the text {value!r}: leave the quotes out")
+    if isinstance(value, tuple | list | dict | set) or getattr(value, "ndim", False):
+        shape = f" of shape {value.shape}" if hasattr(value, "shape") else ""
+        raise WrongAnswer(f"{what} should be one number, but is a {type(value).__name__}{shape}: take an entry of it")
+    if callable(value):
+        raise WrongAnswer(f"{what} should be a number, but is a function: call it, with parentheses")
+    if hasattr(value, "item") and not isinstance(value, np.generic):
+        value = value.item()  # an array without axes, of NumPy or torch
+    if isinstance(value, complex | np.complexfloating):
+        raise WrongAnswer(f"{what} should be a real number, but is {value}: is it the root of a negative number?")
+    if not isinstance(value, int | float | np.number | Fraction | Decimal):
+        raise WrongAnswer(f"{what} should be a number, but is of the type {type(value).__name__}")
+    try:
+        found = float(value)
+    except OverflowError:
+        found = math.inf
+    if not math.isfinite(found):
+        raise WrongAnswer(f"{what} should be a finite number, but is {found}: is something divided by zero?")
+    return found
+
+
+def compare(
+    what: str,
+    value: Any,
+    expected: float,
+    mistakes: Mapping[str, float],
+    *,
+    tolerance: float | None = None,
+    says: Callable[[float], str] | None = None,
+    otherwise: str = "that is none of the usual mistakes, so work it out once more by hand",
+) -> float:
+    """Check a number.
+
+    Args:
+        what: what the value is, for the sentence.
+        value: the student's value.
+        expected: the right one, worked out by hand.
+        mistakes: by the sentence that tells of it, what each mistake would give. They must differ from `expected`.
+        tolerance: how far the number may be from the right one; by default only as far as rounding takes it.
+        says: what the sentence says of the number instead of the right one, which would give the answer away.
+        otherwise: what to say of a number that is neither.
+
+    Returns:
+        The number.
+
+    Raises:
+        WrongAnswer: it is another number.
+    """
+    found = number(what, value)
+    if abs(found - expected) <= (allowance(expected) if tolerance is None else tolerance):
+        return found
+    near = {sentence: abs(found - wrong) for sentence, wrong in mistakes.items() if _looks_like(found, wrong, expected)}
+    why = min(near, key=lambda sentence: near[sentence]) if near else otherwise
+    told = says(found) if says else f"{what} should be {digits(expected, found)}, but is {digits(found, expected)}"
+    raise WrongAnswer(f"{told}: {why}")
+
+
+def same(found: float, expected: float) -> bool:
+    """Whether two numbers are the same but for rounding."""
+    return abs(found - expected) <= allowance(expected)
+
+
+def allowance(expected: float) -> float:
+    """Return how far rounding may take a number."""
+    return TOLERANCE * max(1.0, abs(expected))
+
+
+def _looks_like(found: float, wrong: float, expected: float) -> bool:
+    """Whether a number is what a mistake gives, also when the student has rounded it to a few digits."""
+    close = 2e-3 * abs(wrong) + 1e-12
+    return abs(found - wrong) <= close and abs(found - wrong) < abs(found - expected)
+
+
+def digits(value: float, other: float) -> str:
+    """Return a number with as many digits as tell it from another; a whole one with all of its digits."""
+    if float(value).is_integer() and abs(value) < 1e15:
+        return f"{value + 0.0:.0f}"  # -0.0 is 0
+    if same(value, other):
+        return f"{value:.4g}"
+    return next(
+        (text for places in range(4, 17) if (text := f"{value:.{places}g}") != f"{other:.{places}g}"), repr(value)
+    )

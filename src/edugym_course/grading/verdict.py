@@ -1,0 +1,39 @@
+"""The verdict on an answer: one line when it is right, one sentence when it is not."""
+
+import math
+import re
+from collections.abc import Callable
+from typing import Any
+
+from edugym.checks.parameters import whole_number
+from edugym_course.grading.student_code import running
+from edugym_course.grading.wrong import Unsolved, WrongAnswer
+from edugym_course.lab.progress import record_passed
+
+__all__ = ["Unsolved", "WrongAnswer", "check"]
+
+
+def check(exercise: Callable[..., str], answer: Any, *, seed: int = 0, quiet: bool = False) -> None:
+    """Check an answer, and print one line if it is right.
+
+    In a folder that `edugym lab` made, it also updates the start page.
+
+    Args:
+        exercise: the exercise, a function of the answer and a `seed`, such as `exercise_2` of a lesson.
+        answer: what the student defined: a number, a function, a class, results.
+        seed: the number from which the cases are drawn, 0 or more; another one checks the same with other cases.
+        quiet: whether a right answer prints nothing, as in hidden tests.
+
+    Raises:
+        WrongAnswer: the answer is not right. A notebook shows its sentence and no traceback.
+        Unsolved: there is no answer yet.
+    """
+    whole_number("seed", seed, 0)
+    with running("your code", limit=math.inf):
+        worth_knowing = exercise(answer, seed)
+    lesson = exercise.__module__.removeprefix("edugym_course.lessons.").partition(".")[0]
+    number = re.fullmatch(r"exercise_(\d+)", exercise.__name__)
+    if number:
+        record_passed(lesson, int(number[1]))
+    if not quiet:
+        print(f"✓ {worth_knowing}")

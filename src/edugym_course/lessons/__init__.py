@@ -1,0 +1,42 @@
+"""The lessons' own code: experiments, claims and figures. Each lesson has a module or a folder here.
+
+They are found by their place; there is no list of them.
+"""
+
+import importlib
+import math
+import pkgutil
+import re
+from pathlib import Path
+from typing import Protocol, cast
+
+from edugym.checks.parameters import one_of
+from edugym_course.reporting import Reporter
+
+
+class Experiments(Protocol):
+    """The module of a lesson."""
+
+    report: Reporter
+
+
+def lesson_names() -> list[str]:
+    """Return the names of all lessons with experiments, in order: by "(lesson 1)" in the first lines of the files."""
+
+    def place(name: str) -> tuple[float, str]:
+        files = (Path(path, file) for path in __path__ for file in (f"{name}.py", f"{name}/__init__.py"))
+        with next(file for file in files if file.exists()).open(encoding="utf-8") as file:
+            number = re.search(r"\(lesson (\d+)\)", file.readline())
+        return (int(number[1]) if number else math.inf), name
+
+    return sorted((module.name for module in pkgutil.iter_modules(__path__)), key=place)
+
+
+def load_experiments(lesson: str) -> Experiments:
+    """Import the module of a lesson.
+
+    Raises:
+        ValueError: there is no such lesson.
+    """
+    one_of("lesson", lesson, lesson_names())
+    return cast(Experiments, importlib.import_module(f"{__name__}.{lesson}"))

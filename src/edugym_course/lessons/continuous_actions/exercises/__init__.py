@@ -1,0 +1,223 @@
+"""The exercises of lesson 7: the size of a table of bins, the scores of a Gaussian, and REINFORCE with a baseline."""
+
+from collections.abc import Mapping
+from functools import partial
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+
+from edugym.agents.gaussian_actor_critic import GaussianActorCritic
+from edugym.envs.trashbot.task import Trashbot
+from edugym_course.grading.agents import require_class, require_function
+from edugym_course.grading.challenge import Challenge
+from edugym_course.grading.student_code import running
+from edugym_course.grading.values import allowance, compare, given, number
+from edugym_course.grading.wrong import WrongAnswer
+from edugym_course.lessons.continuous_actions.exercises.episodes import check_update
+from edugym_course.lessons.continuous_actions.methods import gaussian, tiles_on_the_wrist
+
+UNUSUAL = "that is none of the usual mistakes, so work it out by hand for a small case"
+
+
+def exercise_1(answer: Any, seed: int) -> str:
+    """Check the number of preferences of a table for an arm with several joints."""
+    require_function("preferences", answer, "joints, bins and cells")
+    rng = np.random.default_rng(seed)
+    cases = [(3, 5, 10 + int(rng.integers(5))), (2, 3, 7), (3, 4, 6), (1, 9, 12), (4, 3, 5 + int(rng.integers(3)))]
+    for joints, bins, cells in cases:
+        call = f"preferences({joints}, {bins}, {cells})"
+        with running(call):
+            found = answer(joints, bins, cells)
+        right = 2 * cells**joints * bins**joints
+        mistakes = {why: float(n) for why, n in _size_mistakes(joints, bins, cells).items() if n != right}
+        compare(call, found, float(right), mistakes, otherwise=UNUSUAL)
+    many = 2 * (30 * 5) ** 6
+    return f"Right: with 6 joints, 30 cells and 5 bins that are {many:.1e}. A Gaussian has one mean for each joint."
+
+
+def _size_mistakes(m: int, n: int, c: int) -> dict[str, float]:
+    """Return what the usual mistakes give."""
+    return {
+        "whether the box is held doubles the number of rows": c**m * n**m,
+        "that is the number of rows; each row has a column for every action": 2 * c**m,
+        "that is the number of actions alone; how many rows are there?": n**m,
+        "the bins of the joints are chosen together: n for each of m joints make n^m actions, not n m": 2
+        * c**m
+        * n
+        * m,
+        "every joint has bins of its own: n^m actions, not n": 2 * c**m * n,
+        "every joint has an angle of its own: c^m cells, not c": 2 * c * n**m,
+        "that is right for the two coordinates of the wrist in the lesson; here every joint has an angle of its own:"
+        " c^m cells, not c^2": 2 * c**2 * n**m,
+        "that is right for two joints; m joints have c^m cells and n^m actions": 2 * c**2 * n**2,
+        "the angles are cut together: c^m cells, not c m": 2 * c * m * n**m,
+        "both are powers: m joints have c^m cells and n^m actions": 2 * c * n * m,
+        "both are powers: m joints have c^m cells and n^m actions; the joints are missing": 2 * c * n,
+        "cells and bins multiply, they do not add: every row has all columns": 2 * c**m + n**m,
+        "the box is held by the arm, not by each joint: the factor is 2, not 2^m": 2**m * c**m * n**m,
+        "base and exponent have changed places: n^m, not m^n": 2 * m**c * m**n,
+        "the 2 multiplies the rows, it is not added to them": (2 + c**m) * n**m,
+        "the box is a part of the state: multiply by 2, do not square": (c**m) ** 2 * n**m,
+        "holding has 2 values, yes and no; in the lesson's wrapper one of the 3 cells is never used": 3 * c**m * n**m,
+    }
+
+
+def exercise_2(answer: Any, seed: int) -> str:
+    """Check the scores of a Gaussian policy."""
+    require_function("my_scores", answer, "a, mu and sigma")
+    rng = np.random.default_rng(seed)
+    cases = [(2.0, 0.5, 0.5), (-1.0, 0.2, 2.0), (0.3, 0.4, 0.25)]
+    sigma = float(rng.choice([0.75, 1.5, 1.75]))  # divided by its square a number has many digits: rounding shows
+    cases.append((float(rng.integers(-12, 13)) / 4, float(rng.integers(-12, 13)) / 4 + 0.125, sigma))
+    found = []
+    for a, mu, sigma in cases:
+        call = f"my_scores({a:g}, {mu:g}, {sigma:g})"
+        with running(call):
+            pair = answer(a, mu, sigma)
+        found.append(_two(call, pair))
+    for k, (what, formulas) in enumerate((("μ", OF_MEAN), ("ln σ", OF_LOG_SPREAD))):
+        right, mistakes = formulas[""], {why: rule for why, rule in formulas.items() if why}
+        for case, pair in zip(cases, found, strict=True):
+            expected = right(*case)
+            if abs(pair[k] - expected) <= allowance(expected):
+                continue
+            fits = [why for why, rule in mistakes.items() if _fits(rule, cases, [p[k] for p in found])]
+            a, mu, sigma = case
+            rounded = any(round(expected, places) == pair[k] for places in range(1, 7))
+            why = "do not round it" if rounded else [*fits, "derive it again from ln π(a), term by term"][0]
+            raise WrongAnswer(
+                f"my_scores({a:g}, {mu:g}, {sigma:g}) should give {expected:.4g} for {what}, but gives"
+                f" {pair[k]:.4g}: {why}"
+            )
+    _check_arrays(answer)
+    return "Right: the mean of both scores is 0, so a baseline changes nothing on average. See your policies learn:"
+
+
+def _check_arrays(answer: Any) -> None:
+    """Check the scores of three actions at once."""
+    several = {
+        "a": np.array([0.0, 1.0, -2.0]),
+        "mu": np.array([0.5, 0.5, 0.5]),
+        "sigma": np.array([1.0, 1.0, 2.0]),
+    }
+    mine = {name: values.copy() for name, values in several.items()}
+    call = "my_scores(a, mu, sigma) with three actions at once"
+    with running(call):
+        pair = answer(*mine.values())
+    _require_pair(call, pair)
+    for name, values in several.items():
+        if not np.array_equal(mine[name], values):
+            raise WrongAnswer(
+                f"my_scores changes the array `{name}` that it is given: `-=` and the like write into an array, so"
+                " give what you compute a name of its own"
+            )
+    for part, formulas in zip(pair, (OF_MEAN, OF_LOG_SPREAD), strict=True):
+        expected = formulas[""](*several.values())
+        if np.shape(part) != (3,) or not np.allclose(np.asarray(part, float), expected):
+            raise WrongAnswer(
+                "my_scores with three actions at once should give three numbers for each score: use + - * / **"
+            )
+
+
+OF_MEAN: Mapping[str, Any] = MappingProxyType(
+    {
+        "": lambda a, m, s: (a - m) / s**2,
+        "divide by σ², not by σ": lambda a, m, s: (a - m) / s,
+        "the derivative of (a − μ)² / (2σ²) brings 1/σ² with it; the division is missing": lambda a, m, s: a - m,
+        "the sign is wrong: an action above the mean gets likelier if the mean grows": lambda a, m, s: (m - a) / s**2,
+        "the 2 of the square and the 2 in 2σ² cancel": lambda a, m, s: (a - m) / (2 * s**2),
+        "the 2 of the square and the 2 in 2σ² cancel; here the 2 is too many": lambda a, m, s: 2 * (a - m) / s**2,
+        "that is σ² in the numerator; divide by it": lambda a, m, s: (a - m) * s**2,
+        "that is ln π (but for a constant), not its derivative": lambda a, m, s: (
+            -((a - m) ** 2) / (2 * s**2) - np.log(s)
+        ),
+        "the derivative of a square is not a square": lambda a, m, s: (a - m) ** 2 / s**2,
+        "the derivative of the square root is taken: divide by σ², once": lambda a, m, s: (a - m) / s**3,
+        "that is the score of ln σ; the score of μ comes first": lambda a, m, s: (a - m) ** 2 / s**2 - 1,
+        "that is the derivative of π, not of ln π": lambda a, m, s: (
+            (a - m) / s**2 * np.exp(-((a - m) ** 2) / (2 * s**2)) / (s * np.sqrt(2 * np.pi))
+        ),
+        "set brackets: a − μ is divided as a whole": lambda a, m, s: a - m / s**2,
+    }
+)
+"""The score of the mean, and by the sentence that tells of it, what the usual mistakes give."""
+OF_LOG_SPREAD: Mapping[str, Any] = MappingProxyType(
+    {
+        "": lambda a, m, s: (a - m) ** 2 / s**2 - 1,
+        "that is the derivative with respect to σ; for ln σ multiply it by σ": lambda a, m, s: (
+            (a - m) ** 2 / s**3 - 1 / s
+        ),
+        "that is the derivative with respect to σ²; for ln σ multiply it by 2σ²": lambda a, m, s: (
+            (a - m) ** 2 / (2 * s**4) - 1 / (2 * s**2)
+        ),
+        "the term − ln σ is forgotten; its derivative with respect to ln σ is −1": lambda a, m, s: (a - m) ** 2 / s**2,
+        "the sign is wrong: σ should grow for actions that are far out": lambda a, m, s: 1 - (a - m) ** 2 / s**2,
+        "the derivative of − ln σ is −1, not +1": lambda a, m, s: (a - m) ** 2 / s**2 + 1,
+        "the derivative of − ln σ with respect to ln σ is −1, not −1/σ": lambda a, m, s: (a - m) ** 2 / s**2 - 1 / s,
+        "σ is divided by once too little: (a − μ)² is divided by σ²": lambda a, m, s: (a - m) ** 2 / s - 1,
+        "the exponent −2 of σ gives a factor of 2, which cancels the 2 in 2σ²": lambda a, m, s: (
+            (a - m) ** 2 / (2 * s**2) - 1
+        ),
+        "a − μ should be squared": lambda a, m, s: (a - m) / s**2 - 1,
+        "σ² in the numerator should be σ² below": lambda a, m, s: (a - m) ** 2 * s**2 - 1,
+        "that is the score of μ; the score of ln σ comes second": lambda a, m, s: (a - m) / s**2,
+        "it is (a − μ)² − σ² that is divided by σ²: set brackets": lambda a, m, s: (a - m) ** 2 - 1,
+        "divided by σ³ it is the derivative with respect to σ; and there −1/σ belongs to it": lambda a, m, s: (
+            (a - m) ** 2 / s**3 - 1
+        ),
+    }
+)
+"""The score of ln σ likewise."""
+
+
+def _fits(rule: Any, cases: list[Any], found: list[float]) -> bool:
+    """Whether a rule gives what was found in every case."""
+    return all(np.isclose(rule(*case), value, rtol=1e-9) for case, value in zip(cases, found, strict=True))
+
+
+def _two(call: str, pair: Any) -> tuple[float, float]:
+    """Return the two numbers of an answer."""
+    _require_pair(call, pair)
+    return number(f"the first of {call}", pair[0]), number(f"the second of {call}", pair[1])
+
+
+def _require_pair(call: str, pair: Any) -> None:
+    """Refuse what is no pair of scores."""
+    given(call, pair)
+    if not isinstance(pair, tuple | list | np.ndarray) or len(pair) != 2:
+        raise WrongAnswer(
+            f"{call} should give two numbers, one for μ and one for ln σ, but gives {pair!r}: end with"
+            " `return of_mu, of_log_sigma`"
+        )
+
+
+def exercise_3(answer: Any, seed: int) -> str:
+    """Check the class of REINFORCE with a baseline."""
+    require_class("MyREINFORCE", answer)
+    check_update(answer, seed)
+    return "Right: returns minus a baseline, times the score. See it race:"
+
+
+def own_container(layout_seed: int) -> Trashbot:
+    """Return Trashbot with continuous actions, and a container whose width belongs to a seed."""
+    return Trashbot.create(container_width=0.4 + 0.2 * float(np.random.default_rng(layout_seed).random()))
+
+
+CHALLENGE = Challenge(
+    environment=own_container,
+    parameters=MappingProxyType({}),
+    n_steps=50_000,
+    baselines=MappingProxyType(
+        {
+            "the lesson's agent": gaussian,
+            "the lesson's agent, first values 0": lambda task: GaussianActorCritic.create(
+                task, features=tiles_on_the_wrist(task), learning_rate=0.02, value_learning_rate=0.4
+            ),
+            "the lesson's agent, σ = 0.2": partial(gaussian, spread=0.2),
+        }
+    ),
+    optimum=5.0,
+    best_average=5.0,
+)
+"""The open challenge: the highest average return over 50 000 steps, with real numbers and a container of one's own."""

@@ -1,0 +1,328 @@
+"""Made-up episodes, and what REINFORCE with a baseline makes of them: rightly, and with the usual mistakes."""
+
+from collections.abc import Mapping
+from functools import partial
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+import numpy as np
+from gymnasium.spaces import Discrete, MultiDiscrete
+
+from edugym_course.grading.agents import agent_created_by, learn_step, with_settings
+from edugym_course.grading.cases import telling_draw
+from edugym_course.grading.challenge import Sizes
+from edugym_course.grading.updates import table_of
+from edugym_course.grading.wrong import WrongAnswer
+
+SHAPE = (7, 3)
+"""The size of the tables."""
+STALE = (0.5, 0.25, 0.25)
+"""What stands in `probabilities` before `update`: that of another state."""
+OLD = 7.0
+"""The reward that an earlier, longer episode has left in every place of `rewards`."""
+UNWRITTEN = 0
+"""What stands in `states` behind the last step: what `create` has put there."""
+SETTINGS: Mapping[str, float] = MappingProxyType({"learning_rate": 0.5, "value_learning_rate": 0.25, "discount": 0.8})
+
+EPISODES = (
+    (1, True, False),
+    (2, True, False),
+    (3, False, False),
+    (4, True, False),
+    (4, False, False),
+    (3, True, True),
+)
+"""Of each made-up episode, its length, whether it terminates, and whether it comes back to its first state."""
+
+
+class Case(NamedTuple):
+    """Tables, and an episode; it terminates, or is cut off."""
+
+    preferences: Any
+    V: Any
+    states: list[int]
+    actions: list[int]
+    rewards: list[float]
+    terminates: bool
+
+
+def cases(seed: int) -> list[Case]:
+    """Make episodes up, of 1 to 4 steps, in simple numbers; the last one comes back to its first state."""
+    rules = [partial(_numbers, {}, True), *(partial(_numbers, change, False) for change in ({}, *MISTAKES.values()))]
+    return _drawn(telling_draw(seed, _drawn, rules))
+
+
+def _drawn(rng: np.random.Generator) -> list[Case]:
+    """Draw the episodes."""
+    made = []
+    for length, terminates, comes_back in EPISODES:
+        preferences = rng.choice([-1.0, -0.5, 0.0, 0.5, 1.0], SHAPE)
+        V = rng.choice([-1.0, 0.5, 1.5, 2.0], SHAPE[0])
+        states = [int(s) for s in rng.permutation(SHAPE[0])[:length]]
+        if comes_back:
+            states[-1] = states[0]
+        actions = [int(a) for a in rng.integers(SHAPE[1], size=length)]
+        rewards = [float(r) for r in rng.choice([-2.0, 1.0, 3.0, 4.0], size=length)]
+        made.append(Case(preferences, V, states, actions, rewards, terminates))
+    return made
+
+
+def _numbers(change: Mapping[str, Any], backwards: bool, case: Case) -> Any:
+    """Return all numbers that learning leaves."""
+    return np.concatenate([part.ravel() for part in after(case, change, backwards=backwards)])
+
+
+def after(case: Case, change: Mapping[str, Any] = MappingProxyType({}), *, backwards: bool = False) -> tuple[Any, Any]:
+    """Return preferences and values after learning.
+
+    Args:
+        case: the tables and the episode.
+        change: which mistake is made.
+        backwards: whether the last step is learned from first. Where no state comes twice, it makes no difference.
+    """
+    theta, V, n = case.preferences.copy(), case.V.copy(), len(case.states)
+    if change.get("cut off") == "forgotten" and not case.terminates:
+        return theta, V
+    rate, value_rate, discount = SETTINGS.values()
+    if change.get("rates") == "swapped":
+        rate, value_rate = value_rate, rate
+    if change.get("rates") == "policy":
+        value_rate = rate
+    returns = _returns(case.rewards, discount, change.get("return", "G"))
+    following = [*case.states[1:], UNWRITTEN]
+    seen = set()
+    for t in list(change.get("steps", range)(n))[:: -1 if backwards else 1]:
+        state, action = following[t] if change.get("state") == "next" else case.states[t], case.actions[t]
+        if change.get("visits") == "one" and state in seen:
+            continue
+        seen.add(state)
+        wrong_state = case.states[-1] if change.get("state") == "last" else state
+        known = case.V if change.get("values") == "old" else V
+        delta = returns[t] - known[state] if change.get("baseline", True) else returns[t]
+        if change.get("delta") in ("TD", "TD, unwritten"):
+            ends = t == n - 1 and change["delta"] == "TD"
+            delta = case.rewards[t] + (0.0 if ends else discount * V[following[t]]) - V[state]
+        if change.get("value", "moved") == "moved":
+            V[state] += value_rate * delta
+        elif change.get("value") == "set":
+            V[state] = value_rate * delta
+        elif change.get("value") == "whole":
+            V[state] += delta
+        elif change.get("value") == "away":
+            V[state] -= value_rate * delta
+        elif change.get("value") == "return":
+            V[state] += value_rate * returns[t]
+        if change.get("late"):
+            delta = returns[t] - V[state]
+        if change.get("delta") == "return":
+            delta = returns[t]
+        power = {"t": discount**t, "none": 1.0, "end": discount ** (n - 1 - t), "next": discount ** (t + 1)}
+        size, kind = rate * power[change.get("power", "t")] * delta, change.get("score", "full")
+        if change.get("look") == "often":
+            for a in range(SHAPE[1]):
+                theta[state, a] += size * _score(_softmax(theta[state]), action, kind)[a]
+            continue
+        looked_at = case.preferences if change.get("look") == "old" else theta
+        pi = np.array(STALE) if change.get("look") == "never" else _softmax(looked_at[state])
+        theta[wrong_state] = theta[wrong_state] + size * _score(pi, action, kind)
+    return theta, V
+
+
+def _softmax(row: Any) -> Any:
+    """Return the probabilities of the actions."""
+    weights = np.exp(row - row.max())
+    return weights / weights.sum()
+
+
+def _returns(rewards: list[float], discount: float, kind: str) -> list[float]:
+    """Return the return from each step, or what stands for it."""
+    n = len(rewards)
+    G = [sum(discount ** (k - t) * rewards[k] for k in range(t, n)) for t in range(n)]
+    return {
+        "G": G,
+        "reward": rewards,
+        "undiscounted": [sum(rewards[t:]) for t in range(n)],
+        "first": [G[0]] * n,
+        "not the first": [rewards[0], *G[1:]],
+        "first zero": [0.0, *G[1:]],
+        "next": [*(discount * g for g in G[1:]), 0.0],
+        "past": [sum(discount ** (t - k) * rewards[k] for k in range(t + 1)) for t in range(n)],
+        "discounted reward": [discount * g for g in G],
+        "absolute": [sum(discount**k * rewards[k] for k in range(t, n)) for t in range(n)],
+        "last": [rewards[-1]] * n,
+        "one more": [G[t] + discount ** (n - t) * OLD for t in range(n)],
+        "buffer": [G[t] + discount ** (n - t) * OLD / (1.0 - discount) for t in range(n)],
+    }[kind]
+
+
+def _score(pi: Any, action: int, kind: str) -> Any:
+    """Return the score of an action, or what stands for it."""
+    one = np.eye(len(pi))[action]
+    return {
+        "full": one - pi,
+        "one": one,
+        "own": one * (1.0 - pi),
+        "minus": pi - one,
+        "pi": one * pi,
+        "inverse": one / pi[action],
+        "others": -pi,
+        "plus": one + pi,
+    }[kind]
+
+
+MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
+    {
+        "the factor γ^t is missing in the step of the preferences": {"power": "none"},
+        "the power of γ counts the steps from the *end*; t counts from the start": {"power": "end"},
+        "the power of γ is one too high: the first step has γ^0 = 1": {"power": "next"},
+        "V(S_t) is not subtracted: δ is the return less the baseline": {"baseline": False},
+        "V moves, but the preferences move by G instead of δ": {"delta": "return"},
+        "the baseline V does not change": {"value": "none"},
+        "V is set to α^w δ; write `+=`": {"value": "set"},
+        "V moves by the whole δ; multiply it by α^w": {"value": "whole"},
+        "V moves away from the return: the sign is wrong": {"value": "away"},
+        "V moves by α^w G instead of α^w δ": {"value": "return"},
+        "δ is computed again after V has changed; use the one from before": {"late": True},
+        "the two learning rates have changed places": {"rates": "swapped"},
+        "V has a learning rate of its own, value_learning_rate": {"rates": "policy"},
+        "that is the reward R_{t+1}, not the return G_t": {"return": "reward"},
+        "the return is not discounted: G_t = R_{t+1} + γ G_{t+1}": {"return": "undiscounted"},
+        "every step gets the return of the whole episode; it should be the one from step t on": {"return": "first"},
+        "the return G_t begins with the reward R_{t+1} = rewards[t], which is missing": {"return": "next"},
+        "it adds the rewards from the start up to step t; the return adds those from step t on": {"return": "past"},
+        "the reward R_{t+1} itself is discounted; only what follows it should be": {"return": "discounted reward"},
+        "G_t is discounted from step t on, and not from the start of the episode": {"return": "absolute"},
+        "every step gets the last reward alone": {"return": "last"},
+        "it goes through the whole of `rewards`; this episode has only its first n steps": {"return": "buffer"},
+        "the return begins with rewards[n], which an earlier episode has left there: the last reward of n steps is"
+        " rewards[n - 1]": {"return": "one more"},
+        "π is missing in the score: it is 1{a = A} − π(a|S)": {"score": "one"},
+        "only the preference of the action that was taken changes; all others change by −π": {"score": "own"},
+        "the sign of the score is wrong: it is 1{a = A} − π(a|S)": {"score": "minus"},
+        "the score is that of ln π; here the derivative of the preference is multiplied by π": {"score": "pi"},
+        "that is 1/π for the action taken; the score of a softmax is 1{a = A} − π(a|S)": {"score": "inverse"},
+        "1{a = A} is missing: the action that was taken gets 1 − π, the others −π": {"score": "others"},
+        "π should be subtracted in the score, not added": {"score": "plus"},
+        "the probabilities are those of another state: call self.look(state) first": {"look": "never"},
+        "the probabilities change between the actions of one step: call self.look(state) once, before that loop": {
+            "look": "often"
+        },
+        "the probabilities are those from before the episode; they should be those of the preferences as the updates"
+        " so far have left them": {"look": "old"},
+        "δ is computed with V from before the episode; it should be V as the updates so far have left it": {
+            "values": "old"
+        },
+        "a state that comes twice is updated twice, once for each step": {"visits": "one"},
+        "that is the TD error of the actor-critic; here δ is the return less V(S_t)": {"delta": "TD"},
+        "that is the TD error of the actor-critic, and at the last step it looks up states[n], which is not of this"
+        " episode; here δ is the return less V(S_t)": {"delta": "TD, unwritten"},
+        "that is the state after the step, states[t + 1], not S_t": {"state": "next"},
+        "the return of the first step is missing, rewards[0] is still the reward: range(n - 1, -1, -1) goes down to"
+        " 0": {"return": "not the first"},
+        "the return of the first step is missing, it is still 0: range(n - 1, -1, -1) goes down to 0": {
+            "return": "first zero"
+        },
+        "the preferences of the last state change in every step, not those of S_t": {"state": "last"},
+        "an episode that is cut off is over as well: call `update` also when `truncated`": {"cut off": "forgotten"},
+        "the first step of the episode is left out: range(n - 1, -1, -1) goes down to 0": {
+            "steps": lambda n: range(1, n)
+        },
+        "the last step of the episode is left out: its number is n − 1": {"steps": lambda n: range(n - 1)},
+    }
+)
+"""By the sentence that tells of it, what each mistake changes in `after`."""
+
+
+def check_update(kind: Any, seed: int) -> None:
+    """Check how a student's agent learns from episodes.
+
+    Raises:
+        WrongAnswer: it learns something else.
+    """
+    made = cases(seed)
+    found = [_learned(kind, case) for case in made]
+    if all(
+        np.array_equal(theta, case.preferences) and np.array_equal(V, case.V)
+        for case, (theta, V) in _pairs(made, found)
+    ):
+        raise WrongAnswer("update changes neither `preferences` nor `V`: change the entries of these arrays in place")
+    for case, outcome in _pairs(made, found):
+        right = after(case)
+        if _same(right, outcome) or _same(after(case, backwards=True), outcome):
+            continue
+        singles = [why for why, change in MISTAKES.items() if _explains(change, made, found)]
+        pairs = [] if singles else _two_mistakes(made, found)
+        why = [*singles, *pairs, "that is none of the usual mistakes, so follow this episode by hand"][0]
+        raise WrongAnswer(f"{_told(case, right, outcome)}: {why}")
+
+
+def _pairs(made: list[Case], found: list[Any]) -> Any:
+    return list(zip(made, found, strict=True))
+
+
+def _two_mistakes(made: list[Case], found: list[Any]) -> list[str]:
+    """Return the sentence about two mistakes that fit together, if there are such."""
+    items = list(MISTAKES.items())
+    for i, (one, first) in enumerate(items):
+        for other, second in items[i + 1 :]:
+            if not first.keys() & second.keys() and _explains({**first, **second}, made, found):
+                return [f"{one}; and {other}"]
+    return []
+
+
+def _explains(change: Mapping[str, Any], made: list[Case], found: list[Any]) -> bool:
+    """Whether a mistake gives what was found in every case, when the steps are taken in order or backwards."""
+    return any(
+        all(_same(after(case, change, backwards=backwards), outcome) for case, outcome in _pairs(made, found))
+        for backwards in (False, True)
+    )
+
+
+def _same(one: Any, other: Any) -> bool:
+    return all(np.allclose(a, b, rtol=1e-9, atol=1e-9, equal_nan=True) for a, b in zip(one, other, strict=True))
+
+
+def _told(case: Case, right: Any, found: Any) -> str:
+    """Return what was expected, and what came."""
+    tables = zip(("preferences", "V"), (case.preferences, case.V), right, found, strict=True)
+    name, before, expected, mine = next(four for four in tables if len(_differing(*four[2:])))
+    entry = tuple(int(i) for i in _differing(expected, mine)[0])
+    index, state = ", ".join(map(str, entry)), entry[0]
+    from_, to = f"{before[entry]:.4g}", f"{expected[entry]:.4g}"
+    should = f"should stay at {to}" if from_ == to else f"should go from {from_} to {to}"
+    return (
+        f"after the episode with states {case.states}, actions {case.actions} and rewards {case.rewards}, where"
+        f" γ = {SETTINGS['discount']:g}, α^θ = {SETTINGS['learning_rate']:g},"
+        f" α^w = {SETTINGS['value_learning_rate']:g}, V[{state}] = {case.V[state]:g} and"
+        f" preferences[{state}] = {case.preferences[state].tolist()}, {name}[{index}] {should},"
+        f" but is {mine[entry]:.4g}"
+    )
+
+
+def _differing(expected: Any, mine: Any) -> Any:
+    """Return the indices of the entries that differ."""
+    return np.argwhere(~np.isclose(expected, mine, rtol=1e-9, atol=1e-9))
+
+
+def _learned(kind: Any, case: Case) -> tuple[Any, Any]:
+    """Return the tables of a student's agent after an episode."""
+    task = Sizes(MultiDiscrete([SHAPE[0]]), Discrete(SHAPE[1]))
+    agent = agent_created_by("MyREINFORCE", kind, "task", task)
+    agent = with_settings("MyREINFORCE", agent, SETTINGS, "update")
+    tables = {"preferences": case.preferences, "V": case.V, "probabilities": np.array(STALE)}
+    for name, values in tables.items():
+        table_of(agent, name, values.shape)[...] = values
+    table_of(agent, "rewards", None)[...] = OLD
+    last = len(case.states) - 1
+    for t, (state, action, reward) in enumerate(zip(case.states, case.actions, case.rewards, strict=True)):
+        step = {
+            "state": state,
+            "action": action,
+            "reward": reward,
+            "next_state": case.states[t + 1] if t < last else state,
+            "next_action": case.actions[t + 1] if t < last else action,
+            "terminated": t == last and case.terminates,
+            "truncated": t == last and not case.terminates,
+        }
+        learn_step(agent, step)
+    return table_of(agent, "preferences", SHAPE).copy(), table_of(agent, "V", SHAPE[:1]).copy()

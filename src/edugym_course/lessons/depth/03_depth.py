@@ -1,0 +1,840 @@
+# %% [markdown]
+# # Depth of credit assignment: Study
+#
+# **The challenge.** A reward often comes long after the actions that earned it. An agent can hand the reward back one
+# step at a time, which is slow, or to all earlier steps at once, which also hands back everything else that happened.
+#
+# **You will be able to** write down the $n$-step target and say what it becomes for $n = 1$ and for $n = \infty$;
+# explain how far one episode carries a reward; say where the variance of a deep target comes from; and write an agent
+# that looks deep without paying for its own exploration.
+#
+# **Time.** 60 minutes, and 30 more for the exercises. **Before you start.** You should know the return and what an
+# action value is (Sutton and Barto, 2nd edition, sections 3.3 and 3.5), SARSA (section 6.4) and ε-greedy action
+# selection (section 2.2). All symbols are in the [table of
+# notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
+
+# %%
+import math
+from typing import NamedTuple
+
+import gymnasium as gym
+import numpy as np
+
+from edugym import EpsilonGreedy, NStepSARSA, TreeBackup, make_mdp, repeat
+from edugym_course.lessons import depth
+from edugym_course.notebook import frames, play, predict, sliders, source
+from edugym.experiments.figures import Sheet
+
+# %% [markdown]
+# ## Meet the environment: ten days until the exam
+#
+# A student has $H = 10$ days. On each day the student does one thing: study, sleep, go out, or something else. On the
+# last day there is an exam, and whoever studies on that day and is prepared passes it. To be prepared takes knowledge
+# and energy. Studying gives knowledge on three days only, the days with a lecture, and two of those are needed. Sleep
+# gives energy, on any day, and two nights of it are needed. Going out takes energy. Days with neither lecture nor exam
+# are *free days*: there only going out does harm. Everything has a small price. In the picture, what brought the
+# student closer to passing is green, what led away from it is red, and what did neither is grey.
+
+# %%
+study = make_mdp("Study", layout_seed=5, action_reward_noise_sigma=0.2)
+print("mean reward of each action:", dict(zip(study.action_names, study.action_rewards.round(2).tolist(), strict=True)))
+frames(study, ["go out", "study", "study", "sleep", "other 1", "sleep", "study", "other 2", "sleep", "study"])
+
+# %% [markdown]
+# As a Markov decision process: $s$ is the state, $a$ the action, $s'$ the next state.
+#
+# | | | in words |
+# |---|---|---|
+# | states | $s = (\text{knowledge}, \text{energy}, \text{day})$ | all of it is observed; days count from 0 |
+# | actions | $\mathcal{A} = \{0, \dots, N-1\}$, $N = 5$ | study, sleep, go out, and $N - 3$ others without any effect |
+# | dynamics | deterministic | study on a lecture day: knowledge + 1; sleep: energy + 1 (up to 4); go out: energy − 1 (down to 0) |
+# | reward | drawn from $\mathcal{N}(r_a, \sigma)$ | each action $a$ has a mean reward $r_a$ from −0.5 to 0; $\sigma$ is its noise |
+# | | $+10$ | for studying on day $H - 1$, the exam, with knowledge ≥ 2 and energy ≥ 2 |
+# | discount | $\gamma = 1$ | |
+#
+# $\mathcal{N}(r_a, \sigma)$ is the normal distribution with mean $r_a$ and standard deviation $\sigma$. An episode
+# *terminates* after the last day, so every episode has ten steps. The lecture days and the prices $r_a$ are the
+# *layout* of the task. They are drawn once, and the agent is not told.
+#
+# These methods are the environment. (`missing` counts what the exam still asks for. `Student` has one more field: whether
+# the exam was passed, for the picture.)
+
+# %%
+source(type(study), "transition", "reward", "passes", "missing", "terminal", "observation")
+
+# %% [markdown]
+# **Play it yourself, blind.** You see what the agent sees: three numbers and a reward. The calendar comes when the
+# episode is over. This is a short semester: six days, two lectures, both needed, and one night of sleep is enough. (In the
+# call `energy_needed` is 0: the exam asks for *more* than that.) How many episodes do you need until you pass? And when
+# you pass for the first time: *which of your six actions earned it?*
+
+# %%
+play(
+    "Study",
+    total_days=6,
+    n_actions=3,
+    lecture_days=2,
+    energy_needed=0,
+    layout_seed=3,
+    action_reward_noise_sigma=0.2,
+    blind=True,
+)
+
+# %% [markdown]
+# That question is the *credit assignment problem*: of all the actions before a reward, which ones deserve the credit?
+
+# %% [markdown]
+# ## The idea: how many rewards belong in the target?
+#
+# All agents of this lesson keep a table of action values $Q(s, a)$ and act ε-greedily: they take a random action with
+# probability $\varepsilon$, and otherwise the one with the largest value. They move values towards a
+# *target*. They differ in one number, $n$: how many real rewards the target contains before it ends with a learned
+# value.
+#
+# SARSA uses one reward. The **$n$-step target** uses $n$ of them (Sutton and Barto, equation 7.4):
+#
+# $$
+# G_{t:t+n} = R_{t+1} + \gamma R_{t+2} + \dots + \gamma^{n-1} R_{t+n} + \gamma^n Q(S_{t+n}, A_{t+n})
+# $$
+#
+# If the episode ends before step $t + n$, the target is the sum of the rewards that there are, and no learned value
+# follows. The update is the same for every $n$ (equation 7.5):
+#
+# $$
+# Q(S_t, A_t) \leftarrow Q(S_t, A_t) + \alpha \left[ G_{t:t+n} - Q(S_t, A_t) \right]
+# $$
+#
+# | $n$ | target of step $t$ | name |
+# |---|---|---|
+# | 1 | $R_{t+1} + \gamma Q(S_{t+1}, A_{t+1})$ | SARSA (section 6.4) |
+# | 3 | $R_{t+1} + \gamma R_{t+2} + \gamma^2 R_{t+3} + \gamma^3 Q(S_{t+3}, A_{t+3})$ | 3-step SARSA |
+# | $\infty$ | $R_{t+1} + \gamma R_{t+2} + \dots$ to the end of the episode | Monte Carlo (section 5.4) |
+#
+# To use a learned value in the target is called *bootstrapping*. Monte Carlo does not bootstrap at all.
+#
+# Here are the lines that run. After each step, `t` is the number of this step, and `first` is the step whose $n$
+# rewards are now complete. The first loop adds up the rewards backwards, from the last one to that of step `first`. With
+# each reward `G` becomes the target of one step more, which is kept in `self.returns`. The second loop is the update,
+# where `tau` is the step that learns, with its target from `self.returns`. When the episode ends, all steps that are left
+# learn. (Only the last $n$ rewards and $n + 1$ states are kept: hence `% n` and `% (n + 1)`. For $n = \infty$ the agent
+# keeps as many rewards as the longest episode has.)
+
+# %%
+source(NStepSARSA.learn)
+
+# %% [markdown]
+# ### How far does one episode carry a reward?
+# Imagine the simplest case: the same episode of ten days again and again, and only its last step pays, 10. All values
+# start at 0, and $\alpha = 0.1$. Monte Carlo moves the values of *all* days towards 10 in every episode. One-step SARSA
+# moves only the value of the last day at first, because the next value is still 0 for every other day.
+#
+# **Predict.** After 7 such episodes the value of the first day has come half of its way with Monte Carlo
+# ($0.9^7 < 0.5$). How many episodes does one-step SARSA need?
+
+# %%
+half_way = predict("One-step SARSA: the value of the first day is half of 10 after ...", unit="episodes")
+half_way
+
+# %%
+for n in (1, 3, 5, math.inf):
+    print(f"{depth.label(n):12} {depth.episodes_until(depth.handed_back(n)):3.0f} episodes")
+display(depth.credit_maps())
+half_way.measured(depth.episodes_until(depth.handed_back(1)))
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** 97 episodes with $n = 1$, 37 with $n = 3$, 17 with $n = 5$, and 7 with Monte Carlo. Each map shows the
+# values of the ten days (upwards) in the course of the episodes (to the right); dark means close to 10. With $n = 1$
+# the reward climbs down a staircase with ten steps, one for each day. With $n = 3$ the staircase has four steps, since
+# three days learn together: $\lceil H/n \rceil = \lceil 10/3 \rceil = 4$. With Monte Carlo there is one step only.
+#
+# A rule to remember: the reward needs about $\lceil H/n \rceil / \alpha$ episodes to the first day. Here that is 100,
+# 40, 20 and 10.
+# </details>
+
+# %% [markdown]
+# ### Watch them
+# A real agent does not repeat one episode. It explores, and what it has learned decides where it goes. Here are two
+# agents after 60 episodes on the layout above. First one-step SARSA, then Monte Carlo. Both play without exploring.
+
+
+# %%
+def watch(n, episodes):
+    """Show one episode of an agent without exploring, after so many episodes of training."""
+    return frames(study, depth.pupil(n, study, episodes))
+
+
+watch(1, episodes=60)
+
+# %%
+watch(math.inf, episodes=60)
+
+# %% [markdown]
+# Monte Carlo passes, and one-step SARSA does not yet. Now both once more, after 4 000 episodes. Look at the free days.
+
+# %%
+watch(1, episodes=4_000)
+
+# %%
+watch(math.inf, episodes=4_000)
+
+# %%
+for n in (1, math.inf):
+    print(f"{depth.label(n):12} return without noise: {depth.greedy_return(study, depth.pupil(n, study, 4_000)):.2f}")
+print(f"optimum      {study.reward_threshold:.2f}")
+
+# %% [markdown]
+# Both pass now. On this layout, going out and sleeping are cheap, and studying and the other things are dear. One-step
+# SARSA has found that out and is near the optimum. Monte Carlo still spends free days on dear things. Is that so in
+# general?
+
+# %% [markdown]
+# ## The experiment: early and late
+#
+# The paper (Moerland et al., 2023) made this environment for that question. It says: Monte Carlo learns fast after its
+# first success and then has trouble with details; one-step methods learn slowly and end better; and Monte Carlo suffers
+# more when rewards are noisier, or when there are more actions that do not matter. We test all of this. Here are three
+# amounts of noise; more actions follow below.
+#
+# | setting | value |
+# |---|---|
+# | all | $n$-step SARSA, $\alpha = 0.1$, $\gamma = 1$, $\varepsilon = 0.1$, all values 0 at first, ties broken at random |
+# | depths | $n = 1, 3, 5$ and $\infty$ (Monte Carlo) |
+# | training | 40 000 steps, which are 4 000 episodes |
+# | evaluation | the mean return of 3 episodes without exploring, every 1 250 steps |
+# | repetitions | 60, each on its own layout, the same layouts for all methods; bands are 95 % intervals |
+#
+# The dashed line is the *optimum*, the dotted one the return of the best *ε-soft* policy, which takes a random action
+# with probability $\varepsilon$ on every day. Both are means over the 60 layouts, from the exact model. An evaluation
+# does not explore, so it may rise above the dotted line. The last panel shows training itself, and there an ε-greedy
+# agent cannot.
+#
+# **Predict.** With the noisiest rewards, $\sigma = 1$: who is ahead after 250 episodes (2 500 steps), and who at the
+# end?
+
+# %%
+ahead = predict(
+    "One-step SARSA and Monte Carlo, at σ = 1:",
+    [
+        "Monte Carlo is ahead early and late",
+        "Monte Carlo is ahead early, n = 1 late",
+        "n = 1 is ahead early, Monte Carlo late",
+        "n = 1 is ahead early and late",
+    ],
+)
+ahead
+
+# %%
+by_sigma = {
+    sigma: depth.compare(depths=depth.BY_DEPTH, sigma=sigma, repetitions=60, points=32) for sigma in (0.0, 0.2, 1.0)
+}
+panels = [depth.curves(results, f"σ = {sigma:g}") for sigma, results in by_sigma.items()]
+panels.append(panels[-1]._replace(title="while exploring, σ = 1", column="training_return"))
+display(Sheet("depth", [panels[:2], panels[2:]]))
+early = depth.early_difference(by_sigma[1.0], "Monte Carlo", "n = 1").estimate > 0
+late = depth.final_difference(by_sigma[1.0], "Monte Carlo", "n = 1").estimate > 0
+first, last = ("Monte Carlo" if first else "n = 1" for first in (early, late))
+ahead.measured(f"{first} is ahead early and late" if early == late else f"{first} is ahead early, {last} late")
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** Monte Carlo is ahead early, by far, and $n = 1$ is ahead at the end, by a little. Early on, $n = 3$ and
+# $n = 5$ lie between the two; with less noise a middle $n$ can even be the best. Late, all lines are close together and
+# partly hide each other. (The small waves at $\sigma = 1$ are noise of the evaluation, which draws the same random
+# numbers for all methods.)
+# </details>
+
+# %% [markdown]
+# Early, depth helps at every $\sigma$, and the staircase says why. Late, we need a closer look. Some runs never pass
+# the exam, and each of those returns about 10 less, which hides small differences in the mean. So let us take this
+# apart: which share of the runs passes in the end? And how much better is one method *on the layouts on which both
+# pass*? These returns are computed without noise.
+
+# %%
+for sigma, results in by_sigma.items():
+    one, deep = (depth.passes(results, method).mean() for method in ("n = 1", "Monte Carlo"))
+    gap = depth.difference_where_both_pass(results, "Monte Carlo", "n = 1")
+    print(f"σ = {sigma:3g}: n = 1 passes in {one:4.0%} of runs, Monte Carlo in {deep:4.0%};", end=" ")
+    print(f"where both pass, Monte Carlo less n = 1: {gap.estimate:+.2f} (95 %: {gap.low:+.2f} to {gap.high:+.2f})")
+
+# %% [markdown]
+# Among the runs that pass, Monte Carlo ends behind at *every* $\sigma$, even without any noise. So noise of the rewards
+# cannot be the only reason. Keep this puzzle in mind until "See inside".
+#
+# **Predict.** The paper says that more noise makes Monte Carlo suffer more. Compare the mean final return of Monte
+# Carlo at $\sigma = 1$ and at $\sigma = 0$, over all layouts and computed without noise.
+
+# %%
+noisy = predict("With more noise in its rewards, Monte Carlo ends ...", ["better", "the same, within 0.3", "worse"])
+noisy
+
+# %%
+quiet_end, noisy_end = (depth.expected_returns(by_sigma[sigma], "Monte Carlo").mean() for sigma in (0.0, 1.0))
+print(f"Monte Carlo ends with {quiet_end:.2f} at σ = 0, and with {noisy_end:.2f} at σ = 1")
+met, passed = depth.met_exam(by_sigma[0.0], "Monte Carlo"), depth.passes(by_sigma[0.0], "Monte Carlo")
+print(f"at σ = 0 it passed at least once in {met.mean():.0%} of runs; {passed[met == 1].mean():.0%} of these pass now")
+change = noisy_end - quiet_end
+noisy.measured("the same, within 0.3" if abs(change) < 0.3 else "better" if change > 0 else "worse")
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** Better, by more than one. At $\sigma = 0$ one run in five does not pass in the end, and these runs never
+# passed at all. With $\sigma = 1$ all runs pass. The likely reason is that *noise also explores*: between 2 000 and 4 000
+# episodes the greedy action changes in about half of the states, and without noise in 37 %. So this claim of the paper
+# does not hold in general: here noise brings more than it costs.
+# </details>
+
+# %% [markdown]
+# ## Your turn
+#
+# Move a slider and release it: the experiment is computed again, with 10 repetitions of 1 000 episodes. The slider for
+# $n$ adds a line for one more $n$. What does a longer semester change, and for which $n$? Who feels $\varepsilon$, and
+# who $\alpha$? With which settings is $n = 1$ the best? (Returns in the figures are not discounted, whatever $\gamma$
+# is.)
+
+
+# %%
+def one_study(sigma=0.2, n_actions=5, total_days=10, n=2, alpha=0.1, epsilon=0.1, gamma=1.0):
+    """Draw the learning curves of the four depths, and of one more n."""
+    settings = {"learning_rate": alpha, "epsilon": epsilon, "discount": gamma, "total_days": total_days}
+    own = {} if n in depth.BY_DEPTH else {depth.label(n): depth.maker(n, **settings)}
+    results = depth.compare(
+        depths=depth.BY_DEPTH,
+        own=own,
+        sigma=sigma,
+        n_actions=n_actions,
+        n_steps=1_000 * total_days,
+        repetitions=10,
+        **settings,
+    )
+    title = f"σ = {sigma:g}, N = {n_actions}, H = {total_days}, α = {alpha:g}, ε = {epsilon:g}, γ = {gamma:g}"
+    return Sheet("one study", [[depth.curves(results, title, epsilon)]])
+
+
+sliders(
+    one_study,
+    sigma=(0.0, 2.0, 0.1),
+    n_actions=(3, 12),
+    total_days=(5, 20),
+    n=(1, 20),
+    alpha=(0.01, 1.0, 0.01),
+    epsilon=(0.0, 1.0, 0.05),
+    gamma=(0.8, 1.0, 0.01),
+)
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** With 150 repetitions, since 10 show only the large differences:
+#
+# - **total_days.** With 20 days instead of 10 $n = 1$ loses most, perhaps because its staircase has more steps. Its
+#   mean return in these 1 000 episodes falls from 2.9 to 0.0, and that of Monte Carlo from 4.3 to 3.7.
+# - **epsilon.** With 0.5 instead of 0.1 that of $n = 1$ falls to 1.2, and that of Monte Carlo rises to 5.4.
+# - **alpha.** With 0.01 Monte Carlo passes in 98 % of the runs, and $n = 1$ in 17 %. With 0.5 it is 85 % and 93 %.
+# - $n = 1$ is the best by far with many actions and a large learning rate: with ten actions and $\alpha = 0.5$ it passes in
+#   71 % of the runs, $n = 3$ in 37 %, and Monte Carlo in 9 %.
+# </details>
+
+# %% [markdown]
+# ## See inside: bias and variance of the target
+#
+# A target is a random number. Two things can be wrong with it. Its *bias* is how far its mean is from the true value
+# $q_\pi$ of the policy $\pi$ that acts. Its *variance* says how much it scatters around its mean. We know the model of
+# this task, so we can compute both exactly. We take the target of the first day, for the best ε-soft policy, on the
+# layout with number 0.
+#
+# ### Bias: early it is large, late it is zero
+
+# %%
+Sheet("bias", [[depth.bias_series()]])
+
+# %% [markdown]
+# - *Early*, while all values are 0, every target that bootstraps misses the exam: it is 8 to 9 too low. (With each further
+#   day there is one more price in it, and still no exam.) Only $n = 10$, Monte Carlo, sees the exam.
+# - *Late*, once the values are true, bootstrapping adds exactly what it leaves out, so every $n$ has the right mean.
+#
+# So bias separates the methods early only. What is left late is the variance.
+#
+# ### Variance: where does it come from?
+# A deep target is a sum of many random rewards. The noise of each adds $\sigma^2$ to the variance, so $n$ of them add
+# $n \sigma^2$. "Larger $n$ means more noise from the environment", one often reads.
+#
+# **Predict.** At $\sigma = 0.2$, how much of the variance of the Monte Carlo target comes from the noise of the
+# rewards?
+
+# %%
+noise = predict("The share of reward noise in the variance of the Monte Carlo target at σ = 0.2:", unit="%")
+noise
+
+# %%
+display(depth.variance_sheet(sigmas=(0.2, 1.0)))
+for sigma in (0.05, 0.2, 1.0):
+    print(f"σ = {sigma:4g}: {depth.noise_share(sigma):6.1%} of the variance of the Monte Carlo target is reward noise")
+noise.measured(100 * depth.noise_share(0.2))
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** 4 %. At the default of the environment, $\sigma = 0.05$, it is 0.3 %. All the rest comes from *the
+# agent's own exploration*. With $\varepsilon = 0.1$ two of three episodes contain at least one random action
+# ($1 - 0.9^{10} = 0.65$), and some of these actions miss a lecture or the exam, which costs 10. That goes into the
+# target of the first day, although the first day is not to blame. Only at $\sigma = 1$ is half of the variance noise of
+# the rewards.
+# </details>
+
+# %% [markdown]
+# This figure explains the puzzle. "Larger $n$ is only noise" is half of the truth: where rewards are not very noisy, *the
+# agent makes most of that noise itself.* A deep target hands back the agent's own random actions. The last two bars are so
+# high because only these targets contain the action on the day of the exam, where a random one costs 10: with $n = 10$ by
+# its reward, with $n = 9$ by the value $Q(S_9, A_9)$. (The smaller rises, at $n = 2$, 4 and 5, come from the lectures, which
+# are on the days 2, 4 and 5 of this layout: a random action may miss one.)
+#
+# **How much does it hurt?** With a constant $\alpha$ a value never comes to rest. Let $v$ be the variance of its
+# targets, and $x$ the variance of the value itself after many updates. One more update,
+# $Q \leftarrow (1 - \alpha) Q + \alpha G$, must leave $x$ as it is. If each target is independent of those before, as with
+# Monte Carlo, this means
+#
+# $$
+# x = (1 - \alpha)^2 x + \alpha^2 v \quad\Rightarrow\quad x = \frac{\alpha}{2 - \alpha}\, v .
+# $$
+
+# %%
+for n in (1, 3, 5, 10):
+    v = sum(part[n - 1] for part in depth.split(sigma=0.2).values())
+    print(
+        f"n = {n:2}: the value of the first day scatters by ± {math.sqrt(0.1 / (2 - 0.1) * v):.2f} (σ = 0.2, α = 0.1)"
+    )
+print("from one action to the next dearer one:", np.diff(np.sort(-make_mdp("Study").action_rewards)).round(2))
+
+# %% [markdown]
+# The last line compares this with the task: on a free day, two actions differ by a few hundredths. A value that
+# scatters by ± 0.69 cannot tell them apart. So Monte Carlo passes the exam and wastes its free days. Noise of the rewards
+# is not needed for that. (For smaller $n$ the numbers are lower bounds: the values from which these targets bootstrap
+# scatter too.)
+#
+# ### The price of depth can be paid by the learning rate
+# The formula also shows a remedy: a smaller $\alpha$. But a smaller $\alpha$ makes the staircase longer, which takes
+# $\lceil H/n \rceil / \alpha$ episodes.
+#
+# **Predict.** Which $n$ likes the *smallest* learning rate in its first 500 episodes?
+
+# %%
+smallest = predict("The smallest best learning rate is that of ...", ["n = 1", "n = 3", "n = 5", "Monte Carlo"])
+smallest
+
+# %%
+by_rate = depth.through_rates(repetitions=40)
+display(Sheet("rates", [[depth.rate_series(by_rate)]]))
+best = depth.best_rates(by_rate)
+print("best learning rate:", {depth.label(n): rate for n, rate in best.items()})
+smallest.measured(depth.label(min(best, key=best.get)))
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** Monte Carlo. Of these six rates, the two smallest are best for Monte Carlo (with little between them),
+# 0.1 for $n = 5$, and 0.3 for $n = 3$ and $n = 1$. The deeper the target, the more it varies, and the more targets
+# must be averaged. One-step targets vary little, and they need a large rate to get down the staircase in time. With a
+# rate of 1 a value keeps only its last target, and no method does well.
+#
+# Sutton and Barto's figure 7.2 shows such curves for another task, and there a middle $n$ is best. Here Monte Carlo
+# with a tiny rate does at least as well. *Never compare two values of $n$ at one learning rate only.*
+# </details>
+
+# %% [markdown]
+# Here is the main figure once more, at $\sigma = 0.2$, with the best of these rates for each $n$.
+
+# %%
+own = {depth.label(n): depth.maker(n, learning_rate=rate) for n, rate in best.items()}
+tuned = depth.compare(depths=(), own=own, repetitions=60, points=32)
+display(Sheet("tuned", [[depth.curves(tuned, "σ = 0.2, each with its best learning rate")]]))
+for method in tuned.methods:
+    print(f"{method:12} passes in {depth.passes(tuned, method).mean():4.0%} of runs")
+gap = depth.difference_where_both_pass(tuned, "Monte Carlo", "n = 1")
+print(f"where both pass, Monte Carlo less n = 1: {gap.estimate:+.2f} (95 %: {gap.low:+.2f} to {gap.high:+.2f})")
+
+# %% [markdown]
+# With a small rate Monte Carlo keeps its early lead, and it passes in all runs. But where both pass, $n = 1$ is still
+# better in the details. Does that contradict the formula? No: with a small rate the details take time. Here is Monte
+# Carlo without any noise of the rewards, after 4 000 episodes and after ten times as many: how far below the optimum
+# are the policies that pass? (We take the rate 0.01, since 0.003 takes longer still.)
+
+# %%
+for episodes in (4_000, 40_000):
+    own = {f"Monte Carlo, α = {rate}": depth.maker(math.inf, learning_rate=rate) for rate in (0.1, 0.01)}
+    own["n = 1, α = 0.1"] = depth.maker(1, learning_rate=0.1)
+    longer = depth.compare(depths=(), own=own, sigma=0.0, n_steps=10 * episodes, repetitions=40)
+    for method in longer.methods:
+        print(f"{episodes:6} episodes, {method:21}: {depth.shortfall(longer, method):.2f} below the optimum")
+
+# %% [markdown]
+# With $\alpha = 0.1$ ten times the training changes hardly anything for Monte Carlo, as the formula says: the values keep
+# scattering. With $\alpha = 0.01$ it pays: Monte Carlo comes close to $n = 1$, which gains nothing by longer training.
+#
+# ### Why not look deep with Q-learning?
+# The variance comes from exploring actions. Q-learning learns about the greedy policy, which never explores. So why not
+# take $n$ rewards and then the largest value, $\max_a Q(S_{t+n}, a)$?
+#
+# For $n = 1$ that *is* Q-learning (equation 6.8). For $n > 1$ the rewards on the way were earned by the policy that
+# acted, with its random actions, and not by the greedy one. The next figure shows what that does to the target of the
+# first day, when all values are already the optimal ones $q_*$, rewards have no noise, and the first action is the
+# best.
+
+# %%
+depth.off_policy_sheet()
+
+# %% [markdown]
+# The *uncorrected* target has a bias: with $n = 10$ its mean is 1.2 below the optimum, and no amount of training
+# changes that. There are two remedies.
+#
+# - **Importance sampling** weights each target by a ratio that makes its mean right again. The price is a standard
+#   deviation as large as the optimum itself (exercise 2). In the left panel its line lies on that of cutting, at 0.
+# - **Cutting** the target at the first exploring action keeps the mean right and adds no variance (exercise 3).
+
+# %% [markdown]
+# ## Predict, then check
+#
+# Answer each question before you run the cell below it. You learn most when you are surprised.
+#
+# **Predict.** Two of the five actions have no effect. Let us add five more such actions, so that $N = 10$, at
+# $\sigma = 0.2$ and $\alpha = 0.1$. Who loses most?
+
+# %%
+suffers = predict(
+    "With ten actions, the largest loss of final return has ...", ["n = 1", "n = 3", "n = 5", "Monte Carlo"]
+)
+suffers
+
+# %%
+many = depth.compare(depths=depth.BY_DEPTH, n_actions=10, repetitions=60, points=32)
+display(Sheet("ten_actions", [[depth.curves(many, "ten actions, σ = 0.2")]]))
+loss = {}
+for method in many.methods:
+    few_end, many_end = (depth.expected_returns(results, method).mean() for results in (by_sigma[0.2], many))
+    loss[method] = few_end - many_end
+    print(f"{method:12} {few_end:5.2f} with five actions, {many_end:5.2f} with ten")
+suffers.measured(max(loss, key=loss.get))
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** Monte Carlo loses most, and $n = 1$ least. As the paper says, actions without effect make deep methods
+# suffer.
+# </details>
+
+# %% [markdown]
+# Is that the variance again? Let us check before we believe it. If variance were the reason, Monte Carlo would pass the
+# exam now and then in training, and lose it again. So we ask two questions. In which share of the runs did the agent
+# pass *at least once* in training? And how many of those runs pass in the end?
+#
+# **Predict.** Of the runs of Monte Carlo that passed at least once, how many pass in the end?
+
+# %%
+kept = predict("Of the Monte Carlo runs that ever passed, this share passes in the end:", unit="%")
+kept
+
+# %%
+for method in many.methods:
+    met, passed = depth.met_exam(many, method), depth.passes(many, method)
+    print(f"{method:12} has passed in {met.mean():4.0%} of runs; of these {passed[met == 1].mean():4.0%} pass now")
+kept.measured(100 * passed[met == 1].mean())  # of the last method, Monte Carlo
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** All of them. Monte Carlo does not lose what it found: in four runs of five it *never passed the
+# exam at all*. So this is a problem of exploration, not of credit.
+#
+# Why does one-step SARSA pass the exam at some time in more runs? All values start at 0, and every action has a price.
+# So what was tried is worth less than what was not tried. One-step SARSA hands this back as well: a state from which
+# untried actions can be reached looks good, so it goes there (compare optimistic values in Sutton and Barto, section
+# 2.6). Monte Carlo learns only from returns that it got, and those were all bad.
+# </details>
+
+# %% [markdown]
+# If this explanation is right, then one-step SARSA depends on untried actions that look good. So we take that away. In
+# the task with five actions, where all methods passed often, we let all values start at −5: now untried actions look
+# *bad*.
+
+# %%
+wary = depth.compare(depths=depth.BY_DEPTH, initial_value=-5.0, repetitions=60, points=32)
+for method in wary.methods:
+    print(f"{method:12} passes in {depth.passes(wary, method).mean():4.0%} of runs with start values of -5,", end=" ")
+    print(f"and in {depth.passes(by_sigma[0.2], method).mean():4.0%} with 0")
+
+# %% [markdown]
+# All lose, and Monte Carlo is now ahead by far. What a figure shows is one thing, and why it shows it is another.
+# Before you say "variance", take the runs apart.
+
+# %% [markdown]
+# **Predict.** The same agents learn in any Gymnasium environment with whole numbers for observations and actions.
+# Blackjack is the classic example of Monte Carlo methods (Sutton and Barto, section 5.1). The reward, 1, 0 or −1, comes
+# at the end of the game. How much does $n$ matter there?
+
+# %%
+cards = predict(
+    "In Blackjack, the mean return in training:", ["Monte Carlo is ahead", "no difference above 0.05", "n = 1 is ahead"]
+)
+cards
+
+# %%
+most_steps = 30  # longer than any game; `total_days` is how many rewards Monte Carlo keeps
+methods = {depth.label(n): depth.maker(n, learning_rate=0.02, total_days=most_steps) for n in (1, math.inf)}
+blackjack = repeat(gym.make("Blackjack-v1"), methods, 10_000, repetitions=3)
+for method in methods:
+    print(f"{method:12} mean return of all games {blackjack.average(method, 'training_return').mean():.3f}")
+games = blackjack.curves("Monte Carlo", "episodes").sum().mean()
+print(f"a game takes {10_000 / games:.2f} actions on average")
+gap = blackjack.difference("Monte Carlo", "n = 1", "training_return", over="training")
+print(f"Monte Carlo less n = 1: {gap.estimate:+.3f} (95 %: {gap.low:+.3f} to {gap.high:+.3f})")
+lead = gap.estimate
+cards.measured(
+    "no difference above 0.05" if abs(lead) < 0.05 else "Monte Carlo is ahead" if lead > 0 else "n = 1 is ahead"
+)
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** Hardly at all. These three runs cannot tell the difference from 0; with 20 runs $n = 1$ is ahead, by 0.02
+# (95 %: 0.01 to 0.03). A game takes 1.4 actions on average, so that most one-step targets *are* the return: the staircase
+# has one step. And the cards are drawn at random, whatever $n$ is. Depth matters where the way from an action to its
+# reward is long.
+# </details>
+
+# %% [markdown]
+# ## Exercises
+#
+# Each exercise has a cell for your answer, and below it a cell that checks it. The check does not only say whether an
+# answer is right: it says what was expected, what came, and which mistake that looks like. It runs your code on cases
+# that it makes up.
+
+# %%
+from edugym_course.lessons.depth.exercises import CHALLENGE, exercise_1, exercise_2, exercise_3
+from edugym_course.grading import check
+
+# %% [markdown]
+# ### Exercise 1: Monte Carlo without exploration
+# Nearly all the variance of Monte Carlo comes from its own exploration. So switch it off. Write the function that makes
+# a Monte Carlo agent with $\varepsilon = 0$, and otherwise with the settings of the experiment: $\alpha = 0.1$,
+# $\gamma = 1$, all values 0 at first. Before you run the check: will it end better than the others, or worse?
+#
+# <details><summary>Hint</summary>One call of <code>NStepSARSA.create</code> is enough. Its settings are <code>n</code>,
+# <code>learning_rate</code>, <code>discount</code> and <code>exploration</code>. Infinity is <code>math.inf</code>, and
+# <code>EpsilonGreedy(0.0)</code> never explores.</details>
+
+
+# %%
+def quiet(study):
+    """Make a Monte Carlo agent that never explores."""
+    ### BEGIN SOLUTION
+    return NStepSARSA.create(study, n=math.inf, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0))
+    ### END SOLUTION
+
+
+# %% tags=["check"]
+check(exercise_1, quiet)
+### BEGIN HIDDEN TESTS
+check(exercise_1, quiet, seed=1, quiet=True)
+### END HIDDEN TESTS
+display(depth.race({"quiet": quiet}, repetitions=30))
+
+# %% [markdown]
+# With five actions it ends far below the others. It tries a few things at first, since all it has tried was worse than
+# 0. But it stops at the first plan that looks best, and on many layouts it never passes. So exploration makes the
+# variance, *and* it is needed. An agent should explore, and yet not learn from its exploring actions as if they were
+# its policy.
+#
+# ### Exercise 2: the importance-sampling ratio
+# An agent acts by a policy $b$ and wants to learn about another policy $\pi$. The return after $(S_t, A_t)$ was earned
+# by $b$. To make it count for $\pi$, we multiply it by a ratio: how much more likely $\pi$ takes the *later* actions
+# than $b$ does (Sutton and Barto, equation 7.10). Let $A_{T-1}$ be the last action of the episode. The ratio is
+#
+# $$
+# \rho = \prod_{k=t+1}^{T-1} \frac{\pi(A_k \mid S_k)}{b(A_k \mid S_k)}
+# $$
+#
+# The action $A_t$ is not in the product: we learn *its* value, whoever chose it. Here $\pi$ is greedy, $b$ is ε-greedy,
+# there are $N$ actions, and one of them is the best in each state. Write the function. Its argument `greedy` is a list
+# that says for each of the actions $A_t, A_{t+1}, \dots, A_{T-1}$ whether it was the best one, `True` or `False`.
+#
+# <details><summary>Hint</summary>A random action is the best one with probability 1/N. So an ε-greedy policy takes the
+# best action with probability 1 − ε + ε/N. What is the ratio for an action that the greedy policy never
+# takes?</details>
+
+
+# %%
+def importance_ratio(greedy: list[bool], epsilon: float, n_actions: int) -> float:
+    """Return how much more likely the greedy policy takes the later actions than the ε-greedy one."""
+    ### BEGIN SOLUTION
+    ratio = 1.0
+    for is_greedy in greedy[1:]:
+        ratio *= 1 / (1 - epsilon + epsilon / n_actions) if is_greedy else 0.0
+    return ratio
+    ### END SOLUTION
+
+
+# %% tags=["check"] points=2
+check(exercise_2, importance_ratio)
+### BEGIN HIDDEN TESTS
+check(exercise_2, importance_ratio, seed=1, quiet=True)
+### END HIDDEN TESTS
+
+# %% [markdown]
+# After the first day there are nine more actions. With $\varepsilon = 0.1$ and $N = 5$ all nine are greedy in
+# $0.92^9 = 47$ % of the episodes. These count 2.1 times, and the other 53 % count nothing. The mean is right, and the
+# variance is huge. That is why plain importance sampling is rarely used for deep targets.
+#
+# ### Exercise 3: as deep as your actions were greedy
+# There is a better way. Let the reward travel back through greedy actions, and no further. What came after an exploring
+# action is not what the greedy policy would have got. So *cut* there, and go on with the best value of that state.
+#
+# The agent below stores its episode and learns at the end. Complete `hand_back`. It goes backwards through the steps
+# $k = T-1, \dots, 1, 0$ of the episode. After the end there is no future, so $G$ starts at 0. At each step:
+#
+# $$
+# \begin{aligned}
+# G &\leftarrow R_{k+1} + \gamma\, G \\
+# Q(S_k, A_k) &\leftarrow Q(S_k, A_k) + \alpha \left[ G - Q(S_k, A_k) \right] \\
+# G &\leftarrow \max_a Q(S_k, a) \quad \text{if } Q(S_k, A_k) < \max_a Q(S_k, a), \text{ after the update}
+# \end{aligned}
+# $$
+#
+# Without the third line this is Monte Carlo. With it, $G$ passes through greedy actions and is cut at the others. You
+# write plain Python, and it runs as machine code. Predict: can this line beat all four depths?
+#
+# <details><summary>Hint</summary><code>for k in range(length - 1, -1, -1)</code> goes backwards. The largest value in a
+# row is <code>max(self.Q[s])</code>. The fields <code>self.learning_rate</code> and <code>self.discount</code> are α
+# and γ.</details>
+
+
+# %%
+class MyAgent(NamedTuple):
+    """Learns at the end of an episode, as deep as its actions were greedy."""
+
+    Q: np.ndarray  # shape (n_states, n_actions)
+    states: np.ndarray  # shape (longest,): the state of each step of this episode
+    actions: np.ndarray  # shape (longest,): the action
+    rewards: np.ndarray  # shape (longest,): the reward after it
+    length: np.ndarray  # shape (1,): how many steps this episode has so far
+    learning_rate: float = 0.1
+    discount: float = 1.0
+    exploration: EpsilonGreedy = EpsilonGreedy(0.1)
+
+    @classmethod
+    def create(cls, study, longest=100):
+        """Make a new agent for a task."""
+        n_states, n_actions = int(np.prod(study.observation_space.nvec)), int(study.action_space.n)
+        steps = np.zeros(longest, np.int64), np.zeros(longest, np.int64), np.zeros(longest)
+        return cls(np.zeros((n_states, n_actions)), *steps, np.zeros(1, np.int64))
+
+    def act(self, state, rng):
+        """Explore ε-greedily."""
+        return self.exploration.choose(self.Q, state, rng)
+
+    def greedy(self, state, rng):
+        """The best action, for evaluation."""
+        return EpsilonGreedy(0.0).choose(self.Q, state, rng)
+
+    def learn(self, state, action, reward, next_state, terminated):
+        """Store the step; at the end of the episode, hand the rewards back and begin anew."""
+        k = self.length[0]
+        self.states[k], self.actions[k], self.rewards[k] = state, action, reward
+        self.length[0] = k + 1
+        if terminated:
+            self.hand_back(k + 1)
+            self.length[0] = 0
+
+    def hand_back(self, length):
+        """Learn from an episode of so many steps, from its last step to its first."""
+        ### BEGIN SOLUTION
+        G = 0.0
+        for k in range(length - 1, -1, -1):
+            s, a = self.states[k], self.actions[k]
+            G = self.rewards[k] + self.discount * G
+            self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
+            best = max(self.Q[s])
+            if self.Q[s, a] < best:
+                G = best
+        ### END SOLUTION
+
+
+# %% tags=["check"] points=3
+check(exercise_3, MyAgent)
+### BEGIN HIDDEN TESTS
+check(exercise_3, MyAgent, seed=1, quiet=True)
+### END HIDDEN TESTS
+race = depth.race({"my agent": MyAgent.create}, repetitions=40)
+display(race)
+for panel in race.rows[0]:
+    for method in panel.results.methods:
+        passing, below = depth.passes(panel.results, method).mean(), depth.shortfall(panel.results, method)
+        print(f"{panel.title:10}  {method:12} passes in {passing:4.0%} of runs, there {below:.2f} below the optimum")
+
+# %% [markdown]
+# With five actions it is early about as fast as Monte Carlo, since the reward passes through all greedy actions at once.
+# In the end its mean is above those of all four depths, in both panels. With five actions that is because it is
+# *precise*: where it passes, it ends 0.1 below the optimum, and the others 0.4 to 0.7, since exploring actions do not blur
+# its targets. With ten actions it also *passes* in far more runs than the deep methods, and in no fewer than $n = 1$,
+# perhaps since at a cut it hands back what untried actions are worth, as one-step targets do.
+#
+# The idea is old. Watkins cut the targets of his Q(λ) at exploring actions in 1989. The **tree backup** algorithm
+# (Sutton and Barto, section 7.5) does nearly the same for any policy; in the package it is `TreeBackup`.
+#
+# ### The open challenge: 1 000 episodes with eight actions
+# Eight actions, five of them useless, and 10 000 steps in all. In this challenge actions are free ($r_a = 0$), so the
+# optimum is 10 on every layout. Write an agent of your own. It is tried on ten layouts that belong to your name, and
+# nobody else has the same ones. It is told only its observation space and its action space. Its points are its average
+# return over training, in percent of 10. For 100 points an agent would have to know the task before it starts; more
+# than the best of the three baselines is good, and 80 is very good.
+#
+# Everything is allowed that learns from its own steps. Half a page with it: how does your agent find the exam for the
+# first time, how does it hand the reward back, and where would it fail?
+
+
+# %%
+def my_agent(study):
+    """Make the agent for the challenge; put your own in its place."""
+    return TreeBackup.create(study, n=10, learning_rate=0.2, discount=1.0, exploration=EpsilonGreedy(0.1))
+
+
+CHALLENGE.score(my_agent, "Ada Lovelace")
+
+# %% [markdown]
+# ## What you saw
+#
+# - One episode carries a reward back by $n$ steps. To the start of $H$ steps it takes about
+#   $\lceil H/n \rceil / \alpha$ equal episodes. So deep targets are ahead early.
+# - Targets that bootstrap are biased while the values are wrong, and unbiased once they are right.
+# - Deep targets vary more, and up to σ = 0.2 most of that is the agent's own exploration, not noise of the rewards. So Monte
+#   Carlo ends behind among the runs that pass, even without noise.
+# - More noise did not make Monte Carlo end worse, probably since noise also explores. More actions without effect did, but
+#   not by variance: Monte Carlo met the exam less often.
+# - The best learning rate falls as $n$ grows. With a rate of its own Monte Carlo is hard to beat here.
+# - $n$-step Q-learning needs a correction, since the rewards on the way were earned by an exploring policy. Cutting at
+#   exploring actions is fast early and precise late.
+#
+# ### In one paragraph
+# *Learn it by heart, or better, say it in your own words.* The number $n$ says how many real rewards a target contains
+# before it trusts a learned value. With small $n$ a reward comes back step by step, through values that are wrong at
+# first: slow and biased early, precise late. With large $n$ it comes back at once, together with everything else that
+# happened, and much of that the agent did itself when it explored: fast early, blurred late. A smaller learning rate
+# averages the blur away, if there is time, and a target that is cut where the agent explored avoids it.
+#
+# ### Limits
+# The dynamics of this task are deterministic, an episode has ten steps, and the agent sees the whole state. Where the
+# environment itself is random, cutting at exploring actions removes the agent's part of the variance only. Where
+# exploring actions are frequent, targets are cut early, and the agent nearly becomes a one-step agent again. With a
+# neural network in place of the table, $n$ also decides how much a target trusts a network that may be wrong.
+#
+# ### Further reading
+# - Moerland et al. (2023), *EduGym: An environment and notebook suite for reinforcement learning education*: the paper.
+# - Sutton and Barto, *Reinforcement Learning*, 2nd edition: 6.2–6.3 (why bootstrapping works), 7.1–7.3 ($n$-step
+#   methods and importance sampling; figure 7.2), 7.5 (tree backup), 12.1 (all $n$ at once: λ).
+# - Watkins (1989), *Learning from delayed rewards*: Q-learning, and cutting at exploring actions.
+# - Precup, Sutton and Singh (2000), *Eligibility traces for off-policy policy evaluation*: tree backup and importance
+#   sampling.
+# - Kearns and Singh (2000), *Bias-variance error bounds for temporal difference updates*: early and late, proved.
+# - Arjona-Medina et al. (2019), *RUDDER: Return decomposition for delayed rewards*: learning which step earned it.

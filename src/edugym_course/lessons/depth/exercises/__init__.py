@@ -1,0 +1,141 @@
+"""The exercises of lesson 3: Monte Carlo without exploration, a ratio of importance, and targets that are cut."""
+
+import math
+from collections.abc import Mapping
+from functools import partial
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+from gymnasium.spaces import Discrete, MultiDiscrete
+
+from edugym.adapters.registration import make_mdp
+from edugym_course.grading.agents import agent_created_by, agent_made_by, require_class, require_function, with_settings
+from edugym_course.grading.challenge import Challenge, Sizes
+from edugym_course.grading.choices import check_choices
+from edugym_course.grading.student_code import running
+from edugym_course.grading.updates import table_of
+from edugym_course.grading.values import number, same
+from edugym_course.grading.wrong import WrongAnswer
+from edugym_course.lessons.depth import label, maker
+from edugym_course.lessons.depth.exercises.cutting import alike, cases, explained, outcomes
+from edugym_course.lessons.depth.exercises.episodes import N_ACTIONS, N_STATES, learn_from
+from edugym_course.lessons.depth.exercises.quiet import check_depth
+from edugym_course.lessons.depth.exercises.ratio import RatioCase, compare_ratios, ratio
+
+
+def exercise_1(answer: Any, seed: int) -> str:
+    """Check the function that makes a Monte Carlo agent without exploration."""
+    require_function("quiet", answer, "the task that returns an agent")
+    study = make_mdp("Study", layout_seed=seed)
+    shape = int(np.prod(study.observation_space.nvec)), len(study.action_rewards)
+    made, other = (agent_made_by("quiet(study)", answer, study) for _ in range(2))
+    Q = table_of(made, "Q", shape)
+    if np.shares_memory(Q, other.Q):
+        raise WrongAnswer("two calls of quiet(study) share one table: make a new one in every call")
+    if Q.any():
+        raise WrongAnswer(f"every value in Q should be 0 at first, but one is {Q.ravel()[np.abs(Q).argmax()]:g}")
+    small = make_mdp("Study", n_actions=2, layout_seed=seed)
+    table_of(agent_made_by("quiet(study)", answer, small), "Q", (shape[0], 2))
+    epsilon = getattr(getattr(made, "exploration", None), "epsilon", 0.0)
+    if epsilon != 0.0:
+        raise WrongAnswer(f"the quiet agent never explores, so ε should be 0, but it is {epsilon:g}")
+    check_depth(made, study.total_days, seed)
+    n_actions = shape[1]
+    Q[:] = 0.0
+    Q[1, 1], Q[2, :] = 0.5, [-0.5, *[0.25] * (n_actions - 1)]
+    others = n_actions - 1
+    for state, expected in ((1, np.eye(n_actions)[1].tolist()), (2, [0.0, *[1 / others] * others])):
+        check_choices(
+            f"act({state}, rng)",
+            partial(made.act, state),
+            expected,
+            {
+                "it acts at random": [1 / n_actions] * n_actions,
+                "ties should be broken at random, and it takes the first of equals": np.eye(n_actions)[1].tolist(),
+                "ties should be broken at random, and it takes the last of equals": np.eye(n_actions)[-1].tolist(),
+            },
+            tables={"Q": Q},
+            where=f"where Q[{state}] = {Q[state].tolist()}",
+        )
+    return "Right: its targets are made of rewards alone, and it takes no random action. See it race:"
+
+
+def exercise_2(answer: Any, seed: int) -> str:
+    """Check the importance-sampling ratio of a greedy policy against an ε-greedy one."""
+    require_function("importance_ratio", answer, "greedy, epsilon and n_actions")
+    rng = np.random.default_rng(seed)
+    length = 4 + int(rng.integers(3))
+    epsilon, n_actions = float(rng.choice([0.2, 0.4, 0.5])), int(rng.choice([4, 8]))
+    later = 2 + int(rng.integers(length - 2))
+    explored = [True] * length
+    explored[later - 1] = False
+    cases: list[RatioCase] = [
+        ([True] * length, epsilon, n_actions),
+        ([False] + [True] * (length - 1), epsilon, n_actions),
+        (explored, epsilon, n_actions),
+        ([True], epsilon, n_actions),
+        ([False], epsilon, n_actions),
+        ([True, True, False], 0.3, 5),
+        ([True] * 3, 0.0, n_actions),
+        ([True] * 3, 1.0, n_actions),
+    ]
+    found: list[Any] = []
+    for case in cases:
+        try:
+            found.append(_answered(answer, *case))
+        except WrongAnswer:
+            if all(same(one, ratio(*case)) for one, case in zip(found, cases, strict=False)):
+                raise  # an error says more than a wrong number, unless that came first
+            break
+    compare_ratios(cases, found)
+    return (
+        "Right: one exploring action on the way makes the ratio 0, whatever the others were. With nine later actions, "
+        f"ε = 0.1 and N = 5 a target counts {1 / 0.92**9:.1f} times or not at all."
+    )
+
+
+def _answered(answer: Any, greedy: list[bool], epsilon: float, n_actions: int) -> float:
+    """Return what a student's function gives, a number."""
+    call, mine = f"importance_ratio({greedy}, {epsilon:g}, {n_actions})", list(greedy)
+    with running(call):
+        found = answer(mine, epsilon, n_actions)
+    if mine != greedy:
+        raise WrongAnswer(f"{call} changes its list `greedy`; leave it as it is, for the caller still needs it")
+    return number(call, found)
+
+
+def exercise_3(answer: Any, seed: int) -> str:
+    """Check the class of an agent that looks as deep as its actions were greedy."""
+    require_class("MyAgent", answer)
+    rng = np.random.default_rng(seed)
+    settings = {"learning_rate": float(rng.choice([0.25, 0.75])), "discount": float(rng.choice([0.5, 0.625]))}
+    all_cases, found = cases(seed), []
+    for Q, episodes in all_cases:
+        agent = _small_agent(answer, settings)
+        table_of(agent, "Q", Q.shape)[...] = Q
+        for episode in episodes:
+            learn_from(agent, episode)
+            found.append(table_of(agent, "Q", Q.shape).copy())
+    if not all(map(alike, outcomes(all_cases, settings), found)):
+        raise WrongAnswer(explained(all_cases, found, settings))
+    return "Right: greedy actions hand the reward on, and exploring ones do not blur it. See it race:"
+
+
+def _small_agent(answer: Any, settings: Mapping[str, float]) -> Any:
+    """Make a student's agent for a small task, with other settings than its own."""
+    small = Sizes(MultiDiscrete([2, N_STATES // 2]), Discrete(N_ACTIONS))
+    return with_settings("MyAgent", agent_created_by("MyAgent", answer, "study", small), settings, "hand_back")
+
+
+CHALLENGE = Challenge(
+    environment="Study",
+    parameters=MappingProxyType(
+        {"n_actions": 8, "action_reward_noise_mean": 0.0, "action_reward_noise_sigma": 0.2},
+    ),
+    n_steps=10_000,
+    baselines=MappingProxyType({label(n): maker(n) for n in (1, 3, math.inf)}),
+    optimum=10.0,
+    best_average=10.0,
+)
+"""The open challenge: 1 000 episodes with eight actions, none of which costs anything."""

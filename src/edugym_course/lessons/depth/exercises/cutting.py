@@ -1,0 +1,238 @@
+"""Exercise 3: learning as deep as the actions were greedy, with the mistakes that are usually made in it."""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import combinations, product
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from edugym.mdp.protocol import Reals
+from edugym_course.grading.values import digits
+from edugym_course.lessons.depth.exercises.episodes import N_ACTIONS, N_STATES, Episode, make_episode, numbers
+
+Settings = Mapping[str, Any]
+
+NO_CHANGE: Settings = MappingProxyType({})
+UNUSUAL = "that is none of the usual mistakes, so compare your loop with the three lines, term by term"
+
+
+def hand_back(
+    Q: Reals,
+    episode: Episode,
+    *,
+    learning_rate: float,
+    discount: float,
+    cut: str = "after",
+    to: str = "max",
+    order: str = "backwards",
+    steps: str = "all",
+    rewards: str = "plain",
+    start: str = "zero",
+    step: str = "difference",
+    index: str = "k",
+    left_over: float = 0.0,
+) -> None:
+    """Learn from an episode as exercise 3 asks, in place; other arguments than the defaults are mistakes.
+
+    `left_over` is what stands behind the rewards of the episode in the agent's array: one of a longer episode before.
+    """
+    last = len(episode.states) - 1
+    ks = {
+        "all": range(last, -1, -1),
+        "not the first": range(last, 0, -1),
+        "not the last": range(last - 1, -1, -1),
+        "none": range(0),
+    }[steps]
+    if order == "forwards":
+        ks = range(last + 1)
+    G = 0.0 if start == "zero" else float(Q[N_STATES - 1].max())
+    for k in ks:
+        s, a, r = episode.states[k], episode.actions[k], episode.rewards[k]
+        if index == "k + 1":
+            r = episode.rewards[k + 1] if k < last else left_over
+        best_before, mine_before = float(Q[s].max()), float(Q[s, a])
+        G = {
+            "plain": r + discount * G,
+            "undiscounted": r + G,
+            "all discounted": discount * (r + G),
+            "none": discount * G,
+            "only": r,
+            "minus": r - discount * G,
+            "discounted reward": discount * r + G,
+        }[rewards]
+        old = mine_before
+        skipped = step == "skips exploring" and old < best_before
+        if not skipped:
+            Q[s, a] = {
+                "difference": old + learning_rate * (G - old),
+                "skips exploring": old + learning_rate * (G - old),
+                "no old": old + learning_rate * G,
+                "only": learning_rate * (G - old),
+                "weights": learning_rate * old + (1 - learning_rate) * G,
+                "minus": old - learning_rate * (G - old),
+                "replaced": G,
+            }[step]
+        best, mine = float(Q[s].max()), float(Q[s, a])
+        cuts = {
+            "after": mine < best,
+            "before": mine_before < best_before,
+            "never": False,
+            "always": True,
+            "inverted": not mine < best,
+        }
+        if cut == "stop":
+            if mine < best:
+                break
+        elif cuts[cut]:
+            G = {
+                "max": best,
+                "own": mine,
+                "zero": 0.0,
+                "mean": float(Q[s].mean()),
+                "old max": best_before,
+                "discounted": discount * best,
+                "added": G + best,
+                "larger": max(G, best),
+            }[to]
+
+
+MISTAKES: Mapping[str, Mapping[str, Any]] = {
+    "G is never cut, so this is Monte Carlo: the third line is missing": {"cut": "never"},
+    "G is cut at every action, so only one reward is in each target: cut where Q(S, A) is *below* the largest value": {
+        "cut": "always"
+    },
+    "the condition is upside down: G is cut where the action is *not* the best": {"cut": "inverted"},
+    "whether the action is the best is asked before the update; ask it after": {"cut": "before"},
+    "the loop ends at the exploring action; the steps before it still learn, from the G that was cut": {"cut": "stop"},
+    "where G is cut it goes on with the *largest* value of the state, not with that of the action taken": {"to": "own"},
+    "where G is cut it goes on with the largest value of the state, not with 0": {"to": "zero"},
+    "where G is cut it goes on with the *largest* value of the state, not with the mean": {"to": "mean"},
+    "the largest value is that of the row before the update; take it after": {"to": "old max"},
+    "the largest value is discounted where G is cut, and once more in the next step": {"to": "discounted"},
+    "where G is cut the largest value takes its place; it is not added": {"to": "added"},
+    "G takes the largest value also where it is smaller; max(G, ...) keeps lucky returns": {"to": "larger"},
+    "the loop runs forwards; go from the last step to the first": {"order": "forwards"},
+    "the first step of the episode, number 0, learns nothing: range(length - 1, -1, -1) ends with 0": {
+        "steps": "not the first"
+    },
+    "the last step of the episode learns nothing: start at length - 1": {"steps": "not the last"},
+    "`rewards[k]` is R_{k+1} already, the reward after step k": {"index": "k + 1"},
+    "the discount is missing: G becomes R + γ G": {"rewards": "undiscounted"},
+    "the reward is discounted too; γ belongs to G only": {"rewards": "all discounted"},
+    "γ belongs to G, not to the reward": {"rewards": "discounted reward"},
+    "the rewards are missing: G becomes R + γ G": {"rewards": "none"},
+    "only one reward is in each target: G becomes R + γ G": {"rewards": "only"},
+    "the future is subtracted: G becomes R + γ G": {"rewards": "minus"},
+    "the old value is not subtracted: Q moves by α [G − Q]": {"step": "no old"},
+    "the old value is lost: Q moves by α [G − Q], so write +=": {"step": "only"},
+    "α and 1 − α have changed places": {"step": "weights"},
+    "Q moves away from the target: the sign is wrong": {"step": "minus"},
+    "Q is set to G at once: move it by α [G − Q]": {"step": "replaced"},
+    "exploring actions learn nothing; they do, from what came after them": {"step": "skips exploring"},
+    "G starts with a value of the state after the end; after a terminal state there is no future": {"start": "value"},
+}
+
+
+class Case(NamedTuple):
+    """Values before learning, and the episodes to learn from, in order."""
+
+    Q: Reals
+    episodes: list[Episode]
+
+
+def cases(seed: int) -> list[Case]:
+    """Make cases up: episodes of one to five steps, and sometimes a second one."""
+    rng = np.random.default_rng(seed)
+    values = np.arange(-4.0, 8.5, 0.5)
+    no_ties = 0.1 * np.arange(N_ACTIONS)  # so that an answer may choose the best action by `argmax`
+    return [
+        Case(
+            rng.choice(values, (N_STATES, N_ACTIONS)) + no_ties,
+            [make_episode(1 + i % 5, rng), *([make_episode(3, rng)] if i % 3 == 2 else [])],
+        )
+        for i in range(24)
+    ]
+
+
+def outcomes(all_cases: Sequence[Case], settings: Settings) -> Iterator[Reals]:
+    """Yield the values after each episode of each case."""
+    for Q, episodes in all_cases:
+        now, stored = Q.copy(), [0.0] * N_STATES
+        for episode in episodes:
+            stored[: len(episode.rewards)] = episode.rewards
+            hand_back(now, episode, **settings, left_over=stored[len(episode.rewards)])
+            yield now.copy()
+
+
+def alike(one: Reals, other: Reals) -> bool:
+    """Whether two tables are the same but for rounding."""
+    return bool(np.allclose(one, other, rtol=1e-9, atol=1e-9, equal_nan=True))
+
+
+def explained(all_cases: Sequence[Case], found: Sequence[Reals], settings: Settings) -> str:
+    """Return the sentence on values that are not right: the first case in which they differ, and the mistake."""
+    right = [*outcomes(all_cases, settings)]
+    wrong = next(i for i, (one, other) in enumerate(zip(right, found, strict=True)) if not alike(one, other))
+    steps = [(Q, episode, number) for Q, episodes in all_cases for number, episode in enumerate(episodes)]
+    Q, episode, number = steps[wrong]
+    before = right[wrong - 1] if number else Q
+    elsewhere = np.ones(Q.shape, bool)
+    elsewhere[episode.states, episode.actions] = False
+    why = _why(all_cases, found, settings)
+    if why == UNUSUAL and not alike(before[elsewhere], found[wrong][elsewhere]):
+        why = "a value changes that is not on the path: the steps of the episode are 0 to length - 1"
+    return _where(before, episode, number, right[wrong], found[wrong], settings) + why
+
+
+def _where(before: Reals, episode: Episode, number: int, right: Reals, found: Reals, settings: Settings) -> str:
+    """Return the first part of the sentence: the episode, and the first value that is wrong."""
+    rows = ", ".join(f"Q[{s}] = {numbers(before[s])}" for s in episode.states)
+    start = (
+        f"after {'a second' if number else 'an'} episode with states {episode.states}, actions {episode.actions} and"
+        f" rewards {numbers(episode.rewards)}, where α = {settings['learning_rate']:g}, γ = {settings['discount']:g}"
+        f" and {rows}, "
+    )
+    path = zip(episode.states[::-1], episode.actions[::-1], strict=True)
+    first = next((entry for entry in path if not alike(right[entry], found[entry])), None)
+    if first is None:
+        s, a = map(int, np.argwhere(~np.isclose(right, found, rtol=1e-9, atol=1e-9))[0])
+        return start + f"Q[{s}, {a}] should stay {right[s, a]:.4g}, but is {found[s, a]:.4g}: "
+    asked, mine = float(right[first]), float(found[first])
+    return start + f"Q[{first[0]}, {first[1]}] should become {digits(asked, mine)}, but is {digits(mine, asked)}: "
+
+
+def _why(all_cases: Sequence[Case], found: Sequence[Reals], settings: Settings) -> str:
+    """Return the mistake that explains every case, or a number that was written in, or two mistakes together."""
+
+    def fits(change: Settings) -> bool:
+        return all(map(alike, outcomes(all_cases, {**settings, **change}), found))
+
+    if fits({"steps": "none"}):
+        return "`hand_back` changes nothing in Q"
+    for sentence, change in MISTAKES.items():
+        if fits(change):
+            return sentence
+    if written := _numbers(fits, settings):
+        return written
+    for (one, first), (two, second) in combinations(MISTAKES.items(), 2):
+        if not first.keys() & second.keys() and fits({**first, **second}):
+            return f"{one}; and {two}"
+    for sentence, change in MISTAKES.items():
+        if written := _numbers(fits, settings, change):
+            return f"{sentence}; and {written}"
+    return UNUSUAL
+
+
+def _numbers(fits: Callable[[Settings], bool], settings: Settings, change: Settings = NO_CHANGE) -> str:
+    """Return what to say of a learning rate or a discount that was written in as a number."""
+    rates = (settings["learning_rate"], 0.1, 0.5, 0.2, 0.01, 1.0)
+    discounts = (settings["discount"], 1.0, 0.9, 0.99, 0.95)
+    for rate, discount in [*product(rates, discounts)][1:]:
+        wrong = {"learning_rate": rate, "discount": discount}
+        if fits({**change, **wrong}):
+            told = [
+                f"a {name} of {value:g}: use self.{name}" for name, value in wrong.items() if value != settings[name]
+            ]
+            return "everything fits " + "; and ".join(told)
+    return ""

@@ -1,0 +1,120 @@
+"""The importance-sampling ratio of exercise 2, and the mistakes that are usually made in it."""
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any, TypeAlias
+
+from edugym_course.grading.values import compare, same
+
+RatioCase: TypeAlias = tuple[list[bool], float, int]
+"""Which actions were greedy, ε, and the number of actions."""
+
+
+def ratio(
+    greedy: Sequence[bool],
+    epsilon: float,
+    n_actions: int,
+    *,
+    skipped: int = 1,
+    likely: str = "1 - ε + ε/N",
+    otherwise: str = "0",
+    how: str = "product",
+    empty: float = 1.0,
+) -> float:
+    """Return the ratio; other arguments than the defaults are mistakes."""
+    best = {
+        "1 - ε + ε/N": 1 - epsilon + epsilon / n_actions,
+        "1 - ε": 1 - epsilon,
+        "1 - ε + ε/(N - 1)": 1 - epsilon + epsilon / (n_actions - 1),
+        "1 - ε/N": 1 - epsilon / n_actions,
+        "1 - ε + ε N": 1 - epsilon + epsilon * n_actions,
+    }[likely]
+    of_best = 1 / best if best else math.inf
+    of_others = {
+        "0": 0.0,
+        "1": 1.0,
+        "ε/N": epsilon / n_actions,
+        "N/ε": n_actions / epsilon if epsilon else math.inf,
+        "stop": 1.0,
+    }[otherwise]
+    actions = list(greedy[skipped:] if how != "without last" else greedy[skipped:-1])
+    if otherwise == "stop" and False in actions:
+        actions = actions[: actions.index(False)]
+    if not actions and empty != 1.0:
+        return empty
+    factors = [of_best if is_greedy else of_others for is_greedy in actions]
+    if how == "inverse":
+        return best ** len(factors) if all(actions) else 0.0
+    if how == "sum":
+        return sum(factors)
+    if how == "mean":
+        return sum(factors) / len(factors) if factors else 0.0
+    if how == "first":
+        return factors[0] if factors else 1.0
+    if how == "last":
+        return factors[-1] if factors else 1.0
+    if how == "probability":
+        return math.prod(best if is_greedy else epsilon / n_actions for is_greedy in actions)
+    if how == "all or nothing":
+        return float(all(actions))
+    return math.prod(factors)
+
+
+MISTAKES: Mapping[str, Mapping[str, Any]] = {
+    "the first entry of `greedy` is A_t, which is not in the product: start at greedy[1]": {"skipped": 0},
+    "two actions are left out at the start; only A_t is, so start at greedy[1]": {"skipped": 2},
+    "with one action no factor is left, and an empty product is 1": {"empty": 0.0},
+    "the last action is left out; the product goes to the end of the list": {"how": "without last"},
+    "a random action may be the best one too, so b takes it with probability 1 − ε + ε/N, not 1 − ε": {
+        "likely": "1 - ε"
+    },
+    "a random action is one of *all* N actions, so b takes the best one with probability 1 − ε + ε/N": {
+        "likely": "1 - ε + ε/(N - 1)"
+    },
+    "b takes the best action with probability 1 − ε + ε/N; 1 − ε/N is another number": {"likely": "1 - ε/N"},
+    "ε is divided by N, not multiplied: b takes the best action with probability 1 − ε + ε/N": {
+        "likely": "1 - ε + ε N"
+    },
+    "the greedy policy never takes another action, so its ratio there is 0/b = 0, and it is left out here": {
+        "otherwise": "1"
+    },
+    "the greedy policy never takes another action: there π is 0, not 1": {"otherwise": "N/ε"},
+    "at an action that is not greedy the ratio is 0/b = 0, not b itself": {"otherwise": "ε/N"},
+    "the product stops at an action that is not greedy; there the factor is 0, and so is the whole product": {
+        "otherwise": "stop"
+    },
+    "that is b/π, upside down": {"how": "inverse"},
+    "that is the probability of these actions under b; the ratio is π divided by b": {"how": "probability"},
+    "the ratios of the single actions are multiplied, not added": {"how": "sum"},
+    "the ratios of the single actions are multiplied; that is their mean": {"how": "mean"},
+    "that is the ratio of one action alone: multiply all of them (is the `return` inside the loop?)": {"how": "last"},
+    "that is the ratio of the first action alone: multiply all of them (is the `return` inside the loop?)": {
+        "how": "first"
+    },
+    "π takes a greedy action with probability 1, but b does not: divide by the probability under b": {
+        "how": "all or nothing"
+    },
+}
+
+
+def compare_ratios(cases: Sequence[RatioCase], found: Sequence[float]) -> None:
+    """Refuse ratios that are not right, with the mistake that explains them all, if there is one.
+
+    Args:
+        cases: the arguments.
+        found: what the answer gives for the first of them, or for all.
+
+    Raises:
+        WrongAnswer: one is not right.
+    """
+    tried = list(zip(cases, found, strict=False))
+    whole = {s: c for s, c in MISTAKES.items() if all(same(value, ratio(*case, **c)) for case, value in tried)}
+    for case, value in tried:
+        right = ratio(*case)
+        wrong = {sentence: ratio(*case, **change) for sentence, change in (whole or MISTAKES).items()}
+        compare(
+            f"importance_ratio({case[0]}, {case[1]:g}, {case[2]})",
+            value,
+            right,
+            {sentence: one for sentence, one in wrong.items() if not same(one, right)},
+        )

@@ -1,0 +1,301 @@
+"""Exercise 2 of lesson 4: semi-gradient Q-learning."""
+
+from collections.abc import Callable, Mapping
+from functools import partial
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from edugym_course.grading.agents import agent_with_table, learn_step, require_class
+from edugym_course.grading.cases import telling_draw
+from edugym_course.grading.student_code import running
+from edugym_course.grading.updates import table_of
+from edugym_course.grading.values import compare, digits, number, same
+from edugym_course.grading.wrong import WrongAnswer
+
+TERMS = "that is none of the usual mistakes, so compare your code with the equation, term by term"
+
+
+class Step(NamedTuple):
+    """A case for the update: two states whose features are made up, and what happened."""
+
+    w: Any
+    x: Any
+    action: int
+    reward: float
+    x_next: Any
+    next_action: int
+    terminated: bool
+    truncated: bool
+    alpha: float
+    gamma: float
+
+
+Rule = Callable[[Step], Any]
+
+
+def _moved(
+    step: Step,
+    target: float,
+    *,
+    of: float | None = None,
+    by: Any = None,
+    rate: float | None = None,
+    columns: Any = None,
+) -> Any:
+    """Return the weights after a step towards a target."""
+    w = step.w.copy()
+    present = float(step.x @ w[:, step.action]) if of is None else of
+    size = (step.alpha if rate is None else rate) * (target - present)
+    for column in [step.action] if columns is None else columns:
+        w[:, column] += size * (step.x if by is None else by)
+    return w
+
+
+def _target(step: Step, value: Callable[[Any], float] = np.max, gamma: float | None = None, ends: bool = True) -> float:
+    """Return the target of Q-learning, or one like it."""
+    if step.terminated and ends:
+        return step.reward
+    return step.reward + (step.gamma if gamma is None else gamma) * float(value(step.x_next @ step.w))
+
+
+def right_update(step: Step) -> Any:
+    """Return the weights after the semi-gradient update of Q-learning."""
+    return _moved(step, _target(step))
+
+
+UPDATES: Mapping[str, Rule] = MappingProxyType(
+    {
+        "after a terminal state nothing follows: there the target is the reward alone": lambda s: _moved(
+            s, _target(s, ends=False)
+        ),
+        "the target misses the value of the next state": lambda s: _moved(s, s.reward),
+        "the discount is missing: multiply the value of the next state by it": lambda s: _moved(
+            s, _target(s, gamma=1.0)
+        ),
+        "take the maximum over the actions in the next state, not the mean": lambda s: _moved(s, _target(s, np.mean)),
+        "take the maximum over the actions in the next state, not the minimum": lambda s: _moved(s, _target(s, np.min)),
+        "take the maximum over the actions in the next state, not their sum": lambda s: _moved(s, _target(s, np.sum)),
+        "in the next state take the best action, not the one that was taken before": lambda s: _moved(
+            s, _target(s, lambda q: float(q[s.action]))
+        ),
+        "in the next state take the best action, not the one that comes next: that is SARSA": lambda s: _moved(
+            s, _target(s, lambda q: float(q[s.next_action]))
+        ),
+        "a truncated episode is treated as terminated, but only its clock ran out: the value of the next state still"
+        " counts": lambda s: _moved(s, s.reward if s.truncated else _target(s)),
+        "that is the next state's value of action 0 alone; take the largest one of all three": lambda s: _moved(
+            s, _target(s, lambda q: float(q[0]))
+        ),
+        "the target has the features of `state` where those of `next_state` belong": lambda s: _moved(
+            s, s.reward + (0.0 if s.terminated else s.gamma * float(np.max(s.x @ s.w)))
+        ),
+        "the features are missing: each weight moves by the error times *its* feature": lambda s: _moved(
+            s, _target(s), by=np.ones_like(s.x)
+        ),
+        "each weight moves by the error times its feature of `state`, not of `next_state`": lambda s: _moved(
+            s, _target(s), by=s.x_next
+        ),
+        "only the sign of the feature, or whether it is 0, counts here; multiply by the feature itself": (
+            lambda s: _moved(s, _target(s), by=(s.x != 0.0).astype(float))
+        ),
+        "use `self.learning_rate` in place of 0.1: the check takes another one": lambda s: _moved(
+            s, _target(s), rate=0.1
+        ),
+        "use `self.discount` in place of 0.9: the check takes another one": lambda s: _moved(s, _target(s, gamma=0.9)),
+        "use `self.learning_rate` and `self.discount` in place of 0.1 and 0.9: the check takes others": lambda s: (
+            _moved(s, _target(s, gamma=0.9), rate=0.1)
+        ),
+        "compute the error once, before any weight moves": lambda s: _in_a_loop(s, lambda w: _target(s)),
+        "compute the target and the error once, before any weight moves": lambda s: _in_a_loop(
+            s, lambda w: _target(s._replace(w=w))
+        ),
+        "the learning rate is missing": lambda s: _moved(s, _target(s), rate=1.0),
+        "the error has the wrong sign: it is the target less the present value": lambda s: _moved(
+            s, _target(s), rate=-s.alpha
+        ),
+        "the present value is missing in the error: target less value": lambda s: _moved(s, _target(s), of=0.0),
+        "only the column of the action that was taken changes, not all of them": lambda s: _moved(
+            s, _target(s), columns=range(s.w.shape[1])
+        ),
+        "the weights are not moved but set: use += instead of =": lambda s: _set(s),
+        "that is the full gradient, with the features of the next state in it; the semi-gradient leaves it out": (
+            lambda s: _full_gradient(s)
+        ),
+        "the present value is that of the best action; it should be that of the action that was taken": lambda s: (
+            _moved(s, _target(s), of=float(np.max(s.x @ s.w)))
+        ),
+        "the reward is missing in the target": lambda s: _moved(s, _target(s) - s.reward),
+        "it learns nothing after a terminal state; the reward of the last step counts as well": lambda s: (
+            s.w.copy() if s.terminated else _moved(s, _target(s))
+        ),
+        "at the end the target is the reward, not 0": lambda s: _moved(s, 0.0 if s.terminated else _target(s)),
+        "the terminal case is the wrong way round": lambda s: _moved(
+            s, _target(s, ends=False) if s.terminated else s.reward
+        ),
+        "nothing changes: change the entries of `self.w` in place": lambda s: s.w.copy(),
+        "the features are multiplied in twice": lambda s: _moved(s, _target(s), by=s.x * s.x),
+    }
+)
+"""By sentence, what each mistake makes of the weights."""
+
+
+def _in_a_loop(step: Step, target: Callable[[Any], float]) -> Any:
+    """Return the weights if the error is computed again for each of them, from those that have moved already."""
+    w = step.w.copy()
+    for i, feature in enumerate(step.x):
+        w[i, step.action] += step.alpha * (target(w) - float(step.x @ w[:, step.action])) * feature
+    return w
+
+
+def _set(step: Step) -> Any:
+    w = step.w.copy()
+    error = _target(step) - float(step.x @ w[:, step.action])
+    w[:, step.action] = step.alpha * error * step.x
+    return w
+
+
+def _full_gradient(step: Step) -> Any:
+    w = _moved(step, _target(step))
+    if not step.terminated:
+        values = step.x_next @ step.w
+        error = _target(step) - float(step.x @ step.w[:, step.action])
+        w[:, int(np.argmax(values))] -= step.alpha * step.gamma * error * step.x_next
+    return w
+
+
+def exercise_2(answer: Any, seed: int) -> str:
+    """Check the class of an agent with linear features."""
+    require_class("MyAgent", answer)
+    probe = type("MyAgent", (answer,), {"features": lambda self, board: np.array(board, float), "__slots__": ()})
+    cases = steps_for(seed)
+    _check_values(probe, cases)
+    outcomes = [_learned(_made(probe, step), step) for step in cases]
+    for step, found in zip(cases, outcomes, strict=True):
+        if np.allclose(found, right_update(step), rtol=1e-9, atol=1e-9):
+            continue
+        fitting = [why for why, rule in UPDATES.items() if all(map(partial(_agrees, rule), cases, outcomes))]
+        here = [why for why, rule in UPDATES.items() if _agrees(rule, step, found)]
+        why = fitting[0] if fitting else f"in this case it looks like this: {here[0]}" if here else TERMS
+        raise WrongAnswer(f"{_told_update(step, found)}: {why}")
+    return "Right: the error times the features. See it catch:"
+
+
+def steps_for(seed: int) -> list[Step]:
+    """Return the cases of a check."""
+    return made_up_steps(telling_draw(seed, made_up_steps, [right_update, *UPDATES.values()]))
+
+
+def made_up_steps(rng: np.random.Generator) -> list[Step]:
+    """Make cases up: ordinary steps, steps after which the episode is cut off, and last ones."""
+    return [_some_step(rng, terminated=k % 3 == 2, truncated=k % 3 == 1) for k in range(9)]
+
+
+def _some_step(rng: np.random.Generator, terminated: bool, truncated: bool) -> Step:
+    """Make a case up: simple numbers, several features that are not 0, and three different actions.
+
+    These are the one that was taken, the one that comes next, and the best one in the next state.
+    """
+    while True:
+        w = rng.integers(-3, 4, size=(4, 3)).astype(float)
+        x, x_next = (rng.permutation([0.0, 1.0, 2.0, -1.0]) for _ in range(2))
+        action = int(rng.integers(3))
+        values, here = x_next @ w, x @ w
+        best = int(np.argmax(values))
+        if best != action and len({*values}) == 3 and int(np.argmax(here)) != action and not np.array_equal(x, x_next):
+            reward, other = float(rng.integers(2, 5)), 3 - action - best
+            return Step(w, x, action, reward, x_next, other, terminated, truncated, 0.5, 0.75)
+
+
+def _made(cls: Any, step: Step) -> Any:
+    """Make an agent of the student's."""
+    settings = {"learning_rate": step.alpha, "discount": step.gamma}
+    agent = agent_with_table("MyAgent", cls, step.w.shape, settings, "w")
+    table_of(agent, "w", step.w.shape)[...] = step.w
+    return agent
+
+
+VALUES: Mapping[str, Callable[[Step, int], float]] = MappingProxyType(
+    {
+        "that is the sum of the weights; multiply each by its feature": lambda s, a: float(s.w[:, a].sum()),
+        "that is one term of the sum; take the sum over all features": lambda s, a: float(s.x[0] * s.w[0, a]),
+        "that is the largest value of all actions; take the column of `action`": lambda s, a: float((s.x @ s.w).max()),
+        "that is the sum over all actions; take the column of `action`": lambda s, a: float((s.x @ s.w).sum()),
+        "a feature is not only 0 or 1: multiply by it": lambda s, a: float((s.w[:, a] * (s.x != 0)).sum()),
+        "that is the mean; take the sum": lambda s, a: float((s.x * s.w[:, a]).mean()),
+        "that is the row of w with this number; take the column": lambda s, a: float((s.x[:3] * s.w[a]).sum()),
+    }
+)
+"""By sentence, what each mistake makes of the value of an action."""
+
+
+def _check_values(probe: Any, cases: list[Step]) -> None:
+    """Check the values of all actions; a mistake is best named if it explains all of them."""
+    places, found = [], []
+    for step in cases:
+        agent = _made(probe, step)
+        for action in range(3):
+            places.append((step, action))
+            found.append(_value(agent, step, action))
+    fitting = [
+        why
+        for why, rule in VALUES.items()
+        if all(same(mine, rule(*place)) for place, mine in zip(places, found, strict=True))
+    ]
+    for (step, action), mine in zip(places, found, strict=True):
+        call = f"value with the features {short(step.x)} and action {action}, where column {action} of w is "
+        right = float(step.x @ step.w[:, action])
+        wrong = {why: VALUES[why](step, action) for why in fitting or VALUES}
+        mistakes = {why: value for why, value in wrong.items() if value != right}
+        compare(call + short(step.w[:, action]), mine, right, mistakes, otherwise=TERMS)
+
+
+def _value(agent: Any, step: Step, action: int) -> float:
+    """Return what the student's `value` gives, a number."""
+    with running("value(...)"):
+        found = agent.value(step.x.copy(), action)
+    if not np.array_equal(table_of(agent, "w", step.w.shape), step.w):
+        raise WrongAnswer("value changes the entries of `self.w`; it should only read them, for `learn` changes them")
+    return number("value(...)", found)
+
+
+def _learned(agent: Any, step: Step) -> Any:
+    """Return the weights after the student's `learn`."""
+    before = agent.w
+    told = {
+        "state": step.x.copy(),
+        "action": step.action,
+        "reward": step.reward,
+        "next_state": step.x_next.copy(),
+        "next_action": step.next_action,
+        "terminated": step.terminated,
+        "truncated": step.truncated,
+    }
+    learn_step(agent, told)
+    if agent.w is not before:
+        raise WrongAnswer("learn should change the entries of `self.w` in place, but puts another array there")
+    return before.copy()
+
+
+def _agrees(rule: Rule, step: Step, found: Any) -> bool:
+    return bool(np.allclose(rule(step), found, rtol=1e-9, atol=1e-9))
+
+
+def _told_update(step: Step, found: Any) -> str:
+    """Return the first part of the sentence: what was expected in which case, and what came."""
+    right = right_update(step)
+    i, a = np.argwhere(~np.isclose(right, found, rtol=1e-9, atol=1e-9))[0]
+    what = f"to {digits(right[i, a], found[i, a])}" if right[i, a] != step.w[i, a] else "nowhere"
+    ended = "the episode over" if step.terminated else f"next features {short(step.x_next)} with the values "
+    ended += "" if step.terminated else short(step.x_next @ step.w)
+    return (
+        f"with α = {step.alpha:g}, γ = {step.gamma:g}, features {short(step.x)}, action {step.action} of the value"
+        f" {step.x @ step.w[:, step.action]:g}, reward {step.reward:g} and {ended}, w[{i}, {a}] should go from"
+        f" {step.w[i, a]:g} {what}, but is {digits(found[i, a], right[i, a])}"
+    )
+
+
+def short(values: Any) -> str:
+    """Return numbers as a short text."""
+    return "[" + ", ".join(f"{value:g}" for value in values) + "]"

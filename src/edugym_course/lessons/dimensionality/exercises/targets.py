@@ -1,0 +1,273 @@
+"""Exercise 3 of lesson 4: the target of DQN, and the draw from its memory."""
+
+from collections.abc import Callable, Iterator, Mapping
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from edugym.agents.dqn import Layers, forward
+from edugym_course.grading.agents import agent_created_by, require_class
+from edugym_course.grading.cases import telling_draw
+from edugym_course.grading.student_code import running
+from edugym_course.grading.values import digits, number, same
+from edugym_course.grading.wrong import WrongAnswer
+from edugym_course.lessons.dimensionality.exercises.linear import TERMS, short
+from edugym_course.lessons.dimensionality.open_dqn import OpenDQN
+
+ROWS = (0, 1, 2, 3, 2, 1)
+"""The rows of which the targets are checked; an episode ends in row 2."""
+
+
+class Remembered(NamedTuple):
+    """A transition in the memory of a small DQN, with what both networks say of both states.
+
+    Attributes:
+        reward: of the transition.
+        terminated: whether it ended the episode.
+        gamma: the discount.
+        action: that was taken.
+        old_next: the old network's values of the next state.
+        new_next: those of the present network.
+        old_here: the old network's values of the state.
+        new_here: those of the present network.
+    """
+
+    reward: float
+    terminated: bool
+    gamma: float
+    action: int
+    old_next: Any
+    new_next: Any
+    old_here: Any
+    new_here: Any
+
+
+def _bootstrapped(case: Remembered, value: float, gamma: float | None = None, ends: bool = True) -> float:
+    if case.terminated and ends:
+        return case.reward
+    return case.reward + (case.gamma if gamma is None else gamma) * value
+
+
+def _right(case: Remembered) -> float:
+    """Return the target of DQN."""
+    return _bootstrapped(case, float(case.old_next.max()))
+
+
+TARGETS: Mapping[str, Callable[[Remembered], float]] = MappingProxyType(
+    {
+        "after a terminal state nothing follows: where `terminated` is 1 the target is the reward alone": lambda c: (
+            _bootstrapped(c, c.old_next.max(), ends=False)
+        ),
+        "the values of the next state come from the old weights, `self.target`": lambda c: _bootstrapped(
+            c, c.new_next.max()
+        ),
+        "the value should be that of the next state, `memory.next_states[row]`": lambda c: _bootstrapped(
+            c, c.old_here.max()
+        ),
+        "the value should be that of the next state, by the old weights `self.target`": lambda c: _bootstrapped(
+            c, c.new_here.max()
+        ),
+        "the discount is missing": lambda c: _bootstrapped(c, c.old_next.max(), gamma=1.0),
+        "take the largest value, not the mean": lambda c: _bootstrapped(c, c.old_next.mean()),
+        "take the largest value, not the smallest": lambda c: _bootstrapped(c, c.old_next.min()),
+        "take the largest value, not the sum": lambda c: _bootstrapped(c, c.old_next.sum()),
+        "take the best action in the next state, not the one that was taken before": lambda c: _bootstrapped(
+            c, c.old_next[c.action]
+        ),
+        "the index is missing: that is the value of action 0, and the largest one is needed": lambda c: _bootstrapped(
+            c, c.old_next[0]
+        ),
+        "that is the number of the best action; its value is needed": lambda c: _bootstrapped(
+            c, float(c.old_next.argmax())
+        ),
+        "the value of the next state is missing": lambda c: c.reward,
+        "at the end of an episode the target is the reward, not 0": lambda c: (
+            0.0 if c.terminated else _bootstrapped(c, c.old_next.max())
+        ),
+        "the terminal case is the wrong way round": lambda c: (
+            c.reward + c.gamma * c.old_next.max() if c.terminated else c.reward
+        ),
+        "the reward is missing": lambda c: _bootstrapped(c, c.old_next.max()) - c.reward,
+        "the reward is discounted as well; only the next value should be": lambda c: (
+            c.reward if c.terminated else c.gamma * (c.reward + c.old_next.max())
+        ),
+        "the present value belongs to the error, not to the target": lambda c: (
+            _bootstrapped(c, c.old_next.max()) - c.new_here[c.action]
+        ),
+        "that is the target of double DQN: here the old weights choose the action as well": lambda c: _bootstrapped(
+            c, c.old_next[c.new_next.argmax()]
+        ),
+    }
+)
+"""By sentence, what each mistake gives as a target."""
+
+
+def exercise_3(answer: Any, seed: int) -> str:
+    """Check the class of a DQN."""
+    require_class("MyDQN", answer)
+    _require_own_methods(answer)
+    agent = _made(answer, 4, discount=0.5)
+    cases, found = [], []
+    for row, case in made_up_memories(agent, drawn_for(agent, seed)):
+        before = _tables(agent)
+        with running(f"target_of({row})"):
+            target = agent.target_of(row)
+        for name, values in _tables(agent).items():
+            if not np.array_equal(values, before[name]):
+                raise WrongAnswer(
+                    f"target_of({row}) changes `self.{name}`; it should only read it, and return a number"
+                )
+        cases.append(case)
+        found.append(number(f"target_of({row})", target))
+    _check_targets(cases, found)
+    for steps, size in ((3, 8), (8, 8), (21, 8), (1, 5), (5, 40)):
+        _check_rows(answer, steps, size)
+    return "Right: an old network gives the target, and every transition in memory has the same chance. See it learn:"
+
+
+def _require_own_methods(answer: Any) -> None:
+    """Refuse a class whose target and rows are those of the package, or are used by nobody."""
+    if not issubclass(answer, OpenDQN):
+        raise WrongAnswer(
+            "MyDQN should begin with `class MyDQN(lesson.OpenDQN):`, as it is OpenDQN that calls `target_of` and"
+            " `row_for`"
+        )
+    for name in ("target_of", "row_for"):
+        if getattr(answer, name) is getattr(OpenDQN, name):
+            raise WrongAnswer(
+                f"MyDQN has no method `{name}` of its own, so it uses that of OpenDQN: is the name spelt as in the"
+                " exercise, and does the method stand inside the class?"
+            )
+
+
+def _made(answer: Any, memory_size: int, **settings: float) -> Any:
+    """Make a small network of the student's: two numbers in, three actions."""
+    sizes = {"hidden": 2, "memory_size": memory_size, "batch_size": 2}
+    return agent_created_by("MyDQN", answer, "board", (2, 3), {**sizes, **settings})
+
+
+def _tables(agent: Any) -> dict[str, Any]:
+    """Return copies of what a target is computed from, by name."""
+    parts = {"memory": agent.memory, "weights": agent.weights, "target": agent.target}
+    return {
+        f"{part}.{name}": values.copy() for part, fields in parts.items() for name, values in fields._asdict().items()
+    }
+
+
+def made_up_memories(agent: Any, rng: np.random.Generator) -> Iterator[tuple[int, Remembered]]:
+    """Yield rows of the memory, each when it is filled."""
+    for row in ROWS:
+        yield row, _some_memory(agent, row, rng)
+
+
+def drawn_for(agent: Any, seed: int) -> np.random.Generator:
+    """Return the generator from which the memories of a check are drawn."""
+    return telling_draw(
+        seed, lambda rng: [case for _, case in made_up_memories(agent, rng)], [_right, *TARGETS.values()]
+    )
+
+
+def _some_memory(agent: Any, row: int, rng: np.random.Generator) -> Remembered:
+    """Fill a row of the memory with a transition, and make weights up for which the usual mistakes differ."""
+    memory = agent.memory
+    while True:
+        for layers in (agent.weights, agent.target):
+            for layer in layers:
+                layer[:] = rng.integers(-3, 4, size=layer.shape)
+        memory.states[:] = rng.integers(0, 3, size=memory.states.shape)
+        memory.next_states[:] = rng.integers(0, 3, size=memory.next_states.shape)
+        memory.actions[:] = rng.integers(3, size=4)
+        memory.rewards[:] = rng.permutation([1.0, 2.0, 3.0, 4.0])
+        memory.terminated[:] = np.roll([0, 0, 1, 0], int(rng.integers(4)))
+        memory.terminated[row] = int(row == 2)
+        values = [
+            _values(weights, state[row])
+            for state in (memory.next_states, memory.states)
+            for weights in (agent.target, agent.weights)
+        ]
+        old_next, new_next, old_here, new_here = values
+        case = Remembered(
+            float(memory.rewards[row]),
+            bool(memory.terminated[row]),
+            0.5,
+            int(memory.actions[row]),
+            old_next,
+            new_next,
+            old_here,
+            new_here,
+        )
+        going_on = case._replace(terminated=False)
+        wrong = [rule(going_on) for why, rule in TARGETS.items() if "terminal" not in why and "end of" not in why]
+        if not any(same(value, _bootstrapped(going_on, old_next.max())) for value in wrong):
+            return case
+
+
+def _values(weights: Layers, x: Any) -> Any:
+    """Return the action values of a state."""
+    values = np.zeros((1, weights.second.shape[1]))
+    forward(weights, np.array(x, float), np.zeros(weights.first.shape[1]), values)
+    return values[0]
+
+
+def _check_targets(cases: list[Remembered], found: list[float]) -> None:
+    for case, target in zip(cases, found, strict=True):
+        right = _right(case)
+        if same(target, right):
+            continue
+        fitting = [
+            why
+            for why, rule in TARGETS.items()
+            if all(same(other, float(rule(one))) for one, other in zip(cases, found, strict=True))
+        ]
+        here = [why for why, rule in TARGETS.items() if same(target, float(rule(case)))]
+        why = fitting[0] if fitting else f"in this case it looks like this: {here[0]}" if here else TERMS
+        raise WrongAnswer(
+            f"with reward {case.reward:g}, terminated = {int(case.terminated)}, γ = {case.gamma:g} and the values"
+            f" {short(case.old_next)} of the next state by the old weights, target_of should return"
+            f" {digits(right, target)}, but returns {digits(target, right)}: {why}"
+        )
+
+
+def _check_rows(answer: Any, steps: int, size: int) -> None:
+    """Check that every transition in memory has the same chance."""
+    agent = _made(answer, size)
+    agent.steps[0] = steps
+    filled = min(steps, size)
+    counts = np.zeros(filled, np.int64)
+    with running("row_for(0.5)"):
+        again = {str(agent.row_for(0.5)) for _ in range(20)}
+    if agent.steps[0] != steps:
+        raise WrongAnswer("row_for(0.5) changes `self.steps`: only read it, and return a place")
+    if len(again) > 1:
+        raise WrongAnswer(
+            "row_for(0.5) gives another place in every call: the random number is drawn already, it is `u`"
+        )
+    where = f"after {steps} transitions, in a memory of {size} places"
+    for u in (np.arange(120 * filled) + 0.5) / (120 * filled):
+        with running(f"row_for({u:.3g})"):
+            found = agent.row_for(float(u))
+        row = number(f"row_for({u:.3g})", found)
+        if row != int(row) or isinstance(found, float | np.floating):
+            raise WrongAnswer(f"row_for({u:.3g}) should be a whole number, but is {found!r}: make it one by int(...)")
+        if not 0 <= row < filled:
+            known = {
+                size: "count the places that are filled: the smaller one of `self.steps[0]` and all places",
+                steps: "the memory has no more places than it has: take the smaller one of two numbers",
+            }
+            past = "places count from 0, so that the last one is their number less 1" if row == filled else ""
+            wrong = next((why for n, why in known.items() if n != filled and int(u * n) == row), past)
+            raise WrongAnswer(
+                f"{where}, row_for({u:.3g}) is {row:.0f}, but the places 0 to {filled - 1} are filled"
+                + (f": {wrong}" if wrong else "")
+            )
+        counts[int(row)] += 1
+    if np.abs(counts - 120).max() > 1:
+        never = [int(row) for row in np.flatnonzero(counts == 0)]
+        why = (
+            f"place {never[0]} never comes up, and it should as often as the others"
+            if never
+            else "some places come up more often than others: multiply `u` by the number of filled places, and cut off"
+            " by int(...); neither round(...) nor a remainder by % is even"
+        )
+        raise WrongAnswer(f"{where}, every filled place should be equally likely: {why}")

@@ -1,0 +1,752 @@
+# %% [markdown]
+# # Exploration: Boulder
+#
+# **The challenge.** An agent can only learn from rewards that it finds. When the only reward is at the end of a long
+# sequence of right choices, random actions do not find it, and something else must drive the agent on.
+#
+# **You will be able to** explain why random exploration fails on sparse rewards, and by how much; turn a novelty
+# reward into four lines of code, and say why it stalls; explain how "first return, then explore" avoids that; and write
+# an explorer of your own.
+#
+# **Time.** 60 minutes, and 60 more for the exercises. **Before you start.** You should know what a value function and
+# Q-learning are (Sutton and Barto, 2nd edition, sections 3.5 and 6.5), and ε-greedy action selection (section 2.2):
+# lesson 0 has them all. All symbols are in the [table of
+# notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
+
+# %%
+from typing import NamedTuple
+
+import gymnasium as gym
+import numpy as np
+
+from edugym import CountBased, EpsilonGreedy, GoExplore, QLearning, make_mdp, repeat
+from edugym.agents.tables import best_value, one_step_target
+from edugym_course.lessons import exploration
+from edugym_course.notebook import frames, play, predict, sliders, source
+from edugym.experiments.figures import Sheet
+
+# %% [markdown]
+# ## Meet the environment: a wall on which one grip holds
+#
+# A climber stands before a wall of height $H$. At every height there are $N$ grips. One of them holds, and the others
+# are cracked: a climber who reaches for a cracked grip falls into the rope and is back on the ground. Which grip holds
+# was drawn at random, for each height by itself. The climber sees its own height, and nothing else.
+
+# %%
+env = gym.make("edugym/Boulder-v0", height=8, n_grips=3, layout_seed=18).unwrapped
+env.reset(seed=0)
+for action in env.mdp.grips[:3]:  # the first three grips that hold
+    env.step(int(action))
+env.scene()
+
+# %% [markdown]
+# As a Markov decision process: $s$ is the state, $a$ the action, $s'$ the next state, and $p$ a probability.
+#
+# | | | in words |
+# |---|---|---|
+# | states | $\mathcal{S} = \{0, 1, \dots, H\}$ | the position: 0 is the ground, $H$ the top |
+# | actions | $\mathcal{A} = \{0, \dots, N-1\}$ | the grip to reach for |
+# | dynamics | $p(s+1 \mid s, a) = 1$ for the right grip | it leads one position up |
+# | | $p(0 \mid s, a) = 1$ for the other grips | they lead to the ground |
+# | reward | $r(s, a, s') = 1$ if $s' = H$, else $0$ | only the top is rewarded |
+# | discount | $\gamma = 0.9$ | used by the agents; the returns in the figures are not discounted |
+#
+# An episode *terminates* at the top. After $10 H$ steps it is *truncated*: a new episode begins, although the task was
+# not at its end.
+#
+# These five methods are the environment; they run in every experiment on a wall below. (`rng` draws random numbers,
+# which the wall does not need.)
+
+# %%
+source(type(env.mdp), "initial", "transition", "reward", "terminal", "observation")
+
+# %% [markdown]
+# **Play it yourself, blind.** You see what the agent sees: your position. The picture comes when the episode is over.
+# How many steps do you need to the top? And what do you *remember* on the way?
+
+# %%
+play("Boulder", height=8, n_grips=2, layout_seed=5, blind=True)
+
+# %% [markdown]
+# ## The idea: three ways to explore
+#
+# All three agents of this lesson learn by **Q-learning**, as in lesson 0. It keeps a table with a value $Q(s, a)$ for
+# each action in each state. After every step from $S$ by $A$ to $S'$ with reward $R$ it moves one value a little, by the
+# learning rate $\alpha$, towards a target (Sutton and Barto, equation 6.8):
+#
+# $$
+# Q(S, A) \leftarrow Q(S, A) + \alpha \left[ R + \gamma \max_a Q(S', a) - Q(S, A) \right]
+# $$
+#
+# After a terminal state there is no future, and the target is $R$ alone. Here are the lines that run, and below them the
+# target:
+
+# %%
+source(QLearning.learn)
+
+# %%
+source(one_step_target)
+
+# %%
+source(best_value)
+
+# %% [markdown]
+# The agents differ in how they *explore*: in what they do before they know anything.
+#
+# ### Try at random
+# **ε-greedy** takes a random action with probability $\varepsilon$, and otherwise the action that it believes best:
+#
+# $$
+# A = \begin{cases} \text{a random action} & \text{with probability } \varepsilon \\
+# \arg\max_a Q(S, a) & \text{otherwise, ties broken at random} \end{cases}
+# $$
+
+# %%
+source(EpsilonGreedy.choose)
+
+# %% [markdown]
+# Before the first reward all values in $Q$ are zero, all actions are tied, and the climber acts at random. Watch it: this
+# is one episode on a wall of height 12, after 600 steps of training.
+
+
+# %%
+def watch(method, height=12, after=600):
+    """Show one episode of training, after so many steps of training before it."""
+    wall = make_mdp("Boulder", height=height, layout_seed=5)
+    actions = exploration.attempt(exploration.METHODS[method], wall, after, seed=1)
+    return frames(wall, actions, max_steps=120)
+
+
+watch("ε-greedy")
+
+# %% [markdown]
+# How long does that take? To get from the ground to the top it needs $H$ right choices in a row, each with probability
+# $1/N$, and a wrong choice sends it back to the ground. Let $m_h$ be the mean number of steps from the ground to height
+# $h$, with $m_0 = 0$. To get one higher, the climber first gets to $h$ and then takes one more step. With probability
+# $1 - 1/N$ that step is wrong, and everything starts again:
+#
+# $$
+# m_{h+1} = m_h + 1 + \left(1 - \tfrac{1}{N}\right) m_{h+1}
+# \quad\Rightarrow\quad m_{h+1} = N \, (m_h + 1)
+# \quad\Rightarrow\quad m_H = N + N^2 + \dots + N^H = \frac{N^{H+1} - N}{N - 1}
+# $$
+#
+# (This holds without a step limit. A limit makes the search a little longer, since it cuts off some good climbs.)
+
+# %%
+for height in (10, 30, 100):
+    steps = (2 ** (height + 1) - 2) / (2 - 1)
+    print(f"height {height:3}: {steps:.3g} steps until a random climber reaches the top for the first time")
+
+# %% [markdown]
+# ### Look for what is new
+# **Novelty reward.** Let $n(s)$ count how often state $s$ was entered, and pay a *bonus* for entering a state that was
+# rarely entered before. Q-learning then learns from $R^+$, the sum of reward and bonus, where $\beta$ is the size of
+# the first bonus:
+#
+# $$
+# \begin{aligned}
+# n(S') &\leftarrow n(S') + 1 \\
+# R^+ &= R + \beta / \sqrt{n(S')} \\
+# Q(S, A) &\leftarrow Q(S, A) + \alpha \left[ R^+ + \gamma \max_a Q(S', a) - Q(S, A) \right]
+# \end{aligned}
+# $$
+#
+# Now there is something to learn from at every step. Q-learning backs the bonus up along the path, so that it draws
+# the agent to its *frontier*, the highest position so far. Actions are still chosen by ε-greedy. In the code, `visits`
+# holds $n(s)$, and `bonus` is $\beta$.
+
+# %%
+source(CountBased.learn)
+
+# %% [markdown]
+# The same wall, after the same number of steps: it climbs to about the same place again and again.
+
+# %%
+watch("novelty reward")
+
+# %% [markdown]
+# ### First return, then explore
+# **Go-Explore** separates getting back from exploring. It keeps an archive of all states that it has met. For each
+# attempt it chooses the least visited of them as its *goal* $g$, returns to it *without* exploring, and only then takes 20
+# random steps. (To be chosen counts as a visit too, so that the goals take turns.) The arrays in `self.now` hold what
+# changes within an attempt: the goal, the number of exploring steps, and the path.
+
+# %%
+source(GoExplore, "act", "least_visited")
+
+# %% [markdown]
+# To be able to return, it learns a value $Q(g, s, a)$ for every goal: how good is action $a$ in state $s$ if you want to
+# get to $g$? Let $1\{\cdot\}$ be 1 if the condition is true, and 0 otherwise. To reach the goal is worth 1, and ends the
+# task:
+#
+# $$
+# Q(g, S, A) \leftarrow Q(g, S, A) + \alpha \left[ 1\{S' = g\} + \gamma\, 1\{S' \neq g\} \max_a Q(g, S', a) - Q(g, S,
+# A) \right]
+# $$
+#
+# After each attempt it learns about *every* state on its path as if that state had been the goal. This is called
+# *hindsight*: an attempt that misses its goal still teaches the way to where it went.
+#
+# And the reward of the task? It does not guide the exploration. The agent only remembers the state in which it received
+# the highest reward so far, `best_state`. When it is evaluated, it goes there.
+
+# %%
+source(GoExplore, "learn", "learn_to_reach")
+
+# %% [markdown]
+# The same wall once more, after the same number of steps. The goal is not in the picture, but you can tell where it was:
+# the climber goes straight up to it, and from there on reaches for random grips, 20 times. Then it has a new goal.
+
+# %%
+watch("Go-Explore")
+
+# %% [markdown]
+# ## The experiment: three walls
+#
+# This is the figure of the paper (Moerland et al., 2023), computed here and now. Three walls, of height 10, 30 and 100,
+# two grips, three methods, 20 000 steps.
+#
+# | setting | value |
+# |---|---|
+# | all | tabular Q-learning, $\alpha = 0.5$, $\gamma = 0.9$, ties broken at random |
+# | ε-greedy and novelty reward | $\varepsilon = 0.1$ |
+# | novelty reward | $\beta = 1$ |
+# | Go-Explore | 20 random steps from each goal |
+# | evaluation | one episode without exploring, every 200 steps |
+# | repetitions | 100, each on its own wall, the same wall for all methods |
+# | bands | 95 % intervals; where all runs agree, a band shows what a few more runs could still change |
+#
+# Two black lines show what is possible, computed from the exact model of the task: the optimum (dashed), and the
+# return of the best *ε-soft* policy (dotted). An ε-soft policy never stops exploring: it takes a random action with
+# probability $\varepsilon = 0.1$ all the time. Evaluation does not explore, so a learner may rise above the dotted line;
+# an ε-greedy agent cannot while it *trains*.
+#
+# **Predict.** A random climber needs two billion steps to the top of the middle wall. Which methods will solve it in
+# 20 000?
+
+# %%
+middle = predict(
+    "Which methods solve the wall of height 30?",
+    ["none", "Go-Explore", "novelty reward and Go-Explore", "all three"],
+)
+middle
+
+# %%
+walls = {height: exploration.compare(height, repetitions=100) for height in (10, 30, 100)}
+display(exploration.learning_curves(walls))
+print("runs that solve height 10 by step 2 000, and heights 10, 30 and 100 at the end:")
+for method in exploration.METHODS:
+    early, at_the_end = walls[10].curves(method).loc[2_000].mean(), [walls[h].final(method).mean() for h in walls]
+    print(f"{method:14} {early:4.0%};", *(f"{share:4.0%}" for share in at_the_end))
+solvers = [method for method in walls[30].methods if walls[30].final(method).mean() > 0.5]
+middle.measured({0: "none", 1: "Go-Explore", 2: "novelty reward and Go-Explore", 3: "all three"}[len(solvers)])
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** ε-greedy solves only the low wall, and more slowly than the others: after 2 000 steps it solves it in
+# about three runs of ten, and the novelty reward in nearly six. The novelty reward solves the middle wall as well.
+# Go-Explore solves all three. On the high wall the lines of the other two coincide at 0; the last panel shows how high
+# they got there. (On the lower walls even a policy that keeps exploring reaches the top in nearly every episode, so
+# that the two black lines coincide.)
+# </details>
+
+# %% [markdown]
+# ## Your turn
+#
+# How high can the novelty reward climb? What do more grips change, and for which method? Which methods feel
+# $\varepsilon$, and which $\beta$? Move a slider and release it: the experiment is computed again, with 10 repetitions.
+
+
+# %%
+def one_wall(height=20, n_grips=2, epsilon=0.1, beta=1.0, gamma=0.9):
+    """Draw the learning curves and the progress of the three methods on walls of one kind."""
+    methods = exploration.paper_methods(epsilon, beta, gamma)
+    results = exploration.compare(height, methods=methods, n_grips=n_grips, repetitions=10)
+    [[curves, progress]] = exploration.learning_curves({height: results}, n_grips, epsilon).rows
+    return Sheet("one wall", [[curves, progress._replace(title=f"ε = {epsilon:g}, β = {beta:g}, γ = {gamma:g}")]])
+
+
+sliders(
+    one_wall,
+    height=(5, 100, 5),
+    n_grips=(2, 5),
+    epsilon=(0.0, 1.0, 0.05),
+    beta=(0.0, 5.0, 0.25),
+    gamma=(0.5, 0.99, 0.01),
+)
+
+# %% [markdown]
+# ## See inside: where do they spend their time?
+#
+# Where does each method go in its 20 000 steps on the high wall? Each map is the mean of the 100 runs above. Time runs to
+# the right and the wall upwards; darker means more visits, and white means none.
+
+# %%
+exploration.in_pairs("visits", exploration.visit_maps(walls[100], 100))
+
+# %% [markdown]
+# - **ε-greedy** rarely gets higher than a dozen grips or so, and only by luck. It has nothing to learn from.
+# - **Novelty** climbs fast at first, and then ever more slowly: after 20 000 steps its frontier is near 40.
+# - **Go-Explore** moves its frontier up steadily, to the top.
+#
+# ### Why does novelty stall? The way back
+# To see something new, the agent must first get back to its frontier, *while it keeps taking random actions*. A *slip* is
+# a random action that is not the one the agent believes best. With two grips it happens with probability
+# $\varepsilon/2 = 0.05$ at every step. A *climb* is what lies between two visits of the ground. So even a climber who
+# knows the way gets back to height $h$ in only a share of $0.95^h$ of its climbs. This is called **derailment**
+# (Ecoffet et al., 2021). Does it happen?
+
+# %%
+Sheet("climbs", [[exploration.climb_shares(walls[100], 100)]])
+
+# %% [markdown]
+# The novelty agent follows the dashed line, $0.95^h$, as far as all of its runs know the way. Above that its line drops
+# faster, because the runs have reached different heights. Go-Explore returns without exploring, so its climbs do not
+# derail. Its line is flat because nearly all goals of the second half of training are close to the top: whoever gets
+# there has passed all heights below. Four of five of its climbs end near the ground: after a fall it takes the rest of
+# its 20 random steps from there. The other climbs are on their way to a goal, and they arrive.
+#
+# An agent whose frontier is at 40 gets back there in one climb of eight ($0.95^{40} = 0.13$); at height 100 it would be
+# six in a thousand. (The novelty line is lower than that at 40, because many runs have not got that far.) An episode has
+# 1 000 steps there, enough for some fifty climbs: that is why the dotted line of the high wall was at 0.25 and not at
+# 0.006.
+#
+# ### Why does novelty stall? The grip at the frontier
+# **Predict.** At its frontier the agent knows neither of the two grips, so on its first visit it takes the right one half
+# of the time. If it took the wrong one, it falls, and comes back some climbs later. How often does it take the right grip
+# then?
+
+# %%
+again = predict("The right grip on later visits of the frontier:", unit="%")
+again
+
+# %%
+watched = exploration.watch_frontier(height=100, repetitions=50)
+display(Sheet("frontier", [[exploration.frontier_lines(watched)]]))
+for method in watched.methods:
+    shares = [np.mean(exploration.right_grips(watched, method, *visits)) for visits in ((1, 1), (2, 10))]
+    print(f"{method:14} right grips on the first visit {shares[0]:.0%}, on later visits {shares[1]:.0%}")
+again.measured(100 * np.mean(exploration.right_grips(watched, "novelty reward", first=2)))
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** On the first visit 51 %, on all later ones 5 %, and that is $\varepsilon/2$: it takes the right grip
+# only when it slips. The reason is the bonus itself. The fall has earned a small bonus too, for entering the ground.
+# So the wrong grip is now worth more than 0, and the grip that was never tried is worth 0. The agent prefers the wrong
+# one, time after time. Go-Explore and ε-greedy act at random at their frontiers, and take the right grip about half of
+# the time (ε-greedy comes back to a frontier so rarely that its share is not exact). In the figure a line ends after
+# the ninth visit, or where there were fewer than 30 such visits.
+# </details>
+
+# %% [markdown]
+# The two reasons multiply. At a frontier of 40, one climb in eight gets back, and one visit in twenty takes the right
+# grip: that makes about 150 climbs after each wrong first try. And the two pull in opposite directions: slips are what
+# ends the climbs, and slips are what it needs at the frontier. (You will switch them off below, and mend both in
+# exercise 3.)
+#
+# Is it *returning first* that solves the high wall? It is sufficient, but it is not the only way: in exercise 2 you
+# meet an agent that solves walls without it.
+#
+# ### And detachment?
+# The paper gives another reason, **detachment**: the bonus at a frontier fades with every visit, so that the agent may
+# turn to another frontier and never come back to this one (Ecoffet et al., 2021). One wall has one frontier, so it cannot
+# show that. So let us build a wall with two branches, of height 100 each. On the ground the first action is the choice of
+# the branch, left or right, and leads to its lowest position. From there on each position has two grips, as before. The
+# only reward is at the flag, on top of the branch on the right-hand side. The picture shows lower branches, and a climber
+# that has chosen the right-hand one and has taken two grips on it.
+
+# %%
+low_fork = exploration.Fork.create(height=8, layout_seed=8)
+low_fork.scene(8 + 3)  # positions 1 to 8 are the left branch, 9 to 16 the right one
+
+# %% [markdown]
+# **Predict.** The novelty agent has climbed some way up one branch, and the bonus there has faded. What does it do in the
+# rest of its 20 000 steps?
+
+# %%
+two_branches = predict(
+    "With two branches, the novelty agent ...",
+    ["stays with one branch", "turns to the other branch for good", "turns to the other branch and comes back"],
+)
+two_branches
+
+# %%
+forks = exploration.compare_on_fork(repetitions=10)
+runs = exploration.visits_of(forks, "novelty reward")
+display(exploration.fork_maps(runs[0]))
+print("mean height of the higher frontier:", np.mean([exploration.higher_frontier(visits) for visits in runs]))
+print("mean number of changes of branch:", np.mean([exploration.turns(visits) for visits in runs]))
+print("runs that come back to both frontiers:", sum(exploration.returns_to(visits) for visits in runs), "of", len(runs))
+if np.mean([exploration.turns(visits) for visits in runs]) < 1:
+    seen = "stays with one branch"
+else:
+    back = np.mean([exploration.returns_to(visits) for visits in runs]) > 0.5
+    seen = "turns to the other branch and comes back" if back else "turns to the other branch for good"
+two_branches.measured(seen)
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** It turns away, sometimes for thousands of steps, and it comes back: about 15 turns in 20 000 steps, and
+# all runs return to both frontiers. So the agent does leave a frontier that it should push on, but lasting detachment
+# does *not* appear here. The bonus $\beta/\sqrt{n}$ fades but never ends: the values of a branch fall while the agent is
+# there, and the other branch keeps the values that it had. And a table does not forget the way. Ecoffet et al. speak of
+# agents with neural networks, which can forget what they do not practise. What two branches do cost is time: the higher
+# of the two frontiers gets to 27 on average, and the one frontier of a single wall to nearly 40.
+# </details>
+
+# %% [markdown]
+# ## Predict, then check
+#
+# Answer each question before you run the cell below it. You learn most when you are surprised.
+#
+# **Predict.** Random steps end most climbs. So switch them off: train the novelty agent with $\varepsilon = 0$ on a
+# wall of height 100. Its frontier was near 40 with $\varepsilon = 0.1$. Where is it now?
+
+# %%
+no_slips = predict("The highest position with ε = 0, a mean over the runs:", unit="grips")
+no_slips
+
+
+# %%
+def highest_visited(epsilon, height=100):
+    """Return the highest position that the novelty agent ever visited, a mean over 20 repetitions."""
+    methods = {"novelty": exploration.paper_methods(epsilon)["novelty reward"]}
+    results = exploration.compare(height, methods=methods, repetitions=20)
+    return np.mean([exploration.frontier(visits) for visits in exploration.visits_of(results, "novelty")])
+
+
+for epsilon in (0.1, 0.02):
+    print(f"ε = {epsilon}: highest position {highest_visited(epsilon):.1f}")
+no_slips.measured(highest_visited(0.0))
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** With $\varepsilon = 0$ it hardly leaves the ground: its highest position is about 1. After the first
+# wrong grip the untried one looks worse for ever, and there is no slip that would try it. The novelty reward pulls the
+# agent back to its frontier, and a random step takes it beyond. Exercise 2 shows another way to get beyond: optimistic
+# initial values.
+# </details>
+
+# %% [markdown]
+# **Predict.** Most textbooks set the discount nearer to 1. Does the novelty agent do better on a wall of height 10
+# with $\gamma = 0.99$ than with $\gamma = 0.9$?
+
+# %%
+far_sighted = predict("With γ = 0.99 the novelty agent solves height 10 ...", ["more often", "as often", "less often"])
+far_sighted
+
+# %%
+shares = {}
+for gamma in (0.9, 0.99):
+    methods = {"novelty": exploration.paper_methods(discount=gamma)["novelty reward"]}
+    shares[gamma] = exploration.compare(10, methods=methods, repetitions=20).final("novelty").mean()
+    print(f"γ = {gamma}: {shares[gamma]:.0%} of the runs end with a policy that reaches the top")
+difference = shares[0.99] - shares[0.9]
+far_sighted.measured("more often" if difference > 0.1 else "less often" if difference < -0.1 else "as often")
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** All runs with 0.9, and none with 0.99. A climber who never reaches the top collects bonuses for ever;
+# at the top the episode ends, and the bonuses end with it. With the higher discount, the many small bonuses of the
+# future add up to more than the reward of 1, so the agent is paid for staying away from the top. A bonus changes the
+# *task*, not only the exploration.
+# </details>
+
+# %% [markdown]
+# **Predict.** Does a random climber need more steps on a wall with *three* grips and height 5, or on a wall with two
+# grips and height 8?
+
+# %%
+longer = predict("Which takes a random climber longer?", ["three grips, height 5", "two grips, height 8"])
+longer
+
+# %%
+measured = {}
+for name, n_grips, height in (("three grips, height 5", 3, 5), ("two grips, height 8", 2, 8)):
+    steps = exploration.random_search_steps(n_grips, height)
+    measured[name] = exploration.watch_random_search(n_grips, height, climbs=200, repetitions=10).estimate
+    print(f"{name}: {steps} steps by the formula, {measured[name]:.0f} measured")
+longer.measured(max(measured, key=measured.get))
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** Two grips and height 8 take longer: 510 steps, not 363. Both numbers grow exponentially with the
+# height, and the number of grips is the base. The measurement agrees with the formula within a few percent.
+# </details>
+
+# %% [markdown]
+# ## Exercises
+#
+# Each exercise has a cell for your answer, and below it a cell that checks it. The check does not only say whether an
+# answer is right: it says what was expected, what came, and which mistake that looks like. It runs your code on cases
+# that it makes up.
+
+# %%
+from edugym_course.lessons.exploration.exercises import CHALLENGE, exercise_1, exercise_2, exercise_3, exercise_4
+from edugym_course.grading import check
+
+# %% [markdown]
+# ### Exercise 1: change a parameter
+# An ε-greedy climber knows the whole wall and keeps exploring: at every step it takes a random grip with probability
+# $\varepsilon$. On a wall of height 100 with two grips, at least half of its climbs should reach the top without a fall.
+# What is the largest possible $\varepsilon$? Set `epsilon` to that number, by a formula or with four digits after the
+# decimal point.
+#
+# <details><summary>Hint</summary>A random grip is the wrong one with probability 1/2, so a step goes wrong with
+# probability ε/2. What is the probability that 100 steps in a row go right?</details>
+
+# %%
+epsilon = 0.1
+### BEGIN SOLUTION
+epsilon = 2 * (1 - 0.5 ** (1 / 100))
+### END SOLUTION
+
+# %% tags=["check"]
+check(exercise_1, epsilon)
+
+# %% [markdown]
+# ### Exercise 2: optimistic initial values
+# Let all values of $Q$ start at 1 instead of 0, and let the agent be greedy ($\varepsilon = 0$). Every action that it
+# tries is disappointing, so it goes on to actions that it has not tried yet (Sutton and Barto, section 2.6). Write the
+# function that makes this Q-learning agent, with the lesson's learning rate 0.5 and discount 0.9. Before you run the
+# check: which of the three walls will it solve?
+#
+# <details><summary>Hint</summary>One call of <code>QLearning.create</code> is enough. Its first argument is the wall. Its settings are
+# <code>learning_rate</code>, <code>discount</code>, <code>exploration</code> and <code>initial_value</code>, and
+# <code>EpsilonGreedy(0.0)</code> never explores.</details>
+
+
+# %%
+def optimist(wall):
+    """Make a greedy Q-learning agent that values every action at 1 until it has tried it."""
+    ### BEGIN SOLUTION
+    return QLearning.create(wall, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=1.0)
+    ### END SOLUTION
+
+
+# %% tags=["check"] points=2
+check(exercise_2, optimist)
+### BEGIN HIDDEN TESTS
+check(exercise_2, optimist, seed=1, quiet=True)
+### END HIDDEN TESTS
+display(exploration.race({"optimist": optimist}))
+
+# %% [markdown]
+# **How far does optimism carry?** With the learning rate $\alpha = 1$ the agent believes every step at once. Let it race
+# Go-Explore on the high wall, with two grips and with three.
+#
+# **Predict.** With two grips and this learning rate, both solve it. With *three* grips: which of the two have a greedy
+# policy that reaches the top in most evaluations of the last 2 000 of 20 000 steps?
+
+# %%
+three_grips = predict("Height 100, three grips:", ["both", "optimism only", "Go-Explore only", "neither"])
+three_grips
+
+# %%
+methods = {**exploration.METHODS, "optimism": exploration.OPTIMIST}
+panels = []
+for n_grips in (2, 3):
+    results = exploration.compare(100, methods=methods, n_grips=n_grips, repetitions=30)
+    panels.append(exploration.curves(results, 100, n_grips))
+display(Sheet("optimism", [panels]))
+late = {method: results.curves(method).loc[18_000:].to_numpy().mean() for method in ("optimism", "Go-Explore")}
+print(f"three grips, last 2 000 steps: optimism {late['optimism']:.0%}, Go-Explore {late['Go-Explore']:.0%}")
+solvers = [method for method in late if late[method] > 0.5]
+three_grips.measured({0: "neither", 1: f"{''.join(solvers)} only", 2: "both"}[len(solvers)])
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** With two grips and $\alpha = 1$ optimism solves the high wall in all runs. (With $\alpha = 0.5$, in
+# your race above, it rarely does: each disappointment then takes only half of the optimism away.) It first gets to the
+# top sooner than Go-Explore (after about 7 600 steps, and Go-Explore 9 200), but it *knows the way* later: in between
+# its line goes up and down. An optimistic value shrinks only by the factor $\gamma$ each time it is tried, and at the
+# ground the way to the top is worth no more than $\gamma^{99}$. Until all others have shrunk below that, the greedy
+# policy wavers.
+#
+# With three grips it has been at the top in all runs, but its greedy policy still wavers: it leads there in some two
+# evaluations of five, where that of Go-Explore does in seven of ten. It is slower, not stuck: with 40 000 steps it solves
+# all walls.
+# </details>
+
+# %% [markdown]
+# ### Exercise 3: write your own explorer
+# You have seen two reasons why the novelty agent is stuck. Its slips end its climbs, but without slips it never tries
+# the grip that looks worse. Mend both: let the agent remember what it has tried, so that it needs no slips.
+#
+# The new agent counts not only how often each state was entered, `visits[state]`, but also how often each grip was
+# tried, `tries[state, action]`. Complete two methods:
+#
+# - `learn` first adds one try of the action in the state, and one visit of the next state. Then it learns as the novelty
+#   agent does, with the bonus $\beta / \sqrt{n(S')}$, where $n$ are the visits, and no future after a terminal state.
+# - `act` takes a grip that was never tried in this state, if there is one; with several, any of them will do. Otherwise
+#   it takes the best grip, ties broken at random: `self.greedy(state, rng)`. It never takes another random step.
+#
+# The fields `learning_rate`, `discount` and `bonus` are $\alpha$, $\gamma$ and $\beta$; read them from `self`. You write
+# plain Python, and it runs as machine code, tens of millions of steps a second. (The race compiles it first, which takes
+# ten seconds or more.) Before you run the check: how high will it climb in 20 000 steps?
+#
+# <details><summary>Hint</summary>The largest value in the row of the next state is
+# <code>max(self.Q[next_state])</code>. Count before you divide. A loop over <code>range(self.Q.shape[1])</code> visits
+# every grip.</details>
+
+
+# %%
+class MyExplorer(NamedTuple):
+    """Q-learning with a novelty reward, which tries every grip once before it prefers one."""
+
+    Q: np.ndarray  # shape (n_states, n_actions)
+    visits: np.ndarray  # shape (n_states,): how often each state was entered
+    tries: np.ndarray  # shape (n_states, n_actions): how often each action was taken in each state
+    learning_rate: float = 0.5
+    discount: float = 0.9
+    bonus: float = 1.0
+
+    @classmethod
+    def create(cls, wall):
+        """Make a new agent for a wall: nothing is known, nothing was tried."""
+        n_states, n_actions = int(wall.observation_space.n), int(wall.action_space.n)
+        tries = np.zeros((n_states, n_actions), np.int64)
+        return cls(np.zeros((n_states, n_actions)), np.zeros(n_states, np.int64), tries)
+
+    def greedy(self, state, rng):
+        """Choose the grip with the highest value; among equals, one at random."""
+        best, equals = 0, 1
+        for action in range(1, self.Q.shape[1]):
+            if self.Q[state, action] > self.Q[state, best]:
+                best, equals = action, 1
+            elif self.Q[state, action] == self.Q[state, best]:
+                equals += 1
+                if rng.random() * equals < 1.0:
+                    best = action
+        return best
+
+    def act(self, state, rng):
+        """Choose a grip that was never tried here, or else the best."""
+        ### BEGIN SOLUTION
+        for action in range(self.Q.shape[1]):
+            if self.tries[state, action] == 0:
+                return action
+        return self.greedy(state, rng)
+        ### END SOLUTION
+
+    def learn(self, state, action, reward, next_state, terminated):
+        """Count, and learn from one transition."""
+        ### BEGIN SOLUTION
+        self.tries[state, action] += 1
+        self.visits[next_state] += 1
+        novelty = self.bonus / self.visits[next_state] ** 0.5
+        value = 0.0 if terminated else max(self.Q[next_state])
+        target = reward + novelty + self.discount * value
+        self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+        ### END SOLUTION
+
+
+# %% tags=["check"] points=3
+check(exercise_3, MyExplorer)
+### BEGIN HIDDEN TESTS
+check(exercise_3, MyExplorer, seed=1, quiet=True)
+### END HIDDEN TESTS
+display(exploration.race({"my explorer": MyExplorer.create}))
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** In the end it solves the high wall in every run: systematic trying takes the place of random steps. It needs
+# more steps than Go-Explore, since it has no goals. It returns to where the bonus is high, which is not always its
+# frontier. On the middle wall its line trembles after 12 000 steps: the bonus is still paid and still moves the values
+# of the grips, so that now and then the greedy policy has a wrong one.
+# </details>
+
+# %% [markdown]
+# ### Exercise 4: swap in another environment
+# The same agents learn in any Gymnasium environment with whole numbers for observations and actions. FrozenLake with a
+# map of 8 by 8, not slippery, is a sparse task too: its only reward is in the far corner, 14 steps away, and a fall into
+# one of its holes ends the episode. Predict first: will the novelty reward help as much as on the wall?
+#
+# Compare *four* methods there: the three in `exploration.METHODS`, under their names, and a fourth of your own choice
+# (another agent, or one of the three with other settings). Call `repeat` with 20 000 steps and 5 repetitions, and
+# assign the results to `frozen`. Can you find a fourth *without goals* that solves the lake in all five runs, as
+# Go-Explore does?
+#
+# <details><summary>Hint</summary><code>repeat</code> takes an environment, a dictionary of methods and the number of
+# steps. A method is a function that makes an agent for an environment, and
+# <code>{**exploration.METHODS, "mine": ...}</code> adds one. The number of repetitions is given by its name:
+# <code>repeat(lake, methods, 20_000, repetitions=5)</code>.</details>
+
+# %%
+lake = gym.make("FrozenLake-v1", map_name="8x8", is_slippery=False)
+frozen = None
+### BEGIN SOLUTION
+mine = {"optimistic": lambda lake: QLearning.create(lake, discount=0.9, initial_value=1.0)}
+frozen = repeat(lake, {**exploration.METHODS, **mine}, 20_000, repetitions=5)
+### END SOLUTION
+
+# %% tags=["check"]
+check(exercise_4, frozen)
+
+# %% [markdown]
+# ### The open challenge: learn to climb in 5 000 steps
+# A wall of height 60 with two grips, and 5 000 steps in all: how *early* can an agent know the way? Write an agent of
+# your own. It is tried on ten walls that belong to your name, and nobody else has the same ones. Of the task it is
+# told only its observation space and its action space. It needs `act` and `learn`, like yours of exercise 3. Its
+# points are its average return over training, in percent of what is possible: an explorer that takes no avoidable
+# step needs 975 steps on average to reach the top for the first time, and knows the way from then on.
+#
+# Everything is allowed that learns from its own steps. Half a page with it: what does your agent remember, why does that
+# find the top, and where would it fail?
+
+
+# %%
+def my_agent(wall):
+    """Make the agent for the challenge; put your own in its place."""
+    return GoExplore.create(wall, learning_rate=0.5, discount=0.9, explore_steps=10)
+
+
+CHALLENGE.score(my_agent, "Ada Lovelace")
+
+# %% [markdown]
+# ## What you saw
+#
+# - Random exploration takes a number of steps that grows exponentially with the depth of the reward. It is not slow,
+#   it is hopeless.
+# - A novelty reward gives the agent something to learn from at every step, and draws it back to its frontier. There it
+#   stalls: slips end its climbs on the way, and once it took the wrong grip, only a slip takes the right one.
+# - With two branches it leaves a frontier and comes back. Lasting detachment did not appear with a table.
+# - Returning first, and exploring only then, solves the high wall. Optimistic initial values with $\alpha = 1$ solve it
+#   too, since they try everything; with more grips they take longer. Finding the top is not yet knowing the way.
+# - A bonus is part of the task as long as it is paid: with a discount near 1 the agent prefers exploring to the goal.
+#
+# ### In one paragraph
+# *Learn it by heart, or better, say it in your own words.* An agent learns only from rewards that it finds, and
+# undirected random steps find a reward behind $H$ right choices among $N$ actions after about $N^H$ tries. So
+# exploration must be directed. A novelty reward makes rarely visited states attractive, optimistic values make untried
+# actions attractive, and Go-Explore returns to the edge of what it knows before it explores. They work as far as they
+# are systematic: they try what they have not tried, and they get back to where that is. Random slips do neither. They
+# fail more often the longer the way is.
+#
+# ### Limits
+# A table can count visits of a state. The same picture hardly ever comes twice, so for pictures something must stand
+# in for counts (density models, prediction errors). Go-Explore here stores a value for every action in every state for
+# every goal, which a wall of height 100 allows and few other tasks do. And the agent must know its state: where the
+# state is hidden, it cannot tell whether it has returned.
+#
+# ### Further reading
+# - Moerland et al. (2023), *EduGym: An environment and notebook suite for reinforcement learning education*: the
+#   paper.
+# - Sutton and Barto, *Reinforcement Learning*, 2nd edition: 2.2–2.7 (exploration in bandits), 8.3 (a bonus for actions
+#   that were not tried for a long time).
+# - Ecoffet, Huizinga, Lehman, Stanley and Clune (2021), *First return, then explore*: detachment and derailment.
+# - Strehl and Littman (2008), *An analysis of model-based interval estimation for Markov decision processes*: the
+#   bonus $\beta / \sqrt{n}$.
+# - Singh, Barto and Chentanez (2004), *Intrinsically motivated reinforcement learning*: a bonus not for rare states,
+#   but for errors in predicting the outcome of skills.
+# - Amin, Gomrokchi, Satija, van Hoof and Precup (2021), *A survey of exploration methods in reinforcement learning*.
+# - Strens (2000), *A Bayesian framework for reinforcement learning*: the chain on which this wall is based.

@@ -1,0 +1,212 @@
+"""The exercises of lesson 1: an exploration rate, an optimistic agent, a better explorer, a frozen lake."""
+
+import math
+from collections.abc import Mapping
+from functools import partial
+from types import MappingProxyType
+from typing import Any
+
+import gymnasium
+import numpy as np
+
+from edugym.adapters.registration import make_mdp
+from edugym.agents.q_learning import QLearning
+from edugym.agents.strategies import EpsilonGreedy
+from edugym_course.grading.agents import agent_created_by, agent_made_by, require_class, require_function, with_settings
+from edugym_course.grading.challenge import Challenge
+from edugym_course.grading.choices import check_choices
+from edugym_course.grading.one_step import Q_LEARNING
+from edugym_course.grading.results import check_results
+from edugym_course.grading.updates import table_of
+from edugym_course.grading.values import compare, digits, number
+from edugym_course.grading.wrong import WrongAnswer
+from edugym_course.lessons.exploration import DISCOUNT, GO_EXPLORE, LEARNING_RATE, METHODS, N_STEPS, NOVELTY
+from edugym_course.lessons.exploration.exercises.explorer import EXPLORER as EXPLORER
+from edugym_course.lessons.exploration.exercises.explorer import check_act, epsilon_greedy
+
+HEIGHT = 100  # of the wall in exercise 1
+EPSILON = 2 * (1 - 0.5 ** (1 / HEIGHT))
+
+
+def exercise_1(answer: Any, seed: int) -> str:
+    """Check the largest ε with which half of the climbs reach the top of a wall of height 100."""
+    mistakes = {
+        "that is ε/2, the probability of a wrong grip; of two grips a random action takes the wrong one half of the"
+        " time": EPSILON / 2,
+        "that is ln 2/50, an approximation which is a little too large; solve (1 − ε/2)^100 = 1/2 exactly": math.log(2)
+        / 50,
+        "100 steps that go wrong with probability ε/2 do not add up to 100 · ε/2; multiply the probabilities that they"
+        " go right": 0.01,
+        "the probabilities of 100 steps do not add up; multiply the probabilities that they go right": 0.005,
+        "that is for 99 steps; from the ground, position 0, to the top, position 100, there are 100": _epsilon(99),
+        "that is for 101 steps; from the ground, position 0, to the top, position 100, there are 100": _epsilon(101),
+        "that is for a wall of height 30, and this one has 100": _epsilon(30),
+        "that is the probability of a *right* step": 0.5 ** (1 / HEIGHT),
+        "a step goes right with probability 1 − ε/2, not ε/2": 2 * 0.5 ** (1 / HEIGHT),
+        "that is in percent; a probability lies between 0 and 1": 100 * EPSILON,
+        "of two grips a random action takes the wrong one with probability 1/2, not 2/3": 0.75 * EPSILON,
+        "natural and decimal logarithms are mixed up": 2 * (1 - 10 ** (math.log(0.5) / HEIGHT)),
+        "the sign is wrong: ε = 2 (1 − 0.5^(1/100))": -EPSILON,
+        "that is the value with which the cell began": 0.1,
+    }
+
+    def says(epsilon: float) -> str:
+        if not 0 <= epsilon <= 1:
+            return f"ε = {digits(epsilon, 0.0)} is no probability"
+        return f"with ε = {digits(epsilon, EPSILON)}, {(1 - epsilon / 2) ** HEIGHT:.2%} of the climbs reach the top"
+
+    found = number("epsilon", answer)
+    close = abs(found / EPSILON - 1) < 0.02
+    otherwise = "half should, so ε must be " + ("smaller" if found > EPSILON else "larger")
+    compare(
+        "epsilon",
+        answer,
+        EPSILON,
+        mistakes,
+        tolerance=2e-5,
+        says=says,
+        otherwise=f"{otherwise}, by a little: give four digits or more" if close else otherwise,
+    )
+    return "Right: ε = 1.38 % is little, and yet one wrong grip in 145 costs half of the climbs."
+
+
+def _epsilon(height: int) -> float:
+    return float(2 * (1 - 0.5 ** (1 / height)))
+
+
+def exercise_2(answer: Any, seed: int) -> str:
+    """Check the function that makes a greedy Q-learning agent with all values at 1."""
+    require_function("optimist", answer, "the wall that returns an agent")
+    rng = np.random.default_rng(seed)
+    for height, n_grips in ((30, 2), (int(rng.integers(4, 9)), 3)):
+        wall = make_mdp("Boulder", height=height, n_grips=n_grips, layout_seed=int(rng.integers(1000)))
+        make = partial(agent_made_by, "optimist(wall)", answer, wall)
+        made, other = make(), make()
+        Q = table_of(made, "Q", (height + 1, n_grips))
+        if np.shares_memory(Q, other.Q):
+            raise WrongAnswer("two calls of optimist(wall) share one table: make a new one in every call")
+        for state, value in ((int(Q.argmin() // n_grips), Q.min()), (int(Q.argmax() // n_grips), Q.max())):
+            compare(
+                f"every value in Q[{state}]",
+                value,
+                1.0,
+                {"that is the usual first value: `create` has a setting `initial_value`": 0.0},
+                otherwise="all values should start at 1",
+            )
+        epsilon = getattr(getattr(made, "exploration", None), "epsilon", 0.0)
+        if epsilon != 0.0:
+            raise WrongAnswer(f"the optimist explores by its values alone, so ε should be 0, but it is {epsilon:g}")
+        Q_LEARNING.check(make, Q.shape, {"learning_rate": LEARNING_RATE, "discount": DISCOUNT}, seed)
+        Q[1, :], Q[1, 1] = 0.25, 0.5
+        Q[2, :], Q[2, 0] = 0.5, -0.5
+        one_in = 1 / n_grips
+        best, equal = [0.0] * n_grips, [1 / (n_grips - 1)] * n_grips
+        best[1], equal[0] = 1.0, 0.0
+        check_choices(
+            "act(1, rng)",
+            partial(made.act, 1),
+            best,
+            {
+                "it acts at random": [one_in] * n_grips,
+                "it takes the worst grip": [1.0, *[0.0] * (n_grips - 1)],
+                **epsilon_greedy(best),
+            },
+            tables={"Q": Q},
+            where=f"where Q[1] = {Q[1].tolist()}",
+        )
+        check_choices(
+            "act(2, rng)",
+            partial(made.act, 2),
+            equal,
+            {
+                "it acts at random": [one_in] * n_grips,
+                "ties should be broken at random, and it takes the first of equals": np.eye(n_grips)[1].tolist(),
+                "ties should be broken at random, and it takes the last of equals": np.eye(n_grips)[-1].tolist(),
+            },
+            tables={"Q": Q},
+            where=f"where Q[2] = {Q[2].tolist()}",
+        )
+    return (
+        "Right: it never takes a random action, and yet it tries everything, for whatever it tries disappoints it. "
+        "See it race:"
+    )
+
+
+def exercise_3(answer: Any, seed: int) -> str:
+    """Check the class of an explorer that tries what it has not tried, and learns with a novelty reward."""
+    require_class("MyExplorer", answer)
+    rng = np.random.default_rng(seed)
+    for n_grips in (2, 3):
+        height = int(rng.integers(4, 9))
+        wall = make_mdp("Boulder", height=height, n_grips=n_grips)
+        settings = {
+            "learning_rate": float(rng.choice([0.125, 0.25, 0.75])),
+            "discount": float(rng.choice([0.5, 0.625, 0.75])),
+            "bonus": float(rng.choice([1.5, 3.0, 5.0])),
+        }
+        make = partial(_explorer, answer, wall, settings)
+        EXPLORER.check(make, (height + 1, n_grips), settings, seed)
+        check_act(make(), n_grips)
+    return (
+        "Right: counting tries says what is new here, the bonus says where to go, and no random step is needed. "
+        "See it race:"
+    )
+
+
+def _explorer(answer: Any, wall: Any, settings: Mapping[str, float]) -> Any:
+    """Make a student's explorer with other settings than its own."""
+    return with_settings("MyExplorer", agent_created_by("MyExplorer", answer, "wall", wall), settings, "learn")
+
+
+def exercise_4(answer: Any, seed: int) -> str:
+    """Check the results of the three methods, and of one more, on a frozen lake."""
+    lake = gymnasium.make("FrozenLake-v1", map_name="8x8", is_slippery=False)
+    asked = {
+        "environment": "FrozenLake-v1",
+        "environment.map_name": "8x8",
+        "environment.is_slippery": False,
+        "n_steps": N_STEPS,
+        "repetitions": 5,
+    }
+    results = check_results("frozen", answer, asked=asked, methods=METHODS, environment=lake)
+    own = [label for label in results.methods if label not in METHODS]
+    if not own:
+        raise WrongAnswer("frozen should have a fourth method, your own, beside the three of the lesson")
+    solved = ", ".join(f"{label} {(results.final(label) >= 1).sum()} of 5" for label in results.methods)
+    return (
+        f"Right. Runs that solve the lake: {solved}. Novelty helps less here: a hole ends the episode and all later "
+        "bonuses with it, and the reward, 14 steps away, is discounted to a quarter of the first bonus."
+    )
+
+
+def best_average(height: int, n_grips: int, n_steps: int) -> float:
+    """Return the average return over training of an explorer that takes no avoidable step, in expectation.
+
+    It tries each grip once, on average (N - 1)/2 wrong ones at every height, and needs h + 1 steps to get back to
+    height h after each: H + (N - 1)/2 · H (H + 1)/2 steps to the top. From then on every greedy episode gets there.
+    """
+    steps = height + (n_grips - 1) / 2 * height * (height + 1) / 2
+    return max(0.0, 1.0 - steps / n_steps)
+
+
+CHALLENGE = Challenge(
+    environment="Boulder",
+    parameters=MappingProxyType({"height": 60}),
+    n_steps=5_000,
+    baselines=MappingProxyType(
+        {
+            GO_EXPLORE: METHODS[GO_EXPLORE],
+            "optimistic": partial(
+                QLearning.create,
+                learning_rate=1.0,
+                discount=DISCOUNT,
+                exploration=EpsilonGreedy(0.0),
+                initial_value=1.0,
+            ),
+            NOVELTY: METHODS[NOVELTY],
+        }
+    ),
+    optimum=1.0,
+    best_average=best_average(60, 2, 5_000),
+)
+"""The open challenge: the highest return within 5 000 steps at height 60."""

@@ -1,0 +1,198 @@
+"""Exercise 3 of lesson 1: what an explorer does that tries what is new, and what the usual mistakes do."""
+
+from collections.abc import Mapping
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from edugym_course.grading.choices import action_of, check_choices
+from edugym_course.grading.one_step import Q_LEARNING, made_up_values, numbers_of, one_step_update
+from edugym_course.grading.student_code import running
+from edugym_course.grading.updates import Tables, Transition, Update
+from edugym_course.grading.wrong import WrongAnswer
+
+DRAWS = 20
+LAST_STATE = 4
+"""The top of the lowest wall of the check."""
+UNTRIED = "a grip that was never tried comes first, whatever Q says of it"
+
+
+def explorer_update(
+    tables: Tables,
+    now: Transition,
+    *,
+    bonus: float,
+    novelty: str = "1/√n",
+    counts: str = "entered",
+    tries: str = "taken",
+    looks_up: str = "entered",
+    late: bool = False,
+    least: int = 0,
+    **one_step: Any,
+) -> None:
+    """Count, and apply Q-learning on the reward plus β/√n; other arguments than the defaults are mistakes."""
+    state, action, next_state = now.state, now.action, now.next_state
+    n_states, n_actions = tables["tries"].shape
+    old_count = _count(tables, looks_up, now)
+    if counts != "nothing":
+        tables["visits"][{"entered": next_state, "left": state}[counts]] += 1
+    if tries != "nothing":
+        swapped = action % n_states, state % n_actions
+        tables["tries"][{"taken": (state, action), "next": (next_state, action), "swapped": swapped}[tries]] += 1
+    n = max(old_count, least) if late else _count(tables, looks_up, now)
+    share = {
+        "1/√n": 1 / np.sqrt(n),
+        "1/n": 1 / np.float64(n),
+        "1/n/2": 1 / np.float64(n) / 2,
+        "discounted": one_step["discount"] / np.sqrt(n),
+        "√n": np.sqrt(n),
+        "1/√(n+1)": 1 / np.sqrt(n + 1),
+        "constant": 1.0,
+        "first visit": float(n == 1),
+        "minus": -1 / np.sqrt(n),
+        "none": 0.0,
+        "not at the end": 0.0 if now.terminated else 1 / np.sqrt(n),
+    }
+    one_step_update(tables, now, extra=bonus * share[novelty], **one_step)
+
+
+def _count(tables: Tables, looks_up: str, now: Transition) -> Any:
+    """Return the count that the bonus depends on."""
+    if looks_up == "pair":
+        return tables["tries"][now.state, now.action]
+    return tables["visits"][{"entered": now.next_state, "left": now.state}[looks_up]]
+
+
+NOVELTY_MISTAKES: Mapping[str, Mapping[str, Any]] = {
+    "it counts the state that was left; count the one that was *entered*, next_state": {
+        "counts": "left",
+        "looks_up": "left",
+    },
+    "`visits` counts the state that was left; count the one that was *entered*, next_state": {"counts": "left"},
+    "the bonus is that of the state that was left; it belongs to the one that was *entered*, next_state": {
+        "looks_up": "left"
+    },
+    "the bonus is computed from the number of tries of the action, n(s, a), and it should come from visits, n(s')": {
+        "looks_up": "pair"
+    },
+    "`visits` does not count": {"counts": "nothing"},
+    "`tries` does not count": {"tries": "nothing"},
+    "`tries` counts next_state; count the state in which the action was *taken*": {"tries": "next"},
+    "state and action have changed places in `tries`": {"tries": "swapped"},
+    "the bonus comes from the old count: count first, so that a first visit has n = 1": {"late": True},
+    "the bonus comes from the old count, or from 1 at the first visit: count before you divide": {
+        "late": True,
+        "least": 1,
+    },
+    "the bonus is β/√(n + 1), one visit too many": {"novelty": "1/√(n+1)"},
+    "the root is missing: the bonus is β/√n": {"novelty": "1/n"},
+    "`** 1 / 2` is `(... ** 1) / 2`: write `** 0.5` for the root": {"novelty": "1/n/2"},
+    "the whole target is discounted; γ belongs to the value of the next state only": {"target": "all discounted"},
+    "the bonus is discounted; γ belongs to the value of the next state only": {"novelty": "discounted"},
+    "the bonus grows with the count: it is β *divided* by √n": {"novelty": "√n"},
+    "the bonus does not fade with the count: it is β/√n": {"novelty": "constant"},
+    "only the first visit earns a bonus; every visit earns β/√n": {"novelty": "first visit"},
+    "the bonus is subtracted": {"novelty": "minus"},
+    "the bonus is missing": {"novelty": "none"},
+    "at the end of an episode the bonus is lost: only the *value of the next state* is 0 there": {
+        "novelty": "not at the end"
+    },
+}
+
+EXPLORER = Update(
+    rule=explorer_update,
+    tables=lambda n_states, n_actions, rng: {
+        "visits": rng.integers(0, 9, n_states),
+        "tries": rng.integers(0, 5, (n_states, n_actions)),
+        "Q": made_up_values(n_states, n_actions, rng),
+    },
+    mistakes={**NOVELTY_MISTAKES, **Q_LEARNING.mistakes},
+    numbers=numbers_of("learning_rate", "discount", "bonus"),
+)
+
+
+def epsilon_greedy(best: list[float]) -> dict[str, list[float]]:
+    """Return the probabilities of some agents that still explore."""
+    return {
+        f"it still explores, with ε = {epsilon}": [epsilon / len(best) + (1 - epsilon) * share for share in best]
+        for epsilon in (0.05, 0.1, 0.2, 0.5)
+    }
+
+
+def check_act(agent: Any, n_grips: int) -> None:
+    """Check what an explorer does where some grips, all or none were tried."""
+    others = n_grips - 1
+    same = [1 / n_grips] * n_grips
+    last = [0.0] * others + [1.0]
+    first = [1.0] + [0.0] * others
+    but_first = [0.0] + [1 / others] * others
+    cases: list[tuple[list[int], list[float], list[float], dict[str, list[float]]]] = [
+        (
+            [*range(3, 3 + others), 0],
+            [1.0] * others + [-1.0],
+            last,
+            {UNTRIED: [1 / others] * others + [0.0]},
+        ),
+        ([0, *range(1, n_grips)], [-1.0] + [1.0] * others, first, {UNTRIED: but_first}),
+        (
+            [1, *range(5, 5 + others)],
+            [2.0] + [1.0] * others,
+            first,
+            {"once all grips were tried the best one counts, and it takes the worst": but_first},
+        ),
+        (
+            [7, *range(1, n_grips)],
+            [2.0] + [1.0] * others,
+            first,
+            {
+                "once all grips were tried the *best* one counts, and it takes the one that was tried least": [
+                    0.0,
+                    1.0,
+                    *[0.0] * (others - 1),
+                ],
+            },
+        ),
+        (
+            [1, *range(5, 5 + others)],
+            [-0.5] + [-0.25] * others,
+            but_first,
+            {
+                "once all grips were tried the *best* one counts, and it takes the one that was tried least": first,
+                "ties should be broken at random, and it takes the first of equals": [
+                    0.0,
+                    1.0,
+                    *[0.0] * (others - 1),
+                ],
+                "ties should be broken at random, and it takes the last of equals": last,
+            },
+        ),
+    ]
+    for k, (tries, values, expected, mistakes) in enumerate(cases):
+        state = k % LAST_STATE
+        agent.tries[state], agent.Q[state] = tries, values
+        agent.visits[state] = sum(tries)
+        check_choices(
+            f"act({state}, rng)",
+            partial(agent.act, state),
+            expected,
+            {**mistakes, "it acts at random": same, **epsilon_greedy(expected)},
+            tables={name: getattr(agent, name) for name in ("Q", "visits", "tries")},
+            where=f"where tries[{state}] = {tries} and Q[{state}] = {values}",
+        )
+    _check_untried(agent, LAST_STATE, n_grips)
+
+
+def _check_untried(agent: Any, state: int, n_grips: int) -> None:
+    """Check what an explorer does where it has tried nothing, or one grip only: any of the others will do."""
+    others = n_grips - 1
+    values, rng = [1.0] + [-1.0] * others, np.random.default_rng(0)
+    for tries in ([0] * n_grips, [4] + [0] * others):
+        agent.tries[state], agent.visits[state], agent.Q[state] = tries, sum(tries), values
+        call = f"act({state}, rng), where tries[{state}] = {tries} and Q[{state}] = {values},"
+        for _ in range(DRAWS):
+            with running(call):
+                found = agent.act(state, rng)
+            grip = action_of(call, found, n_grips)
+            if tries[grip]:
+                raise WrongAnswer(f"{call} should choose a grip that was never tried, but chooses {grip}: {UNTRIED}")

@@ -1,0 +1,521 @@
+# %% [markdown]
+# # The loop: rewards, returns, and a first learner
+#
+# **The challenge.** Nobody tells the agent what to do. It acts, and now and then it gets a reward. From these rewards
+# alone it has to find out which actions are good, even when the reward comes thirty steps later.
+#
+# **You will be able to** write the loop of agent and environment; say what separates a reward from a return; explain
+# what the discount changes; and complete an agent of about ten lines that takes millions of steps a second.
+#
+# **Time.** 25 minutes, and 20 more for the exercises. **Before you start.** Two lectures on reinforcement learning, or
+# sections 3.1 to 3.6 and 6.5 of Sutton and Barto, *Reinforcement Learning*, 2nd edition. All symbols are in the [table of
+# notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
+#
+# **This page is a program.** Click into a cell of code and press Shift and Enter: it runs, and its result appears below. Go
+# from top to bottom. Change a number and run the cell again as often as you like. If you get lost, restart from the menu
+# "Kernel" and run all cells.
+
+# %%
+from typing import NamedTuple
+
+import gymnasium as gym
+import numpy as np
+
+from edugym import EpsilonGreedy, QLearning, train
+from edugym.agents.tables import greedy_action
+from edugym_course.lessons import loop
+from edugym_course.notebook import frames, play, predict, sliders, source
+
+# %% [markdown]
+# ## Meet the environment: a shop
+#
+# A shopper enters a supermarket and should leave by the exit with three items. The shopper is the **agent**: it chooses
+# the actions. Everything else is the **environment**.
+
+# %%
+env = gym.make("edugym/Supermarket-v0")
+state, info = env.reset(seed=0)
+env.unwrapped.scene()
+
+# %% [markdown]
+# Play it yourself, with the buttons. Each step costs 1 point, an item brings 25 and the exit 50, so that the step onto
+# an item has the reward 24. What is the highest total that you can get? (The line below the picture also shows a
+# number, the *observation*. It stands for where the shopper is and what is in the bag.)
+
+# %%
+play("Supermarket", max_steps=100)
+
+# %% [markdown]
+# ### The loop
+# Agent and environment talk in turns (section 3.1). At time step $t$ the agent is in a **state** $S_t$ and chooses an
+# **action** $A_t$. The environment answers with a **reward** $R_{t+1}$, a number, and the next state $S_{t+1}$. In this shop
+# the state is the place of the shopper and what is in the bag. The actions are 0 up, 1 down, 2 left, 3 right.
+#
+# Take two steps by hand, down and to the right:
+
+# %%
+print("the first state:", state)
+for action in (1, 3):
+    state, reward, terminated, truncated, info = env.step(action)
+    print(f"action {action}: state {state}, reward {reward}, terminated {terminated}, truncated {truncated}")
+
+# %% [markdown]
+# The state is only a number to the agent: nothing tells it that 88 and 96 are neighbours. Here is the whole loop, in the
+# words of [Gymnasium](https://gymnasium.farama.org), with the simplest agent there is. It acts at random.
+
+# %%
+env.action_space.seed(1)
+state, info = env.reset(seed=0)
+total, steps, terminated, truncated = 0, 0, False, False
+while not (terminated or truncated):
+    action = env.action_space.sample()
+    state, reward, terminated, truncated, info = env.step(action)
+    total, steps = total + reward, steps + 1
+print(f"{steps} steps, {total:g} points in all, terminated {terminated}, truncated {truncated}")
+
+# %% [markdown]
+# From the first state to the end is an **episode**. It can end in two ways, and they are not the same:
+#
+# - **terminated**: the task is over, and nothing can come after it. The shopper is at the exit.
+# - **truncated**: somebody stopped the clock, here after 500 steps (in your own game: 100). The shopper could have
+#   gone on.
+#
+# A rule that chooses the actions is called a **policy**. This one is the random policy.
+#
+# **Predict.** How many points does the random policy get in an episode, on average? *Run the next cell, type your
+# answer into its field, and go on to the cell after it.* Nobody grades your answer. Then click on the triangle before
+# "What was measured".
+
+# %%
+random_play = predict("The random policy gets, on average:", unit="points")
+random_play
+
+# %%
+totals, cut_off = loop.play_at_random(env, episodes=400)  # the loop above, 400 times
+print(f"400 episodes: {np.mean(totals):.0f} points on average, and {np.mean(cut_off):.0%} of them are truncated")
+print(f"computed from the rules of the shop: {loop.random_return():.0f} points")
+random_play.measured(loop.random_return())
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** −313 points. About half of the random episodes do not get to the exit, and pay for 500 steps. This number
+# needs no playing: it can be computed from the rules of the shop.
+# </details>
+
+# %% [markdown]
+# ## The idea: what counts is the return, not the reward
+#
+# The agent does not want the next reward. It wants a high **return**, the *discounted* sum of all rewards from now on
+# (equation 3.8):
+#
+# $$
+# G_t = R_{t+1} + \gamma R_{t+2} + \gamma^2 R_{t+3} + \dots
+# $$
+#
+# The **discount** $\gamma$, from 0 to 1, says how much the future counts: a reward that comes $k$ steps after the next one
+# counts $\gamma^k$ times. After a terminal state the return is 0. Remember this second form of the equation (3.9):
+#
+# $$
+# G_t = R_{t+1} + \gamma G_{t+1}
+# $$
+#
+# It computes returns *backwards*, from the end. A made-up episode: two steps at a cost of 1, then a last one with the reward
+# 24; $\gamma = 0.5$:
+
+# %%
+G = 0  # after the end
+for reward in (24, -1, -1):  # the last reward first
+    G = reward + 0.5 * G
+    print(f"reward {reward:3}, return from here on {G:g}")
+
+# %% [markdown]
+# *Points* or *total* always means the plain sum of an episode ($\gamma = 1$). *Return* means the discounted sum.
+#
+# **Reward is not return.** Here is the best way through the shop for $\gamma = 0.95$. The bars are its rewards. The line is
+# the return from each step on.
+
+# %%
+loop.rewards_and_returns(0.95)
+
+# %% [markdown]
+# Nearly all steps of the *best* way have the reward −1, like the steps of any bad way. The reward does not show that
+# they are good. The return does: the line rises towards each item. It falls after an item, since that reward is then in
+# the past. It starts at 34, the return of the whole way with $\gamma = 0.95$. The plain sum of this way is 95.
+#
+# **Predict.** A player always takes the action with the highest *next reward* (if several are equal, one of them at random).
+# The best possible total is 95. What does this player get on average?
+
+# %%
+next_reward = predict(
+    "Always the highest next reward:", ["more than half of the best (47 points)", "from 0 to 47", "less than 0"]
+)
+next_reward
+
+# %%
+earned = loop.myopic_return()
+print(f"highest next reward: {earned:.0f} points, random: {loop.random_return():.0f}, best policy: {loop.OPTIMUM:g}")
+next_reward.measured(next_reward.options[0 if earned > 47 else 1 if earned >= 0 else 2])
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** −248 points. Where no item and no exit is beside it, all four rewards are −1, and this player walks at
+# random too. Beside the exit it leaves, whatever is still missing in its bag. The best policy would not, but this is
+# why the player does better than random play: fewer of its episodes are cut off. Taking the items beside it adds
+# little. </details>
+
+# %% [markdown]
+# ### Values: the return to be expected
+# So an agent needs to know what return an action *leads to*. That is its **value**. With the best policy from then on it is
+# called $q_*(s, a)$, for action $a$ in state $s$ (equation 3.20, without chance; $s'$ is the next state and $r$ the reward):
+#
+# $$
+# q_*(s, a) = r + \gamma \max_{a'} q_*(s', a') \qquad\qquad v_*(s) = \max_a q_*(s, a)
+# $$
+#
+# It is equation 3.9 once more: the next reward, and then the best return from there on. (After a terminal state the second
+# part is 0.) $v_*(s)$ is the value of the state. To play perfectly, take the action with the highest *value*. That is the
+# **greedy** action.
+#
+# ### Learning: the update of Q-learning
+# The agent does *not* know the rules. It keeps a table $Q(s, a)$ of guesses, at first all 0. After each step, from $S$ by
+# $A$ to $S'$ with reward $R$, it moves one guess a part of the way towards a better one, the *target*. The part is $\alpha$,
+# the **learning rate**. This is **Q-learning** (equation 6.8):
+#
+# $$
+# Q(S, A) \leftarrow Q(S, A) + \alpha \big[ \underbrace{R + \gamma \max_a Q(S', a)}_{\text{target}} - Q(S, A) \big]
+# $$
+#
+# The target is the right side of the equation of $q_*$, with guesses in the place of the true values. These are the lines
+# that run. (`one_step_target` is $R + \gamma \max_a Q(S', a)$. After *terminated* there is no future, and it is $R$ alone.
+# After *truncated* there is one, and it still counts.)
+
+# %%
+source(QLearning.learn)
+
+# %% [markdown]
+# To have a chance of finding something better, it must also try what does not look best. **ε-greedy** takes a random
+# action with probability $\varepsilon$, and the greedy action otherwise. Now put this agent into the loop, for 2 000
+# steps:
+
+# %%
+agent = QLearning.create(env, learning_rate=0.5, discount=0.99, exploration=EpsilonGreedy(0.1))
+rng = np.random.default_rng(0)
+state, info = env.reset(seed=0)
+for _ in range(2_000):
+    action = agent.act(state, rng)
+    next_state, reward, terminated, truncated, info = env.step(action)
+    agent.learn(state, action, reward, next_state, terminated)
+    state = env.reset()[0] if terminated or truncated else next_state
+print("values of the four actions in the first state:", agent.Q[8].round(2))
+
+# %% [markdown]
+# What does this agent do without exploring now? Press the button of the film, or move its slider.
+
+# %%
+frames(env, agent, max_steps=40)
+
+# %% [markdown]
+# The shopper takes two items, and then walks to and fro between two cells. Around these two cells it knows only that
+# steps cost points. Each update carries value one step back, from $S'$ to $S$. From the last item and from the exit it
+# has come back a few cells so far, but not yet to these two. And after 20 000 steps more? `train` is the loop that you
+# have just seen, translated into machine code.
+
+# %%
+train(env, agent, 20_000, seed=1)
+frames(env, agent, max_steps=40)
+
+# %% [markdown]
+# Now it takes all three items and leaves after 30 steps, with 95 points.
+
+# %% [markdown]
+# ## The experiment: who learns the way?
+#
+# Three players, the same shop, 20 000 steps. One acts at random. One is Q-learning with $\gamma = 0.99$. The third is the
+# same Q-learning with $\gamma = 0$: its target is $R$ alone, so it learns rewards, not returns. Both learners have $\alpha =
+# 0.5$ and $\varepsilon = 0.1$.
+#
+# The left panel shows, every 250 steps, one episode in which the agent neither explores nor learns. Lines are means of
+# 30 runs, and bands show how sure these means are (95 % confidence intervals). The dashed line is the *optimum*, the
+# best possible total. The right panel shows the episodes in which they learn, with their random actions. Each point is
+# the mean over those runs in which an episode ended in the last 250 steps. Before step 500 only lucky, short episodes
+# can have ended, so ignore these first points. The dotted line is the best mean that a player can get if 10 % of its
+# actions are random.
+#
+# **Predict.** Over the last 5 000 steps, who has the lowest mean in the left panel?
+
+# %%
+worst = predict("The lowest points without exploring:", [loop.RANDOM, loop.MYOPIC, loop.Q_LEARNING])
+worst
+
+# %%
+results = loop.play_and_learn(n_steps=20_000, repetitions=30)
+display(loop.learning_curves(results))
+late = {player: results.curves(player).loc[15_000:].to_numpy().mean() for player in results.methods}
+for player, points in late.items():
+    print(f"{player:20} mean over the last 5 000 steps: {points:5.0f} points")
+solved = results.share(loop.Q_LEARNING, loop.OPTIMUM).estimate
+print(f"runs of {loop.Q_LEARNING} that end with the optimum: {solved:.0%}")
+worst.measured(min(late, key=late.get))
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** In the left panel Q-learning with $\gamma = 0$ is the worst, far below random play. Where it was often,
+# its values are about −1, except beside an item or the exit. With exactly right values it would be the player of −248.
+# But its values are not quite right, and in this episode they do not change: where the smallest difference decides, the
+# same action is taken at every visit, and the shopper goes round and round until the clock stops. While it learns
+# (right panel) it is no worse than random play. After many more steps its values become exactly −1, and chance decides
+# again: the orange line begins to rise for that reason.
+#
+# The same lines of code with $\gamma = 0.99$ find the optimum in most runs, and in five of 30 runs a worse way, with 76 to
+# 93 points. At first this learner is as bad as the other one. It has to meet the items and the exit first. Every step costs
+# a point, so an action that it has tried soon looks worse than one that it has not, and it tries them all. Then the value of
+# the items and the exit comes back along the way, one state after the other. </details>
+
+# %% [markdown]
+# ## Your turn: the discount
+#
+# With $\gamma = 0.95$ the best way collects all three items.
+#
+# **Predict.** How many items does the best way collect with $\gamma = 0.85$?
+
+# %%
+items = predict("With γ = 0.85 the best way collects ...", ["no item", "one", "two", "all three"])
+items
+
+# %%
+display(loop.with_discount(gamma=0.85))
+items.measured(items.options[loop.items_on(loop.best_way(0.85))])
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** One. The exit is at least 16 steps away, so that its reward counts at most $0.85^{15} = 0.09$ times.
+# Some of the ways with 16 steps pass the red item, so it costs nothing extra. With the green item as well the best way
+# has 22 steps. That item brings $25 \cdot 0.85^{14} = 2.6$. But the exit comes 6 steps later, which costs $50 \cdot
+# (0.85^{15} - 0.85^{21}) = 2.7$, and the 6 steps themselves cost 0.3. So the return of the whole way would fall, from
+# 6.2 to 5.8. The shop is the same as before: the discount belongs to the *question*, not to the world. </details>
+
+# %% [markdown]
+# The map shows $v_*$ of each cell for one bag, and the best action as an arrow (slanted: two actions are equally good;
+# none: more than two are, or two opposite ones). The orange line is the best way from the entrance, for the empty bag
+# only. After an item the bag is another one, so from there on the line may run against the arrows. The right panel
+# always shows this way: what each of its rewards counts at the start.
+#
+# *Move a slider and let it go.* At which values of $\gamma$ does the best way change? What is best for $\gamma = 0$?
+
+# %%
+sliders(
+    loop.with_discount,
+    gamma=[0.0, 0.5, 0.8, 0.85, 0.88, 0.89, 0.9, 0.92, 0.94, 0.95, 0.97, 0.99, 1.0],
+    bag=list(loop.BAGS),
+)
+
+# %% [markdown]
+# (The white cells are those with an item that is not in the bag: whoever enters one takes the item, and then has
+# another bag. Values below 0 have the palest colour. The entrance and the exit never have an arrow.)
+#
+# <details><summary>Answer</summary>
+#
+# On this slider: at $\gamma = 0$ all ways from the start are equal. From 0.5 to 0.89 one item is best (16 steps), from
+# 0.9 to 0.94 two (22 steps), from 0.95 on all three (30 steps).
+# </details>
+
+# %% [markdown]
+# ## See inside: the table while it learns
+#
+# On the left is what one agent has learned with $\gamma = 0.99$, the highest $Q(s, a)$ in each cell. In grey cells it
+# has learned nothing. In the palest cells it knows only that steps cost points, and there the arrow mostly points to
+# what it has tried least, sometimes into a wall. On the right is $v_*$. Move the slider from 0 on: it is a film of
+# learning.
+
+# %%
+sliders(
+    loop.learned_beside_exact,
+    steps=[0, 500, 1_000, 1_500, 2_000, 2_500, 3_000, 3_500, 4_000, 5_000, 6_000, 8_000, 10_000, 20_000],
+    bag=list(loop.BAGS),
+)
+
+# %% [markdown]
+# The colour starts beside the red item and comes back towards the entrance, a few cells from picture to picture. Later
+# the cells grow darker once more: now the value of the other items and of the exit has come back too. In the end the
+# value of the first state, the entrance with an empty bag, is exactly right. (The rest of the way has the bags "red",
+# "red and green" and "all three".)
+
+# %% [markdown]
+# ## Predict, then check
+#
+# An agent can act in 420 states of the shop: each cell but the exit, with each bag that is possible there. After 20 000
+# steps the agent takes a good way, as you saw.
+#
+# **Predict.** In what share of these states is its greedy action a best one?
+
+# %%
+everywhere = predict("States in which the agent's greedy action is a best one:", unit="%")
+everywhere
+
+# %%
+for steps in (0, 20_000):
+    agents = [loop.agent_after(steps, seed=seed) for seed in range(10)]
+    share = np.mean([loop.right_choices(agent.Q, discount=0.99) for agent in agents])
+    print(f"after {steps:6,} steps: a best action in {share:.0%} of the states (mean of 10 agents)")
+untried = np.mean([loop.untried(agent.Q) for agent in agents])
+for tried, part in ((False, untried), (True, 1 - untried)):
+    right = np.mean([loop.right_choices(agent.Q, discount=0.99, tried=tried) for agent in agents])
+    print(f"{'tried' if tried else 'never tried'}: {part:.0%} of the states, a best action in {right:.0%} of these")
+everywhere.measured(100 * share)
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** In less than half of them. Before the first step, when all values are equal and chance decides, it was
+# 36 %. With 10 % random actions Q-learning learns *its way* and little else. About half of the states it never tried,
+# and they keep their first guess (35 % right, by luck). Most of the others it visited fewer than 50 times. </details>
+
+# %% [markdown]
+# ## Exercises
+#
+# Put your code in the place of the line `raise NotImplementedError(...)`, run the cell, and then run the cell below it,
+# which checks your answer. It says what was expected, what came, and which mistake that looks like. Try as often as you
+# like. Click on a hint to open it.
+
+# %%
+from edugym_course.lessons.loop.exercises import exercise_1, exercise_2, exercise_3
+from edugym_course.grading import check
+
+# %% [markdown]
+# ### Exercise 1: the return
+# Write the function that computes the return of an episode from the list of its rewards, in the order in which they came.
+#
+# <details><summary>Hint</summary>Go through the rewards from the last to the first with <code>reversed(rewards)</code>, as
+# the cell under equation 3.9 did. The return after the end is 0.</details>
+
+
+# %%
+def discounted_return(rewards, discount):
+    """Return the discounted sum of a list of rewards."""
+    ### BEGIN SOLUTION
+    G = 0.0
+    for reward in reversed(rewards):
+        G = reward + discount * G
+    return G
+    ### END SOLUTION
+
+
+# %% tags=["check"]
+check(exercise_1, discounted_return)
+### BEGIN HIDDEN TESTS
+check(exercise_1, discounted_return, seed=1, quiet=True)
+### END HIDDEN TESTS
+
+# %% [markdown]
+# ### Exercise 2: choose an action
+# Write ε-greedy. `values` is an array with the value of each action in one state. With probability `epsilon` the function
+# returns a random action, each with the same probability. Otherwise it returns the action with the highest value, and if
+# several have it, one of *these* at random. An action is its index: 0, 1, and so on.
+#
+# <details><summary>Hint</summary><code>rng.random()</code> is a random number from 0 to 1, and <code>rng.integers(n)</code> a
+# random whole number from 0 to n − 1. <code>np.flatnonzero(values == values.max())</code> has the indices of all highest
+# values, and <code>rng.choice(indices)</code> takes one of them.</details>
+
+
+# %%
+def choose(values, epsilon, rng):
+    """Return an action by ε-greedy, ties broken at random."""
+    ### BEGIN SOLUTION
+    if rng.random() < epsilon:
+        return rng.integers(len(values))
+    return rng.choice(np.flatnonzero(values == values.max()))
+    ### END SOLUTION
+
+
+# %% tags=["check"]
+check(exercise_2, choose)
+### BEGIN HIDDEN TESTS
+check(exercise_2, choose, seed=1, quiet=True)
+### END HIDDEN TESTS
+
+# %% [markdown]
+# ### Exercise 3: your own agent, in about ten lines
+# An agent is a class with `act` and `learn`. Write `learn`: one update of Q-learning (equation 6.8). Read
+# `self.learning_rate`, which is $\alpha$, `self.discount`, which is $\gamma$, and the table `self.Q`. After *terminated* the
+# target is the reward alone. The class is a `NamedTuple`: its fields are fixed, but the entries of the table `Q` can change.
+#
+# Below the check your agent races the players of this lesson, with a table of 800 rows: 100 cells × 8 bags. You write
+# plain Python, and it is translated into machine code, which takes some seconds, once. Then it runs millions of steps a
+# second.
+#
+# <details><summary>Hint</summary><code>state</code>, <code>action</code>, <code>reward</code> and <code>next_state</code> are
+# S, A, R and S'. <code>self.Q[state, action]</code> is one guess, and <code>max(self.Q[next_state])</code> the highest value in
+# the next state. First compute the target, then move <code>self.Q[state, action]</code> towards it with
+# <code>+=</code>.</details>
+
+
+# %%
+class MyAgent(NamedTuple):
+    """Q-learning, in about ten lines."""
+
+    Q: np.ndarray  # shape (n_states, n_actions)
+    learning_rate: float = 0.5
+    discount: float = 0.99
+
+    def act(self, state, rng):
+        """Choose an action by ε-greedy with ε = 0.1."""
+        return int(rng.random() * self.Q.shape[1]) if rng.random() < 0.1 else self.greedy(state, rng)
+
+    def greedy(self, state, rng):
+        """Choose the action with the highest value."""
+        return greedy_action(self.Q, state, rng)
+
+    def learn(self, state, action, reward, next_state, terminated):
+        """Learn from one step."""
+        ### BEGIN SOLUTION
+        target = reward if terminated else reward + self.discount * max(self.Q[next_state])
+        self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+        ### END SOLUTION
+
+
+# %% tags=["check"] points=2
+check(exercise_3, MyAgent)
+### BEGIN HIDDEN TESTS
+check(exercise_3, MyAgent, seed=1, quiet=True)
+### END HIDDEN TESTS
+display(loop.race({"my agent": lambda shop: MyAgent(np.zeros((800, 4)))}))
+run = train("Supermarket", MyAgent(np.zeros((800, 4))), 3_000_000, evaluate_every=3_000_000)
+
+# %% [markdown]
+# Your agent's line should lie on that of Q-learning with $\gamma = 0.99$: it is the same agent. The last line trains it for
+# 3 million steps: `run.seconds`, in a cell of your own, says how long they took. Now it is yours. Change its learning rate
+# or the 0.1 in `act`, and race again.
+
+# %% [markdown]
+# ## What you saw
+#
+# An agent wants a high return, the discounted sum of all rewards from now on: $G_t = R_{t+1} + \gamma G_{t+1}$. A
+# reward alone does not tell whether an action was good: acting for the next reward brought −248 points (random play
+# −313, the best policy 95), and after 20 000 steps of learning the next reward alone, the agent without exploring was
+# still worse than random play. So the agent learns values, the returns that it can expect. Q-learning moves its guess
+# for an action towards the reward plus the discounted best guess for the next state, where there is one. Then the value
+# of what is far away comes back, one state at a time. *Now say this in your own words.*
+#
+# ### What comes next
+# The shop was easy in many ways. Each of the next lessons takes one of them away; below are their environments. In lesson 10
+# you write your own: states, actions, and a reward that says what you mean.
+
+# %%
+loop.nine_challenges()
+
+# %% [markdown]
+# ### Limits
+# In this shop nothing happens by chance; elsewhere $q_*$ needs a mean over all that can happen (equation 3.20 in full). There
+# are only 428 states: the 420 of before, and 8 at the exit, one for each bag. A table has room for them all. And the best
+# way is known (lesson 9 shows how to compute it).
+#
+# ### Further reading
+# - Sutton and Barto, *Reinforcement Learning*, 2nd edition: 3.1–3.6 (agent, return, values), 6.5 (Q-learning); 1.1–1.5 for
+#   the whole story.
+# - Watkins and Dayan (1992), *Q-learning*: the update, from the thesis of Watkins (1989), and a proof that it converges.
+# - Moerland et al. (2023), *EduGym: An environment and notebook suite for reinforcement learning education*: the paper
+#   behind the nine environments.

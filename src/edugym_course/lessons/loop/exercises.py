@@ -1,0 +1,205 @@
+"""The exercises of lesson 0: the return of an episode, ε-greedy, and an agent of one's own."""
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from edugym_course.grading.agents import agent_with_table, require_class, require_function
+from edugym_course.grading.choices import check_choices
+from edugym_course.grading.one_step import Q_LEARNING
+from edugym_course.grading.student_code import running
+from edugym_course.grading.values import compare, number, same
+from edugym_course.grading.wrong import WrongAnswer
+from edugym_course.lessons.loop.exact import discounted
+
+
+def exercise_1(answer: Any, seed: int) -> str:
+    """Check the return of a list of rewards."""
+    require_function("discounted_return", answer, "rewards and discount")
+    rng = np.random.default_rng(seed)
+    cases: list[tuple[list[float], float]] = [([4.0, 2.0, 8.0], 0.25)]
+    for length, discount in ((4, 0.5), (6, 0.25), (3, 1.0), (5, 0.0), (1, 0.5)):
+        cases.append((rng.choice([-4.0, -2.0, 1.0, 2.0, 3.0, 4.0, 8.0], length).tolist(), discount))
+    answers = [_found(answer, rewards, discount) for rewards, discount in cases]
+    right = [discounted(np.array(rewards), discount) for rewards, discount in cases]
+    wrong = [_return_mistakes(rewards, discount) for rewards, discount in cases]
+    everywhere = [
+        sentence
+        for sentence in wrong[0]
+        if all(same(found, mistakes[sentence]) for found, mistakes in zip(answers, wrong, strict=True))
+    ]
+    for (rewards, discount), found, expected, mistakes in zip(cases, answers, right, wrong, strict=True):
+        fitting = {sentence: mistakes[sentence] for sentence in everywhere or mistakes}
+        different = {sentence: value for sentence, value in fitting.items() if value != expected}
+        compare(_call(rewards, discount), found, expected, different)
+    return "Right. From the last reward to the first, one multiplication a step is enough, and no power of γ is needed."
+
+
+def _call(rewards: Sequence[float], discount: float) -> str:
+    return f"discounted_return({rewards}, {discount})"
+
+
+def _found(answer: Callable[..., Any], rewards: list[float], discount: float) -> float:
+    """Return what a student's function gives, a number."""
+    call, passed = _call(rewards, discount), list(rewards)
+    with running(call):
+        found = answer(passed, discount)
+    if passed != rewards:
+        raise WrongAnswer(f"{call} changes the list of rewards that it is given: work on a copy, or only read it")
+    if isinstance(found, list | np.ndarray) and len(np.shape(found)) == 1:
+        raise WrongAnswer(f"{call} gives several numbers: only the return from the first step on is asked for")
+    return number(call, found)
+
+
+def _return_mistakes(rewards: Sequence[float], discount: float) -> dict[str, float]:
+    """Return what the usual mistakes give."""
+
+    def weighted(weights: Sequence[float]) -> float:
+        return float(sum(weight * reward for weight, reward in zip(weights, rewards, strict=True)))
+
+    n = len(rewards)
+    powers = [discount**k for k in range(n)]
+    total = float(sum(rewards))
+    return {
+        "that is the sum without a discount": total,
+        "the first reward counts in full, γ^0 = 1; here everything is discounted once too often": discount
+        * weighted(powers),
+        "the discount goes the wrong way: the *last* reward counts in full; use reversed(rewards)": weighted(
+            powers[::-1]
+        ),
+        "the discount goes the wrong way, and once too often: the first reward counts in full": discount
+        * weighted(powers[::-1]),
+        "all later rewards are discounted by the same γ; a reward k steps later counts γ^k times": weighted(
+            [1.0, *[discount] * (n - 1)]
+        ),
+        "the whole sum is multiplied by γ once; a reward k steps later counts γ^k times": discount * total,
+        "that is γ · k, and it should be γ^k: `**` is the power": weighted([discount * k for k in range(n)]),
+        "the weight is k^γ or γ*k in the place of γ^k: `**` is the power, and γ stands before it": weighted(
+            [float(k) ** discount if k else float(discount == 0) for k in range(n)]
+        ),
+        "the rewards are divided by γ^k; multiply": weighted([1 / p for p in powers]) if discount else total,
+        "that is the mean": total / n,
+        "the mean is taken; a return is a sum": weighted(powers) / n,
+        "the last reward is left out": weighted([*powers[:-1], 0.0][:n]),
+        "the first reward is left out": weighted([0.0, *powers[1:]][:n]),
+        "the first reward is left out, and the second one counts in full": weighted([0.0, *powers][:n]),
+        "that is the first reward alone": rewards[0],
+        "that is the last reward alone": rewards[-1],
+        "that is the last reward with its discount; add all of them up": weighted([*[0.0] * (n - 1), *powers[-1:]]),
+        "only the first two rewards count: is `return` inside the loop?": weighted([*powers[:2], *[0.0] * n][:n]),
+        "1 − γ stands in the place of γ": weighted([(1 - discount) ** k for k in range(n)]),
+        "it is multiplied by 1 − γ; the return is a sum, not a mean": (1 - discount) * weighted(powers),
+        "the sign is wrong": -weighted(powers),
+        "0.5, the discount of the cell under equation 3.9, stands where `discount` should": weighted(
+            [0.5**k for k in range(n)]
+        ),
+        "is the old G added once more, by `+=`? Write `G = reward + discount * G`": weighted(
+            [(1 + discount) ** k for k in range(n)]
+        ),
+        "γ is squared": weighted([discount ** (2 * k) for k in range(n)]),
+        "it stays 0: is `G` changed in the loop?": 0.0,
+    }
+
+
+def exercise_2(answer: Any, seed: int) -> str:
+    """Check ε-greedy with ties broken at random."""
+    require_function("choose", answer, "values, epsilon and rng")
+    _uses_the_generator(answer)
+    rng = np.random.default_rng(seed)
+    cases: list[tuple[list[float], float]] = [
+        ([1.0, 3.0, 2.0, 0.0], 0.3),
+        ([1.0, 3.0, 2.0], 0.0),
+        ([-1.0, -5.0, -3.0, -0.5], 0.0),
+        ([5.0, 0.0, -2.0], 0.0),
+        ([2.0, 4.0, 4.0, 1.0], 0.0),
+        ([0.0, 0.0, 0.0, 0.0], 0.0),
+        ([-1.0, -2.0, -1.0], 0.0),
+        ([1.0, 3.0, 2.0, 0.0], 1.0),
+        ([1.0, 3.0, 3.0, 0.0], 0.4),
+        (rng.permutation([-2.0, 1.0, 5.0]).tolist(), 0.3),
+        (rng.permutation([-2.0, 0.5, 0.5, -1.0, 0.25]).tolist(), 0.5),
+    ]
+    for numbers, epsilon in cases:
+        values = np.array(numbers)
+        check_choices(
+            "choose(values, epsilon, rng)",
+            partial(_chosen, answer, values, epsilon),
+            _probabilities(values, epsilon),
+            _choice_mistakes(values, epsilon),
+            tables={"values": values},
+            where=f"with values = {numbers} and epsilon = {epsilon}",
+        )
+    return "Right: an action that ties is as good as the first one, so each of them gets its share."
+
+
+def _uses_the_generator(answer: Any) -> None:
+    """Refuse a function that makes a generator of its own, with the same seed in each call."""
+    names = getattr(getattr(answer, "__code__", None), "co_names", ())
+    if not {"default_rng", "RandomState", "seed"}.intersection(names):
+        return
+    rng, call = np.random.default_rng(0), "choose(values, epsilon, rng)"
+    with running(call):
+        drawn = {str(answer(np.zeros(8), 1.0, rng)) for _ in range(20)}
+    if len(drawn) == 1:
+        raise WrongAnswer(
+            f"{call} makes a new generator in each call, so it draws the same number every time: use the `rng` "
+            "that it is given"
+        )
+
+
+def _chosen(answer: Callable[..., Any], values: Any, epsilon: float, rng: np.random.Generator) -> Any:
+    return answer(values, epsilon, rng)
+
+
+def _probabilities(values: Any, epsilon: float) -> list[float]:
+    """Return the probability of each action by ε-greedy."""
+    best = values == values.max()
+    shares: list[float] = (epsilon / len(values) + (1 - epsilon) * best / best.sum()).tolist()
+    return shares
+
+
+def _choice_mistakes(values: Any, epsilon: float) -> dict[str, list[float]]:
+    """Return the probabilities that the usual mistakes give."""
+    n, best = len(values), values == values.max()
+    uniform, greedy = np.full(n, 1 / n), best / best.sum()
+    first, last = np.eye(n)[int(values.argmax())], np.eye(n)[n - 1 - int(values[::-1].argmax())]
+    worst = (values == values.min()) / (values == values.min()).sum()
+    others = ~best / (~best).sum() if (~best).any() else uniform
+    but_last = np.arange(n) < n - 1
+    mixed = {
+        "ties should be broken at random, and it takes the first of equals": (first, uniform),
+        "ties should be broken at random, and it takes the last of equals": (last, uniform),
+        "it never explores: what is `epsilon` for?": (greedy, greedy),
+        "it always acts at random: it should take the highest value with probability 1 − ε": (uniform, uniform),
+        "it takes the *lowest* value": (worst, uniform),
+        "a random action may be the best one too; this one is drawn among the others only": (greedy, others),
+        "the random action is never the last one: `rng.integers(n)` is from 0 to n − 1 already": (
+            greedy,
+            but_last / (n - 1),
+        ),
+        "its random action is always action 0": (greedy, np.eye(n)[0]),
+    }
+    found = {
+        sentence: ((1 - epsilon) * usual + epsilon * exploring).tolist()
+        for sentence, (usual, exploring) in mixed.items()
+    }
+    found["ε and 1 − ε have changed places: it explores with probability 1 − ε"] = (
+        epsilon * greedy + (1 - epsilon) * uniform
+    ).tolist()
+    return found
+
+
+def exercise_3(answer: Any, seed: int) -> str:
+    """Check the class of an agent whose `learn` is Q-learning."""
+    require_class("MyAgent", answer)
+    rng = np.random.default_rng(seed)
+    for shape in ((6, 3), (5, 2), (7, 4)):
+        settings = {
+            "learning_rate": float(rng.choice([0.125, 0.25, 0.75])),
+            "discount": float(rng.choice([0.5, 0.625, 0.75])),
+        }
+        make = partial(agent_with_table, "MyAgent", answer, shape, settings)
+        Q_LEARNING.check(make, shape, settings, seed)
+    return "Right: that is all of Q-learning. See it race:"

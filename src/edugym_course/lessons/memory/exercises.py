@@ -1,0 +1,394 @@
+"""The exercises of lesson 5: the size of a table, a window with actions, and notes of the doors that were opened."""
+
+from collections.abc import Callable, Iterator, Mapping
+from functools import partial
+from itertools import product
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+
+from edugym.agents.q_learning import QLearning
+from edugym.envs.memory_corridor import MemoryCorridor
+from edugym_course.grading.agents import require_class, require_function
+from edugym_course.grading.challenge import Challenge
+from edugym_course.grading.student_code import running
+from edugym_course.grading.values import compare, given, number
+from edugym_course.grading.wrong import WrongAnswer
+from edugym_course.lessons.memory.players import DISCOUNT, Rememberer
+from edugym_course.lessons.memory.secret import SECRET_STEPS, secret_corridor
+from edugym_course.lessons.memory.windows import action_law, window_law
+
+UNUSUAL = "that is none of the usual mistakes, so work it out by hand for a small case"
+
+
+def exercise_1(answer: Any, seed: int) -> str:
+    """Check the number of rows of a table over windows of observations."""
+    require_function("table_rows", answer, "the doors and the length")
+    rng = np.random.default_rng(seed)
+    cases = [(4, 3 + int(rng.integers(2))), (int(rng.integers(5, 8)), 3), (2, 5), (3, 2), (6, 1)]
+    for doors, length in cases:
+        call = f"table_rows({doors}, {length})"
+        with running(call):
+            found = answer(doors, length)
+        right = (doors + 1) ** window_law(length)
+        mistakes = {why: float(wrong) for why, wrong in _row_mistakes(doors, length).items() if wrong != right}
+        compare(call, found, float(right), mistakes, otherwise=UNUSUAL)
+    return "Right: corridor 7 with three doors needs 4^22 rows, about 18 million million."
+
+
+def _row_mistakes(doors: int, length: int) -> dict[str, float]:
+    """Return what the usual mistakes give."""
+    window, with_actions = window_law(length), action_law(length)
+    return {
+        "an unmarked place is an observation too, so there are N + 1 different ones": doors**window,
+        "the present observation is in the window as well: L(L-1)/2 steps back, and one": (doors + 1) ** (window - 1),
+        "a window of L is not enough without the actions: the first mark lies L(L-1)/2 steps back": (doors + 1)
+        ** length,
+        "L(L+1)/2 counts the steps to the end of corridor L; the mark that is needed lies only L(L-1)/2 steps back": (
+            doors + 1
+        )
+        ** (length * (length + 1) // 2),
+        "that is the window for corridor L + 1": (doors + 1) ** window_law(length + 1),
+        "that is the number of entries, a row has one for each action; the rows are asked for": (doors + 1) ** window
+        * doors,
+        "that is the table with the actions in the window; here it shows observations alone": (doors + 1)
+        ** with_actions
+        * doors ** (with_actions - 1),
+        "2L - 3 belongs to windows with actions; observations alone need L(L-1)/2 + 1": (doors + 1) ** with_actions,
+        "that is the window itself; how many different windows are there?": window,
+        "each observation in the window multiplies the number of rows by N + 1: take the power, not the product": (
+            doors + 1
+        )
+        * window,
+        "base and exponent have changed places": window ** (doors + 1),
+        "an unmarked place counts once, not twice: there are N + 1 observations": (doors + 2) ** window,
+        "L^2 / 2 + 1 is not L(L-1)/2 + 1": (doors + 1) ** (length**2 // 2 + 1),
+        "L(L-1) should be divided by 2": (doors + 1) ** (length * (length - 1) + 1),
+    }
+
+
+def exercise_2(answer: Any, seed: int) -> str:
+    """Check the class of a window with actions."""
+    require_class("MyWindow", answer)
+    rng = np.random.default_rng(seed)
+    pushes: list[tuple[Any, int, int, Any]] = []
+    for k, n, m in ((4, 4, 3), (3, 3, 2), (2, 5, 4)):
+        with running("MyWindow(...)"):
+            made = answer(MemoryCorridor.create(m), k=k, n_observations=n, n_actions=m)
+        for _ in range(4):
+            window = _some_window(k, n, m, rng)
+            while len(window) > 3 and np.array_equal(window[:-2], window[2:]):
+                window = _some_window(k, n, m, rng)
+            action, seen = int(rng.integers(m)), int(rng.integers(n))
+            pushes.append((window, action, seen, _pushed(made, window, action, seen)))
+    _compare_pushes(pushes)
+    for k, n, m in ((2, 3, 2), (2, 2, 3), (3, 3, 2), (3, 2, 3)):
+        _check_rows(answer(MemoryCorridor.create(m), k=k, n_observations=n, n_actions=m), k, n, m)
+    return "Right: the history includes the actions. See it race:"
+
+
+def _some_window(k: int, n: int, m: int, rng: np.random.Generator) -> Any:
+    """Make a window up: observations at even places, actions between them, and no two neighbours alike."""
+    window = np.zeros(2 * k - 1, np.int64)
+    window[::2], window[1::2] = rng.integers(n, size=k), rng.integers(m, size=k - 1)
+    return window
+
+
+PUSHES: Mapping[str, Callable[[Any, int, int], Any]] = MappingProxyType(
+    {
+        "the action comes before the observation that it leads to": lambda w, a, o: [*w[2:], o, a],
+        "the latest ones stand at the end of the window, not at its beginning": lambda w, a, o: [a, o, *w[:-2]],
+        "the latest ones stand at the *end* of the window": lambda w, a, o: [o, a, *w[:-2]],
+        "nothing moves: the last two entries are overwritten, and the oldest ones stay for ever": lambda w, a, o: [
+            *w[:-2],
+            a,
+            o,
+        ],
+        "nothing changes; does it return the old window?": lambda w, a, o: [*w],
+        "the new action is missing; the old one stands in its place": lambda w, a, o: [*w[2:], w[-2], o],
+        "the old observation stands where the new action should: the window moves by *two* entries": lambda w, a, o: [
+            *w[2:],
+            w[-1],
+            o,
+        ],
+        "the new action is missing: 0 stands in its place": lambda w, a, o: [*w[2:], 0, o],
+        "the new observation is missing: 0 stands in its place": lambda w, a, o: [*w[2:], a, 0],
+        "the new observation is missing; the old one stands in its place": lambda w, a, o: [*w[2:], a, w[-1]],
+        "it moves by one entry only; an action *and* an observation are new": lambda w, a, o: [*w[1:-1], a, o],
+        "it moves the wrong way: the oldest ones should go": lambda w, a, o: [*np.roll(w, 2)[:-2], a, o],
+        "only the observations move; the actions should move with them": lambda w, a, o: _only(w, a, o, 0),
+        "only the actions move; the observations should move with them": lambda w, a, o: _only(w, a, o, 1),
+        "everything else in the window is lost": lambda w, a, o: [0] * (len(w) - 2) + [a, o],
+    }
+)
+
+
+def _only(window: Any, action: int, seen: int, start: int) -> Any:
+    """Return a window in which every second entry moves."""
+    moved = np.array(window)
+    moved[start:-2:2] = window[start + 2 :: 2]
+    moved[-2:] = action, seen
+    return moved
+
+
+def _pushed(made: Any, window: Any, action: int, seen: int) -> Any:
+    """Return what a student's `push` gives: as many entries as before."""
+    call, mine = _push(window, action, seen), window.copy()
+    with running(call):
+        found = made.push(mine, action, seen)
+    given(call, found)
+    if not np.array_equal(mine, window):
+        raise WrongAnswer(
+            f"{call} changes the window that it is given, which still belongs to the state before: make a new one, with"
+            " window.copy() or np.concatenate"
+        )
+    told = f"{call} should give {_moved(window, action, seen)}, but gives"
+    if not isinstance(found, np.ndarray | list | tuple):
+        raise WrongAnswer(f"{told} {found!r}: the window is an array")
+    entries = np.asarray(found)
+    if entries.shape != window.shape:
+        raise WrongAnswer(
+            f"{told} {entries.tolist()}: the window should stay {len(window)} entries long, so two go and two come"
+        )
+    return found
+
+
+def _push(window: Any, action: int, seen: int) -> str:
+    return f"push({window.tolist()}, {action}, {seen})"
+
+
+def _moved(window: Any, action: int, seen: int) -> list[int]:
+    """Return the window that is right."""
+    return [*window[2:].tolist(), action, seen]
+
+
+def _compare_pushes(pushes: list[tuple[Any, int, int, Any]]) -> None:
+    """Compare all windows with those that are right; a mistake is named if it explains them all."""
+    fitting = [why for why, rule in PUSHES.items() if all(np.array_equal(rule(*case), mine) for *case, mine in pushes)]
+    why = [*fitting, "the first two entries should go, and action and observation come at the end"][0]
+    for *case, found in pushes:
+        call, right, entries = _push(*case), _moved(*case), np.asarray(found)
+        if not np.array_equal(entries, right):
+            raise WrongAnswer(f"{call} should give {right}, but gives {entries.tolist()}: {why}")
+        if not isinstance(found, np.ndarray):
+            raise WrongAnswer(f"{call} gives a {type(found).__name__}: give a NumPy array, as the window is one")
+        if found.dtype.kind not in "iu":
+            raise WrongAnswer(
+                f"{call} gives {found.dtype} numbers, but whole numbers are needed, so start from window.copy(), or"
+                " np.zeros(len(window), np.int64)"
+            )
+
+
+DIGITS = (
+    "multiply by the number of values of the digit that you add, and then add it: n_observations at even indices,"
+    " n_actions at odd ones"
+)
+
+
+def _whole(call: str, found: Any) -> int:
+    """Return a whole number as an int.
+
+    Raises:
+        WrongAnswer: it is something else, such as 2.0.
+    """
+    value = number(call, found)
+    if not isinstance(found, int | np.integer):
+        told = np.asarray(found).item()
+        raise WrongAnswer(f"{call} should be a whole number, but is {told!r}: use `//` for `/`, and 0 for 0.0")
+    return int(value)
+
+
+def _check_rows(made: Any, k: int, n: int, m: int) -> None:
+    """Check that `row` numbers the windows: all numbers differ and fit the table."""
+    size = n**k * m ** (k - 1)
+    known: dict[int, list[int]] = {}
+    for entries in product(*(range(m if i % 2 else n) for i in range(2 * k - 1))):
+        window = np.array(entries)
+        call = f"row({window.tolist()}) with {n} observations and {m} actions"
+        mine = window.copy()
+        with running(call):
+            found = made.row(mine)
+        row = _whole(call, found)
+        if not np.array_equal(mine, window):
+            raise WrongAnswer(f"{call} changes the window that it is given, and that is still needed: only read it")
+        if not 0 <= row < size:
+            raise WrongAnswer(
+                f"{call} should be from 0 to {size - 1}, but is {row}: an observation is a digit with {n} values and"
+                f" an action one with {m}; {DIGITS}"
+            )
+        other = known.setdefault(row, window.tolist())
+        if other != window.tolist():
+            differ = [i for i in range(len(other)) if other[i] != window[i]]
+            why = (
+                "they differ in an action only, so the action makes no difference to the row"
+                if all(i % 2 for i in differ)
+                else DIGITS
+            )
+            raise WrongAnswer(
+                f"row({other}) and row({window.tolist()}) are both {row} with {n} observations and {m} actions, but"
+                f" different windows need different rows: {why}"
+            )
+
+
+Notes = tuple[Any, int]
+UPDATES: Mapping[str, Callable[[Any, int, int, int, int], Notes]] = MappingProxyType(
+    {
+        "it notes what was *seen*, and at an unmarked place that is no door: note the door that was opened": (
+            lambda notes, place, seen, action, n: (_noted(notes, place, seen), place + 1 if seen == n else 0)
+        ),
+        "after the marked door the corridor starts again, so the next place is 0": (
+            lambda notes, place, seen, action, n: (_noted(notes, place, action), place + 1)
+        ),
+        "the two cases have changed places: after a *marked* door the corridor starts again": (
+            lambda notes, place, seen, action, n: (_noted(notes, place, action), 0 if seen == n else place + 1)
+        ),
+        "the next place is one further, place + 1, where no door is marked": (
+            lambda notes, place, seen, action, n: (_noted(notes, place, action), place if seen == n else 0)
+        ),
+        "the next place is always 0: compare what was *seen* with num_doors": lambda notes, place, seen, action, n: (
+            _noted(notes, place, action),
+            0,
+        ),
+        "the first place is 0, not 1": (
+            lambda notes, place, seen, action, n: (_noted(notes, place, action), place + 1 if seen == n else 1)
+        ),
+        "the door belongs to the place where it was opened: write the note before you move on": (
+            lambda notes, place, seen, action, n: _moved_first(notes, place, seen, action, n)
+        ),
+        "all notes are wiped out where the corridor starts again, and they are needed there": (
+            lambda notes, place, seen, action, n: (
+                (_noted(notes, place, action), place + 1)
+                if seen == n
+                else (np.full_like(_noted(notes, place, action), n), 0)
+            )
+        ),
+        "the marked door is not noted: write every door into `notes[place]`, marked or not (and into `notes` itself,"
+        " not into a copy)": (lambda notes, place, seen, action, n: (notes, place + 1 if seen == n else 0)),
+        "it notes the place instead of the door": (
+            lambda notes, place, seen, action, n: (_noted(notes, place, place), place + 1 if seen == n else 0)
+        ),
+        "it writes the note to `notes[action]`; the index is the place": (
+            lambda notes, place, seen, action, n: (_noted(notes, action, action), place + 1 if seen == n else 0)
+        ),
+        "it writes the note to `notes[seen]`; the index is the place": (
+            lambda notes, place, seen, action, n: (_noted(notes, seen, action), place + 1 if seen == n else 0)
+        ),
+        "the present place is compared with the number of doors; compare what was *seen* with it": (
+            lambda notes, place, seen, action, n: (_noted(notes, place, action), place + 1 if place == n else 0)
+        ),
+        "3 stands where self.num_doors should": (
+            lambda notes, place, seen, action, n: (_noted(notes, place, action), place + 1 if seen == 3 else 0)
+        ),
+        "3 stands where self.num_doors should: where there are more doors, 3 is one of them": (
+            lambda notes, place, seen, action, n: (_noted(notes, place, action), place + 1 if seen >= 3 else 0)
+        ),
+    }
+)
+
+
+def _noted(notes: Any, place: int, door: int) -> Any:
+    """Return notes with one more door."""
+    new = notes.copy()
+    new[place] = door
+    return new
+
+
+def _moved_first(notes: Any, place: int, seen: int, action: int, n: int) -> Notes:
+    """Move on, and then write."""
+    place = place + 1 if seen == n else 0
+    return _noted(notes, place, action), place
+
+
+def _right(notes: Any, place: int, seen: int, action: int, n: int) -> Notes:
+    """Write the door, and move on."""
+    return _noted(notes, place, action), place + 1 if seen == n else 0
+
+
+def _walk(n: int, rng: np.random.Generator) -> Iterator[tuple[Any, int, int, int, int]]:
+    """Yield the arguments of `update`, and the number of doors, on the right way through five corridors."""
+    doors = [*rng.integers(n, size=6).tolist()]
+    notes, place = np.full(8, n), 0
+    for length in range(1, 6):
+        for p in range(length):
+            case = notes, place, doors[p] if p == length - 1 else n, doors[p], n
+            yield case
+            notes, place = _right(*case)
+
+
+def exercise_3(answer: Any, seed: int) -> str:
+    """Check the class of a corridor with a notebook."""
+    require_class("Notebook", answer)
+    rng = np.random.default_rng(seed)
+    cases, outcomes = [], []
+    for n in (3, 4, 6):
+        with running("Notebook(...)"):
+            made = answer(MemoryCorridor.create(n), num_doors=n)
+        walk = [*_walk(n, rng)]
+        cases += walk
+        outcomes += [_updated(made, *case) for case in walk]
+    for case, (mine, place) in zip(cases, outcomes, strict=True):
+        notes, expected = _right(*case)
+        if place == expected and np.array_equal(mine, notes):
+            continue
+        fitting = [why for why, rule in UPDATES.items() if all(map(_agree, cases, outcomes, [rule] * len(cases)))]
+        why = fitting[0] if fitting else "that is none of the usual mistakes, so follow this step by hand"
+        what = (
+            f"should leave the notes {_short(notes)}, but leaves {_short(mine)}"
+            if not np.array_equal(mine, notes)
+            else f"should return {expected}, but returns {place}"
+        )
+        raise WrongAnswer(f"{_call(*case)} {what}: {why}")
+    return "Right: the state is one note and what is seen, 16 rows with three doors. See it race:"
+
+
+def _call(notes: Any, place: int, seen: int, action: int, n: int) -> str:
+    marked = "no mark" if seen == n else "marked"
+    return (
+        f"update(notes, place={place}, seen={seen}, action={action}) with {n} doors ({marked}), notes {_short(notes)},"
+    )
+
+
+def _short(notes: Any) -> str:
+    return "[" + ", ".join(str(int(note)) for note in notes[:6]) + ", ...]"
+
+
+def _updated(made: Any, notes: Any, place: int, seen: int, action: int, n: int) -> Notes:
+    """Run a student's update on a copy of the notes."""
+    mine, call = notes.copy(), _call(notes, place, seen, action, n)
+    with running(call):
+        found = made.update(mine, place, seen, action)
+    if isinstance(found, tuple | np.ndarray):
+        raise WrongAnswer(
+            f"{call} should return the next place alone, but returns a {type(found).__name__}; the notes are changed in"
+            " place, so they need not be returned"
+        )
+    return mine, _whole(f"update(notes, {place}, {seen}, {action})", found)
+
+
+def _agree(case: Any, outcome: Notes, rule: Callable[..., Notes]) -> bool:
+    """Whether a rule gives the same in a case; one that would write outside of the notes does not."""
+    try:
+        notes, place = rule(*case)
+    except IndexError:
+        return False
+    return place == outcome[1] and np.array_equal(notes, outcome[0])
+
+
+CHALLENGE = Challenge(
+    environment=secret_corridor,
+    parameters=MappingProxyType({}),
+    n_steps=5_000,
+    baselines=MappingProxyType(
+        {"Q-learning": partial(QLearning.create, discount=DISCOUNT), "the lesson's notes": Rememberer.create}
+    ),
+    optimum=float(SECRET_STEPS),
+    best_average=64.0,
+    column="training_return",
+    best_label="good play, on average",
+)
+"""The open challenge: the highest return of all training episodes in 5 000 steps, where marks are signs to be learned.
+
+64 is the mean, over 1 000 runs, of an agent that notes its doors and knows that it should repeat them, and that never
+tries a door for a sign that is already known to be another one.
+"""

@@ -1,0 +1,113 @@
+"""The exercises of lesson 9: an error that pays, Dyna-Q+, R-max, another lake."""
+
+from types import MappingProxyType
+from typing import Any
+
+import gymnasium
+
+from edugym.agents.planning import Updates
+from edugym.system.packages import is_ours
+from edugym_course.grading.agents import require_function
+from edugym_course.grading.challenge import Challenge
+from edugym_course.grading.results import check_results
+from edugym_course.grading.student_code import running
+from edugym_course.grading.values import compare
+from edugym_course.grading.wrong import WrongAnswer
+from edugym_course.lessons.model_based import DYNA_10, LEARNED, OPTIMUM, Q_LEARNING, R_MAX, SWEEPING
+from edugym_course.lessons.model_based.exercises.imagining import exercise_2 as exercise_2
+from edugym_course.lessons.model_based.exercises.sweeping import exercise_3 as exercise_3
+
+LAKE_STEPS = 3_000
+ENOUGH = 0.15
+"""A share of goals that averaging reaches and luck does not: rates of 1 with sampled updates get 0.07 at most."""
+
+
+def exercise_1(answer: Any, seed: int) -> str:
+    """Check the error from which bumping into a wall for ever looks better than anything else."""
+    require_function("smallest_error", answer, "v and gamma")
+    for v, gamma in ((40.0, 0.75), (8.0 + seed % 4, 0.5), (33.0, 0.875)):
+        with running(f"smallest_error({v:g}, {gamma})"):
+            found = answer(v, gamma)
+        right = 1 + (1 - gamma) * v
+        compare(
+            f"smallest_error({v:g}, {gamma})",
+            found,
+            right,
+            {
+                "the step costs 1, which the error has to pay first: the reward of a bump seems to be e − 1": right - 1,
+                "the cost of the step is −1, so solve e − 1 = (1 − γ) v for e: it adds 1": right - 2,
+                "bumping for ever is worth the reward *divided* by 1 − γ": 1 + v / (1 - gamma),
+                "that leaves the future out: one bump alone need not be worth v, for it is followed by more": 1 + v,
+                "that compares with γ v; compare with v, what the best way is worth from here": 1 + gamma * v,
+                "that is what bumping is worth without an error, −1/(1 − γ)": -1 / (1 - gamma),
+                "that solves e/(1 − γ) − 1 = v: the cost of 1 comes with every bump": (1 - gamma) * (v + 1),
+                "that is v itself": v,
+                "that is 1, the error from which a bump pays at all; it must pay more than leaving": 1.0,
+                "the sign of γ is wrong: the sum 1 + γ + γ² + ... is 1/(1 − γ)": 1 + (1 + gamma) * v,
+                "the cost is subtracted twice": 1 + (1 - gamma) * (v + 1),
+                "that is 1 − (1 − γ) v: the two terms add up": 1 - (1 - gamma) * v,
+                "only the first three bumps are counted, and there is no end to them": 1 + v / (1 + gamma + gamma**2),
+            },
+            otherwise="solve (e − 1)/(1 − γ) = v for e",
+        )
+    return "Right: the larger γ is, the smaller an error is enough, since a far-sighted plan adds up more bumps."
+
+
+def plans(agent: Any) -> bool:
+    """Whether an agent makes updates with a model; one that the reader wrote is believed to."""
+    if not is_ours(type(agent)):
+        return True
+    return hasattr(agent, "model") and agent.planning != Updates(0.0)
+
+
+def exercise_4(answer: Any, seed: int) -> str:
+    """Check the results of three methods, and of one more, on the slippery lake."""
+    lake = gymnasium.make("FrozenLake-v1", map_name="4x4", is_slippery=True)
+    asked = {
+        "environment": "FrozenLake-v1",
+        "environment.map_name": "4x4",
+        "environment.is_slippery": True,
+        "n_steps": LAKE_STEPS,
+        "repetitions": 5,
+    }
+    methods = {label: LEARNED[label] for label in (Q_LEARNING, DYNA_10)}
+    results = check_results("lake_results", answer, asked=asked, methods=methods, environment=lake)
+    own = [label for label in results.methods if label not in methods]
+    if not own:
+        raise WrongAnswer("lake_results should have a third method, your own, beside the two of the lesson")
+    goals = {label: float(results.curves(label).loc[LAKE_STEPS // 2 :].to_numpy().mean()) for label in results.methods}
+    agents = {label: next(iter(results.complete_agents(label).values())) for label in own}
+    planners = [label for label in own if plans(agents[label])]
+    if not planners:
+        raise WrongAnswer(
+            f"the third method should plan, and {own[0]!r} learns from real steps alone: make it with DynaQ,"
+            " PrioritisedSweeping or RMax, and let `planning_steps` be above 0"
+        )
+    best = max(planners, key=lambda label: goals[label])
+    shares = ", ".join(f"{label} {share:.2f}" for label, share in goals.items())
+    measured = f"Share of evaluation episodes that reach the goal, in the second half of training: {shares}."
+    if goals[best] < ENOUGH:
+        agent = agents[best]
+        sampled = not getattr(agent, "expected_updates", False) and getattr(agent, "learning_rate", 0.0) == 1.0
+        hint = (
+            "it has a learning rate of 1 and sampled updates, so that a value is whatever the last outcome said,"
+            " however many updates it makes"
+            if sampled
+            else "let each value average over many outcomes, by expected updates or by a learning rate such as 0.1"
+        )
+        raise WrongAnswer(f"{best!r} should get {ENOUGH:g} or more: {hint}. {measured}")
+    return (
+        f"Right. {measured} A learning rate of 1 with sampled updates fails on slippery ice: each value keeps only the"
+        " last outcome. Expected updates, or a lower rate, average over all of them."
+    )
+
+
+CHALLENGE = Challenge(
+    environment="Supermarket",
+    parameters=MappingProxyType({}),
+    n_steps=3_000,
+    baselines=MappingProxyType({label: LEARNED[label] for label in (R_MAX, DYNA_10, SWEEPING)}),
+    optimum=OPTIMUM,
+    best_average=OPTIMUM,
+)
+"""The open challenge: the highest average return within 3 000 steps. Who knew the shop from the start would get 95."""

@@ -1,0 +1,163 @@
+"""Exercise 2: the imagined target of Dyna-Q+."""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+
+from edugym_course.grading.student_code import running
+from edugym_course.grading.updates import table_of
+from edugym_course.grading.values import digits, number, same
+from edugym_course.grading.wrong import WrongAnswer
+from edugym_course.lessons.model_based.exercises.students import SHAPE, Memory, agent_with, first_that_fits, memories
+
+
+def imagined(
+    case: Memory,
+    *,
+    discount: float,
+    kappa: float,
+    root: str = "√τ",
+    since: str = "now − last",
+    ends: str = "heeded",
+    untried: str = "stays",
+    asks: str = "pair",
+    backup: str = "max",
+    target: str = "all",
+) -> float:
+    """Return the target of an imagined step of Dyna-Q+; other arguments than the defaults are mistakes."""
+    s, a = case.state, case.action
+    last = case.last[s, a]
+    tried = last > 0
+    tau = {"now − last": case.now - last, "last": last, "now": case.now, "one more": case.now - last + 1}[since]
+    bonus = {
+        "√τ": kappa * np.sqrt(tau),
+        "τ": kappa * tau,
+        "κ inside": np.sqrt(kappa * tau),
+        "minus": -kappa * np.sqrt(tau),
+        "none": 0.0,
+        "tried": kappa * np.sqrt(tau) if tried else 0.0,
+        "untried": 0.0 if tried else kappa * np.sqrt(tau),
+    }[root]
+    stored = case.rewards[s, a], case.next_states[s, a], case.ends[s, a] == 1
+    known = {
+        "pair": tried,
+        "state": case.last[s].any(),
+        "reward": stored[0] != 0.0,
+        "next state": stored[1] != 0,
+        "nothing": True,
+    }[asks]
+    if not known and untried != "stays":
+        own = float(bonus + discount * case.Q[s, a])
+        return {"zero": 0.0, "bonus only": float(bonus), "its own value": own}[untried]
+    reward, next_state, ended = stored if known else (0.0, s, False)
+    row = case.Q[next_state]
+    value = {"max": row.max(), "mean": row.mean(), "own": case.Q[s].max(), "same": row[a], "none": 0.0}[backup]
+    future = 0.0 if ended and ends == "heeded" else value
+    return float(
+        {
+            "all": reward + bonus + discount * future,
+            "no reward": bonus + discount * future,
+            "undiscounted": reward + bonus + future,
+            "bonus discounted": reward + discount * (bonus + future),
+            "no bonus at the end": reward + (0.0 if ended else bonus) + discount * future,
+            "difference": reward + bonus + discount * future - case.Q[s, a],
+        }[target]
+    )
+
+
+IMAGINED_MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
+    {
+        "the bonus is missing": {"root": "none"},
+        "the root is missing: the bonus is κ√τ": {"root": "τ"},
+        "κ belongs before the root: κ√τ, not √(κτ)": {"root": "κ inside"},
+        "the bonus is subtracted": {"root": "minus"},
+        "only actions that were tried get a bonus, and those that were never tried need it most": {"root": "tried"},
+        "only actions that were never tried get a bonus; every action does": {"root": "untried"},
+        "τ is the time *since* the last try, `now − last`, and that is the time of the last try": {"since": "last"},
+        "τ is the time since the last try; subtract `last` from the clock": {"since": "now"},
+        "τ is one too large": {"since": "one more"},
+        "after a terminal state there is no future: leave γ max_a Q(S', a) out where `ends` is 1": {"ends": "ignored"},
+        "an action that was never tried is imagined to lead back to its own state, so γ max_a Q(s, a) belongs to its"
+        " target": {"untried": "bonus only"},
+        "for an action that was never tried the target has the *largest* value of the state, max_a Q(s, a), and not the"
+        " value of that action": {"untried": "its own value"},
+        "an action that was never tried has a target too: reward 0, back to its own state, and the bonus": {
+            "untried": "zero"
+        },
+        "an action that was never tried has nothing in the tables yet, so do not read `next_states` there: it leads"
+        " back to its own state": {"asks": "nothing"},
+        "that asks whether any action of the state was tried; ask whether this *pair* was tried:"
+        " `self.last[s, a] == 0`": {"asks": "state"},
+        "a reward may be 0, so it does not say that nothing was tried; ask whether this *pair* was tried:"
+        " `self.last[s, a] == 0`": {"asks": "reward"},
+        "the next state may be 0, so it does not say that nothing was tried; ask whether this *pair* was tried:"
+        " `self.last[s, a] == 0`": {"asks": "next state"},
+        "the mean over the actions stands where the maximum should": {"backup": "mean"},
+        "the maximum is taken over Q(s, a) of the state itself instead of the next state": {"backup": "own"},
+        "the value of the *same* action stands where the maximum over all actions should": {"backup": "same"},
+        "the value of the next state is missing": {"backup": "none"},
+        "the value of the next state is not discounted": {"target": "undiscounted"},
+        "the bonus is discounted; γ belongs to the value of the next state only": {"target": "bonus discounted"},
+        "the reward is missing": {"target": "no reward"},
+        "that is the TD error: return the whole target, which `act` puts into Q": {"target": "difference"},
+        "at the end of an episode the bonus is lost: only the value of the next state is 0 there": {
+            "target": "no bonus at the end"
+        },
+        "everything fits a discount of 0.99: use self.discount": {"discount": 0.99},
+        "everything fits a κ of 0.03: use self.kappa": {"kappa": 0.03},
+    }
+)
+SETTINGS: Mapping[str, Any] = MappingProxyType({"discount": 0.75, "kappa": 2.0})
+
+
+def exercise_2(answer: Any, seed: int) -> str:
+    """Check the imagined target of Dyna-Q+."""
+    agent = agent_with("DynaPlus", answer, SETTINGS, "imagine")
+    if not hasattr(agent, "imagine"):
+        raise WrongAnswer("DynaPlus should have the method `imagine`")
+    cases = [*memories(seed)]
+    right = [imagined(case, **SETTINGS) for case in cases]
+    found = [_imagined_by(agent, case) for case in cases]
+    wrong = [k for k in range(len(cases)) if not same(found[k], right[k])]
+    if wrong:
+        why = first_that_fits(
+            IMAGINED_MISTAKES,
+            lambda change: all(
+                same(imagined(case, **{**SETTINGS, **change}), mine) for case, mine in zip(cases, found, strict=True)
+            ),
+        )
+        case, mine, expected = cases[wrong[0]], found[wrong[0]], right[wrong[0]]
+        s, a = case.state, case.action
+        n = int(case.next_states[s, a])
+        told = (
+            f"now = {case.now}, last = {case.last[s, a]}, reward = {case.rewards[s, a]:g}, next state = {n}, ends ="
+            f" {case.ends[s, a]}, Q[{n}] = {case.Q[n].tolist()}"
+            if case.last[s, a]
+            else f"now = {case.now}, the action was never tried and Q[{s}] = {case.Q[s].tolist()}"
+        )
+        raise WrongAnswer(
+            f"imagine({s}, {a}), where γ = 0.75, κ = 2, {told}, should be {digits(expected, mine)}, but is"
+            f" {digits(mine, expected)}: {why}"
+        )
+    return (
+        "Right: what was not tried for a long time looks better and better, until the agent goes and sees. "
+        "See its race:"
+    )
+
+
+def _imagined_by(agent: Any, case: Memory) -> float:
+    """Return the student's target."""
+    tables = {name: getattr(case, name) for name in ("Q", "rewards", "next_states", "ends", "last")}
+    states = np.flatnonzero(case.last.any(axis=1))
+    tables |= {"clock": np.array([case.now]), "n_seen": np.array([len(states)])}
+    tables["seen"] = np.pad(states, (0, SHAPE[0] - len(states)))
+    for name, values in tables.items():
+        table_of(agent, name, values.shape, values.dtype.kind)[...] = values
+    call = f"imagine({case.state}, {case.action})"
+    with running(call):
+        found = agent.imagine(case.state, case.action)
+    if any(not np.array_equal(getattr(agent, name), values) for name, values in tables.items()):
+        raise WrongAnswer(f"{call} changes a table: it should only return the target, and `act` puts that into Q")
+    return number(call, found)

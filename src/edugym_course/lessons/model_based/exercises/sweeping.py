@@ -1,0 +1,260 @@
+"""Exercise 3: R-max."""
+
+from collections.abc import Mapping
+from functools import partial
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from edugym_course.grading.agents import learn_step
+from edugym_course.grading.student_code import running
+from edugym_course.grading.updates import table_of
+from edugym_course.grading.values import digits, number, same
+from edugym_course.grading.wrong import WrongAnswer
+from edugym_course.lessons.model_based.exercises.students import SHAPE, agent_with, first_that_fits
+
+SETTLED = 400
+"""After so many sweeps nothing changes any more."""
+SETTINGS: Mapping[str, Any] = MappingProxyType({"discount": 0.5})
+
+
+class Model(NamedTuple):
+    """What the agent knows, and its values: its tables by their names."""
+
+    Q: Any
+    known: Any
+    rewards: Any
+    next_states: Any
+    ends: Any
+
+
+def swept(
+    model: Model,
+    *,
+    discount: float,
+    ends: str = "heeded",
+    unknown: str = "left",
+    backup: str = "max",
+    target: str = "all",
+) -> Any:
+    """Return the values that sweeps of R-max settle at; other arguments than the defaults are mistakes."""
+    Q, known = model.Q.copy(), model.known
+    for _ in range(SETTLED):
+        for s, a in np.ndindex(*SHAPE):
+            if (not known[s, a] and unknown == "left") or (unknown == "only" and known[s, a]):
+                continue
+            if not known[s, a] and unknown == "zero":
+                Q[s, a] = 0.0
+                continue
+            row = Q[model.next_states[s, a]]
+            value = {"max": row.max(), "mean": row.mean(), "own": Q[s].max(), "same": row[a], "none": 0.0}[backup]
+            if model.ends[s, a] == 1 and ends == "heeded":
+                value = 0.0
+            reward = model.rewards[s, a]
+            Q[s, a] = {
+                "all": reward + discount * value,
+                "all discounted": discount * (reward + value),
+                "no reward": discount * value,
+                "added": Q[s, a] + reward + discount * value,
+                "minus": reward - discount * value,
+            }[target]
+    return Q
+
+
+SWEEP_MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
+    {
+        "pairs that are not known change as well; leave them at U, which is what makes the agent curious": {
+            "unknown": "all"
+        },
+        "pairs that are not known are set to 0; leave them at U, which is what makes the agent curious": {
+            "unknown": "zero"
+        },
+        "the test of `known` is the wrong way round": {"unknown": "only"},
+        "after a terminal state there is no future: leave γ max_a Q(s', a) out where `ends` is 1": {"ends": "ignored"},
+        "the mean over the actions stands where the maximum should": {"backup": "mean"},
+        "the maximum is taken over the state itself instead of the next state": {"backup": "own"},
+        "the value of the *same* action stands where the maximum over all actions should": {"backup": "same"},
+        "the value of the next state is missing": {"backup": "none"},
+        "the whole target is discounted; γ belongs to the value of the next state only": {"target": "all discounted"},
+        "the reward is missing": {"target": "no reward"},
+        "the value of the next state is subtracted": {"target": "minus"},
+        "the old value is still in the sum: Q(s, a) *becomes* the target, `=` and not `+=`": {"target": "added"},
+        "everything fits a discount of 0.99: use self.discount": {"discount": 0.99},
+    }
+)
+
+
+def exercise_3(answer: Any, seed: int) -> str:
+    """Check R-max: what it remembers, and how it sweeps."""
+    _check_sweep(answer, seed)
+    _check_learn(answer, seed)
+    return (
+        "Right: the unknown is worth U, so the way to it is planned like any other way. In the race its policy goes on"
+        " exploring, since it has one table only, until all that matters is known; then it jumps to the optimum:"
+    )
+
+
+def _check_sweep(answer: Any, seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    for _ in range(3):
+        agent, model = agent_with("MyRMax", answer, SETTINGS, "sweep"), _some_model(rng)
+        for name, values in model._asdict().items():
+            table_of(agent, name, SHAPE, values.dtype.kind)[...] = values
+        with running("sweep()"):
+            first = agent.sweep()
+            if first is None:
+                raise WrongAnswer("sweep() gives None: it should return the largest change of a value")
+            changes = agent.Q - model.Q
+            for _ in range(SETTLED - 1):
+                last = agent.sweep()
+        _check_values(agent.Q.copy(), model)
+        for name, values in model._asdict().items():
+            if name != "Q" and not np.array_equal(getattr(agent, name), values):
+                raise WrongAnswer(f"sweep() changes the table `{name}`: planning changes Q only")
+        if not same(number("sweep()", last), 0.0):
+            raise WrongAnswer(
+                f"once nothing changes any more, sweep() should return 0, the largest change, but returns {last:.4g}"
+            )
+        _check_largest(number("sweep()", first), changes, model.known)
+
+
+def _some_model(rng: np.random.Generator) -> Model:
+    """Make a model up: all actions of state 0 are known, and of the other pairs 9."""
+    known = rng.permutation(np.repeat([0, 1], [6, 9])).reshape(-1, SHAPE[1])
+    known = np.vstack([np.ones((1, SHAPE[1]), np.int64), known])
+    next_states = np.where(known, rng.integers(1, SHAPE[0], SHAPE), 0)
+    rewards = np.where(known, rng.choice([-2.0, -1.0, 3.0, 6.0], SHAPE), 0.0)
+    ends = np.where(known, rng.random(SHAPE) < 0.25, 0).astype(np.int64)
+    Q = np.full(SHAPE, 100.0)
+    Q[known == 1] = rng.choice([-4.0, 2.0, 50.0], 12)
+    Q[0, 0] = 400.0  # it falls by more than any other value rises
+    return Model(Q, known, rewards, next_states, ends)
+
+
+def _check_values(found: Any, model: Model) -> None:
+    """Check the values after many sweeps."""
+    right = swept(model, **SETTINGS)
+    wrong = np.argwhere(~np.isclose(found, right, atol=1e-6))
+    if not len(wrong):
+        return
+    changed = ~np.isclose(found, model.Q)
+    if not changed.any():
+        why = "sweep() changes no value: set Q[s, a] to the target"
+    elif not changed[1:].any():
+        one = " and action 0" if not changed[0, 1:].any() else ""
+        why = (
+            f"only state 0{one} is swept. `return` ends the loops: write it below both, as far to the left as the first"
+            " `for`"
+        )
+    else:
+        why = first_that_fits(SWEEP_MISTAKES, partial(_sweeps_to, found, model))
+    s, a = wrong[0]
+    what = "known" if model.known[s, a] else "not known"
+    raise WrongAnswer(
+        f"after many sweeps with γ = 0.5, Q[{s}, {a}], a pair that is {what}, should be"
+        f" {digits(right[s, a], found[s, a])}, but is {digits(found[s, a], right[s, a])}: {why}"
+    )
+
+
+def _sweeps_to(found: Any, model: Model, change: Mapping[str, Any]) -> bool:
+    """Whether a mistake gives the values that were found."""
+    return np.allclose(swept(model, **{**SETTINGS, **change}), found, atol=1e-6, rtol=1e-6)
+
+
+def _check_largest(found: float, changes: Any, known: Any) -> None:
+    """Check what the first sweep returns."""
+    sizes = np.abs(changes)
+    largest = sizes.max()
+    if same(found, largest):
+        return
+    hint = "compare the new value with the old one before you store it, and keep the largest change"
+    if same(found, max(changes.max(), 0.0)):
+        hint = "values fall as well as rise, and a fall counts too: `abs(new - old)`"
+    elif same(found, sizes.sum()):
+        hint = "that is the sum of all changes"
+    elif same(found, sizes[known == 1][-1]) or same(found, sizes[-1].max()):
+        hint = "that is a change of the last state: keep the largest of all, and set it to 0.0 above both loops"
+    raise WrongAnswer(
+        f"the largest change of the first sweep(), without its sign, is {digits(largest, found)}, but it returns"
+        f" {digits(found, largest)}: {hint}"
+    )
+
+
+NOT_PLANNED = "a new pair is known now, so `learn` should call self.plan(), which sweeps until nothing changes"
+
+
+def _check_learn(answer: Any, seed: int) -> None:
+    rng = np.random.default_rng(seed + 100)
+    agent = agent_with("MyRMax", answer, SETTINGS, "sweep")
+    names = ("known", "rewards", "next_states", "ends")
+    seen: dict[str, Any] = {
+        "known": np.zeros(SHAPE, np.int64),
+        "rewards": np.zeros(SHAPE),
+        "next_states": np.zeros(SHAPE, np.int64),
+        "ends": np.zeros(SHAPE, np.int64),
+    }
+    *others, low, middle, high = [int(s) for s in rng.permutation(np.arange(1, SHAPE[0]))]
+    low, middle, high = sorted((low, middle, high))
+    # Two ways lead to the middle, from both sides, and then all of its actions become known: one sweep is not enough.
+    steps = [(low, 1, middle), (high, 0, middle), *((middle, a, others[a % 2]) for a in range(SHAPE[1]))]
+    unplanned = ""  # what to say if no later step changes a value either
+    for k, (state, action, next_state) in enumerate([*steps, (low, 1, high)]):
+        before = {name: table.copy() for name, table in seen.items()}
+        again = k == len(steps)  # a known pair, and something else seems to follow: nothing changes
+        ended = k == 3
+        reward = float(rng.choice([-1.0, 4.0, 7.0])) if not again else 9.0
+        step = {"state": state, "action": action, "reward": reward, "next_state": next_state, "next_action": 0}
+        call = learn_step(agent, {**step, "terminated": ended, "truncated": False})
+        if not again:
+            for name, value in zip(names, (1, reward, next_state, int(ended)), strict=True):
+                seen[name][state, action] = value
+        for name in names:
+            _compare_memory(agent, name, seen[name], call, (state, action), next_state, again)
+        right = _planned(seen)
+        wrong = np.argwhere(~np.isclose(agent.Q, right, atol=1e-2))
+        if not len(wrong):
+            continue
+        s, a = (int(index) for index in wrong[0])
+        what = f"after {call} Q[{s}, {a}] should be {right[s, a]:g}, but is {agent.Q[s, a]:.4g}: "
+        if np.array_equal(agent.Q, np.full(SHAPE, 100.0)):
+            # Either it never plans, or it plans before the new pair is known: the next steps tell.
+            unplanned = unplanned or what
+            continue
+        late = [name for name in names if np.allclose(agent.Q, _planned({**seen, name: before[name]}), atol=1e-2)]
+        if late:
+            hint = f"`{late[0]}` is set only after self.plan(), which cannot use it then: remember first, and plan last"
+            raise WrongAnswer(f"{unplanned or what}{hint}")
+        raise WrongAnswer(f"{unplanned or what}{NOT_PLANNED}")
+    if unplanned:
+        raise WrongAnswer(f"{unplanned}{NOT_PLANNED}")
+
+
+def _planned(seen: Mapping[str, Any]) -> Any:
+    """Return the values of a plan with what was seen, from U everywhere."""
+    return swept(Model(Q=np.full(SHAPE, 100.0), **seen), **SETTINGS)
+
+
+def _compare_memory(
+    agent: Any, name: str, right: Any, call: str, pair: tuple[int, int], next_state: int, again: bool
+) -> None:
+    """Compare a table of what is remembered."""
+    table = table_of(agent, name, SHAPE, right.dtype.kind)
+    wrong = np.argwhere(~np.isclose(table, right))
+    if len(wrong) == 0:
+        return
+    s, a = (int(index) for index in wrong[0])
+    where = "the pair that was tried" if (s, a) == pair else "a pair that was not tried"
+    if again:
+        hint = "that pair was known already, and then nothing should change"
+    elif next_state != pair[0] and next_state in wrong[:, 0]:
+        hint = "it is remembered for next_state; what followed belongs to the pair that was tried, [state, action]"
+    elif name == "ends":
+        hint = "`ends` should be 1 if `terminated`, else 0"
+    elif name == "known":
+        hint = "a pair is known, 1, as soon as it was tried once"
+    else:
+        hint = f"`{name}[state, action]` keeps what followed"
+    raise WrongAnswer(
+        f"after {call}, {name}[{s}, {a}], of {where}, should be {right[s, a]:g}, but is {table[s, a]:g}: {hint}"
+    )

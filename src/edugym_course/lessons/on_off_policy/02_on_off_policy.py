@@ -1,0 +1,768 @@
+# %% [markdown]
+# # On- and off-policy: Roadrunner
+#
+# **The challenge.** An agent that learns must also explore, and exploring near a cliff is dangerous. Should it learn what
+# is best for an agent that never slips, or what is best for itself, slips included?
+#
+# **You will be able to** say in one sentence what makes a method on-policy or off-policy; write Q-learning, SARSA and
+# expected SARSA as one update with three targets; predict which of them earns more when it explores rarely, and which when
+# it explores often; and compute on the exact model where that changes.
+#
+# **Time.** 60 minutes, and 10 more for the section "Stopping before the edge". **Before you start.** You should know what
+# a value function and Q-learning are (Sutton and Barto, 2nd edition, sections 3.5 and 6.5), and ε-greedy action selection
+# (section 2.2). All symbols are in the
+# [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
+
+# %%
+from typing import NamedTuple
+
+import gymnasium as gym
+import numpy as np
+
+from edugym import (
+    SARSA,
+    EpsilonGreedy,
+    ExpectedSARSA,
+    QLearning,
+    finite_model,
+    make_mdp,
+    policy_evaluation,
+    table_size,
+    value_iteration,
+)
+from edugym.agents.tables import best_value, epsilon_greedy_value, one_step_target
+from edugym_course.lessons import on_off_policy
+from edugym_course.notebook import frames, play, predict, sliders, source
+from edugym.experiments.figures import Sheet
+
+# %% [markdown]
+# ## Meet the environment: a road that ends at a cliff
+#
+# A runner stands at the beginning of a road of $W = 10$ cells. At every step it changes its speed: one cell a step
+# slower, the same speed, or one faster. Then it moves by that speed. It must arrive *exactly* at the last cell. One cell
+# further is the cliff.
+
+# %%
+env = gym.make("edugym/Roadrunner-v0").unwrapped
+env.reset(seed=0)
+for action in (2, 2):  # faster, faster
+    env.step(action)
+env.scene()
+
+# %% [markdown]
+# As a Markov decision process: $s$ is the state, $a$ the action, $s'$ the next state.
+#
+# | | | in words |
+# |---|---|---|
+# | states | $s = (x, \mathit{dx})$ | the position $x$, from 0 to $W - 1$, and the speed $\mathit{dx}$ |
+# | actions | $\mathcal{A} = \{0, 1, 2\}$ | slower, same speed, faster |
+# | dynamics | $\mathit{dx}' = \mathit{dx} + a - 1$, then $x' = x + \mathit{dx}'$ | nothing is random; the top speed is 10 |
+# | reward | $+1$ at the last cell | the target, $x' = W - 1$ |
+# | | $-100$ for a fall or a stall | a fall: $x' > W - 1$; a stall: $\mathit{dx}' < 0$ |
+# | | $-1$ for every other step | so a fast run is better than a slow one |
+# | discount | $\gamma = 1$ | future rewards count in full |
+#
+# An episode *terminates* at the target, by a fall, and by a stall. After 50 steps it is *truncated*: cut off, although
+# the task was not at its end. The *return* of an episode is the sum of its rewards.
+#
+# These methods are the environment; they run in every experiment below. (`rng` draws random numbers, which the road does
+# not need. `stop_zone` is 0 until the end of the lesson.)
+
+# %%
+source(type(env.mdp), "transition", "reward", "terminal", "has_failed")
+
+# %% [markdown]
+# **Play it yourself.** What is the best return that you can get? When you have found the best run, play it again with a
+# handicap: before each step throw a die. If it shows a one, press a button at random. Would you still take that run if a
+# fall really hurt?
+
+# %%
+play("Roadrunner")
+
+# %% [markdown]
+# ## The idea: which policy do the values belong to?
+#
+# Two policies are at work in an agent that learns. The **behaviour policy** chooses the actions. Here it is ε-greedy: with
+# probability $\varepsilon$ it *slips*, that is, it takes an action at random (which may happen to be the best one), and
+# otherwise it takes the action with the largest value. The **target policy** $\pi$ is the one whose values are learned.
+#
+# - A method is **on-policy** if both are the same: it learns what its own behaviour is worth, slips included.
+# - A method is **off-policy** if they differ: it learns about another policy than the one that it follows.
+#
+# The value $q_\pi(s, a)$ is the expected return of an agent that takes action $a$ in state $s$ and follows the policy
+# $\pi$ from then on. So it is the next reward, and what the policy earns from the next state on: there it takes action
+# $a'$ with the probability $\pi(a' \mid s')$. On the road, where the next state is certain, that is (Sutton and Barto,
+# equation 4.6):
+#
+# $$
+# q_\pi(s, a) = r(s, a, s') + \gamma \sum_{a'} \pi(a' \mid s')\, q_\pi(s', a')
+# $$
+#
+# A learning agent does not know $q_\pi$. It keeps a table $Q(s, a)$, and after each step from $S$ by $A$ to $S'$ with
+# reward $R$ it moves one value a little, by the learning rate $\alpha$, towards a target $R + \gamma\, V(S')$ that
+# looks like the right side:
+#
+# $$
+# Q(S, A) \leftarrow Q(S, A) + \alpha \left[ R + \gamma\, V(S') - Q(S, A) \right]
+# $$
+#
+# The three methods of this lesson differ in one thing only: what they take for $V(S')$, the value of the next state.
+# $A'$ is the action that the agent has chosen to take there.
+#
+# | method | $V(S')$ | in the book | target policy |
+# |---|---|---|---|
+# | SARSA | $Q(S', A')$ | 6.7 | the ε-greedy policy that it follows: $A'$ may be a slip |
+# | expected SARSA | $\sum_a \pi(a \mid S')\, Q(S', a)$ | 6.9 | the same, but with the mean over all $A'$ instead of one |
+# | Q-learning | $\max_a Q(S', a)$ | 6.8 | the greedy policy, which never slips |
+#
+# So SARSA and expected SARSA are on-policy, and Q-learning is off-policy. After a terminal state there is no future, and
+# the target is $R$ alone.
+#
+# ### SARSA: the action that comes next
+# It needs $S, A, R, S', A'$ for one update, and that is its name.
+
+# %%
+source(SARSA.learn)
+
+# %%
+source(one_step_target)
+
+# %% [markdown]
+# ### Expected SARSA: the mean over the next actions
+# $A'$ is drawn at random, so the target of SARSA is noisy. Its mean can be computed. With probability $1 - \varepsilon$ an
+# ε-greedy policy takes the best action. Otherwise it draws one of all $n$ actions, each with the same probability, so that
+#
+# $$
+# \sum_a \pi(a \mid S')\, Q(S', a) = (1 - \varepsilon) \max_a Q(S', a) + \varepsilon \, \frac{1}{n} \sum_a Q(S', a)
+# $$
+
+# %%
+source(ExpectedSARSA.learn)
+
+# %%
+source(epsilon_greedy_value)
+
+# %% [markdown]
+# ### Q-learning: as if it never slipped
+# Set $\varepsilon = 0$ in the equation above, and only the maximum is left. Q-learning still *behaves* ε-greedily; it just
+# does not count on its slips.
+
+# %%
+source(QLearning.learn)
+
+# %%
+source(best_value)
+
+# %% [markdown]
+# ## The experiment: who learns the better run?
+#
+# All three methods learn on the same road with the same settings. We look at two returns. The *greedy* return is that of
+# an episode without slips, played with the values learned so far. The return *while exploring* is that of the training
+# episodes, slips included: what the agent really earns as it learns. It is also called the *online* return.
+#
+# | setting | value |
+# |---|---|
+# | all | tabular, $\alpha = 0.03$, $\gamma = 1$, $\varepsilon = 0.1$, all values start at 0, ties broken at random |
+# | training | 200 000 steps |
+# | evaluation | one greedy episode every 10 000 steps |
+# | repetitions | 30; bands are 95 % intervals |
+#
+# Two black lines show what is possible, computed from the exact model: the optimum (dashed), and the return of the best
+# *ε-soft* policy (dotted): the best policy among those that take a random action with probability $\varepsilon = 0.1$ in
+# every state. No agent that explores with this $\varepsilon$ can earn more in the long run.
+#
+# **Predict.** Who is ahead at the end?
+
+# %%
+ahead = predict(
+    "At the end of training ...",
+    [
+        "Q-learning is ahead in both returns",
+        "SARSA is ahead in both returns",
+        "Q-learning is ahead when greedy, SARSA while exploring",
+        "SARSA is ahead when greedy, Q-learning while exploring",
+    ],
+)
+ahead
+
+# %%
+edge = on_off_policy.compare(repetitions=30)
+display(on_off_policy.learning_curves(edge))
+greedy = {method: edge.final(method).mean() for method in edge.methods}
+exploring = {method: on_off_policy.online(edge, method).mean() for method in edge.methods}
+for method in edge.methods:
+    print(f"{method:14}: greedy {greedy[method]:.2f}, while exploring {exploring[method]:.2f} (second half)")
+leaders = [max(("Q-learning", "SARSA"), key=returns.get) for returns in (greedy, exploring)]
+if leaders[0] == leaders[1]:
+    seen = f"{leaders[0]} is ahead in both returns"
+else:
+    seen = f"{leaders[0]} is ahead when greedy, {leaders[1]} while exploring"
+ahead.measured(seen)
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** Each wins one of the two. Without slips Q-learning reaches the optimum, −2, and SARSA takes one step more,
+# −3. While they explore, SARSA earns about −7.3 a run, as much as the best ε-soft policy, and Q-learning only −9. The
+# lines of SARSA and of expected SARSA lie on each other. Each method is best at what it learns: Q-learning has the values
+# of a runner that never slips, and the other two have the values of a runner that does.
+# </details>
+
+# %% [markdown]
+# Watch what they have learned: one greedy episode of Q-learning, and one of SARSA. (The films step with the slider or the
+# button.)
+
+# %%
+frames("Roadrunner", edge.agents["Q-learning"][0])
+
+# %%
+frames("Roadrunner", edge.agents["SARSA"][0])
+
+# %% [markdown]
+# And this is Q-learning while it explores: the first episode after training in which a slip takes it over the edge.
+
+# %%
+actions, episodes = on_off_policy.first_fall(edge.agents["Q-learning"][0])
+print(f"episode {episodes} after training, ε = 0.1")
+frames("Roadrunner", actions)
+
+# %% [markdown]
+# ## Your turn
+#
+# What makes the gap between Q-learning and SARSA wider, and what closes it? Try the reward of a `fall`, and $\varepsilon$.
+# Find a road, by its length $W$, on which both learn the same run. What does a large learning rate do, and to which method?
+# Move a slider and release it: the experiment is computed again, with 10 repetitions of 50 000 steps. (Some lines lie on
+# each other, and a line that is missing lies below the panel. On some roads, as with $W = 8$, a safe run is as short as the
+# fast one. Then the greedy returns are the same although the runs are not.)
+
+
+# %%
+def one_road(epsilon=0.1, alpha=0.03, gamma=1.0, fall=-100, W=10):
+    """Draw the greedy and the online returns of the three methods on one road."""
+    parameters = {"size": W, "negative_reward": fall}
+    results = on_off_policy.compare(
+        epsilon=epsilon, learning_rate=alpha, discount=gamma, parameters=parameters, n_steps=50_000, repetitions=10
+    )
+    return on_off_policy.learning_curves(
+        results, make_mdp("Roadrunner", **parameters), epsilon, f"W = {W}, fall {fall}"
+    )
+
+
+sliders(
+    one_road,
+    epsilon=(0.0, 0.5, 0.01),
+    alpha=(0.01, 1.0, 0.01),
+    gamma=(0.5, 1.0, 0.01),
+    fall=(-200, -1),
+    W=(5, 15),
+)
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** "The gap" is what SARSA earns more than Q-learning while exploring.
+#
+# - **fall.** The gap is 3.9 at −200, 1.5 at −100 and 0.3 at −50. At −30 Q-learning is ahead.
+# - **ε.** The gap is largest near $\varepsilon = 0.3$. At 0.02 Q-learning is ahead.
+# - **W.** On $W = 5$, 7 and 9 all three learn the same run.
+# - **α.** A large $\alpha$ hurts SARSA only. With $\alpha = 1$ most of its runs do not even reach the target.
+# </details>
+
+# %% [markdown]
+# ## See inside: the last step
+#
+# A runner has a position and a speed, so the whole task fits into one picture. Each cell is a state. The number in it says
+# how many of the three actions are deadly there: they end in a fall, or, at speed 0, in a stall. The lines are the best
+# run of a runner that never slips (fast), the best run of one that slips with $\varepsilon = 0.1$ (safe), and a second
+# safe run, which is nearly as good. Only the dots are states; between two of them the runner jumps over cells. (Empty
+# cells cannot be reached, or are the target.)
+
+# %%
+Sheet("plane", [[on_off_policy.in_the_plane()]])
+
+# %% [markdown]
+# Look at the last state before the target. The fast run gets there with speed 3, and one of the three actions is
+# deadly. The safe runs get there with speed 2, and *no* action is deadly: faster takes them to the target, and the other
+# two still leave them time to brake. One step more buys the last step without risk. (All can stall in their first step,
+# so even a safe run is not quite safe. The second safe run follows the fast run to position 3, and slows down there.)
+#
+# When is that step worth it? In the last step of the fast run a slip takes the deadly action with probability
+# $\varepsilon / 3$, and a fall costs about 100. The safe run costs 1, for its additional step. The two are equally
+# good where
+#
+# $$
+# 100 \cdot \frac{\varepsilon}{3} \approx 1 \quad\Rightarrow\quad \varepsilon \approx 0.03
+# $$
+#
+# That is an estimate: it looks at the last step only. The exact model can tell.
+#
+# **Predict.** From which $\varepsilon$ on is the safe run the better one, exactly?
+
+# %%
+change = predict("The safe run is better from ε = ... on", unit="(from 0 to 1)")
+change
+
+# %%
+model = finite_model(make_mdp("Roadrunner"))
+exact = on_off_policy.switch_lines(model)
+display(Sheet("switch", [[exact]]))
+for epsilon in (0.01, 0.1):
+    fast, safe = (on_off_policy.share_lost(model, epsilon, planned_for) for planned_for in (0.01, 0.1))
+    print(f"ε = {epsilon}: falls and stalls in {fast:.1%} of the fast runs, in {safe:.1%} of the safe ones")
+change.measured(exact.change)
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** 0.032, so the estimate was close. The best ε-soft policy is the upper one of the two lines: the fast
+# run up to there, and the safe run from there on. At $\varepsilon = 0.1$ the fast run ends badly in 6.8 % of all
+# episodes, and the safe run in 4.1 %, mostly by a slip at the start.
+# </details>
+
+# %% [markdown]
+# ## Predict, then check
+#
+# Answer each question before you run the cell below it. You learn most when you are surprised.
+#
+# ### "SARSA is safe"?
+# **Predict.** With $\varepsilon = 0.01$ the fast run is the best, also for an agent that slips. Who earns more *while
+# exploring*?
+
+# %%
+rarely = predict(
+    "While exploring with ε = 0.01 ...",
+    ["Q-learning earns more than SARSA", "SARSA earns more than Q-learning", "both earn the same, up to 0.1"],
+)
+rarely
+
+# %%
+shortfall = on_off_policy.shortfall_against_epsilon(repetitions=10)
+display(Sheet("shortfall", [[shortfall]]))
+at = shortfall.x.index(0.01)
+lead = np.mean(shortfall.measured["SARSA"][at] - shortfall.measured["Q-learning"][at])
+print(f"at ε = 0.01 SARSA earns {lead:+.2f} a run compared with Q-learning")
+rare = on_off_policy.compare(epsilon=0.01, repetitions=10)
+for method in rare.methods:
+    slower, _, faster = on_off_policy.mean_values(rare, method, x=3, dx=2)
+    print(
+        f"{method:14} at position 3, speed 2: slower (second safe run) {slower:z.2f}, faster (fast run) {faster:z.2f}"
+    )
+for rate, runs in ((0.03, rare), (0.003, on_off_policy.compare(epsilon=0.01, learning_rate=0.003, repetitions=10))):
+    print(f"α = {rate}: SARSA ends with the fast run in {runs.share('SARSA', at_least=-2.0).estimate:.0%} of its runs")
+mild = on_off_policy.compare(parameters={"negative_reward": -10.0}, repetitions=30)
+earned = ", ".join(f"{method} {on_off_policy.online(mild, method).mean():.2f}" for method in mild.methods)
+print(f"a fall costs 10, ε = 0.1: {earned} while exploring")
+more, less = ("SARSA", "Q-learning") if lead > 0 else ("Q-learning", "SARSA")
+rarely.measured("both earn the same, up to 0.1" if abs(lead) < 0.1 else f"{more} earns more than {less}")
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** Q-learning earns more, by about 0.6. The figure shows how much each method loses against the best
+# ε-soft policy. Q-learning loses nothing for small $\varepsilon$, and more and more above 0.03, since it runs as if it
+# never slipped. SARSA is the other way round: good for large $\varepsilon$, too slow for small ones. Expected SARSA is
+# close to the best everywhere. (Where a line is above 0, that is chance.)
+#
+# So SARSA is not slow here because caution pays. It was unlucky, and does not get over it. At position 3 with speed 2
+# a runner can go on with the fast run, or slow down and take the second safe one. SARSA believes that the fast run is
+# worth less there, about −1.3, and its true value, which expected SARSA has found, is −0.34. How does that happen?
+# Follow one slip in the last state of the fast run. SARSA has $A'$ = faster in its target, and $Q(S', A')$ is far
+# below 0, −100 in the end. So the value of the step before drops by up to $\alpha \cdot 100 = 3$ at once. The two runs
+# differ by less than 1, so from now on the safe run looks better. The agent then tries the fast run only when it slips
+# into it, and each such try repairs only 3 % of the damage. Expected SARSA has the same slip in its target *at every
+# visit*, with its true weight $\varepsilon/3$, so no single one can scare it. A test of this: with $\alpha = 0.003$ a slip
+# takes off no more than 0.3, and SARSA learns the fast run in all ten runs, instead of in one.
+#
+# The last line shows the same where a fall costs only 10. There the fast run is the best at $\varepsilon = 0.1$ too, and
+# SARSA, the "safe" method, earns a little less than the other two.
+# </details>
+
+# %% [markdown]
+# ### Does it get over it?
+# **Predict.** Let $\varepsilon$ fall evenly from 0.1 to 0.001 during training, as is often recommended. At the end the
+# fast run is the best by far. Who has learned it?
+
+# %%
+decay = predict(
+    "With a falling ε, most runs end with the fast run for ...",
+    ["all three methods", "Q-learning and expected SARSA", "Q-learning and SARSA", "Q-learning only"],
+)
+decay
+
+# %%
+decayed = on_off_policy.let_epsilon_decay(repetitions=10)
+display(on_off_policy.learning_curves(decayed, epsilon=None, title="ε falls"))
+shares = {method: decayed.share(method, at_least=-2.0).estimate for method in decayed.methods}
+print("runs that end with the fast run:", ", ".join(f"{method} {share:.0%}" for method, share in shares.items()))
+learned = (decayed.curves("expected SARSA") >= -2.0).mean(axis=1) > 0.5  # at each evaluation
+before, after = (0.1 - 0.099 * step / 2_000_000 for step in (learned.idxmax() - 100_000, learned.idxmax()))
+print(f"expected SARSA changes to it between ε = {before:.3f} and {after:.3f}")
+freed = tuple(method for method in ("SARSA", "expected SARSA") if shares[method] > 0.5)
+decay.measured(
+    {
+        (): "Q-learning only",
+        ("SARSA",): "Q-learning and SARSA",
+        ("expected SARSA",): "Q-learning and expected SARSA",
+        ("SARSA", "expected SARSA"): "all three methods",
+    }[freed]
+)
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** Q-learning and expected SARSA. The target of expected SARSA contains $\varepsilon$ itself: when
+# $\varepsilon$ falls, the danger falls with it in every state that is still visited. It changes to the fast run between
+# two evaluations, at $\varepsilon = 0.036$ and at 0.031, and the exact model says 0.032. SARSA keeps to the safe run: the
+# less it slips, the less often it tries the fast run, and what it does not try it does not correct.
+#
+# (The theory says that SARSA converges to the optimum if it tries every action infinitely often while $\varepsilon$ goes to
+# 0, and $\alpha$ too, at the right pace; Sutton and Barto, section 6.4 and equation 2.7. But two million steps are not
+# infinitely many, 0.001 is not 0, and $\alpha$ is constant here.)
+# </details>
+
+# %% [markdown]
+# ### Somebody else slips
+# Is Q-learning blind to danger? Let the *road* slip. On an icy road, with probability 0.1, a random action takes the
+# place of the one that the runner chose. The class below puts ice on any road. What it does not define stays as it
+# was.
+
+# %%
+icy_road = on_off_policy.Icy(make_mdp("Roadrunner"), ice=0.1)
+source(on_off_policy.Icy)
+
+# %% [markdown]
+# **Predict.** Q-learning explores with $\varepsilon = 0.1$ as before, now on the icy road. Which run does it learn?
+
+# %%
+on_ice = predict("On ice Q-learning learns ...", ["the fast run, as before", "the safe run", "neither, in most runs"])
+on_ice
+
+# %%
+slippery = on_off_policy.compare(environment=icy_road, repetitions=10)
+steps = [len(on_off_policy.greedy_run(agent)) - 1 for agent in slippery.complete_agents("Q-learning").values()]
+print("steps of its greedy run, once the ice has melted:", steps)
+print(f"the optimum on ice {value_iteration(finite_model(icy_road), horizon=50).start:.3f}")
+print(f"the best ε-soft policy on the dry road, ε = 0.1: {on_off_policy.best_soft_return(model, 0.1):.3f}")
+often = {name: np.mean(np.array(steps) == n) for name, n in (("the fast run, as before", 4), ("the safe run", 5))}
+likely = max(often, key=often.get)
+on_ice.measured(likely if often[likely] > 0.5 else "neither, in most runs")
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** The safe run, every time. Q-learning leaves out its *own* slips, those of the behaviour policy. The
+# slips of the road are part of the task: they are in every reward and every next state that it sees. The last two
+# lines are equal, since a value does not care who slips. But the slips of an agent end when it stops exploring, and
+# the ice stays.
+# </details>
+
+# %% [markdown]
+# ### The learning rate
+# **Predict.** Raise the learning rate from 0.03 to 0.5. The online return of which method suffers most?
+
+# %%
+rough = predict("With α = 0.5 instead of 0.03, who loses most?", ["Q-learning", "SARSA", "expected SARSA"])
+rough
+
+# %%
+rates = on_off_policy.online_against_rate(repetitions=10)
+display(Sheet("rates", [[rates]]))
+low, high = rates.x.index(0.03), rates.x.index(0.5)
+losses = {method: np.mean(rows[low]) - np.mean(rows[high]) for method, rows in rates.measured.items()}
+print("loss:", ", ".join(f"{method} {loss:.2f}" for method, loss in losses.items()))
+rough.measured(max(losses, key=losses.get))
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** SARSA. In the figure its line crosses that of Q-learning near $\alpha = 0.3$, and at 0.5 it lies below.
+# With a large learning rate its values follow the last few actions $A'$, slips or not. The road itself has no noise,
+# so the other two, whose targets draw nothing at random, do not mind even $\alpha = 0.7$. This is Figure 6.3 of Sutton
+# and Barto, on another cliff.
+# </details>
+
+# %% [markdown]
+# ### The same on another cliff
+# CliffWalking is an environment of Gymnasium (Example 6.6 of Sutton and Barto). The agent walks on a grid of 4 by 12,
+# from the lower left corner to the lower right one. Between them is a cliff (red): a step into it costs 100 and leads
+# back to the start. Every other step costs 1. An environment is swapped in by its name. (The settings: $\varepsilon =
+# 0.1$, $\alpha = 0.1$, $\gamma = 1$, 20 000 steps, episodes truncated after 500 steps, 5 repetitions. The optimum is
+# −13, for 13 steps.)
+#
+# **Predict.** Which of the methods walk along the edge when they are greedy, in most runs?
+
+# %%
+edge_walkers = predict("Along the edge walk ...", ["all three", "Q-learning only", "SARSA and expected SARSA", "none"])
+edge_walkers
+
+# %%
+cliff = on_off_policy.compare_on_cliff(n_steps=20_000, repetitions=5)
+display(on_off_policy.cliff_figure(cliff))
+for method in cliff.methods:
+    earned = on_off_policy.online(cliff, method).mean()
+    print(f"{method:14}: greedy {cliff.final(method).astype(int).tolist()}, while exploring {earned:.1f} (second half)")
+walkers = [method for method in cliff.methods if cliff.share(method, at_least=-13.0).estimate > 0.5]
+names = {(): "none", ("Q-learning",): "Q-learning only", ("SARSA", "expected SARSA"): "SARSA and expected SARSA"}
+edge_walkers.measured(names.get(tuple(walkers), "all three"))
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** Q-learning only, with the optimal 13 steps. The other two keep one row of distance, which costs them
+# two steps. While exploring they earn about −25 a walk, and Q-learning about −49. The left panel shows the walk that
+# most of the five runs end with. One run of SARSA ends with −500: its greedy policy walks against the upper border until
+# the step limit. (The likely reason is the noise of its targets, since expected SARSA has no such run.)
+# </details>
+
+# %% [markdown]
+# ### Stopping before the edge
+# In the description of the paper (Moerland et al., 2023) the agent may also stop *close* to the edge. The parameter
+# `stop_zone = 2` allows that: an episode ends well in one of the last three cells, 7, 8 and 9, and each cell short of the
+# last costs 1.
+#
+# **Predict.** With $\varepsilon = 0.2$ and $\alpha = 0.1$, in which cell does SARSA stop, without slips and on average
+# over 30 runs?
+
+# %%
+stop = predict("SARSA stops in cell ...", unit="(7 to 9)")
+stop
+
+# %%
+zone = on_off_policy.compare(epsilon=0.2, learning_rate=0.1, parameters={"stop_zone": 2}, repetitions=30)
+for method in zone.methods:
+    places = on_off_policy.stopping_places(zone, method, stop_zone=2)
+    print(f"{method:14} stops in cell", ", ".join(f"{cell}: {places.count(cell)} times" for cell in (7, 8, 9)))
+gentle = on_off_policy.compare(epsilon=0.2, learning_rate=0.003, parameters={"stop_zone": 2}, repetitions=30)
+places = on_off_policy.stopping_places(gentle, "SARSA", stop_zone=2)
+print("SARSA, α = 0.003, stops in cell", ", ".join(f"{cell}: {places.count(cell)} times" for cell in (7, 8, 9)))
+stop.measured(np.mean(on_off_policy.stopping_places(zone, "SARSA", stop_zone=2)))
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** Between 8 and 9. Q-learning always stops at the edge, and SARSA before it, in cell 8, in about half of
+# its runs. This is the picture that the paper draws of the two. Expected SARSA stops in cell 8 in all its runs, which
+# is the best for $\varepsilon = 0.2$. The other runs of SARSA were unlucky again: a slip takes up to $0.1 \cdot 100 =
+# 10$ off a value, and the two ways to run differ by 0.4. With $\alpha = 0.003$ all but one stop in cell 8.
+# </details>
+
+# %% [markdown]
+# ## Exercises
+#
+# Each exercise has a cell for your answer, and below it a cell that checks it. The check does not only say whether an
+# answer is right: it says what was expected, what came, and which mistake that looks like. It runs your code on cases
+# that it makes up.
+
+# %%
+from edugym_course.lessons.on_off_policy.exercises import CHALLENGE, exercise_1, exercise_2, exercise_3
+from edugym_course.grading import check
+
+# %% [markdown]
+# ### Exercise 1: change a parameter
+# With $\varepsilon = 0.1$ the safe run is the best, since the reward of a fall or a stall is −100. Make it milder.
+# What is the *lowest* reward of a fall for which the fast run is still the best at $\varepsilon = 0.1$? Set
+# `negative_reward` to that number, with one digit after the decimal point. Before you compute: what does the estimate
+# of the section "See inside" say?
+#
+# <details><summary>Hint</summary><code>on_off_policy.best_run(0.1, negative_reward=-100)</code> gives the states of the best run,
+# planned on the exact model and played without slips. The fast run has 4 steps, so 5 states. Try some values, or write a
+# loop.</details>
+
+# %%
+negative_reward = -100.0
+### BEGIN SOLUTION
+while len(on_off_policy.best_run(0.1, negative_reward=negative_reward)) > 5:
+    negative_reward += 0.1
+### END SOLUTION
+
+# %% tags=["check"]
+check(exercise_1, negative_reward)
+
+# %% [markdown]
+# ### Exercise 2: compute the change on the exact model
+# Write a function that finds the smallest $\varepsilon$, to 0.001, at which the best ε-soft policy no longer takes the
+# fastest run. It is given the exact model of a road; the roads of the check have other lengths and other rewards for a
+# fall. The change is below 0.2 on all of them.
+#
+# The two functions that you need are imported. `value_iteration(model, epsilon=ε, horizon=50)` plans for an agent that
+# slips with probability ε; the method `.greedy_policy()` of what it returns is the greedy policy of that agent. And
+# `policy_evaluation(model, policy, horizon=50).start` is the return of a policy from the start.
+#
+# <details><summary>Hint</summary>A greedy policy that is evaluated as it is never slips, so its return says how many steps
+# it takes. Compare it with the return of the best policy for ε = 0. A loop over <code>np.arange(0, 0.2, 0.001)</code>
+# is good enough; halving an interval is faster.</details>
+
+
+# %%
+def switch(model):
+    """Return the smallest ε at which the best ε-soft policy no longer takes the fastest run."""
+    ### BEGIN SOLUTION
+    fastest = value_iteration(model, horizon=50).start
+    for epsilon in np.arange(0.0, 0.2, 0.001):
+        policy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
+        if policy_evaluation(model, policy, horizon=50).start < fastest:
+            return epsilon
+    return 0.2
+    ### END SOLUTION
+
+
+# %% tags=["check"] points=2
+check(exercise_2, switch)
+### BEGIN HIDDEN TESTS
+check(exercise_2, switch, seed=1, quiet=True)
+### END HIDDEN TESTS
+
+# %% [markdown]
+# ### Exercise 3: an agent with two policies
+# Q-learning counts on no slips, and expected SARSA counts on its own. Why not count on *any* number of slips? Think of a
+# robot: in the laboratory it may explore wildly, and later it will slip rarely, but not never.
+#
+# Write the `learn` of an agent with two numbers. It *acts* with `epsilon`, $\varepsilon$, and it *learns* the values of a
+# target policy that slips with probability `target_epsilon`, which we call $\varepsilon_\pi$. Its target is
+#
+# $$
+# R + \gamma \left[ (1 - \varepsilon_\pi) \max_a Q(S', a) + \varepsilon_\pi \, \frac{1}{n} \sum_a Q(S', a) \right]
+# $$
+#
+# where $n$ is the number of actions, and the bracket is 0 after a terminal state. Read the numbers from `self`:
+# `self.learning_rate` is $\alpha$, `self.discount` is $\gamma$.
+#
+# The race below shows three of your agents on the lesson's road. One acts with $\varepsilon = 0.1$ and plans for
+# $\varepsilon_\pi = 0.02$, one plans for 0.1, and one plans for 0.1 as well but acts *wholly at random*, $\varepsilon
+# = 1$. Before you run the check: which run does each of them learn? (Some lines of the figure lie on each other.)
+#
+# <details><summary>Hint</summary><code>self.Q[next_state]</code> is the row of the next state. Its largest value is
+# <code>max(self.Q[next_state])</code>, and its mean <code>np.mean(self.Q[next_state])</code>.</details>
+
+
+# %%
+class TwoPolicies(NamedTuple):
+    """Acts ε-greedily with one ε, and learns the values of the policy with another one."""
+
+    Q: np.ndarray  # shape (n_states, n_actions)
+    learning_rate: float = 0.03
+    discount: float = 1.0
+    epsilon: float = 0.1
+    target_epsilon: float = 0.1
+
+    @classmethod
+    def create(cls, environment, **settings):
+        """Make a new agent for an environment: all values are 0."""
+        return cls(np.zeros(table_size(environment)), **settings)
+
+    def greedy(self, state, rng):
+        """Choose the action with the highest value; among equals, one at random."""
+        best, equals = 0, 1
+        for action in range(1, self.Q.shape[1]):
+            if self.Q[state, action] > self.Q[state, best]:
+                best, equals = action, 1
+            elif self.Q[state, action] == self.Q[state, best]:
+                equals += 1
+                if rng.random() * equals < 1.0:
+                    best = action
+        return best
+
+    def act(self, state, rng):
+        """Choose a random action with probability ε, else the best one."""
+        if rng.random() < self.epsilon:
+            return int(rng.random() * self.Q.shape[1])
+        return self.greedy(state, rng)
+
+    def learn(self, state, action, reward, next_state, terminated):
+        """Learn from one transition."""
+        ### BEGIN SOLUTION
+        value = 0.0
+        if not terminated:
+            best, mean = max(self.Q[next_state]), np.mean(self.Q[next_state])
+            value = (1 - self.target_epsilon) * best + self.target_epsilon * mean
+        target = reward + self.discount * value
+        self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
+        ### END SOLUTION
+
+
+# %% tags=["check"] points=3
+check(exercise_3, TwoPolicies)
+### BEGIN HIDDEN TESTS
+check(exercise_3, TwoPolicies, seed=1, quiet=True)
+### END HIDDEN TESTS
+display(
+    on_off_policy.race(
+        {
+            "ε_π = 0.02": lambda road: TwoPolicies.create(road, target_epsilon=0.02),
+            "ε_π = 0.1": lambda road: TwoPolicies.create(road, target_epsilon=0.1),
+            "ε_π = 0.1, ε = 1": lambda road: TwoPolicies.create(road, target_epsilon=0.1, epsilon=1.0),
+        }
+    )
+)
+
+# %% [markdown]
+# <details><summary>What the race shows</summary>
+#
+# The agent that plans for 0.02 learns the fast run, and its line lies on that of Q-learning: 0.02 is below the change
+# at 0.032. The one that plans for 0.1 is expected SARSA, line for line. The third one learns the safe run too,
+# although it hardly ever made a careful run; while it acts at random it earns about −89 a run, far below the panel. So
+# what an agent learns need not depend on how it behaves. (In a large task the behaviour decides *where* it learns
+# something.)
+# </details>
+
+# %% [markdown]
+# ### The open challenge: every fall counts
+# The same road, and 5 000 steps in all, about 1 200 runs. This time *all* training episodes count, with every fall and
+# every stall: how much does your agent earn while it learns? Of the task it is told only its observation space and its
+# action space. It needs `act` and `learn`, like yours of exercise 3, and it may explore as it likes. It is trained ten
+# times, with seeds that belong to your name.
+#
+# No run is better than −2. Your points are that number divided by the mean return of your agent, in percent: an agent
+# that earns −4 a run gets 50. The three methods of the lesson, with $\varepsilon = 0.1$ and $\alpha = 0.1$, are the
+# ones to beat.
+#
+# Half a page with it: which policy does your agent follow, and which one does it evaluate? How does it find out where the
+# edge is, and how often does it have to fall? Would it still be good if the road were icy, so that the *road* made it slip?
+
+
+# %%
+def my_agent(road):
+    """Make the agent for the challenge; put your own in its place."""
+    return ExpectedSARSA.create(road, learning_rate=0.5, discount=1.0, exploration=EpsilonGreedy(0.05))
+
+
+CHALLENGE.score(my_agent, "Ada Lovelace")
+
+# %% [markdown]
+# ## What you saw
+#
+# - Q-learning learned the fast run, SARSA the safe one. Each is the best run for the policy that the method evaluates.
+# - "Q-learning is better" and "SARSA is safe" are both wrong as they stand. While exploring with $\varepsilon = 0.1$, SARSA
+#   earned more. With $\varepsilon = 0.01$ it earned less, since it kept away from the best run after a few bad samples.
+# - The best run for an agent that slips changes at $\varepsilon = 0.032$. That follows from one state, in which one action of
+#   three is deadly.
+# - Expected SARSA earned as much as the best of the two, or nearly so, for every $\varepsilon$ and every learning rate that
+#   we tried.
+# - Q-learning leaves out only its own slips. On an icy road it learned the safe run.
+# - A falling $\varepsilon$ freed expected SARSA from the safe run, and did not free SARSA.
+#
+# ### In one paragraph
+# *Learn it by heart, or better, say it in your own words.* A learning agent follows one policy, its behaviour policy,
+# and learns the values of one, its target policy. If they are the same, the method is on-policy: SARSA and expected
+# SARSA learn what their own exploring costs, and stay away from where a slip is deadly. If they differ, it is
+# off-policy: Q-learning learns the best run for an agent that never slips, and pays for it while it still does. What
+# is best depends on how often the agent will slip when it matters. SARSA draws its next action at random, which adds
+# noise; expected SARSA takes the mean, and can evaluate any policy.
+#
+# ### Limits
+# The mean over all actions needs few actions and known probabilities. With function approximation off-policy learning can
+# diverge, even with the mean (the "deadly triad", Sutton and Barto, section 11.3), while on-policy learning is more
+# stable. And nothing here makes *learning* safe: all three methods fall many times before they know where the edge is.
+#
+# ### Further reading
+# - Moerland et al. (2023), *EduGym: An environment and notebook suite for reinforcement learning education*: the
+#   paper.
+# - Sutton and Barto, *Reinforcement Learning*, 2nd edition: 5.4 and 5.5 (on-policy, off-policy, target and behaviour
+#   policies), 6.4 to 6.6 (the three methods, the cliff, Figure 6.3), 7.3 (why longer off-policy targets need corrections).
+# - Rummery and Niranjan (1994), *On-line Q-learning using connectionist systems*: SARSA, before it had the name.
+# - Watkins and Dayan (1992), *Q-learning*.
+# - Van Seijen, van Hasselt, Whiteson and Wiering (2009), *A theoretical and empirical analysis of expected Sarsa*.
+# - Singh, Jaakkola, Littman and Szepesvári (2000), *Convergence results for single-step on-policy
+#   reinforcement-learning algorithms*: when SARSA with a falling ε does converge.
+# - Denrell and March (2001), *Adaptation as information restriction: the hot stove effect*: whoever was burned once does
+#   not come back to find out better.

@@ -1,0 +1,250 @@
+"""The exercises of lesson 2: a milder cliff, the ε at which the best run changes, and an agent with two policies."""
+
+from collections.abc import Mapping
+from functools import partial
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+
+from edugym.envs.roadrunner import Roadrunner
+from edugym.exact.model import finite_model
+from edugym.exact.tables import FiniteModel
+from edugym_course.grading.agents import agent_with_table, require_class, require_function
+from edugym_course.grading.challenge import Challenge
+from edugym_course.grading.one_step import Q_LEARNING, made_up_values, numbers_of, one_step_update
+from edugym_course.grading.student_code import running
+from edugym_course.grading.updates import Tables, Transition, Update
+from edugym_course.grading.values import compare, digits, number
+from edugym_course.grading.wrong import WrongAnswer
+from edugym_course.lessons.on_off_policy.exact import FAST, best_run, best_soft_return, switch
+from edugym_course.lessons.on_off_policy.methods import EPSILON, methods_with
+
+PENALTY = -36.985
+"""The reward of a fall at which the fast run stops being the best for ε = 0.1, by bisection on the exact model."""
+CLOSE = 0.1
+
+
+def exercise_1(answer: Any, seed: int) -> str:
+    """Check the lowest reward of a fall for which the fast run is still the best at ε = 0.1."""
+    mistakes = {
+        "that is the value with which the cell began": -100.0,
+        "that is the estimate 3/ε, which leaves out all slips but the last; let best_run work it out exactly": -30.0,
+        "that is 1/ε; a random action is the deadly one in only one of three cases, and the rest of the run slips"
+        " too": -10.0,
+        "there the *path* of the safe run changes; the number of its steps changes elsewhere": _path_changes(),
+    }
+
+    def says(penalty: float) -> str:
+        told = f"negative_reward = {digits(penalty, PENALTY)}"
+        if penalty < -1_000_000:
+            return f"{told} is below -1 000 000"
+        steps = len(best_run(EPSILON, negative_reward=penalty)) - 1
+        return f"with {told} the best run at ε = 0.1 takes {steps} step{'s' if steps > 1 else ''}"
+
+    found = number("negative_reward", answer)
+    if found > 0.0:
+        raise WrongAnswer(
+            f"negative_reward = {digits(found, PENALTY)}: a fall is no gain, so the number must be negative"
+        )
+    near = abs(found - PENALTY) < 1.0
+    if PENALTY - CLOSE < found < PENALTY:
+        raise WrongAnswer(f"{says(found)}: that is too low, by a little: take the next higher tenth")
+    side = "too low, and the fast run of 4 steps should be best" if found < PENALTY else "higher than it need be"
+    compare(
+        "negative_reward",
+        answer,
+        PENALTY,
+        mistakes,
+        tolerance=CLOSE,
+        says=says,
+        otherwise=f"it is {side}" + ("; you are close, look at every tenth" if near else ""),
+    )
+    return (
+        "Right: just above -37. The estimate of the lesson gives -30, since it looks at the last step alone. The safe "
+        "run slips too, and for one step more."
+    )
+
+
+def _path_changes(low: float = -100.0, high: float = -60.0) -> float:
+    """Return the reward of a fall below which the best run of five steps takes its slow step earlier, by bisection."""
+    early = best_run(EPSILON, negative_reward=low)
+    while high - low > 1e-3:
+        middle = (low + high) / 2
+        low, high = (middle, high) if best_run(EPSILON, negative_reward=middle) == early else (low, middle)
+    return low
+
+
+PRECISION = 0.0011
+"""A search in steps of 0.001 ends up to 0.001 above the exact value."""
+
+
+def exercise_2(answer: Any, seed: int) -> str:
+    """Check the function that finds the ε at which the best run of a road changes."""
+    require_function("switch", answer, "the model")
+    rng = np.random.default_rng(seed)
+    for size, low, high in ((10, 60, 90), (int(rng.integers(11, 16)), 110, 200), (int(rng.integers(11, 16)), 40, 60)):
+        task = Roadrunner.create(size=size, negative_reward=-float(rng.integers(low, high)))
+        model = finite_model(task)
+        call = f"switch(model) for W = {size} and negative_reward = {task.negative_reward:g}"
+        with running(call):
+            found = answer(model)
+        expected = switch(model, tolerance=1e-7)
+        value = number(call, found)
+        near = abs(value - expected) < 0.0125
+        wrong = _switch_mistakes(model, task, expected)
+        nearest = min(wrong, key=lambda sentence: abs(value - wrong[sentence]))
+        searched = abs(value - wrong[nearest]) <= PRECISION  # a search with this mistake ends there
+        compare(
+            call,
+            found,
+            expected,
+            {nearest: value if searched else wrong[nearest]},
+            tolerance=PRECISION,
+            otherwise="that is close, but look in steps of 0.001 or smaller"
+            if near
+            else "that is none of the usual mistakes, so print the number of steps of the best run for some ε",
+        )
+    return (
+        "Right: planning on the model finds at once what expected SARSA needs thousands of steps for. (It is close to "
+        "3 divided by the cost of a fall where one step more avoids the one deadly action.)"
+    )
+
+
+def _switch_mistakes(model: FiniteModel, task: Roadrunner, right: float) -> dict[str, float]:
+    """Return what the usual mistakes give on a road."""
+    fastest = best_soft_return(model, 0.0)
+    one_less = _falls_below(model, fastest - 1)
+    estimate = -3.0 / task.negative_reward
+    return {
+        "that is the ε of the lesson's road; compute it from the `model` that is given": 0.03198,
+        "that is the estimate, 3 divided by the cost of a fall, not the exact value: plan on the model": estimate,
+        "the search ends at its first ε: is the return of the fastest run that of *this* `model`, and is it compared,"
+        " with `<`, with the greedy policy for ε, played *without* slips?": 0.0,
+        "that is the first ε above 0 of a search: compare the *return* of the greedy policy, played *without* slips,"
+        " since the ε-soft return is always lower, and two policies may differ where no run leads": 0.0010001,
+        "that is the first ε of a search in steps of 0.01: compare the greedy policy, played *without* slips, and not"
+        " the ε-soft return": 0.010001,
+        "that is where the ε-soft return falls below that of a run with one step more; the slips lower both": one_less,
+        "that is in percent": 100 * right,
+        "that is 1 − ε": 1 - right,
+        "that is 1/ε": 1 / right,
+        "that is the end of the search: the change was never found; is the comparison the right way round?": 0.2,
+        "that is the end of the search; is the comparison the right way round?": 1.0,
+        "the sign is wrong": -right,
+    }
+
+
+def _falls_below(model: FiniteModel, value: float, low: float = 0.0, high: float = 0.2) -> float:
+    """Return the ε at which the best ε-soft return falls below a value, by bisection."""
+    while high - low > 1e-6:
+        middle = (low + high) / 2
+        low, high = (low, middle) if best_soft_return(model, middle) < value else (middle, high)
+    return low
+
+
+def two_policies_update(
+    tables: Tables, now: Transition, *, target_epsilon: float, epsilon: float, mean: str = "π", **one_step: Any
+) -> None:
+    """Apply expected SARSA with the ε of the target policy; other values of `mean` are mistakes."""
+
+    def value(Q: Any, now: Transition) -> float:
+        row = Q[{"left": now.state}.get(mean, now.next_state)]
+        p = {"behaviour": epsilon, "inverted": 1 - target_epsilon}.get(mean, target_epsilon)
+        others = np.delete(row, row.argmax())
+        return float(
+            {
+                "nothing": 0.0,
+                "greedy": row.max(),
+                "mean": row.mean(),
+                "next action": row[now.next_action],
+                "sum": (1 - p) * row.max() + p * row.sum(),
+                "others": (1 - p) * row.max() + p * others.mean(),
+                "all of max": row.max() + p * row.mean(),
+                "no random part": (1 - p) * row.max(),
+                "only the random part": p * row.mean(),
+                "three": (1 - p) * row.max() + p * row.sum() / 3,
+                "min": (1 - p) * row.max() + p * row.min(),
+                "whole table": (1 - p) * row.max() + p * Q.mean(),
+                "sampled": (1 - p) * row.max() + p * row[now.next_action],
+                "index": (1 - p) * row.argmax() + p * row.mean(),
+                "old": (1 - p) * row.max() + p * Q[now.state, now.action],
+            }.get(mean, (1 - p) * row.max() + p * row.mean())
+        )
+
+    one_step_update(tables, now, backup=value, **one_step)
+
+
+MEAN_MISTAKES: Mapping[str, Mapping[str, Any]] = {
+    "the maximum alone is Q-learning, which is right only for ε_π = 0; the random actions of the target policy are"
+    " missing": {"mean": "greedy"},
+    "the plain mean is right only for ε_π = 1; with probability 1 − ε_π the target policy takes the best action": {
+        "mean": "mean"
+    },
+    "it uses `epsilon`, with which the agent acts; the values should be those of the *target* policy,"
+    " `target_epsilon`": {"mean": "behaviour"},
+    "ε_π and 1 − ε_π have changed places": {"mean": "inverted"},
+    "Q(S', A') of the action that comes next stands there: that is SARSA, and A' is chosen with the wrong ε": {
+        "mean": "next action"
+    },
+    "the sum over the actions stands where their mean should": {"mean": "sum"},
+    "the mean leaves out the best action; a random action may be the best one too": {"mean": "others"},
+    "the maximum counts in full, but it has the probability 1 − ε_π only": {"mean": "all of max"},
+    "the mean over the random actions is missing, ε_π mean_a Q(S', a)": {"mean": "no random part"},
+    "the best action is missing, (1 − ε_π) max_a Q(S', a)": {"mean": "only the random part"},
+    "it divides by 3, but there may be another number of actions: self.Q.shape[1]": {"mean": "three"},
+    "the minimum stands where the mean over the actions should": {"mean": "min"},
+    "the mean is taken over the whole table instead of the row of the next state": {"mean": "whole table"},
+    "Q(S', A') stands where the mean over the actions should; no action has to be drawn": {"mean": "sampled"},
+    "argmax gives the *number* of the best action; its value is needed, max": {"mean": "index"},
+    "Q(S, A) stands where the mean of Q(S', a) should": {"mean": "old"},
+    "the values are those of the state that was left, Q(S, a), instead of Q(S', a)": {"mean": "left"},
+    "a terminal state has no future: its value is 0, so the target is R alone when `terminated`": {"ends": "never"},
+    "the value of the next state is missing: without bootstrapping nothing is carried back": {"mean": "nothing"},
+}
+
+
+TWO_POLICIES = Update(
+    rule=two_policies_update,
+    tables=lambda n_states, n_actions, rng: {"Q": made_up_values(n_states, n_actions, rng)},
+    mistakes={
+        **MEAN_MISTAKES,
+        **{
+            sentence: change
+            for sentence, change in Q_LEARNING.mistakes.items()
+            if "backup" not in change and change != {"ends": "never"}
+        },
+    },
+    numbers=numbers_of("learning_rate", "discount", "target_epsilon"),
+)
+
+
+def exercise_3(answer: Any, seed: int) -> str:
+    """Check the class of an agent that acts with one ε and learns the values of another."""
+    require_class("TwoPolicies", answer)
+    rng = np.random.default_rng(seed)
+    for n_states, n_actions in ((6, 3), (5, 2), (7, 4)):
+        settings = {
+            "learning_rate": float(rng.choice([0.125, 0.25, 0.75])),
+            "discount": float(rng.choice([0.5, 0.625, 0.75])),
+            "epsilon": float(rng.choice([0.15, 0.25])),
+            "target_epsilon": float(rng.choice([0.3, 0.6, 0.8])),
+        }
+        make = partial(agent_with_table, "TwoPolicies", answer, (n_states, n_actions), settings)
+        TWO_POLICIES.check(make, (n_states, n_actions), settings, seed)
+    return (
+        "Right: one number says which policy the values belong to. ε_π = 0 is Q-learning, ε_π = ε expected SARSA. See "
+        "it race:"
+    )
+
+
+CHALLENGE = Challenge(
+    environment="Roadrunner",
+    parameters=MappingProxyType({}),
+    n_steps=5_000,
+    baselines=MappingProxyType(methods_with(EPSILON, 0.1)),
+    optimum=FAST,
+    best_average=FAST,
+    column="training_return",
+)
+"""The open challenge: the highest return of all training episodes, those with falls included, in 5 000 steps."""

@@ -1,0 +1,927 @@
+# %% [markdown]
+# # Your own problem: a morning, and whatever you like
+#
+# **The challenge.** In the other lessons somebody had already decided what a state, an action and a reward are. Here
+# you decide, and the agent does exactly what your reward says, which is not always what you meant.
+#
+# **You will be able to** turn a wish into states, actions, dynamics and a reward; find the mistakes in a problem before
+# an agent does; see from the best policy, computed exactly, what a reward teaches; shape a reward without changing its
+# optimum; and take a problem of your own through everything, up to a file that a friend can play.
+#
+# **Time.** 50 minutes, and 60 to 90 more for the exercises, since the last one is yours. **Before you start.** You
+# should know the definition of a Markov decision process and value iteration (Sutton and Barto, 2nd edition, chapter 3
+# and section 4.4), and Q-learning (6.5). The lessons before this one help, but none is needed. All symbols are in the
+# [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
+
+# %%
+import random
+from typing import NamedTuple
+
+import numpy as np
+from gymnasium.spaces import Discrete, MultiDiscrete
+from gymnasium.utils.env_checker import check_env
+
+from edugym import FiniteModel, MDPEnv, check_mdp, finite_model, policy_evaluation, read_mdp, share
+from edugym_course.lessons import own_problem
+from edugym_course.notebook import frames, play, predict, sliders, source
+from edugym.experiments.figures import Sheet
+
+# %% [markdown]
+# ## Meet the environment: from a wish to forty lines
+#
+# Here is a wish: *"Wake me as late as you can, but I must be up at half past eight. And please do not ring, the walls
+# are thin."* An alarm clock with a microphone should learn this. To state the problem, answer four questions.
+#
+# | question | here | |
+# |---|---|---|
+# | What can the agent **do**? | stay quiet, chime softly, ring loudly | the actions $\mathcal{A} = \{0, 1, 2\}$ |
+# | What must it **know** to decide, and to say what comes next? | the time, and how deep she sleeps | the states $s = (t, d)$, where $s' = (t', d')$ comes next |
+# | What **happens**? | a ring wakes her (probability 0.9) or makes her sleep one step lighter (0.1); a chime makes it one step lighter (0.7); in silence it gets one step deeper (0.5); otherwise the depth stays | the dynamics $p(s' \mid s, a)$ |
+# | What is it **worth**? | sleep is good, a ring is bad, oversleeping is worse | the reward $r(s, a, s')$ |
+#
+# The episode begins at 7:10. Each step takes ten minutes, and $t$ counts the steps: at $t = T = 8$ it is 8:30, and the
+# episode ends. The depth $d$ is 0 when she is awake, 1 when she is dozing, and 2 when she is fast asleep. Nobody tells
+# us how many rings an hour of sleep is worth, so we must choose numbers. A step is worth the depth of sleep at its end.
+# A ring costs $c_{\text{ring}} = 4$, and oversleeping costs $c_{\text{late}} = 10$. With $1\{\cdot\}$, which is 1 if
+# the condition is true and 0 otherwise, the reward is
+#
+# $$
+# r(s, a, s') = d' - c_{\text{ring}}\, 1\{a = \text{ring}\} - c_{\text{late}}\, 1\{t' = T,\ d' > 0\}
+# $$
+#
+# That is everything. In code it is an immutable value, a `NamedTuple`, with one short method for each of these parts,
+# and two more for the beginning and the end. `rng` draws the random numbers, and an agent sees what `observation`
+# returns.
+
+
+# %%
+class Morning(NamedTuple):
+    """Let her sleep as long as possible, and have her awake at half past eight."""
+
+    length: int = 8  # T, the number of steps of ten minutes
+    ring: float = 4.0  # what a ring costs
+    late: float = 10.0  # what oversleeping costs
+
+    action_names = ("stay quiet", "chime", "ring")
+    action_space = property(lambda self: Discrete(3))
+    # a property, since the size depends on `length`
+    observation_space = property(lambda self: MultiDiscrete([self.length + 1, 3]))
+
+    def initial(self, rng):
+        """Where an episode begins."""
+        return 0, 2
+
+    def transition(self, state, action, rng):
+        """What an action does."""
+        time, depth = state
+        luck = rng.random()
+        if action == 2:  # a ring wakes her, or at worst makes her sleep lighter
+            depth = 0 if luck < 0.9 else max(depth - 1, 0)
+        elif action == 1:  # a chime may make her sleep lighter
+            depth = max(depth - 1, 0) if luck < 0.7 else depth
+        else:  # in silence her sleep may get deeper
+            depth = min(depth + 1, 2) if luck < 0.5 else depth
+        return time + 1, depth
+
+    def reward(self, state, action, next_state, rng):
+        """What a step is worth."""
+        time, depth = next_state
+        reward = float(depth)
+        if action == 2:
+            reward -= self.ring
+        if time == self.length and depth > 0:
+            reward -= self.late
+        return reward
+
+    def terminal(self, state):
+        """Whether the episode is over."""
+        return state[0] == self.length
+
+    def observation(self, state, rng):
+        """What the agent sees."""
+        return state
+
+    def scene(self, state, last_action=None):
+        """The picture."""
+        return own_problem.bedroom(*state, self.length, last_action)
+
+
+morning = Morning()
+visited = check_mdp(morning)
+print("checked; the first states on the way:", visited[:9])
+
+# %% [markdown]
+# `check_mdp` has played 200 random steps and looked at everything that the methods return. States should be numbers or
+# tuples of numbers. The picture is not part of the problem, but draw one for yours: it shows mistakes that no check
+# finds. (`bedroom` is a function that returns a `Scene` of circles, rectangles and texts.)
+
+# %%
+MDPEnv(morning).scene()
+
+# %% [markdown]
+# **Play it yourself.** What is the best return that you get? What is your rule?
+
+# %%
+play(morning)
+
+# %% [markdown]
+# Your class is a Gymnasium environment as well, so that other people's tools can use it:
+
+# %%
+env = MDPEnv(morning)
+check_env(env, skip_render_check=True)  # Gymnasium's own check
+observation, info = env.reset(seed=1)
+print("first observation:", observation)
+print("after a chime:", env.step(1))
+
+# %% [markdown]
+# ### Six mistakes
+# Everybody makes mistakes when they write a problem down. Here are six variants of `Morning`, each with one mistake.
+# (`__slots__ = ()` keeps such a class immutable: without it one could write `self.x = 1`.)
+
+
+# %%
+class NoReturn(Morning):
+    """Sleep pays, and a ring costs."""
+
+    __slots__ = ()
+
+    def reward(self, state, action, next_state, rng):
+        """What a step is worth."""
+        reward = float(next_state[1])
+        if action == 2:
+            reward -= self.ring
+
+
+class OneTooFew(Morning):
+    """The numbers that the agent may see."""
+
+    __slots__ = ()
+    observation_space = property(lambda self: MultiDiscrete([self.length, 3]))
+
+
+class OwnDice(Morning):
+    """Her sleep changes by chance."""
+
+    __slots__ = ()
+
+    def transition(self, state, action, rng):
+        """What an action does."""
+        return state[0] + 1, random.randrange(3)
+
+
+class InPlace(Morning):
+    """The time goes on."""
+
+    __slots__ = ()
+
+    def initial(self, rng):
+        """Where an episode begins."""
+        return [0, 2]
+
+    def transition(self, state, action, rng):
+        """What an action does."""
+        state[0] += 1
+        return state
+
+
+class WrongSign(Morning):
+    """Sleep pays, a ring and oversleeping cost."""
+
+    __slots__ = ()
+
+    def reward(self, state, action, next_state, rng):
+        """What a step is worth."""
+        late = self.terminal(next_state) and next_state[1] > 0
+        return next_state[1] + self.ring * (action == 2) - self.late * late
+
+
+class NeverEnds(Morning):
+    """The night is short."""
+
+    __slots__ = ()
+
+    def terminal(self, state):
+        """Whether the episode is over."""
+        return state == self.length
+
+
+# %% [markdown]
+# **Predict.** Read them. The check finds five of the six mistakes. Which one does it not find?
+
+# %%
+mistakes = [NoReturn, OneTooFew, OwnDice, InPlace, WrongSign, NeverEnds]
+not_found = predict("The check does not find the mistake in ...", [kind.__name__ for kind in mistakes])
+not_found
+
+# %%
+accepted = []
+for kind in mistakes:
+    try:
+        check_mdp(kind())
+        accepted.append(kind.__name__)
+    except ValueError as error:
+        print(f"✗ {error}\n")
+not_found.measured(*accepted)
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** `WrongSign` passes: there a ring is *rewarded* with 4. It is a perfectly good decision problem, only not
+# the one that was meant. A check can know what a Markov decision process is. It cannot know what you want. The other
+# five are caught. The sentence names the method where the mistake shows, which is not always the one to mend: for
+# `OneTooFew` mend `observation_space`, for `NeverEnds` mend `terminal`. (There a tuple never equals a number, so the
+# time runs on beyond 8:30.)
+# </details>
+
+# %% [markdown]
+# ## The idea: an agent maximises what is paid, and nothing else
+#
+# The value of the best policy satisfies the Bellman optimality equation (Sutton and Barto, equation 3.19):
+#
+# $$
+# v_*(s) = \max_a \sum_{s'} p(s' \mid s, a) \left[ r(s, a, s') + \gamma\, v_*(s') \right]
+# $$
+#
+# It is tempting to think that *the reward says what I meant*. But your wish is not in this equation. Only $p$ and $r$
+# are, and the best policy is best for them. (The book's example, in section 3.2: a chess player who is paid for taking
+# pieces may take them and lose the game.) A problem with 25 states (at 7:10 there is only one) can be solved exactly,
+# by computing the right side again and again for all states at once (value iteration, section 4.4). The model with all
+# $p$ and $r$ is worked out from the methods that you have just read. This is the right side before the maximum; `k`
+# counts the possible next states:
+
+# %%
+source(FiniteModel.action_values)
+
+# %% [markdown]
+# The discount is $\gamma = 1$ in the whole lesson: an episode has 8 steps, and sleep at eight is worth as much as sleep
+# at half past seven. Here is the whole best policy. Can you say in words what it does, and why it is quiet at 8:00 when
+# she is dozing, but chimes when she is fast asleep?
+
+# %%
+best = own_problem.solve(morning)
+print(f"optimum: {best.start:.3f}; random actions: {own_problem.random_return(morning):.3f}")
+Sheet("policy", [[own_problem.morning_map(morning, "the best policy")]])
+
+# %% [markdown]
+# Fast asleep, she is two good chimes away from being awake, and from 8:00 on there is time for three. Dozing, she is
+# one away, and at 8:00 the clock can wait another ten minutes. It rings only when a chime cannot wake her in time.
+# Awake, a chime keeps her awake, and in silence she dozes off with probability 0.5. So from 8:10 on it chimes even
+# then. The map answers for every state, also for those that the clock never comes to. (The beige cells have no state:
+# at 7:10 she is fast asleep.)
+#
+# **Predict.** Under this policy, the best one for our reward, how often is she *not* awake at 8:30?
+
+# %%
+oversleeps = predict("The best clock lets her oversleep with probability ...", unit="%")
+oversleeps
+
+# %%
+night = own_problem.what_happens(morning, own_problem.best_policy(morning))
+print(night)
+oversleeps.measured(100 * night.late)
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** 14 %, one morning in seven. "I *must* be up" was the wish, but the reward says that being late costs 10
+# and a ring 4. A dozing sleeper at 8:20 gets a chime, which fails with probability 0.3: that costs $0.3 \cdot (10 - 1)
+# = 2.7$ on average, and a ring would cost 4. The policy is right and the reward is not what was meant. You can change
+# it with the sliders below.
+# </details>
+
+# %% [markdown]
+# Watch one morning under this policy:
+
+# %%
+frames(morning, own_problem.player(morning), seed=3)
+
+# %% [markdown]
+# ## The experiment: every agent learns it
+#
+# An exact solution needs the model. The agents of the earlier lessons do not: they only play, and Dyna learns a model
+# from that. (Their tables still need a small problem.) Now that we know the optimum, we can see how well they do on a
+# problem that none of them was made for.
+#
+# | setting | value |
+# |---|---|
+# | all | table with one row for each $(t, d)$, $\gamma = 1$, $\alpha = 0.1$, ε-greedy with $\varepsilon = 0.1$ |
+# | methods | Q-learning (lesson 1) and SARSA (2); 3-step SARSA, whose targets have three rewards (3); Dyna-10, which also makes 10 updates a step from its model (9) |
+# | novelty reward | Q-learning with a bonus $\beta / \sqrt{n(s')}$, where $n(s')$ counts how often $s'$ was entered, $\beta = 1$ (lesson 1) |
+# | training | 10 000 steps, which are 1 250 mornings |
+# | left figure | mean return of 20 greedy episodes, every 500 steps |
+# | right figure | the exact expected return of the greedy policy at the end |
+# | repetitions | 20; bands and bars are 95 % intervals |
+#
+# (The code of your class is compiled for each agent first, which takes half a minute.)
+
+# %%
+learned = own_problem.learn(morning)
+worth = {method: own_problem.true_returns(learned, method, morning) for method in learned.methods}
+display(own_problem.race(learned, worth, best.start, own_problem.random_return(morning)))
+for method, returns in worth.items():
+    early = learned.curves(method).loc[1_000].mean()
+    found = np.mean(returns > best.start - 1e-6)
+    print(
+        f"{method:14} played mean after 1 000 steps {early:5.2f}, "
+        f"exact value at the end {returns.mean():5.2f}; best policy: {found:.0%}"
+    )
+
+# %% [markdown]
+# All five learn a good clock. Dyna, which replays what it has seen, is close to the optimum after 1 000 steps (125
+# mornings), and finds the best policy in most runs. 3-step SARSA is the second fastest: after about 4 000 steps it is
+# within 1 of the optimum. The other three need most of the 10 000. For each method but Dyna, 14 to 17 of the 20 runs
+# end with a policy worth 9.78 or more, of 10.32; the others pull the mean down. The novelty reward is no help here: its
+# line is close to that of Q-learning. One reason may be that exploring is easy in this problem. (On the left the points
+# are means of played episodes, which luck may lift above the optimum; on the right the policies are evaluated exactly.)
+
+# %% [markdown]
+# ## Your turn
+#
+# The reward has two weights that nobody told us, and here is a third one: a bonus each time she wakes. Move a slider
+# and release it: the problem is solved again, exactly. Find (1) a cost of oversleeping at which she always oversleeps,
+# (2) one at which she is late in less than 2 % of all mornings, (3) the lowest bonus from which on she wakes more than
+# once on average.
+
+# %%
+sliders(own_problem.weights_sheet, ring=(0.0, 12.0, 0.5), late=(0.0, 30.0, 0.5), bonus=(0.0, 15.0, 1.0))
+
+# %% [markdown]
+# <details><summary>Answers</summary>
+#
+# With the other weights as they were: (1) 3.5 or less. (2) 14.5 or more, where it is 1 %. (3) 6.
+# </details>
+
+# %% [markdown]
+# The map does not change smoothly. There are finitely many deterministic policies, one of them is always best, and the
+# return of each is a straight line in each weight. So for long stretches of a slider the same policy is best, and then
+# a cell flips. If the clock ever comes to that cell, its behaviour changes too. If not, only the map changes: raise
+# `late` from 10 to 11 and look at the title. (The cell *dozing at 8:00* flips. The clock is quiet until 8:00, so she is
+# still fast asleep then.) A small change of a reward may matter a lot or not at all. You see which when you solve the
+# problem.
+
+# %% [markdown]
+# ## See inside: what a careless reward teaches
+#
+# ### A runner who gives up
+# The runner of lesson 2 must arrive exactly at the last cell before a cliff. The step that arrives there has the reward
+# $+1$. A step in which the runner falls or stalls has the reward $R$, here a fixed number. Every other step has $-1$.
+# To *stall* is to brake when standing still, and it ends the episode. The shortest run has four steps and returns $-1 -
+# 1 - 1 + 1 = -2$.
+#
+# **Predict.** A careful designer finds $R = -100$ cruel, and sets $R = -1$. What does the best policy do?
+
+# %%
+mild = predict("With R = -1 the best runner ...", ["runs as before", "runs more slowly", "stalls at once", "jumps off"])
+mild
+
+# %%
+for R in (-100.0, -1.0):
+    optimum, change = own_problem.first_stall(R)
+    print(f"R = {R:g}: optimum {optimum:g}, first change of speed {change:+d}")
+mild.measured("stalls at once" if change < 0 else "runs as before")
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** It stalls in its first step, with return $-1$, since running returns $-2$. An agent that learns this has
+# not failed. It has found the optimum of a reward which says that giving up costs no more than one step.
+# </details>
+
+# %% [markdown]
+# ### Two careless rewards for the clock
+# Nobody writes a reward that is obviously wrong. These two sound reasonable:
+#
+# 1. *"I want her awake, so I pay for that":* 2 for each step at the end of which she is awake, less the cost of rings.
+#    (Sleep is not worth anything here.)
+# 2. *"The reward comes so late. I add a bonus for progress":* the reward as it was, and 10 each time she wakes.
+#
+# **Predict.** What will the best clock do with the second one?
+
+# %%
+progress = predict(
+    "Paid 10 for each waking, the best clock ...",
+    [
+        "wakes her once, at the same time as before",
+        "wakes her once, earlier",
+        "wakes her and lets her doze off, again and again",
+    ],
+)
+progress
+
+# %%
+nights = {}
+for label, task in own_problem.TASKS.items():
+    nights[label] = own_problem.what_happens(own_problem.Morning(), own_problem.best_policy(task))
+    print(f"{label}:\n    {nights[label]}")
+display(own_problem.policies(own_problem.TASKS))
+wakings = nights[own_problem.WAKINGS].wakings
+earlier = nights[own_problem.WAKINGS].sleep < nights[own_problem.MEANT].sleep
+progress.measured(progress.options[2 if wakings > 1.5 else 1 if earlier else 0])
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** Paid for being awake, the clock chimes from 7:10 on, and she sleeps 19 minutes instead of 66. Paid for
+# waking, it chimes until she wakes, is quiet until she dozes off, and wakes her again: 2.4 times on average, and she
+# sleeps 37 minutes. (At 8:20 it rings when she is dozing, too: a ring earns $10 - 4 = 6$, and a chime $0.7 \cdot 10 -
+# 0.3 \cdot 9 = 4.3$ on average.) With either reward she hardly ever oversleeps. By the reward that was meant they
+# return 2.3 and 2.4, less than a quarter of the optimum, 10.3. This is called *reward hacking*, but nobody is hacked:
+# the agent does what it is paid for. (In the second map the cell with two letters has two best actions: at 8:20 neither
+# quiet nor a chime can wake her, and a ring costs 4 and earns $0.9 \cdot 2 = 1.8$. The fourth map belongs to the next
+# part.)
+# </details>
+
+# %% [markdown]
+# ### A bonus that changes no optimum
+# Progress bonuses are useful, and there is a safe form. Choose any function of the state, the *potential* $\varphi(s)$,
+# which is 0 in terminal states, and add to the reward what the potential gains (Ng, Harada and Russell, 1999):
+#
+# $$
+# F(s, s') = \gamma\, \varphi(s') - \varphi(s)
+# $$
+#
+# The sum of these additions over an episode from $S_0$ to its end $S_T$ telescopes:
+#
+# $$
+# \sum_{t=0}^{T-1} \gamma^t \left[ \gamma\, \varphi(S_{t+1}) - \varphi(S_t) \right] = \gamma^T \varphi(S_T) - \varphi(S_0) =
+# -\varphi(S_0)
+# $$
+#
+# It is the same number *for every policy*. So the values of all policies fall by $\varphi(s)$, and which of them is
+# best does not change. For the clock: let $\varphi(s) = 10$ while she is awake. Then 10 is paid when she wakes before
+# 8:30, and taken back when she falls asleep again, or at the end. (`phi` holds 0 for every state at 8:30.)
+
+# %%
+source(own_problem.WithPotential, "potential", "reward")
+
+# %%
+shaped_task = own_problem.TASKS[own_problem.POTENTIAL]
+shaped = own_problem.solve(shaped_task)
+difference = [shaped.value(s) - (best.value(s) - shaped_task.potential(s)) for s in best.model.states]
+print("same best actions everywhere:", np.array_equal(best.greedy_policy(), shaped.greedy_policy()))
+print(f"largest difference from v*(s) − φ(s): {np.abs(difference).max():.0e}")
+
+# %% [markdown]
+# The bonus and the potential pay the same 10 when she wakes before 8:30. Only the potential takes it back. The fourth
+# map above belongs to the potential, and it is the first one, cell by cell.
+#
+# **Predict.** Q-learning now learns from five rewards: the four above, and one with $\varphi(s) = v_*(s)$, which nobody
+# knows before learning. The settings are those of the experiment (20 runs), and we judge its greedy policy by the
+# reward that was meant, exactly. Does the potential of 10 for being awake help: which is ahead after 800 steps (100
+# mornings)? (Each budget of the figure is four times the one before, and the axis is logarithmic. Bands are 95 %
+# intervals.)
+
+# %%
+helps = predict("Which is ahead after 800 steps?", ["with the potential", "without any shaping", "neither"])
+helps
+
+# %%
+judged = own_problem.as_meant(own_problem.REWARDS, own_problem.Morning(), own_problem.BUDGETS)
+display(Sheet("as_meant", [[own_problem.learning_lines(judged)]]))
+print("mean return as meant, after", *own_problem.BUDGETS, "steps")
+for label, values in judged.items():
+    print(f"{label:28}", *(f"{mean:7.2f}" for mean in values.mean(axis=1)))
+lead = np.mean(judged[own_problem.POTENTIAL][1] - judged[own_problem.MEANT][1])
+helps.measured("with the potential" if lead > 0.5 else "without any shaping" if lead < -0.5 else "neither")
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** At 800 steps Q-learning with the potential of 10 is far *behind* Q-learning without shaping: $-3.3$
+# against 6.7. One reason may be what the potential tells the agent first: it is paid at once for waking her, at any
+# hour, and the bill comes later. After 12 800 steps both are near the optimum (9.9 and 9.8). With $\varphi = v_*$
+# Q-learning is close to the optimum after 200 steps already. So a potential cannot spoil the optimum, but it can help
+# learning or slow it down. It should be a guess of $v_*(s)$ (Ng et al.), and "awake is worth 10 at any hour" is a bad
+# one. With the two careless rewards more training does not bring the agent to what was meant.
+# </details>
+
+# %% [markdown]
+# ## Predict, then check
+#
+# **The state must know enough.** A state has the *Markov property* if it includes all aspects of the past that make a
+# difference for the future (Sutton and Barto, sections 3.1 and 17.3). What if you leave a variable out of what the
+# agent observes? We take two cheaper clocks: one without a microphone, which sees $t$ only, and one that has
+# stopped, which hears $d$ only.
+#
+# **Predict.** Which clock is worth more, when each follows the best rule for what it sees?
+
+# %%
+cheaper = predict("Which clock is worth more?", ["the clock that sees the time", "the clock that hears her sleep"])
+cheaper
+
+# %%
+plans = {
+    "the clock that sees the time": own_problem.best_blind(morning, lambda state: state[0]),
+    "the clock that hears her sleep": own_problem.best_blind(morning, lambda state: state[1]),
+}
+print(f"the clock that sees both: {best.start:.2f}")
+for clock, (value, actions) in plans.items():
+    print(f"{clock}: {value:.2f}, by", ", ".join(morning.action_names[action] for action in actions))
+cheaper.measured(max(plans, key=lambda clock: plans[clock][0]))
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** The clock that sees the time loses only 0.34: quiet until 8:00 and then three chimes is nearly as good
+# as to listen. The one that hears her sleep does best if it never makes a sound (its three actions are those for awake,
+# dozing and fast asleep), and then she always oversleeps: what it does at 8:20 when she is fast asleep, it would also
+# do at 7:10, and a sound early in the morning costs sleep. (These are the best *deterministic* rules, found by trying
+# them all.) It is hard to tell what a variable is worth by looking at it. Leave it out, and measure. Lesson 5 is about
+# what an agent can do when it cannot see its state.
+# </details>
+
+# %% [markdown]
+# This is how you leave a variable out of a problem of your own: write a variant that observes less. Here Q-learning
+# learns with the time alone, 20 times, with the settings of the experiment.
+
+
+# %%
+class SeesTheTime(Morning):
+    """A clock without a microphone."""
+
+    __slots__ = ()
+    observation_space = property(lambda self: Discrete(self.length + 1))
+
+    def observation(self, state, rng):
+        """What the agent sees."""
+        return state[0]
+
+
+method = {"Q-learning": own_problem.methods_with()["Q-learning"]}
+deaf = own_problem.learn(SeesTheTime(), method)
+returns = own_problem.true_returns(deaf, "Q-learning", SeesTheTime())
+possible = plans["the clock that sees the time"][0]
+print(f"Q-learning that sees the time: mean {returns.mean():.2f} of {possible:.2f} possible")
+
+# %% [markdown]
+# Q-learning falls short of 9.98. With the full state it also fell short after 10 000 steps (9.76 of 10.32). One reason
+# may be that Q-learning has no guarantee where it does not see the whole state. What you measure is the variable's
+# worth *for this agent*.
+
+# %% [markdown]
+# ## Exercises
+#
+# Each exercise has a cell for your answer, and below it a cell that checks it. The check says what was expected, what
+# came, and which mistake that looks like.
+
+# %%
+from edugym_course.lessons.own_problem.exercises import exercise_1, exercise_2, exercise_3, exercise_4
+from edugym_course.grading import check
+
+# %% [markdown]
+# ### Exercise 1: where the behaviour flips
+# With small `late`, the best clock does not ring even at 8:20 when she is fast asleep. It lets her oversleep. What is
+# the lowest cost of oversleeping at which ringing is best there? (The cost of a ring stays 4.) Set `late` by a formula,
+# or to a number rounded to two digits after the decimal point.
+#
+# <details><summary>Hint</summary>There is one step left, so each action is worth its expected reward. A ring leaves her
+# awake with probability 0.9 and dozing otherwise; silence leaves her fast asleep. At which cost are the two
+# equal?</details>
+
+# %%
+late = 10.0
+### BEGIN SOLUTION
+late = 5.9 / 0.9
+### END SOLUTION
+
+# %% tags=["check"]
+check(exercise_1, late)
+
+# %% [markdown]
+# ### Exercise 2: shape a reward
+# Write the function that adds potential-based shaping to a reward. Its arguments are the reward $r$ of a step, the
+# function $\varphi$ (call it as `potential(state)`), the state $s$, the next state $s'$, whether $s'$ is terminal, and
+# the discount $\gamma$. The given function may return anything for a terminal state, but the potential of a terminal
+# state must count as 0. If the check finds it right, the cell draws a random potential for each state, solves the
+# problem with your function, and shows both policies. Will the best one change?
+#
+# <details><summary>Hint</summary>It is the formula of F above, added to the reward, in one line or in three. What is
+# left of F when <code>terminated</code> is True?</details>
+
+
+# %%
+def shaped_reward(reward, potential, state, next_state, terminated, discount):
+    """Return the reward of a step and what the potential gains in it."""
+    ### BEGIN SOLUTION
+    after = 0.0 if terminated else discount * potential(next_state)
+    return reward + after - potential(state)
+    ### END SOLUTION
+
+
+# %% tags=["check"] points=2
+check(exercise_2, shaped_reward)
+### BEGIN HIDDEN TESTS
+check(exercise_2, shaped_reward, seed=1, quiet=True)
+### END HIDDEN TESTS
+display(own_problem.shaped_policies(shaped_reward))
+
+# %% [markdown]
+# ### Exercise 3: give the state what it needs
+# A new sleeper gets used to the chime. She hears only the first two chimes of a morning. From the third one on, a chime
+# is like silence: her sleep may get deeper, with the same probability. Rings work as before. Now $(t, d)$ is no Markov
+# state any more: what a chime does depends on how many came before it.
+#
+# Put their number into the state: `(time, depth, chimes)`, where `chimes` is the number of chimes so far, but at most
+# 2. A chime counts also when she is awake. Complete `observation_space`, `initial` and `transition`. Before you run the
+# check: below it Q-learning learns your problem twice, once with and once without a look at `chimes` (20 runs of 20 000
+# steps each, with the settings of the experiment). What will be the difference?
+#
+# <details><summary>Hint</summary>Copy the method <code>transition</code> of <code>Morning</code>. Take three numbers
+# out of the state instead of two. She hears a chime if <code>action == 1 and chimes < 2</code>; look at
+# <code>chimes</code> before you count.</details>
+
+
+# %%
+class UsedToIt(NamedTuple):
+    """A morning with a sleeper who hears only the first two chimes."""
+
+    length: int = 8
+    ring: float = 4.0
+    late: float = 10.0
+
+    action_names = ("stay quiet", "chime", "ring")
+    action_space = property(lambda self: Discrete(3))
+
+    @property
+    def observation_space(self):
+        """How many values each number of the state can take."""
+        ### BEGIN SOLUTION
+        return MultiDiscrete([self.length + 1, 3, 3])
+        ### END SOLUTION
+
+    def initial(self, rng):
+        """Ten past seven: fast asleep, and no chime yet."""
+        ### BEGIN SOLUTION
+        return 0, 2, 0
+        ### END SOLUTION
+
+    def transition(self, state, action, rng):
+        """The third chime and all later ones are like silence."""
+        ### BEGIN SOLUTION
+        time, depth, chimes = state
+        luck = rng.random()
+        if action == 2:
+            depth = 0 if luck < 0.9 else max(depth - 1, 0)
+        elif action == 1 and chimes < 2:
+            depth = max(depth - 1, 0) if luck < 0.7 else depth
+        else:
+            depth = min(depth + 1, 2) if luck < 0.5 else depth
+        if action == 1:
+            chimes = min(chimes + 1, 2)
+        return time + 1, depth, chimes
+        ### END SOLUTION
+
+    def reward(self, state, action, next_state, rng):
+        """As before."""
+        reward = float(next_state[1])
+        if action == 2:
+            reward -= self.ring
+        if next_state[0] == self.length and next_state[1] > 0:
+            reward -= self.late
+        return reward
+
+    def terminal(self, state):
+        """At half past eight."""
+        return state[0] == self.length
+
+    def observation(self, state, rng):
+        """The whole state."""
+        return state
+
+
+# %% tags=["check"] points=3
+check(exercise_3, UsedToIt)
+### BEGIN HIDDEN TESTS
+check(exercise_3, UsedToIt, seed=1, quiet=True)
+### END HIDDEN TESTS
+display(own_problem.count_matters(UsedToIt))
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** "The old clock" is the policy that was best for a sleeper who hears every chime. With the new one it is
+# worth only 5.7, where the optimum is 9.9, since it was planned with wrong dynamics. But after 20 000 steps Q-learning
+# does about as well without a look at `chimes` as with it: the intervals overlap. Here a rule that sees only time and
+# depth is exactly as good as the optimum: quiet until 8:10, then at most two chimes, and a ring at 8:20 if she is fast
+# asleep. So a look at `chimes` gains nothing. Both learners are still about 1 below the optimum. Two
+# questions must be kept apart. What must the *state* have, so that the dynamics are right? All that makes a difference
+# for the future. What must the *agent see*? That is a matter of measuring. </details>
+
+# %% [markdown]
+# ### Exercise 4: your own problem
+# Now yours. It should come from something that you know: a kitchen, a bus line, a game, a shop, a plant, a queue, your
+# phone's battery. The cell below has a problem that runs, so that you can see the form: keep or sell an old bicycle,
+# for which a random offer of 1, 2 or 3 comes each day. Keep the form, a class that inherits from `NamedTuple`, and
+# replace it by one of your own, under another name. Set `my_problem` to a value of it. The check wants
+#
+# - two actions and four states or more, and chance in the dynamics;
+# - an end: terminal states that are always reached (a deadline belongs in the state, like the time of the morning);
+# - a decision: no single action that is best in every state.
+#
+# Keep it small (some hundred states; a queue or a stock needs a largest value), with whole numbers in states and
+# observations: then it can be solved exactly.
+#
+# <details><summary>Hint</summary>Answer the four questions at the top of this lesson in four sentences before you write code.
+# If something important is missing in the state, the method <code>transition</code> will need it and not have it. Draw
+# all random numbers from <code>rng</code>, for example <code>rng.random() &lt; 0.3</code> or <code>int(rng.random() *
+# 3)</code>, and return new states instead of changing old ones.</details>
+
+
+# %%
+class Template(NamedTuple):
+    """Sell a bicycle within five days: the state is (day, offer), and waiting brings another offer."""
+
+    days: int = 5
+
+    action_names = ("wait", "sell")
+    action_space = property(lambda self: Discrete(2))
+    observation_space = property(lambda self: MultiDiscrete([self.days + 1, 4]))
+
+    def initial(self, rng):
+        """The first offer, 1 to 3."""
+        return 0, 1 + int(rng.random() * 3)
+
+    def transition(self, state, action, rng):
+        """Sold, which is an offer of 0; or a day later with a new offer."""
+        day, _ = state
+        return (day, 0) if action == 1 else (day + 1, 1 + int(rng.random() * 3))
+
+    def reward(self, state, action, next_state, rng):
+        """The offer that was taken."""
+        return float(state[1]) if action == 1 else 0.0
+
+    def terminal(self, state):
+        """Sold, or too late."""
+        return state[1] == 0 or state[0] == self.days
+
+    def observation(self, state, rng):
+        """The whole state."""
+        return state
+
+
+my_problem = Template()
+### BEGIN SOLUTION
+
+
+class Umbrella(NamedTuple):
+    """Six walks between home and office, with one umbrella; the state is (walk, umbrella here, rain)."""
+
+    walks: int = 6
+
+    action_names = ("leave it", "take it")
+    action_space = property(lambda self: Discrete(2))
+    observation_space = property(lambda self: MultiDiscrete([self.walks + 1, 2, 2]))
+
+    def initial(self, rng):
+        """Where an episode begins."""
+        return 0, 1, int(rng.random() < 0.3)
+
+    def transition(self, state, action, rng):
+        """What an action does."""
+        walk, here, _ = state
+        here = 1 if here == 0 or action == 1 else 0  # who left it at the other end finds it there
+        return walk + 1, here, int(rng.random() < 0.3)
+
+    def reward(self, state, action, next_state, rng):
+        """What a step is worth."""
+        carried = state[1] == 1 and action == 1
+        return (-1.0 if carried else 0.0) - (5.0 if state[2] == 1 and not carried else 0.0)
+
+    def terminal(self, state):
+        """Whether the episode is over."""
+        return state[0] == self.walks
+
+    def observation(self, state, rng):
+        """What the agent sees."""
+        return state
+
+
+my_problem = Umbrella()
+### END SOLUTION
+
+# %% tags=["check"] points=4
+check(exercise_4, my_problem)
+
+# %% [markdown]
+# ### The open challenge: take it through everything
+# One call checks your problem, solves it, lets three agents learn it (10 000 steps, 10 runs), and compares them with
+# the optimum and with random actions. If a state is one number or two, it also draws a map of the best policy. Until
+# you have a problem of your own it shows the bicycle. (For a new class the agents are compiled first, which takes some
+# twenty seconds.)
+
+# %%
+tour = own_problem.take_through_everything(my_problem)
+print(tour)
+
+# %%
+for sheet in tour.sheets:
+    display(sheet)
+
+# %% [markdown]
+# To see the best action in every state:
+# `for s, p in zip(tour.values.model.states, tour.values.greedy_policy()): print(s, p)`.
+#
+# **A careless reward.** Solve your problem with another reward, and judge both policies by the one that you meant. This
+# one pays 1 more for action 0; put a careless reward of yours in its place. (With it an episode may never end, so it is
+# cut off after 1 000 steps. `what_happens` and `best_blind` are for the morning only.)
+
+
+# %%
+class Careless(type(my_problem)):
+    """My problem with a careless reward."""
+
+    __slots__ = ()
+    max_steps = 1_000
+
+    def reward(self, state, action, next_state, rng):
+        """What I meant, and a bonus for action 0."""
+        return super().reward(state, action, next_state, rng) + (1.0 if action == 0 else 0.0)
+
+
+model = finite_model(my_problem)
+for label, task in (("the reward that I meant", my_problem), ("the careless reward", Careless(*my_problem))):
+    policy = own_problem.best_policy(task)
+    meant = policy_evaluation(model, policy, 1.0, horizon=1_000).start
+    print(f"{label} teaches a policy that returns {meant:.2f}, by the reward that I meant")
+
+# %% [markdown]
+# Play it until you can beat the agents, or know why you cannot. A picture helps. It is a method of the class, which may
+# be as simple as the one below for the bicycle. The picture is 10 wide and 5 high; x counts to the right and y *down*
+# from the top left. A circle has x, y and a radius; a text has x, y, the words and a size. Put this line at the top of
+# the cell of your class:
+#
+# ```python
+# from edugym.rendering.scene import Circle, Scene, Text
+# ```
+#
+# Put the method into the class, below `observation` and indented like it. Then run from there again.
+#
+# ```python
+#     def scene(self, state):
+#         day, offer = state
+#         return Scene(10, 5, (Circle(5, 2.8, 0.5 * offer), Text(5, 0.6, f"day {day}, offer {offer}", 0.7)))
+# ```
+
+# %%
+play(my_problem)
+
+# %% [markdown]
+# **Share it.** One call writes the class, what it uses, and its settings into one file.
+
+# %%
+path = share(my_problem, "my_problem.py")
+print(path.read_text(encoding="utf-8"))
+
+# %% [markdown]
+# A friend who has EduGym and the file can play it in a terminal, `edugym play my_problem.py`, or in a notebook,
+# `play("my_problem.py")`, and can train on it. Opening such a file runs it, so open only files from people whom you
+# trust.
+
+# %%
+friends_problem = read_mdp("my_problem.py")
+print("the same optimum:", own_problem.solve(friends_problem).start == own_problem.solve(my_problem).start)
+play("my_problem.py")
+
+# %% [markdown]
+# **Hand in** the file and a page with it. (1) The wish in one sentence, and the four answers. (2) The best policy in
+# words: is it what you meant? (3) Change your reward in a careless way that sounds reasonable. Solve the problem again,
+# as in `Careless`, and say in numbers what the new reward teaches. (4) Leave one variable out of `observation`, as in
+# `SeesTheTime`, and measure what it was worth for an agent. (It may be less than nothing.) (5) Which agent did best,
+# and what may be a reason? Look at a friend's problem too: find a policy that earns a lot and that your friend did not
+# mean.
+
+# %% [markdown]
+# ## What you saw
+#
+# - A problem is four answers: what the agent can do, what it must know, what happens, and what it is worth.
+# - The check finds mistakes in the form. A wrong sign in the reward is another problem, and a valid one.
+# - Even a sensible reward taught something that was not meant: to oversleep one morning in seven.
+# - Careless rewards taught the clock to wake her at dawn, and to wake her again and again. The runner with $R = -1$
+#   gives up at once. Each of these policies is the optimum of the reward that was given.
+# - A potential pays and takes back, so it changes no best policy. Here $v_*$ itself helped a lot, and a bad guess of it
+#   slowed learning down.
+# - What a variable in the state is worth can be measured by leaving it out.
+#
+# ### In one paragraph
+# *Learn it by heart, or better, say it in your own words.* To state a problem is to choose states, actions, dynamics
+# and a reward. The state must include everything about the past that makes a difference for the future. The reward is
+# not a description of what I want but the only thing that is paid, and the best policy is best for what is paid. So I
+# solve a small version exactly, look at what the best policy *does*, and count what I care about, before I train
+# anything. If I want to help an agent with hints, I give them as a potential, which is paid back.
+#
+# ### Limits
+# All of this could be solved exactly, which real problems cannot. There a careless reward is found out late, by
+# watching what the agent does. We chose the numbers 4 and 10 by feeling; methods that learn a reward from examples or
+# from comparisons by people are not in this course. And a potential keeps the optimum, but not what a learner with
+# little time, or with a function approximator, ends up with.
+#
+# ### Further reading
+# - Sutton and Barto, *Reinforcement Learning*, 2nd edition: 3.2 (goals and rewards), 17.3 (observations and state), 17.4
+#   (designing reward signals).
+# - Ng, Harada and Russell (1999), *Policy invariance under reward transformations: theory and application to reward
+#   shaping*.
+# - Randløv and Alstrøm (1998), *Learning to drive a bicycle using reinforcement learning and shaping*: a bonus for
+#   progress that taught it to ride in circles.
+# - Amodei, Olah, Steinhardt, Christiano, Schulman and Mané (2016), *Concrete problems in AI safety*: reward hacking.
+# - Moerland et al. (2023), *EduGym: An environment and notebook suite for reinforcement learning education*: the paper.

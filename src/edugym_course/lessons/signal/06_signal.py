@@ -1,0 +1,843 @@
+# %% [markdown]
+# # The amount of signal: Tamagotchi
+#
+# **The challenge.** An agent can only act on what it is told. When the message about the state is noisy, ambiguous or
+# long, how much of it can the agent use, and what can it use instead?
+#
+# **You will be able to** measure in bits how much a message tells about the right action; say why the same number of
+# bits can be worth a lot to one player and nothing to another; explain why longer messages carry more and are harder
+# to learn from; and write a player that joins its message with its memory.
+#
+# **Time.** 60 minutes, and 30 more for the exercises. **Before you start.** You should know what a value function and
+# Q-learning are (Sutton and Barto, 2nd edition, sections 3.5 and 6.5), and ε-greedy action selection (section 2.2).
+# All symbols are in the [table of notation](https://github.com/RLG-Leiden/edugym/blob/main/docs/notation.md).
+
+# %%
+import math
+from typing import NamedTuple
+
+import gymnasium as gym
+import numpy as np
+
+from edugym import QLearning, repeat
+from edugym.envs.tamagotchi import happiness
+from edugym_course.lessons import signal
+from edugym_course.notebook import frames, play, predict, sliders, source
+from edugym.experiments.figures import Sheet
+
+# %% [markdown]
+# ## Meet the environment: a toy that says what it needs
+#
+# A toy has four needs: to play, to sleep, to be fed, and to be cleaned. At every step it *wants* the most urgent one.
+# You press one of four buttons. If it is the one that the toy wants, good. If not, the toy suffers.
+
+# %%
+env = gym.make("edugym/Tamagotchi-v0", tau=0.1, max_msg_length=4).unwrapped
+env.reset(seed=3)
+for action in (0, 2):  # play, feed
+    env.step(action)
+env.scene()
+
+# %% [markdown]
+# You see a screen with the hit points (HP), and the words that the toy says. You do not see how the toy really is. So
+# here we must keep two things apart:
+#
+# - The **state** $s$ is how the toy really is. It decides what happens next.
+# - The **observation** $o$ is what the agent is told about it: the hit points and the message.
+#
+# | | | in words |
+# |---|---|---|
+# | states | four variables $v_i$ from 0 to 100, the hit points, the wanted action, the message | hidden, except for the hit points and the message; all variables start at 100 |
+# | observations | $o$ = (hit points, message) | a message has $L$ words, and there are $H$ different words |
+# | actions | $\mathcal{A} = \{0, 1, 2, 3\}$ | play, sleep, feed, clean |
+# | dynamics | $v_a$ grows by 30, each other $v_i$ falls by 5 | action $a$ meets need $a$; in the end all are cut off at 0 and 100 |
+# | | all four fall by 10 more if $a$ is not the wanted action | so a wrong action costs every need 10 |
+# | reward | $\sum_i (v_i - 50)\, u_i$ with the *urgency* $u_i = e^{-v_i/100}$ | with the variables *after* the action; what is low weighs most |
+# | the toy wants | the action with the largest $u_i$ | ties are broken at random |
+# | discount | $\gamma = 0.5$ | used by Q-learning; the returns in the figures are not discounted |
+#
+# In the code the number of words in a message, $L$, is `max_msg_length`, and the number of different words, $H$, is
+# `vocab_size`.
+#
+# After each step a tenth of the reward is added to the hit points; the sum is rounded down, and kept between 0 and 100.
+# They start at 100. An episode has 100 steps. It *terminates* earlier if the hit points fall to 0. The *return* is the
+# sum of all rewards of an episode. The best possible return is 6 707 on average, and random actions return −676.
+#
+# These are the methods that run. (`rng` draws random numbers.)
+
+# %%
+source(type(env.mdp), "changed", "reward")
+
+# %%
+source(happiness)
+
+# %% [markdown]
+# ### What a word says
+# Each word of a message is drawn by itself. It is about need $i$ with a probability that grows with the urgency of
+# that need. The larger the **noise** $\tau$, the less it grows (a softmax, as in equation 2.11 of Sutton and Barto, but
+# with a temperature):
+#
+# $$
+# P(\text{a word is about need } i) = \frac{e^{u_i / \tau}}{\sum_j e^{u_j / \tau}}
+# $$
+#
+# With $\tau \to 0$ all words name the wanted action. With $\tau = \infty$ all four needs are equally likely, and the
+# words say nothing. In between a word names the wanted action *more often* than the others. In the code each
+# $e^{u_i/\tau}$ is divided by that of the wanted need, which changes no probability. (`TIE_BREAK`, a millionth, makes
+# the wanted need win ties as $\tau$ goes to 0.)
+
+# %%
+source(type(env.mdp), "named", "weight")
+
+# %% [markdown]
+# **Play it yourself.** The picture shows what an agent sees, and one thing more: the button that was pressed last is black.
+# Here are 20 steps with a noise of 0.05 and eight
+# words in each message. Do you follow the first word, or most of the words? What is your return? (The best possible
+# one is 1 345 in 20 steps, on average.) And: is there anything besides the words that helps you?
+
+# %%
+play("Tamagotchi", tau=0.05, max_msg_length=8, steps_per_episode=20)
+
+# %% [markdown]
+# ## The idea: what is in a message, and who can use it?
+#
+# ### Learning from observations
+# Q-learning needs a row of its table for everything that it can be told. It does not know the state, so the row
+# belongs to the *observation*. After a step from observation $O$ by action $A$ to observation $O'$ with reward $R$ it
+# does what it always does (Sutton and Barto, equation 6.8, with observations in the place of states):
+#
+# $$
+# Q(O, A) \leftarrow Q(O, A) + \alpha \left[ R + \gamma \max_a Q(O', a) - Q(O, A) \right]
+# $$
+#
+# After a terminal step there is no future, and $R$ stands alone in the place of $R + \gamma \max_a Q(O', a)$: that is
+# what `one_step_target` sees to. `best_value` is the maximum. The code is the same as in every lesson. What it calls
+# `state` is the number of the row.
+
+# %%
+source(QLearning.learn)
+
+# %% [markdown]
+# Two states that look alike share a row. The agent must do the same in both, whatever it has learned. How many rows
+# are there? There are 101 values of the hit points, and $H^L$ messages:
+#
+# $$
+# \text{rows} = 101 \cdot H^L
+# $$
+
+# %%
+for length in (1, 4, 28):
+    print(f"{length:2} words out of 4: {101 * 4.0**length:.3g} rows")
+
+# %% [markdown]
+# ### Two players that do not learn
+# To see how much of a message Q-learning uses, we compare it with two players who know from the start what the words
+# mean. One **obeys the first word**. The other takes a **majority vote**: it does what most words name. Both are the
+# same code, with a different number of words that are `heard`. (If the *vocabulary* has more than four words, the words
+# $i$, $i + 4$, $i + 8$, ... all mean need $i$.)
+
+# %%
+source(signal.Voter.act)
+
+# %% [markdown]
+# Watch the vote, with eight words and the noise of your own game. Ties are broken at random.
+
+# %%
+frames(
+    "Tamagotchi",
+    signal.Voter.create(None, heard=8),
+    tau=0.05,
+    max_msg_length=8,
+    steps_per_episode=20,
+)
+
+# %% [markdown]
+# ### How much does a message tell? Count it in bits
+# Let $X$ be the need, that is, the wanted action, and $Y$ the message. (The hit points are left out of $Y$.) How much
+# does $Y$ tell about $X$? Before the message, need $x$ has the probability $p(x)$. After message $y$ it has the
+# probability $p(x \mid y) = p(x, y) / p(y)$. The message has made it more likely by the factor $p(x \mid y) / p(x)$.
+# The **information** in the message is the mean of the logarithm of this factor (Shannon, 1948; it is also called
+# mutual information):
+#
+# $$
+# I(X; Y) = \sum_{x, y} p(x, y) \log_2 \frac{p(x \mid y)}{p(x)} = \sum_{x, y} p(x, y) \log_2 \frac{p(x, y)}{p(x)\, p(y)}
+# $$
+#
+# The logarithm has the base 2, so the unit is the *bit*: the answer to one question of yes or no, if both are equally
+# likely. If the message has nothing to do with the need, $p(x, y) = p(x)\, p(y)$, all logarithms are 0, and so is the
+# information. To tell which of four equally likely needs it is takes $\log_2 4 = 2$ bits.
+#
+# To compute it, all we need is a table of $p(x, y)$. It depends on the variables $v_i$ that occur, and how often. We
+# take a toy *in perfect care*, which always gets what it wants. All bits in this lesson are those of such a toy, where
+# nothing else is said. (A neglected toy has needs that differ more, so its words tell more.)
+#
+# The code below makes the table for messages of one word. `states_met` plays some episodes and counts the states. The
+# last line of the loop adds up the probabilities of the needs that share a word.
+#
+# For longer messages $y$ is how often each word occurs: given the state the words are drawn independently, so their
+# order tells nothing. But they all come from the same state, so the second word tells in part what the first one told.
+# Two words carry less than twice the bits of one.
+
+# %%
+source(signal.joint_table)
+
+# %% [markdown]
+# **Predict.** At $\tau = 0.1$, in what share of the steps does a word name the wanted action? (By pure chance it would
+# be 25 %.)
+
+# %%
+named = predict("At τ = 0.1 a word names the wanted action in ... of the steps.", unit="%")
+named
+
+# %%
+display(signal.joint_tables())
+for tau in (0.0, 0.02, 0.05, 0.1):
+    share = np.trace(signal.joint_table(tau))
+    print(f"τ = {tau:4}: a word is right in {share:4.0%} of the steps, and carries {signal.information(tau):.3f} bit")
+named.measured(100 * np.trace(signal.joint_table(0.1)))
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** 33 %, only a little more than chance. In a table of pure noise all numbers would be 1/16, about 0.06;
+# where there is no noise, all the weight is on the diagonal. (The states are a sample, and the numbers are rounded. So
+# one of them is 0.05 where its neighbours are 0.06.) The bits fall faster than the share of right words: at
+# $\tau = 0.02$ two words of three are right, and three quarters of the information are gone.
+# </details>
+
+# %% [markdown]
+# ## The experiment: more and more noise
+#
+# The paper (Moerland et al., 2023) runs Q-learning on this toy with more and with less noise. So do we.
+#
+# | setting | value |
+# |---|---|
+# | messages | one word out of four |
+# | agent | tabular Q-learning, $\alpha = 0.02$, $\gamma = 0.5$, $\varepsilon = 0.1$, all values start at 0, ties broken at random |
+# | training | 200 000 steps, 2 000 episodes |
+# | evaluation | the mean of 10 greedy episodes, every 10 000 steps |
+# | repetitions | 20; bands are 95 % intervals |
+#
+# (The learning rate is small, since the rewards that follow a noisy word differ widely. With $\alpha = 0.1$ a run
+# loses a good policy for a while much more often. Try it in "Your turn".) The dashed line is the optimum, 6 707,
+# computed by planning with the whole state.
+#
+# **Predict.** At which noise does Q-learning first get less than half of the optimum?
+
+# %%
+half = predict("Less than half of the optimum first at ...", ["τ = 0.02", "τ = 0.05", "τ = 0.1", "τ = ∞"])
+half
+
+# %%
+by_tau = signal.compare_noise(repetitions=20)
+display(signal.noise_sheet(by_tau))
+means = {tau: signal.late(results, "Q-learning").mean() for tau, results in by_tau.items()}
+for tau, mean in means.items():
+    bits = signal.information(tau)
+    print(f"{signal.noise_label(tau):8}: {abs(bits):.3f} bit, mean return {mean:5.0f} in the second half of training")
+print("on the toy of a player who obeys:")
+for tau in (0.02, 0.05, 0.1):
+    heard = signal.joint_table(tau, obeyed=True)
+    print(f"  τ = {tau:4}: {np.trace(heard):.0%} of the words are right, and one carries {signal.bits(heard):.2f} bit")
+first = next(tau for tau in sorted(means) if means[tau] < signal.OPTIMUM / 2)
+half.measured(signal.noise_label(first))
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** At $\tau = 0.05$ it gets 3 000, a little less than half. At 0.02 it still gets 6 000, nine tenths of the
+# optimum. In perfect care 64 % of the words are right there, and a word carries half a bit. A player that obeys hears
+# more: 76 % are right, and a word carries 0.84 bit. That is probably because each mistake leaves a need that is more
+# urgent than the others, and then the words are clearer. At 0.1 the return is about 0, and at $\tau = \infty$ it is that
+# of random actions. (Where a line dips for a moment, one run or two of the 20 have lost a good policy, and find it
+# again.)
+# </details>
+
+# %% [markdown]
+# What has it learned? Each bar belongs to a word, and its colours show how often Q-learning answers it with each
+# action, in greedy episodes of all 20 runs. An agent that knows what the words mean has one colour in each bar.
+
+# %%
+panels = [signal.answers(by_tau[tau], tau) for tau in (0.0, 0.05, 0.1, math.inf)]
+Sheet("answers", [panels[:2], panels[2:]])
+
+# %% [markdown]
+# At $\tau = 0$ and at 0.05 it does what the toy says, nearly always, and at 0.1 in more than eight steps of ten. So the
+# agent has learned nearly all that the words allow. Most of what is lost is lost in the words, at least for a player
+# without memory.
+
+# %% [markdown]
+# ## Your turn
+#
+# How much noise can Q-learning stand? Give the toy more words in a message ($L$), or a larger vocabulary ($H$). When
+# does that help, and when does it hurt? Then turn the knobs of the agent. With a smaller $\gamma$ it looks less far
+# ahead: does it need to? The yellow and the green line show the two players who know the words (with one word they are
+# the same player). Move a slider and release it: 10 repetitions of 200 000 steps are computed again. (With fewer than
+# four words some are *ambiguous*: they mean two needs or more. The two players then do not know which one either.)
+
+
+# %%
+def one_toy(tau=0.05, L=1, H=4, alpha=0.02, gamma=0.5, epsilon=0.1):
+    """Draw the learning curve of Q-learning on one toy, beside obeying and voting."""
+    return signal.one_toy(tau, L, H, learning_rate=alpha, discount=gamma, epsilon=epsilon)
+
+
+sliders(
+    one_toy,
+    tau=(0.0, 0.2, 0.01),
+    L=(1, 4),
+    H=[1, 2, 3, 4, 8],
+    alpha=(0.01, 0.5, 0.01),
+    gamma=(0.0, 0.95, 0.05),
+    epsilon=(0.0, 0.5, 0.05),
+)
+
+# %% [markdown]
+# <details><summary>What you may have found</summary>
+#
+# Mean returns in the second half of training, all else as at first:
+#
+# | change | return |
+# |---|---|
+# | none ($\tau = 0.05$, $L = 1$, $H = 4$, $\alpha = 0.02$, $\gamma = 0.5$) | 3 000 |
+# | $\gamma = 0$; 0.9 | 3 190; 2 950 |
+# | $L = 2$; 3; 4 | 2 410; 780; 280 |
+# | $H = 8$; 3 | 3 080; −720 |
+#
+# It need not look ahead. Synonyms ($H = 8$) cost nothing here, and ambiguous words ($H = 3$) cost everything. With
+# $\alpha = 0.02$ longer messages hurt. With $\alpha = 0.2$ four words help: Q-learning gets 3 410. (The vote gets 5 060
+# from them.) Why is the next question.
+# </details>
+
+# %% [markdown]
+# ## See inside: information, and being able to use it
+#
+# A toy that is hard to understand can repeat itself. At $\tau = 0.1$ four words tell nearly four times as much as one.
+# But the table of Q-learning is then 64 times larger, and each of its rows is visited less often. (The run takes 10 to
+# 40 seconds.)
+#
+# **Predict.** Q-learning trains at $\tau = 0.1$ with four words in each message instead of one. What does it get after
+# the same 200 000 steps, with the same $\alpha = 0.02$?
+
+# %%
+longer = predict(
+    "After 200 000 steps with α = 0.02, four words instead of one give Q-learning ...",
+    ["a higher return", "a lower return", "the same return, up to 100"],
+)
+longer
+
+# %%
+one_word = signal.late(by_tau[0.1], "Q-learning")
+labels = {f"four words, α = {rate}": rate for rate in (0.02, 0.05, 0.2)}
+four = {label: signal.learn_long(4, rate, repetitions=8) for label, rate in labels.items()}
+voted = signal.vote(0.1, 4, 4).mean()
+display(signal.lengths_sheet({"one word, α = 0.02": signal.learn_long(1, repetitions=8), **four}, voted))
+for name, length in (("one word", 1), ("four words", 4)):
+    print(f"{name}: {signal.information(0.1, length):.3f} bit, a table of {signal.rows_of_table(length)} rows")
+print(f"mean return with one word: {one_word.mean():.0f} in the second half of 200 000 steps; with four words:")
+for label, results in four.items():
+    early, end = (signal.after(results, steps).mean() for steps in (200_000, 1_600_000))
+    print(f"  {label[12:]:8}: {early:5.0f} after 200 000 steps, {end:5.0f} after 1 600 000")
+print(f"majority vote over four words: mean return {voted:.0f}")
+gain = signal.after(four["four words, α = 0.02"], 200_000).mean() - one_word.mean()
+longer.measured(
+    "the same return, up to 100" if abs(gain) < 100 else "a higher return" if gain > 0 else "a lower return"
+)
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** A lower one, although the message tells nearly four times as much. The table has about 100 000 values,
+# so 200 000 steps are two tries for each *on average*. In fact about half are never tried. The others are tried more
+# often, above all at full hit points, where every episode starts. A value that is tried twice with $\alpha = 0.02$ has
+# gone only 4 % of the way to its target. So a larger table needs a larger learning rate, or more time. With
+# $\alpha = 0.2$ four words are ahead of one after 200 000 steps already. Probably because a large learning rate keeps values
+# noisy, $\alpha = 0.05$ is the best of the three in the end. None of them gets as far as the vote, which hears the same
+# words and has nothing to learn. The vote knows two things that the table has to find out row by row: what each word
+# means, and that the *order* of the words does not matter.
+# </details>
+
+# %% [markdown]
+# Now the picture of this lesson. The $x$ axis is the information in a message, the $y$ axis is the return. On the left
+# the messages have one word, and the noise falls from $\infty$ (left) to 0 (right). On the right the noise stays at
+# 0.1, and the numbers beside the points are the numbers of words, from 1 to 28. (The $x$ axes differ: the left one goes
+# to 2 bits, the right one to half a bit.) Q-learning has the settings of the experiment; a single point stands for its
+# longer training with $\alpha = 0.05$.
+
+# %%
+learned = {
+    signal.LEARNED: {1: one_word, 4: signal.after(four["four words, α = 0.02"], 200_000)},
+    signal.LONGER: {4: signal.after(four["four words, α = 0.05"], 1_600_000)},
+}
+lengths = (1, 2, 4, 8, 16, 28)
+picture = signal.one_word_panel(by_tau), signal.messages_panel(lengths, learned)
+display(Sheet("information", [picture]))
+for tau, length in ((0.02, 1), (0.1, 28), (0.1, 2), (0.1, 1)):
+    bits, mean = signal.information(tau, length), signal.vote(tau, length, length).mean()
+    print(f"τ = {tau:4}, {length:2} words: {bits:.3f} bit, mean return of the vote {mean:.0f}")
+
+# %% [markdown]
+# - **Left.** With one word a player without memory has little else to use, and Q-learning uses it: its line lies nearly
+#   on that of obeying. At $\tau = 0.02$ a word that carries half a bit in perfect care brings nine tenths of the return.
+#   (On the toy of the player who obeys it carries 0.84 bit, as we saw. At $\tau = 0.1$ it carries 0.28 there instead of
+#   0.02.)
+# - **Right.** The information grows with the messages, and the vote turns it into return: 28 words at
+#   $\tau = 0.1$ are worth nearly as much as one word at 0.02, which carries the same half bit. Whoever obeys the first
+#   word leaves the other words unused: that line is flat.
+# - Look at two words on the right (the second point): they carry twice as much as one, and the vote gets nothing out of it. If
+#   the two disagree it can only guess.
+# - Q-learning stands at the lower left. At 28 words its table would have $7 \cdot 10^{18}$ rows.
+#
+# **Information, and being able to use it, are two things.** Information that is spread over 28 words is there, and a
+# table cannot find it. (That is what features and networks are for: an agent that is told how often each word occurs
+# would see at once what the vote sees.)
+
+# %% [markdown]
+# ## Predict, then check
+#
+# Answer each question before you run the cell below it. You learn most when you are surprised.
+#
+# ### Is a bit a bit?
+# Take the noise away, $\tau = 0$, but let the toy know only two words. One means "play or feed", the other "sleep or
+# clean". So a word carries exactly one bit. That is more than at $\tau = 0.02$ (0.49 bit, or 0.84 on the toy of a
+# player who obeys), where Q-learning got nine tenths of the optimum.
+#
+# **Predict.** What does Q-learning get with a vocabulary of two words?
+
+# %%
+ambiguous = predict(
+    "With one bit, from a vocabulary of two words without noise, Q-learning gets ...",
+    ["more than 90 % of the optimum", "about half of it", "no more than random actions"],
+)
+ambiguous
+
+# %%
+two_words = signal.learn(parameters={"vocab_size": 2}, repetitions=20)
+mean = signal.late(two_words, "Q-learning").mean()
+coin = signal.play(signal.Coin.create, parameters={"vocab_size": 2}).mean()
+print(f"a word out of two carries {signal.information(0.0, vocab_size=2):.2f} bit")
+print(f"mean return of Q-learning {mean:.0f}, of random actions {signal.RANDOM_PLAY:.0f}")
+print(f"mean return of a player who tosses a coin between the two meanings of the word {coin:.0f}")
+lost = "no more than random actions" if mean < signal.RANDOM_PLAY / 2 else "about half of it"
+ambiguous.measured("more than 90 % of the optimum" if mean > 0.9 * signal.OPTIMUM else lost)
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** No more than random actions. With the same hit points, the greedy policy does the same thing whenever
+# it hears the same word. So it answers "play or feed" always with play, say. Then the toy is never fed, wants to be
+# fed for ever, says "play or feed", and is played with. With noise the word is *sometimes* right about each need. Here
+# it never tells the two needs of a word apart.
+#
+# Tossing a coin between the two meanings is better: each need is met at least now and then. Where the state is hidden
+# and nothing is remembered, a policy that draws its actions at random can be better than every one that does not
+# (Singh, Jaakkola and Jordan, 1994). With a known state that never happens: there is always a best policy that is not
+# random. So bits alone do not say what a message is worth. What counts is which mistakes it leaves.
+# </details>
+
+# %% [markdown]
+# ### Many words for one thing
+# **Predict.** Now the opposite: 16 words, four for each need, without noise (*synonyms*). They carry the same two bits
+# as four words. What does Q-learning do with them?
+
+# %%
+synonyms = predict(
+    "With 16 words Q-learning ...",
+    ["learns as fast", "learns more slowly, and reaches the optimum", "ends well below the optimum"],
+)
+synonyms
+
+# %%
+vocabularies = signal.compare_vocabularies([4, 16, 64], repetitions=10)
+display(signal.vocabulary_sheet(vocabularies))
+for size in (4, 16, 64):
+    curve = vocabularies.curves(f"{size} words").mean(axis=1) / signal.OPTIMUM
+    print(
+        f"{size:2} words: after 20 000 steps {curve.loc[20_000]:4.0%} of the optimum, at the end {curve.iloc[-1]:4.0%}"
+    )
+curve = vocabularies.curves("16 words").mean(axis=1) / signal.OPTIMUM
+slower = "learns more slowly, and reaches the optimum" if curve.loc[20_000] < 0.9 else "learns as fast"
+synonyms.measured(slower if curve.iloc[-1] > 0.99 else "ends well below the optimum")
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** It learns more slowly, and reaches the optimum. Every synonym has rows of its own, and must be learned
+# from nothing. So the more words, the longer it takes, and with 64 the 200 000 steps are not enough. The two kinds of
+# bad vocabulary are different: synonyms slow learning down, and ambiguous words put a cap on it.
+# </details>
+
+# %% [markdown]
+# ### Without any signal
+# Now $\tau = \infty$: the words are pure noise. Here is a player who does not even listen. It takes the four actions
+# in turn, play, sleep, feed, clean, play, ...
+
+# %%
+source(signal.RoundRobin.act)
+
+# %% [markdown]
+# **Predict.** What does it get, in percent of the optimum? (Random actions get −10 %.)
+
+# %%
+in_turn = predict("Taking the actions in turn gets ... of the optimum.", unit="%")
+in_turn
+
+# %%
+blind = signal.play(signal.RoundRobin.create, parameters={"tau": math.inf}).mean()
+print(f"mean return {blind:.0f} of {signal.OPTIMUM:.0f}")
+in_turn.measured(100 * blind / signal.OPTIMUM)
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** 99 %. The toy needs all four things again and again, and what was done longest ago is the most urgent.
+# So the player who remembers its last action knows what is wanted, without a message. It loses 1 % at the start, where
+# all needs are equal and the toy wants one at random.
+#
+# "Without a signal nothing can be learned" is wrong. An agent can *remember* instead, and its own actions are part of
+# what it can remember. The true history contains all past observations *and actions* (Sutton and Barto, section 17.3).
+# </details>
+
+# %% [markdown]
+# Can Q-learning find that? Give the toy a single word, so that it always says the same. Then let the rows of the table
+# belong to the last two observations *and the action between them*. This is a `FrameStack` of two.
+
+# %%
+source(signal.learn_with_memory)
+
+# %% [markdown]
+# **Predict.** How many of 10 runs get more than 90 % of the optimum in most evaluations of the second half of training,
+# once they see their last action?
+
+# %%
+remembers = predict("With its last action, ... of 10 runs get more than 90 %.", unit="runs")
+remembers
+
+# %%
+memory = {
+    "with its last action": signal.learn_with_memory(repetitions=10),
+    "without": signal.learn(parameters={"vocab_size": 1}, repetitions=10),
+}
+display(signal.memory_sheet(memory))
+counts = {label: int((signal.median_late(results) > 0.9 * signal.OPTIMUM).sum()) for label, results in memory.items()}
+print("runs above 90 %, by the median of each run in the second half of training:", counts)
+remembers.measured(counts["with its last action"])
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** All ten with the last action, none without. It takes a while, and the runs make the step at different
+# times, which is why the mean rises slowly. Without the last action all it sees is its hit points, and they do not say
+# whose turn it is. (The bands are symmetrical, so they can reach above what is possible. Now and then a run loses the
+# cycle for a moment, as the panel on the right shows: one row with another greedy action breaks it. So we take the
+# median of each run.)
+# </details>
+
+# %% [markdown]
+# ### How far does memory carry?
+# A toy that always gets hungry on schedule is easy to remember. Let us give it *moods*. With probability 0.1 in each
+# step, one of its four variables falls by 20, all of a sudden. What this class does not define stays as it was.
+
+# %%
+source(signal.Moody)
+
+# %% [markdown]
+# **Predict.** On the moody toy, one player takes the actions in turn and hears nothing. Another obeys a single noisy
+# word, with $\tau = 0.05$, and remembers nothing. Who gets more?
+
+# %%
+moods = predict("On the moody toy ...", ["memory gets more", "the noisy word gets more", "both get about the same"])
+moods
+
+# %%
+toy = signal.moody_toy(tau=0.05)
+players = {"in turn": signal.RoundRobin.create, "obey": signal.Voter.create}
+print(f"best possible, with the whole state: {signal.best_return(0.0, 20):.0f} without moods,", end=" ")
+print(f"{signal.best_return(0.1, 20):.0f} with moods")
+returns = {name: signal.play(make, environment=toy).mean() for name, make in players.items()}
+for name, make in players.items():
+    calm = signal.play(make, parameters={"tau": 0.05}).mean()
+    print(f"{name:8} mean return {calm:5.0f} without moods, {returns[name]:5.0f} with moods")
+more = "memory gets more" if returns["in turn"] > returns["obey"] else "the noisy word gets more"
+moods.measured("both get about the same" if abs(returns["in turn"] - returns["obey"]) < 300 else more)
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** The noisy word gets more. Taking turns falls from 99 % of the optimum to about a tenth of it: a mood
+# changes the order of the needs, the player does not notice, and each wrong action costs all four. Obeying falls too,
+# from about 3 290 to 2 040. Memory can stand in for a signal as far as the world is predictable, and no further. Who
+# should win here is a player that uses both: that is exercise 3, and the challenge.
+# </details>
+
+# %% [markdown]
+# ### Fog on a frozen lake
+# FrozenLake of Gymnasium is a grid of 4 by 4. The agent sees its cell. Reaching the goal pays 1, and a fall into a hole
+# ends the episode. Let there be *fog*: with some probability the agent is told a random cell instead of its own. Any
+# Gymnasium environment can be changed in this way.
+
+
+# %%
+class Fog(gym.ObservationWrapper):
+    """With probability `fog` the agent sees a random cell."""
+
+    def __init__(self, env, fog):
+        """Wrap an environment."""
+        super().__init__(env)
+        self.fog = fog
+
+    def observation(self, observation):
+        """Return the cell, or a random one."""
+        if self.np_random.random() < self.fog:
+            return int(self.np_random.integers(self.observation_space.n))
+        return observation
+
+
+# %% [markdown]
+# On firm ice every step goes where you want. On slippery ice it goes there in one of three cases, and else to one
+# side. Q-learning trains in the fog ($\alpha = 0.1$, $\gamma = 0.95$, $\varepsilon = 0.1$, 30 000 steps, 3 runs).
+# Another player never looks: it repeats the six steps of the shortest way, from memory, until the episode ends.
+#
+# **Predict.** With 10 % of fog, where does the blind player do better?
+
+# %%
+lake = predict(
+    "The blind player does better ...", ["on firm ice only", "on slippery ice only", "on both", "on neither"]
+)
+lake
+
+# %%
+better = []
+for ice, slippery in (("firm ice", False), ("slippery ice", True)):
+    foggy = Fog(gym.make("FrozenLake-v1", is_slippery=slippery), fog=0.1)
+    q_learning = {"Q": lambda lake: QLearning.create(lake, learning_rate=0.1, discount=0.95)}
+    runs = repeat(foggy, q_learning, 30_000, repetitions=3, evaluate_every=30_000, evaluation_episodes=200)
+    blind = signal.walk(foggy, [1, 1, 2, 1, 2, 2] * 17, episodes=300)  # down, down, right, down, right, right
+    print(f"{ice:12}: mean return of Q-learning {runs.final('Q').mean():.2f}, of the blind player {blind:.2f}")
+    if blind > runs.final("Q").mean():
+        better.append(ice)
+lake.measured({0: "on neither", 2: "on both"}.get(len(better), f"on {''.join(better)} only"))
+
+# %% [markdown]
+# <details><summary>What was measured</summary>
+#
+# **Measured.** On firm ice only. There the six steps are always right, and every look into the fog can mislead. On
+# slippery ice the blind player does not know where it is after its first step, and a signal, even a foggy one, is
+# worth more than its plan.
+# </details>
+
+# %% [markdown]
+# ## Exercises
+#
+# Each exercise has a cell for your answer, and below it a cell that checks it. The check does not only say whether an
+# answer is right: it says what was expected, what came, and which mistake that looks like. It runs your code on cases
+# that it makes up.
+
+# %%
+from edugym_course.lessons.signal.exercises import CHALLENGE, exercise_1, exercise_2, exercise_3
+from edugym_course.grading import check
+
+# %% [markdown]
+# ### Exercise 1: change a parameter
+# At $\tau = 0.1$ one word carries 0.022 bit. How many words must a message have, at least, to carry 0.4 bit or more?
+# Set `words` to that number. Before you compute: what would it be if $L$ words carried exactly $L$ times as much as
+# one?
+#
+# <details><summary>Hint</summary><code>signal.information(0.1, 5)</code> is the information in a message of five words, in bits.
+# Its first argument is τ, the second one is L. Try some numbers, or write a loop.</details>
+
+# %%
+words = 1  # put your number here
+### BEGIN SOLUTION
+while signal.information(0.1, words) < 0.4:
+    words += 1
+### END SOLUTION
+
+# %% tags=["check"]
+check(exercise_1, words)
+
+# %% [markdown]
+# ### Exercise 2: the information in a table
+# Write the function that gave all the bits of this lesson. It gets a table of $p(x, y)$ as an array of NumPy, with a
+# row for every need $x$ and a column for every message $y$. All its entries add up to 1. It returns
+#
+# $$
+# I(X; Y) = \sum_{x, y} p(x, y) \log_2 \frac{p(x, y)}{p(x)\, p(y)}
+# $$
+#
+# where $p(x)$ is the sum of a row and $p(y)$ the sum of a column. Tables may have any size, and some entries may be 0.
+# Such a pair never occurs, so it adds nothing. Below the check, your function computes what one word carries at four
+# noises.
+#
+# <details><summary>Hint</summary><code>joint.shape</code> gives the numbers of rows and columns, <code>joint[x].sum()</code> is the
+# sum of a row, <code>joint[:, y].sum()</code> that of a column. Two loops, and an <code>if</code> for the zeros, are
+# enough.
+# <code>math.log2</code> is the logarithm.</details>
+
+
+# %%
+def bits_in(joint):
+    """Return the information I(X; Y) in bits, from a table of p(x, y)."""
+    ### BEGIN SOLUTION
+    total = 0.0
+    for x in range(joint.shape[0]):
+        for y in range(joint.shape[1]):
+            if joint[x, y] > 0:
+                total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
+    return total
+    ### END SOLUTION
+
+
+# %% tags=["check"] points=2
+check(exercise_2, bits_in)
+### BEGIN HIDDEN TESTS
+check(exercise_2, bits_in, seed=1, quiet=True)
+### END HIDDEN TESTS
+display({f"τ = {tau}": round(float(bits_in(signal.joint_table(tau))), 3) for tau in (0.0, 0.02, 0.05, 0.1)})
+
+# %% [markdown]
+# ### Exercise 3: listen and remember
+# The vote hears everything and remembers nothing. The player in turn remembers, and hears nothing. Join them: a need
+# that was met in the last step is usually not the most urgent one now.
+#
+# Write the `act` of a player that
+#
+# - counts, for each need, how many words of the message name it, as the vote does;
+# - never takes the action that it took last, `self.last[0]`, if there is one (−1 means that nothing was done yet);
+# - takes the need with the most words among the others, ties broken at random: `pick(votes, rng)` does that;
+# - and writes its action into `self.last[0]`, for the next time.
+#
+# Do not call `pick` again and again until it returns another action: where the last action alone has the most words, it
+# never does.
+#
+# `observation[0]` are the hit points, and the words follow: `observation[1]`, `observation[2]`, ... A word $k$ names
+# need `k % 4`. In the figure below the check it stands beside the vote, at $\tau = 0.1$. (Your player is compiled for
+# each length of messages, which takes some 20 seconds the first time. Functions that cannot be compiled, such as
+# `np.bincount`, are right too; they take a minute, and a warning says so.) Before you run it: where will the gain be
+# largest, with short messages or with long ones?
+#
+# <details><summary>Hint</summary>Start with <code>votes = np.zeros(4)</code>, and let a loop over
+# <code>range(1, len(observation))</code> count. A vote of −1 is below all others, so give that to the last action before
+# you pick, if there is one: as an index, −1 is the last entry. (<code>last</code> is kept from one episode to the
+# next.)</details>
+
+
+# %%
+def pick(votes, rng):
+    """Return the number of the largest entry; among equals, one at random."""
+    best, equals = 0, 1
+    for k in range(1, len(votes)):
+        if votes[k] > votes[best]:
+            best, equals = k, 1
+        elif votes[k] == votes[best]:
+            equals += 1
+            if rng.random() * equals < 1.0:
+                best = k
+    return best
+
+
+class Listener(NamedTuple):
+    """Does what most words name, but never the same thing twice in a row."""
+
+    last: np.ndarray  # shape (1,): the last action, or -1
+    tabular: bool = False  # it reads the words themselves
+
+    @classmethod
+    def create(cls, environment):
+        """Make a new player that has done nothing yet."""
+        return cls(np.array([-1]))
+
+    def act(self, observation, rng):
+        """Choose the need with the most words, but not the last action."""
+        ### BEGIN SOLUTION
+        votes = np.zeros(4)
+        for k in range(1, len(observation)):
+            votes[observation[k] % 4] += 1.0
+        if self.last[0] >= 0:
+            votes[self.last[0]] = -1.0
+        action = pick(votes, rng)
+        self.last[0] = action
+        return action
+        ### END SOLUTION
+
+    def learn(self, reward):
+        """Learn nothing."""
+
+
+# %% tags=["check"] points=3
+check(exercise_3, Listener)
+### BEGIN HIDDEN TESTS
+check(exercise_3, Listener, seed=1, quiet=True)
+### END HIDDEN TESTS
+display(signal.race({"my listener": Listener.create}))
+
+# %% [markdown]
+# <details><summary>What the race shows</summary>
+#
+# The listener is above the vote at every length. The gain is largest in the middle: with four words it gets half as much
+# again. With one word its memory helps only when the word names what it has just done: then the word is probably
+# wrong, and it guesses among the other three. With 28 words the gain is small, since the message alone tells nearly
+# enough.
+# </details>
+
+# %% [markdown]
+# ### The open challenge: a moody toy
+# Moods with probability 0.1, drops of 20, four words in a message, $\tau = 0.05$, and 20 000 steps, about 200 episodes.
+# *All* training episodes count. Nobody who does not see the state can get the optimum, 6 595. The vote gets about two
+# thirds of it, and taking turns a tenth. "Q-learning" in the table has a row for each observation, $\alpha = 0.1$,
+# $\gamma = 0.5$ and $\varepsilon = 0.1$. (The return at the end, one episode, is noisy: look at the average.) How close
+# can you come, with messages and memory together?
+#
+# Of the task your agent is told only its observation space and its action space. It needs `act(observation, rng)` and
+# `learn`, like yours of exercise 3; an agent without `tabular = False` sees the number of its row instead of the
+# words. It is tried ten times, with seeds that belong to your name. Everything is allowed that uses only what it sees,
+# its own actions, and the rewards that `learn` is given.
+#
+# Write half a page about your agent. What does it remember, and how does it weigh that against the words? What would it
+# get without the words, and what without its memory? Would it still be good if moods came five times as often?
+# `signal.play(my_agent, environment=signal.moody_toy(0.5, tau=0.05, max_msg_length=4)).mean()` gives its return with
+# five times as many moods. With `moody_toy(0.1, tau=math.inf, max_msg_length=4)` the words say nothing.
+
+
+# %%
+def my_agent(toy):
+    """Make the agent for the challenge; put your own in its place."""
+    return signal.Voter.create(toy, heard=4)
+
+
+CHALLENGE.score(my_agent, "Ada Lovelace")
+
+# %% [markdown]
+# ## What you saw
+#
+# - Without noise Q-learning reached the optimum. With growing noise its return fell to that of random actions. Words
+#   that carry half a bit, on a toy in perfect care, brought nine tenths of the return.
+# - Longer messages carry more. A vote used that, and Q-learning with a table needed far more steps to use a part of it.
+# - Synonyms made learning slow. Ambiguous words made it fail, although they carried a whole bit.
+# - Taking the four actions in turn got 99 % without any message, and Q-learning found that once it could see its last
+#   action. On a moody toy, taking turns broke down: it got a tenth.
+# - A memory of one action helped the vote at every length, and most where a message told something, but not enough.
+#
+# ### In one paragraph
+# *Learn it by heart, or better, say it in your own words.* An agent that does not see the state acts on a signal. How
+# much the signal tells about the right action can be counted in bits, and noise takes bits away. But information and
+# being able to use it are two things: a table needs a row for every message, so that long messages and synonyms must
+# be learned one by one, and ambiguous words leave the same mistake for ever. And a signal is not the only source: what
+# the agent did before tells it something too, as far as the world is predictable.
+#
+# ### Limits
+# We counted the bits on a toy in perfect care. A neglected toy says clearer things: at $\tau = 0.1$ a player who obeys
+# hears 0.28 bit in a word, not 0.02. The toy's words have a fixed meaning. In a real language they depend on each other
+# and on their order, and an agent may know their meaning from other texts before it begins (Luketina et al., 2019). And
+# the best use of all messages *and* actions so far is a belief: the probability of each state given the whole history.
+# It is exact, and costly (Sutton and Barto, section 17.3).
+#
+# ### Further reading
+# - Moerland et al. (2023), *EduGym: An environment and notebook suite for reinforcement learning education*: the
+#   paper.
+# - Sutton and Barto, *Reinforcement Learning*, 2nd edition: 3.1 (what belongs to the state), 17.3 (observations and state).
+# - Shannon (1948), *A mathematical theory of communication*: information, and the bit.
+# - Singh, Jaakkola and Jordan (1994), *Learning without state-estimation in partially observable Markovian decision
+#   processes*: why random policies can be better.
+# - Kaelbling, Littman and Cassandra (1998), *Planning and acting in partially observable stochastic domains*: beliefs.
+# - Luketina et al. (2019), *A survey of reinforcement learning informed by natural language*.

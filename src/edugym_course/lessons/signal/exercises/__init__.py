@@ -1,0 +1,246 @@
+"""The exercises of lesson 6: the length of a message, the information in a table, and a player that remembers."""
+
+import math
+from functools import partial
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+
+from edugym.checks.values import is_finite_number
+from edugym.mdp.protocol import Reals
+from edugym_course.grading.agents import require_class, require_function
+from edugym_course.grading.challenge import Challenge
+from edugym_course.grading.student_code import running
+from edugym_course.grading.values import compare, number, same
+from edugym_course.grading.wrong import WrongAnswer
+from edugym_course.lessons.signal.exercises.listener import (
+    CLOSE,
+    HEARD,
+    LISTENER_MISTAKES,
+    check_case,
+    check_memory,
+    made_by,
+    probabilities,
+    shares_of,
+)
+from edugym_course.lessons.signal.methods import LEARNING_RATE, learner
+from edugym_course.lessons.signal.moody import moody_toy
+from edugym_course.lessons.signal.players import RoundRobin, Voter
+from edugym_course.lessons.signal.words import bits, information
+
+ENOUGH = 0.4
+"""The bits that a message should carry in exercise 1."""
+WORDS = 22
+"""The fewest words that carry them at τ = 0.1."""
+REPEATED = "the words repeat each other in part, so more are needed"
+
+
+def exercise_1(answer: Any, seed: int) -> str:
+    """Check the smallest number of words that carry 0.4 bit at τ = 0.1."""
+    found = number("words", answer)
+    if found != int(found):
+        raise WrongAnswer(f"words should be a whole number, since half a word is never said, but is {found:g}")
+    one = information(0.1)
+
+    def says(words: float) -> str:
+        if not 1 <= words <= 100:  # more take seconds to compute
+            return f"words = {words:g} is not from 1 to 100"
+        carry = "1 word carries" if words == 1 else f"{words:.0f} words carry"
+        return f"{carry} {information(0.1, int(words)):.3f} bit at τ = 0.1"
+
+    compare(
+        "words",
+        answer,
+        WORDS,
+        {
+            "that is the value with which the cell began": 1,
+            f"that is 0.4 divided by the bits of one word; {REPEATED}": math.ceil(ENOUGH / one),
+            f"that is 0.4 divided by the bits of one word, rounded down; {REPEATED}": math.floor(ENOUGH / one),
+            "that is the last length that carries less than 0.4 bit; one word more is enough": WORDS - 1,
+            "one word less is enough; is the comparison `<`, and the count read before it grows?": WORDS + 1,
+            "that is the most that the toy can say, and fewer are enough": 28,
+            "that is the answer for τ = 0.05": _fewest(0.05),
+            "that is where *half* a bit is reached": _fewest(0.1, 0.5),
+        },
+        tolerance=0.0,
+        says=says,
+        otherwise="that is not enough yet" if found < WORDS else "fewer words are enough",
+    )
+    return (
+        "Right: 22, not 19. The second word tells a part of what the first one has told already, so that information "
+        "adds up more and more slowly."
+    )
+
+
+def _fewest(tau: float, enough: float = ENOUGH) -> int:
+    """Return the smallest number of words that carry so many bits."""
+    words = 1
+    while information(tau, words) < enough:
+        words += 1
+    return words
+
+
+def exercise_2(answer: Any, seed: int) -> str:
+    """Check the function that returns the information in a table."""
+    require_function("bits_in", answer, "a table")
+    rng = np.random.default_rng(seed)
+    tables = _tables(rng)
+    given_back = [_call(answer, joint) for joint in tables]
+    everywhere = _mistakes_that_fit(tables, given_back)
+    for joint, found in zip(tables, given_back, strict=True):
+        told, expected = _told(joint), bits(joint)
+        if isinstance(found, float | np.floating) and math.isnan(found):
+            raise WrongAnswer(
+                f"bits_in({told}) gives nan: the logarithm of 0 times 0 is not a number, so leave pairs out that never"
+                " occur"
+            )
+        value = number(f"bits_in({told})", found)
+        rounded = any(same(value, round(expected, places)) for places in range(2, 6))
+        compare(
+            f"bits_in({told})",
+            found,
+            expected,
+            {"do not round it": value}
+            if rounded
+            else {
+                why: wrong
+                for why, wrong in bits_mistakes(joint).items()
+                if abs(wrong - expected) > 1e-6 and why in everywhere
+            },
+            tolerance=1e-6,
+        )
+    return "Right: these are the bits of the figures."
+
+
+def _told(joint: Reals) -> str:
+    """Return a table in one line."""
+    return np.array2string(joint, precision=4, separator=", ").replace("\n", "")
+
+
+def _call(answer: Any, joint: Reals) -> Any:
+    """Return what a student's function gives for a table."""
+    before = joint.copy()
+    with running(f"bits_in({_told(joint)})"):
+        found = answer(joint)
+    if not np.array_equal(joint, before):
+        raise WrongAnswer("bits_in changes the table that it is given: work with a copy, or with new variables")
+    return found
+
+
+def _mistakes_that_fit(tables: list[Reals], found: list[Any]) -> set[str]:
+    """Return the mistakes that give what the student's function gives, for all tables."""
+    if not all(map(is_finite_number, found)):
+        return set()
+    wrong = [bits_mistakes(joint) for joint in tables]
+    return {why for why in wrong[0] if np.allclose([one[why] for one in wrong], found, rtol=1e-3, atol=1e-6)}
+
+
+def _tables(rng: np.random.Generator) -> list[Reals]:
+    """Make tables up: with sixteenths that can be followed by hand, without and with zeros, of several sizes."""
+    first = np.array([[6.0, 2.0], [1.0, 7.0]])
+    shapes = ((2, 2), (2, 3), (3, 2), (4, 4))
+    others = [rng.integers(1, 6, shape).astype(float) for shape in shapes]
+    for table in others:
+        table[0] += np.arange(table.shape[1]) + rng.integers(1, 3)  # so that needs and messages are not alike
+    others[1][0, 0] = 0.0
+    others[3][np.arange(4), (np.arange(4) + 1) % 4] = 0.0
+    return [table / table.sum() for table in (first, *others)]
+
+
+def bits_mistakes(joint: Reals) -> dict[str, float]:
+    """Return what the usual mistakes give for a table."""
+    p_x, p_y = joint.sum(axis=1), joint.sum(axis=0)
+    possible = joint > 0
+    right = bits(joint)
+    p = joint[possible]
+    outer = np.outer(p_x, p_y)[possible]
+    entropy_x, entropy_y = (-float(np.sum(q[q > 0] * np.log2(q[q > 0]))) for q in (p_x, p_y))
+    together = -float(np.sum(p * np.log2(p)))
+    return {
+        "the logarithm has the base e; bits need the base 2, `math.log2` or `np.log2`": right * math.log(2),
+        "the logarithm has the base 10; bits need the base 2, `math.log2` or `np.log2`": right * math.log10(2),
+        "the sign is wrong: p(x, y) stands above the line, and p(x) p(y) below": -right,
+        "that is the entropy of x alone: it leaves the message out": entropy_x,
+        "that is the entropy of y alone: it leaves the need out": entropy_y,
+        "that is −Σ p(x, y) log p(x, y), the entropy of the pair; p(x, y) has to be divided by p(x) p(y)": together,
+        "that is Σ p(x, y) log p(x, y): p(x, y) has to be divided by p(x) p(y)": -together,
+        "that is what is still open about x after the message; the information is what the message has told": together
+        - entropy_y,
+        "that is what is still open about y when x is known; the information is what the message has told": together
+        - entropy_x,
+        "p(y) is missing: it divides by p(x) alone": float(
+            np.sum(p * np.log2(p / (p_x[:, None] + 0 * joint)[possible]))
+        ),
+        "p(x) is missing: it divides by p(y) alone": float(np.sum(p * np.log2(p / (p_y + 0 * joint)[possible]))),
+        "the weight p(x, y) before the logarithm is missing": float(np.sum(np.log2(p / outer))),
+        "the weight before the logarithm should be p(x, y), not p(x) p(y)": float(np.sum(outer * np.log2(p / outer))),
+        "that is the *mean* over the pairs; the weights p(x, y) are in the sum already, so add them up": right
+        / joint.size,
+        "that is the mean over the pairs that occur; the weights p(x, y) are in the sum already": right / len(p),
+        "the logarithm is missing": float(np.sum(p * p / outer)),
+        "that is twice the information": 2 * right,
+        "only the diagonal is added up; a word that names another need counts too": float(
+            sum(
+                joint[k, k] * math.log2(joint[k, k] / (p_x[k] * p_y[k]))
+                for k in range(min(joint.shape))
+                if joint[k, k] > 0
+            )
+        ),
+        "that is 2 bits less the rest; the needs need not be equally likely, and there may be other than four": 2
+        - (together - entropy_y),
+        "only the first row is added up: does the `return` stand inside the loop?": _part(joint, slice(0, 1)),
+        "the last row is missing in the sum": _part(joint, slice(0, -1)),
+        "the first row is missing in the sum: indices begin with 0": _part(joint, slice(1, None)),
+        "the first pair alone: does the `return` stand inside the loops?": float(
+            joint[0, 0] * math.log2(joint[0, 0] / (p_x[0] * p_y[0])) if joint[0, 0] > 0 else 0.0
+        ),
+    }
+
+
+def _part(joint: Reals, rows: slice) -> float:
+    """Return the sum over some of the rows."""
+    outer = np.outer(joint.sum(axis=1), joint.sum(axis=0))[rows]
+    part = joint[rows]
+    possible = part > 0
+    return float(np.sum(part[possible] * np.log2(part[possible] / outer[possible])))
+
+
+def exercise_3(answer: Any, seed: int) -> str:
+    """Check the class of a player that votes, but takes no action twice in a row."""
+    require_class("Listener", answer)
+    rng = np.random.default_rng(seed)
+    made = made_by(answer)
+    if made_by(answer).last is made.last:
+        raise WrongAnswer("two players share one array `last`: make a new one in every call of `create`")
+    cases = [HEARD[k] for k in rng.permutation(len(HEARD))]
+    seen = [shares_of(made, case) for case in cases]
+    everywhere = {
+        sentence
+        for sentence, change in LISTENER_MISTAKES.items()
+        if all(np.abs(probabilities(case, **change) - one).max() < CLOSE for case, one in zip(cases, seen, strict=True))
+    }
+    for case in cases:
+        check_case(made, case, everywhere)
+    for case in cases:
+        check_memory(made, case)
+    return "Right: message and memory together. See it race:"
+
+
+CHALLENGE = Challenge(
+    environment=moody_toy(tau=0.05, max_msg_length=4),
+    parameters=MappingProxyType({}),
+    n_steps=20_000,
+    baselines=MappingProxyType(
+        {
+            "obey the first word": Voter.create,
+            "majority vote": partial(Voter.create, heard=4),
+            "in turn": RoundRobin.create,
+            "Q-learning": learner(5 * LEARNING_RATE),
+        }
+    ),
+    optimum=6595.22,
+    best_average=6595.22,
+    column="training_return",
+)
+"""The open challenge: the highest return of all training episodes on a toy with moods."""

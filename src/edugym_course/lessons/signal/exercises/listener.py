@@ -1,0 +1,189 @@
+"""Exercise 3 of lesson 6: what a player does that votes and remembers, and what the usual mistakes do."""
+
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from edugym.mdp.protocol import Integers, Reals
+from edugym_course.grading.agents import agent_created_by
+from edugym_course.grading.choices import action_of, check_choices
+from edugym_course.grading.student_code import running
+from edugym_course.grading.updates import table_of
+from edugym_course.grading.wrong import WrongAnswer
+
+FOUR_NEEDS = 4
+DRAWS, CLOSE = 300, 0.12
+"""Draws for each case when a mistake is looked for, and the largest error of a share."""
+
+
+class Heard(NamedTuple):
+    """A case of exercise 3: what is observed, and what was done last."""
+
+    observation: tuple[int, ...]
+    last: int
+
+    @property
+    def told(self) -> str:
+        """The case, for a sentence."""
+        return f"where self.last[0] = {self.last}"
+
+    @property
+    def array(self) -> Integers:
+        """The observation as a player gets it."""
+        return np.array(self.observation, np.int64)
+
+    @property
+    def call(self) -> str:
+        """The call, for a sentence."""
+        return f"act({np.array2string(self.array, separator=', ')}, rng)"
+
+
+HEARD = (
+    Heard((100, 2, 2, 0, 1, 2), 1),
+    Heard((3, 2, 2, 0, 2, 0), 2),
+    Heard((51, 0, 3, 0, 1), 0),
+    Heard((77, 5, 1, 0, 2, 6, 9), 3),
+    Heard((2, 3), 3),
+    Heard((100, 0, 0, 0), -1),
+    Heard((40, 7, 7, 2), -1),
+    Heard((9, 1, 1, 3, 3, 0), 1),
+    Heard((61, 3, 2, 3, 0, 0), -1),
+)
+"""What is observed in the check: hit points that name another need than the words, synonyms, ties, a first step."""
+
+
+def probabilities(
+    case: Heard,
+    *,
+    start: int = 1,
+    modulo: bool = True,
+    memory: str = "excluded",
+    ties: str = "random",
+    most: str = "most",
+) -> Reals:
+    """Return the probability of each action of the listener; other arguments than the defaults are mistakes."""
+    words = case.observation[start:]
+    words = {"first": words[:1], "last": words[-1:], "all but the last": words[:-1]}.get(most, words)
+    votes = np.zeros(FOUR_NEEDS)
+    for word in words:
+        if modulo or word < FOUR_NEEDS:
+            votes[word % FOUR_NEEDS] += 1.0
+    if most == "least":
+        votes = -votes
+    if memory == "excluded" and case.last >= 0:
+        votes[case.last] = -np.inf
+    elif memory == "set to 0" and case.last >= 0:
+        votes[case.last] = 0.0
+    elif memory == "one less" and case.last >= 0:
+        votes[case.last] -= 1.0
+    elif memory == "-1 is the last" or (memory == "0 counts as nothing" and case.last > 0):
+        votes[case.last] = -np.inf
+    elif memory == "in turn":
+        return _only((case.last + 1) % FOUR_NEEDS)
+    best = votes == votes.max()
+    if memory == "redrawn" and case.last >= 0:
+        shares = best / best.sum()
+        elsewhere = np.where(np.arange(FOUR_NEEDS) == case.last, 0.0, shares + shares[case.last] / (FOUR_NEEDS - 1))
+        return np.array(elsewhere)
+    if ties != "random":
+        return _only(int(np.flatnonzero(best)[0 if ties == "first" else -1]))
+    return np.array(best / best.sum())
+
+
+def _only(action: int) -> Reals:
+    """Return the probabilities of a player that takes one action."""
+    shares = np.zeros(FOUR_NEEDS)
+    shares[action] = 1.0
+    return shares
+
+
+LISTENER_MISTAKES: Mapping[str, Mapping[str, Any]] = MappingProxyType(
+    {
+        "that is the vote alone; the action that was taken last should be left out": {"memory": "ignored"},
+        "the hit points are counted as a word; the words begin with observation[1]": {"start": 0},
+        "the first word is left out; the words begin with observation[1]": {"start": 2},
+        "the last word is left out; range(1, len(observation)) goes through all of them": {"most": "all but the last"},
+        "only the first word is heard": {"most": "first"},
+        "only the last word is heard; is something overwritten in the loop?": {"most": "last"},
+        "words from 4 on are not counted: word k names need k % 4": {"modulo": False},
+        "the last action gets no votes, but it can still win where all others have none; give it -1": {
+            "memory": "set to 0"
+        },
+        "the last action loses one vote only; it should never be taken": {"memory": "one less"},
+        "-1 is no action but says that nothing was done yet, and as an index it is the last entry": {
+            "memory": "-1 is the last"
+        },
+        "action 0 may have been the last one too: compare self.last[0] with -1, or with >= 0": {
+            "memory": "0 counts as nothing"
+        },
+        "it takes the actions in turn and does not listen": {"memory": "in turn"},
+        "where the last action has most votes, it takes any other; it should take the one with most words among them": {
+            "memory": "redrawn"
+        },
+        "ties should be broken at random, and it takes the first of equals: call pick(votes, rng)": {"ties": "first"},
+        "ties should be broken at random, and it takes the last of equals: call pick(votes, rng)": {"ties": "last"},
+        "it takes the need with the *fewest* words": {"most": "least"},
+        "it takes the first of equals, and does not leave the last action out": {"ties": "first", "memory": "ignored"},
+        "the hit points are counted as a word, and the last action is not left out": {"start": 0, "memory": "ignored"},
+    }
+)
+
+
+def _chooser(made: Any, case: Heard) -> Callable[[np.random.Generator], Any]:
+    """Return a function that lets a student's player choose in a case."""
+
+    def choose(rng: np.random.Generator) -> Any:
+        made.last[0], observation = case.last, case.array
+        action = made.act(observation, rng)
+        if not np.array_equal(observation, case.array):
+            raise WrongAnswer(f"{case.call} changes the observation that it is given: only read it, or copy it first")
+        return action
+
+    return choose
+
+
+def shares_of(made: Any, case: Heard) -> Reals:
+    """Return how often each action is chosen in a case."""
+    rng, choose, shares = np.random.default_rng(2), _chooser(made, case), np.zeros(FOUR_NEEDS)
+    with running(case.call):
+        for _ in range(DRAWS):
+            shares[action_of(case.call, choose(rng), FOUR_NEEDS)] += 1 / DRAWS
+    return shares
+
+
+def check_case(made: Any, case: Heard, suspected: set[str]) -> None:
+    """Check what is chosen in a case."""
+    right = probabilities(case)
+    mistakes = {sentence: probabilities(case, **LISTENER_MISTAKES[sentence]) for sentence in suspected}
+    check_choices(
+        case.call,
+        _chooser(made, case),
+        right.tolist(),
+        {sentence: found.tolist() for sentence, found in mistakes.items() if not np.allclose(found, right)},
+        tables={},
+        where=case.told,
+    )
+
+
+def made_by(answer: Any) -> Any:
+    """Make a student's player."""
+    made = agent_created_by("Listener", answer, "toy", None)
+    table_of(made, "last", (1,), "i")
+    return made
+
+
+def check_memory(made: Any, case: Heard) -> None:
+    """Check that the action is remembered."""
+    call = case.call
+    with running(call):
+        action = action_of(call, _chooser(made, case)(np.random.default_rng(1)), FOUR_NEEDS)
+    if made.last[0] == action:
+        return
+    if made.last[0] == case.last:
+        raise WrongAnswer(
+            f"{call} takes action {action}, but self.last[0] is still {case.last}: write the action into it before you"
+            " return"
+        )
+    raise WrongAnswer(f"after {call} took action {action}, self.last[0] should be {action}, but is {made.last[0]}")

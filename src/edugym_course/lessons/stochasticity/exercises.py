@@ -1,0 +1,315 @@
+"""The exercises of lesson 8: where a risk stops being worth it, players worth choosing, an agent with two weights."""
+
+from collections.abc import Callable, Mapping
+from functools import partial
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+
+from edugym_course.grading.agents import agent_with_table, require_class, require_function
+from edugym_course.grading.challenge import Challenge
+from edugym_course.grading.one_step import Q_LEARNING, numbers_of, one_step_update
+from edugym_course.grading.student_code import running
+from edugym_course.grading.updates import Tables, Transition, Update
+from edugym_course.grading.values import compare, digits, given, number
+from edugym_course.grading.wrong import WrongAnswer
+from edugym_course.lessons.stochasticity.exact import crossing, from_the_tee
+from edugym_course.lessons.stochasticity.methods import LEVEL, methods_with
+
+HITS = 5
+OPTIMUM = 0.868
+"""The best expected return at the lesson's level, computed for a player who sees the ball."""
+
+
+def exercise_1(answer: Any, seed: int) -> str:
+    """Check the level at which drive and chip are worth the same, with 5 hits."""
+    expected = crossing(0.02, 0.025, max_hits=HITS)
+
+    def says(level: float) -> str:
+        told = f"level = {digits(level, expected)}"
+        if not 0 < level <= 1:
+            return f"{told} is not a level, a number above 0 and far below 1"
+        worth = from_the_tee(level, max_hits=HITS)
+        return f"at {told} the drive is worth {worth['drive']:.4f} and the chip {worth['chip']:.4f}"
+
+    found = number("level", answer)
+    near = abs(found - expected) < 0.001
+    why = ", as the drive is worth more there" if found > 0 else ""
+    side = f"too low{why}" if found < expected else "too high"
+    compare(
+        "level",
+        answer,
+        expected,
+        {
+            "that is the value with which the cell began": 0.0187,
+            "that is the crossing with 10 hits; give `max_hits=5` to from_the_tee": crossing(),
+            "that is the lesson's own level; look for the one at which drive and chip are worth the same": LEVEL,
+            "that is the estimate by hand, which takes for granted that both plans do what they should": 0.0220,
+            "that is an estimate with a cost of 1.6 for a lost ball; the fast plan returns 0.8 now, so it"
+            " costs 1.8": 0.0228,
+            "that is the standard deviation of a drive, 100 times the level": 100 * expected,
+            "the sign is wrong": -expected,
+        },
+        tolerance=0.00015,
+        says=says,
+        otherwise=f"it is {side}" + ("; you are close, look in steps of 0.0001" if near else ""),
+    )
+    return (
+        "Right: near 0.0232. By hand: 1.8 p = 0.2, so p = 0.111, which is 1.59 standard deviations on each side: "
+        "0.0220. The dearer a hit, the more risk it is worth."
+    )
+
+
+Pair = tuple[float, float]
+
+
+def _beats(one: Pair, other: Pair) -> bool:
+    return one[0] >= other[0] and one[1] <= other[1] and one != other
+
+
+def _unbeaten(players: Mapping[str, Pair], beats: Callable[[Pair, Pair], bool]) -> set[str]:
+    """Return the names of the players that no other one beats, by a rule."""
+    return {
+        name
+        for name, one in players.items()
+        if not any(beats(two, one) for other, two in players.items() if other != name)
+    }
+
+
+FRONTIER_MISTAKES: Mapping[str, Callable[[Mapping[str, Pair]], set[str]]] = {
+    "a player with the same mean and a larger spread is beaten too, and so is one with the same spread and a lower"
+    " mean; one of the two may be equal": lambda players: _unbeaten(players, lambda a, b: a[0] > b[0] and a[1] < b[1]),
+    "two players with the same two numbers do not beat each other; one of the two must be really better": (
+        lambda players: _unbeaten(players, lambda a, b: a[0] >= b[0] and a[1] <= b[1])
+    ),
+    "every player is as good as itself, so it must not beat itself: one of the two numbers must be really better": (
+        lambda players: set()
+    ),
+    "an equal mean is left out: a player with the same mean and a larger spread is beaten too": (
+        lambda players: _unbeaten(players, lambda a, b: a[0] > b[0] and a[1] <= b[1])
+    ),
+    "an equal spread is left out: a player with the same spread and a lower mean is beaten too": (
+        lambda players: _unbeaten(players, lambda a, b: a[0] >= b[0] and a[1] < b[1])
+    ),
+    "it takes a *larger* spread as better": (
+        lambda players: _unbeaten(players, lambda a, b: a[0] >= b[0] and a[1] >= b[1] and a != b)
+    ),
+    "it takes a *lower* mean as better": (
+        lambda players: _unbeaten(players, lambda a, b: a[0] <= b[0] and a[1] <= b[1] and a != b)
+    ),
+    "it takes a lower mean and a larger spread as better: the comparison is the wrong way round": (
+        lambda players: _unbeaten(players, lambda a, b: _beats(b, a))
+    ),
+    "these are the players that *are* beaten": lambda players: {*players} - _unbeaten(players, _beats),
+    "these are the players with the highest mean; a lower mean with a smaller spread is worth choosing too": (
+        lambda players: {name for name, (mean, _) in players.items() if mean == max(m for m, _ in players.values())}
+    ),
+    "these are the players with the smallest spread; a larger spread with a higher mean is worth choosing too": (
+        lambda players: {name for name, (_, spread) in players.items() if spread == min(s for _, s in players.values())}
+    ),
+    "one better number is enough there to beat a player; the other one must not be worse": (
+        lambda players: _unbeaten(players, lambda a, b: a[0] > b[0] or a[1] < b[1])
+    ),
+    "these are all the players: nobody is beaten; is the comparison ever true?": lambda players: {*players},
+    "a player must be beaten by *one* other player in both numbers, not by one in the mean and another in the spread": (
+        lambda players: {
+            name
+            for name, (mean, spread) in players.items()
+            if not (any(m > mean for m, _ in players.values()) and any(s < spread for _, s in players.values()))
+        }
+    ),
+    "these are the players for whom mean minus spread is largest; that is only one taste": (
+        lambda players: {n for n, (m, s) in players.items() if m - s == max(a - b for a, b in players.values())}
+    ),
+    "these are the players for whom mean divided by spread is largest; that is only one taste": (
+        lambda players: {n for n, (m, s) in players.items() if m / s == max(a / b for a, b in players.values())}
+    ),
+    "of players with the same two numbers only one is left; they do not beat each other": (
+        lambda players: {
+            name
+            for name in _unbeaten(players, _beats)
+            if name == next(other for other, pair in players.items() if pair == players[name])
+        }
+    ),
+}
+
+
+FRONTIER_CASE = ((4, 2), (9, 3), (15, 7), (18, 11), (18, 11), (20, 15), (9, 5), (12, 7), (10, 13), (3, 9))
+"""Mean and spread: six on the frontier, two of them alike; one is beaten in the spread alone, and one in the mean."""
+
+
+def made_up_players(seed: int) -> list[dict[str, Pair]]:
+    """Make players up: two cases by hand, the second with a player that beats all others, and one by chance."""
+    rng = np.random.default_rng(seed)
+    few = list(zip(rng.integers(1, 9, 9), rng.integers(1, 9, 9), strict=True))
+    cases = []
+    for pairs in (FRONTIER_CASE, ((22, 1), *FRONTIER_CASE), few):
+        scale = float(rng.choice([0.05, 0.1, 0.2]))
+        order = rng.permutation(len(pairs))
+        players = [(round(pairs[k][0] * scale, 2), round(pairs[k][1] * scale, 2)) for k in order]
+        cases.append({chr(ord("A") + k): (float(mean), float(spread)) for k, (mean, spread) in enumerate(players)})
+    return cases
+
+
+def exercise_2(answer: Any, seed: int) -> str:
+    """Check the function that finds the players that no other one beats."""
+    require_function("frontier", answer, "the players")
+    cases = made_up_players(seed)
+    found = [_names(answer, players) for players in cases]
+    for players, names in zip(cases, found, strict=True):
+        right = _unbeaten(players, _beats)
+        if names == right:
+            continue
+        for sentence, mistake in FRONTIER_MISTAKES.items():
+            if all(mistake(each) == mine for each, mine in zip(cases, found, strict=True)):
+                raise WrongAnswer(f"{_told(players, names, right)}: {sentence}")
+        raise WrongAnswer(f"{_told(players, names, right)}: {_one_name(players, names, right)}")
+    return "Right. To choose between players on the frontier you need a taste: how much mean is less spread worth?"
+
+
+def _names(answer: Callable[..., Any], players: Mapping[str, Pair]) -> set[str]:
+    """Return the names that an answer gives for some players."""
+    call = f"frontier(players) with {len(players)} players"
+    mine = dict(players)
+    with running(call):
+        found = answer(mine)
+    given(call, found)
+    if mine != players:
+        raise WrongAnswer(f"{call} changes the dictionary that it is given; collect the names in a list of their own")
+    if isinstance(found, str):
+        raise WrongAnswer(f"{call} should be a list of names, but is the text {found!r}: there may be several")
+    with running(call):
+        try:
+            names = [*found]
+        except TypeError:
+            raise WrongAnswer(f"{call} should be a list of names, but is a {type(found).__name__}") from None
+    strange = [name for name in names if not isinstance(name, str) or name not in players]
+    if strange:
+        raise WrongAnswer(f"{call} should hold names such as {next(iter(players))!r}, but holds {strange[0]!r}")
+    if len(names) != len({*names}):
+        raise WrongAnswer(
+            f"{call} holds {max(names, key=names.count)!r} more than once: is it appended in the inner loop?"
+        )
+    return {*names}
+
+
+def _told(players: Mapping[str, Pair], names: set[str], right: set[str]) -> str:
+    given_players = ", ".join(f"{name} {pair}" for name, pair in players.items())
+    return (
+        f"of {given_players} it should give {', '.join(sorted(right))}, but gives {', '.join(sorted(names)) or 'none'}"
+    )
+
+
+def _one_name(players: Mapping[str, Pair], names: set[str], right: set[str]) -> str:
+    """Return why one name is missing, or too many."""
+    if names - right:
+        name = min(names - right)
+        other = next(other for other, pair in players.items() if _beats(pair, players[name]))
+        return f"{name} is beaten by {other}"
+    return f"nobody beats {min(right - names)}"
+
+
+def two_weights_update(tables: Tables, now: Transition, *, kappa: float, weigh: str = "δ", **one_step: Any) -> None:
+    """Apply Q-learning with a weight of 1 - κ for good surprises and 1 + κ for bad ones; other `weigh` are mistakes."""
+    Q, entry, rate = tables["Q"], (now.state, now.action), one_step["learning_rate"]
+    step, before = one_step.get("step", "difference"), Q.copy()
+    one_step_update(tables, now, **one_step)
+    if step == "next row":
+        entry = (now.next_state, now.action)
+    old, new = float(before[entry]), float(Q[entry])
+    moved = new - old
+    if step in SIMPLE:  # the surprise is that of the right step
+        plain = {"Q": before.copy()}
+        one_step_update(plain, now, **{**one_step, "step": "difference"})
+        moved = float(plain["Q"][entry]) - old
+    delta = moved / rate if rate else 0.0  # a rate of 0 is tried when numbers are fitted to an answer
+    good, bad = 1 - kappa, 1 + kappa
+    target = delta + old
+    weight = {
+        "δ": good if delta > 0 else bad,
+        "inverted": bad if delta > 0 else good,
+        "reward": good if now.reward > 0 else bad,
+        "target": good if target > 0 else bad,
+        "value": good if old > 0 else bad,
+        "none": 1.0,
+        "always good": good,
+        "always bad": bad,
+        "good only": good if delta > 0 else 1.0,
+        "bad only": 1.0 if delta > 0 else bad,
+        "κ and -κ": -kappa if delta > 0 else kappa,
+        "κ alone": kappa,
+        "2σ": 1 + np.tanh(-kappa * delta / 2),
+        "2σ inverted": 1 + np.tanh(kappa * delta / 2),
+        "halves": (good if delta > 0 else bad) / 2,
+        "squared": (good if delta > 0 else bad) ** 2,
+        "only bad": 0.0 if delta > 0 else bad,
+        "only good": good if delta > 0 else 0.0,
+    }.get(weigh)
+    if weight is None:  # "on the target": w (R + ...) - Q(S, A)
+        weight, delta = 1.0, (good if delta > 0 else bad) * target - old
+        new = old + rate * delta
+    base = 0.0 if step in ("only", "only difference") else old
+    Q[entry] = base + weight * (new - base)
+
+
+SIMPLE = ("difference", "minus", "no old", "only", "only difference")
+"""Steps with one factor, which the weight multiplies."""
+WEIGHT_MISTAKES: Mapping[str, Mapping[str, Any]] = {
+    "δ has the wrong sign: it is the target less Q(S, A), not Q(S, A) less the target": {
+        "step": "minus",
+        "weigh": "inverted",
+    },
+    "good and bad surprises have changed places: κ > 0 avoids risk, so that bad ones weigh 1 + κ (β has the opposite"
+    " sign)": {"weigh": "inverted"},
+    "it asks whether the *reward* is good; a surprise is good if δ is above 0": {"weigh": "reward"},
+    "it asks whether the *target* is above 0; a surprise is good if δ is": {"weigh": "target"},
+    "it asks whether the old *value* is above 0; a surprise is good if δ is": {"weigh": "value"},
+    "the weight is missing: that is Q-learning": {"weigh": "none"},
+    "the weight is 1 − κ always, for bad surprises too": {"weigh": "always good"},
+    "the weight is 1 + κ always, for good surprises too": {"weigh": "always bad"},
+    "bad surprises have no weight of their own, 1 + κ": {"weigh": "good only"},
+    "good surprises have no weight of their own, 1 − κ": {"weigh": "bad only"},
+    "the 1 is missing in the weights, which are 1 − κ and 1 + κ": {"weigh": "κ and -κ"},
+    "κ itself stands where the weight should": {"weigh": "κ alone"},
+    "that is the weight of Delétang et al., 2σ(βδ); here are two weights, whatever the size of δ": {"weigh": "2σ"},
+    "that is 2σ(κδ), the weight of Delétang et al., and κ has the opposite sign of β": {"weigh": "2σ inverted"},
+    "the weights are half as large as they should be": {"weigh": "halves"},
+    "the weight counts twice": {"weigh": "squared"},
+    "nothing is learned from good surprises; they weigh 1 − κ": {"weigh": "only bad"},
+    "nothing is learned from bad surprises; they weigh 1 + κ": {"weigh": "only good"},
+    "the weight belongs to the whole δ, not to the target alone": {"weigh": "on the target"},
+}
+TWO_WEIGHTS = Update(
+    rule=two_weights_update,
+    tables=Q_LEARNING.tables,
+    mistakes={**WEIGHT_MISTAKES, **Q_LEARNING.mistakes},
+    numbers=numbers_of("learning_rate", "discount", "kappa"),
+)
+
+
+def exercise_3(answer: Any, seed: int) -> str:
+    """Check the class of an agent that weighs good and bad surprises."""
+    require_class("TwoWeights", answer)
+    rng = np.random.default_rng(seed)
+    for n_states, n_actions, sign in ((6, 3, 1), (5, 2, -1), (7, 4, 1)):
+        settings = {
+            "learning_rate": float(rng.choice([0.125, 0.25, 0.5])),
+            "discount": float(rng.choice([0.5, 0.625, 0.75])),
+            "kappa": sign * float(rng.choice([0.3, 0.6, 0.8])),
+        }
+        make = partial(agent_with_table, "TwoWeights", answer, (n_states, n_actions), settings)
+        TWO_WEIGHTS.check(make, (n_states, n_actions), settings, seed)
+    return "Right: two weights are enough to move the crossing. See it race:"
+
+
+CHALLENGE = Challenge(
+    environment="Golf",
+    parameters=MappingProxyType({"stochasticity_level": LEVEL, "observe_hits": True}),
+    n_steps=5_000,
+    baselines=MappingProxyType(methods_with()),
+    optimum=OPTIMUM,
+    best_average=OPTIMUM,
+    column="training_return",
+)
+"""The open challenge: the highest return of all training games, those with lost balls included, in 5 000 steps."""

@@ -1,0 +1,129 @@
+"""Predictions: a reader answers before a cell is run, and sees the answer beside what was measured."""
+
+import html
+import re
+from collections.abc import Sequence
+from fractions import Fraction
+from numbers import Real
+from typing import Any
+
+import ipywidgets
+import numpy as np
+
+from edugym_course.notebook.widget import NotebookWidget, text_html
+
+NUMBER = re.compile(r"([-+]?[\d.,/]+(?:e[-+]?\d+)?)\s*([^\d]*)")
+"""A number as people type it ("12,5", "1/30"), perhaps with its unit."""
+
+
+class Prediction(NotebookWidget):
+    """A question with a place for the answer.
+
+    Attributes:
+        question: the question.
+        options: the answers to choose from; None if the answer is a number.
+        answer: the answer so far; None if there is none yet.
+    """
+
+    def __init__(self, question: str, options: tuple[str, ...] | None, unit: str) -> None:
+        """Make the widgets."""
+        self.question, self.options, self.unit = question, options, unit
+        wide = ipywidgets.Layout(width="auto")
+        if options is None:
+            whole = {"description_width": "initial"}  # or a long unit is cut off
+            self._field = ipywidgets.Text(placeholder="a number", description=unit, style=whole, layout=wide)
+        else:
+            self._field = ipywidgets.RadioButtons(options=options, value=None, layout=wide)
+        super().__init__(ipywidgets.HTML(f"<b>Your prediction.</b> {html.escape(question)}"), self._field)
+
+    @property
+    def answer(self) -> float | str | None:
+        """The answer so far: a number, or one of the options."""
+        if self.options is not None:
+            chosen: str | None = self._field.value
+            return chosen
+        found = NUMBER.fullmatch(self._field.value.strip())
+        if found is None:
+            return None
+        try:
+            number = float(Fraction(found[1].replace(",", ".")))
+            return number / 100 if found[2] == "%" and "0 to 1" in self.unit else number
+        except (ValueError, ZeroDivisionError):
+            return None
+
+    def measured(self, value: Any, explanation: str = "") -> "Comparison":
+        """Compare the answer with what was measured: `prediction.measured(41.3)`.
+
+        Args:
+            value: what was measured: a number, or the option that turned out to be right.
+            explanation: a sentence on why.
+
+        Raises:
+            ValueError: the value is not a number, or not one of the options.
+        """
+        if self.options is not None:
+            if value not in self.options:
+                raise ValueError(f"value must be one of {', '.join(map(repr, self.options))}, but is {value!r}")
+        elif isinstance(value, bool) or not isinstance(value, Real | np.number):
+            raise ValueError(f"value must be a number, but is {value!r}")
+        return Comparison(self.answer, value, self.unit, explanation)
+
+    def still(self) -> dict[str, str]:
+        """Return the question, and the options if there are some."""
+        options = "" if self.options is None else " ".join(f"({chr(97 + k)}) {o}" for k, o in enumerate(self.options))
+        return {"text/html": text_html(f"Your prediction. {self.question}\n{options}".strip())}
+
+
+class Comparison:
+    """A prediction beside what was measured. In a notebook it shows itself."""
+
+    def __init__(self, answer: Any, value: Any, unit: str, explanation: str) -> None:
+        """Keep the four."""
+        self._parts = answer, value, unit, explanation
+
+    def __repr__(self) -> str:
+        """Return both and the explanation, in words."""
+        answer, value, unit, explanation = self._parts
+        seen = f"Measured: {_written(value, unit)}."
+        if answer is None:
+            return " ".join(filter(None, (seen, "(You made no prediction; the next one is worth a try.)", explanation)))
+        if isinstance(answer, str):
+            verdict = "as you predicted" if answer == value else f"you predicted: {answer}"
+            return " ".join(filter(None, (f"Measured: {value}, {verdict}.", explanation)))
+        return " ".join(filter(None, (f"You predicted {_written(answer, unit)}.", seen, explanation)))
+
+    def _repr_html_(self) -> str:
+        """Return the same for a notebook."""
+        return f"<p>{text_html(repr(self))}</p>"
+
+
+def _written(value: Any, unit: str) -> str:
+    """Return a number with its unit; in place of a unit there may be a remark in brackets, such as "(from 0 to 1)"."""
+    unit = "" if unit.startswith("(") else unit
+    return f"{float(value):.3g} {unit}".strip() if not isinstance(value, str) else value
+
+
+def predict(question: str, options: Sequence[str] | None = None, *, unit: str = "") -> Prediction:
+    """Ask for a prediction before a cell is run.
+
+    `height = predict("How high does it get?", unit="grips")` shows a field. In the next cell `height.measured(1.4)`
+    shows the answer beside what was measured.
+
+    Args:
+        question: the question, one sentence.
+        options: the answers to choose from, two or more; by default the answer is a number that is typed.
+        unit: the unit of that number.
+
+    Returns:
+        The question with a field. As the last value of a cell it shows itself.
+
+    Raises:
+        ValueError: the question is not a text, or the options are not two or more different texts.
+    """
+    if not isinstance(question, str) or not question.strip():
+        raise ValueError(f"question must be a text, but is {question!r}")
+    if options is not None:
+        texts = not isinstance(options, str) and all(isinstance(option, str) for option in options)
+        if not texts or len(set(options)) < max(2, len(options)):
+            raise ValueError(f"options must be two or more different texts, but are {options!r}")
+    return Prediction(question, None if options is None else tuple(options), unit)

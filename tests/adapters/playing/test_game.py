@@ -1,0 +1,214 @@
+"""Games: their actions, their score and their pictures."""
+
+import io
+import os
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+from gymnasium import spaces
+from gymnasium.error import ResetNeeded
+
+from edugym.adapters.keys import keys_of, named_actions
+from edugym.adapters.playing import Game, play
+from edugym.adapters.playing.game import TERMINATED, TRUNCATED, made
+from edugym.adapters.registration import ENVIRONMENTS
+from tests.adapters.playing.tasks import Still, Walk
+
+
+def test_the_score_of_a_game() -> None:
+    """The line says what happened in each step and how an episode ended; only episodes that did so count."""
+    game = Game(Walk())
+    assert game.actions == {"left": 0, "right": 1}
+    assert (game.name, game.line()) == ("Walk", "start, observation 2, total 0")
+    assert game.history() == "No episode finished yet."
+    game.step("right")
+    game.step(1)
+    assert game.line() == f"step 2: right, observation 4, reward 1.5, total 1.5\n{TERMINATED}"
+    assert game.over
+    with pytest.raises(ResetNeeded):
+        game.step("left")
+    game.reset()
+    game.step("left")
+    game.reset()  # an episode that was given up
+    for action in ("left", "right", "left", "right"):
+        assert not game.over
+        game.step(action)
+    assert game.line() == f"step 4: right, observation 2, reward 0, total 0\n{TRUNCATED}"
+    assert game.history() == "Episodes finished: 2. Totals: 1.5, 0. Mean: 0.75."
+    with pytest.raises(ValueError, match="action must be one of 'left', 'right', but is 'up'"):
+        game.step("up")
+
+
+def test_a_game_keeps_its_last_finished_episode() -> None:
+    """The replay is the episode under way until one is finished, and then that one, whatever is begun after it."""
+    game = Game(Walk())
+    game.step("left")
+    assert [frame.line[:6] for frame in game.replay()] == ["start,", "step 1"]
+    game.step("left")
+    finished = game.replay()
+    game.reset()
+    game.step("right")
+    assert game.replay() is finished
+    assert len(finished) == 3
+
+
+def test_a_long_history_is_shortened() -> None:
+    """The last ten returns are shown, the mean is over all."""
+    game = Game("Boulder", height=1, max_steps=1)
+    for episode in range(12):
+        assert ("..." in game.history()) == (episode > 10)
+        game.step("grip 0" if episode < 6 else "grip 1")
+        game.reset()
+    first, second = (f"{value:g}" for value in (game.returns[0], game.returns[6]))
+    assert {first, second} == {"0", "1"}
+    last_ten = ", ".join([first] * 4 + [second] * 6)
+    assert game.history() == f"Episodes finished: 12. Totals: ..., {last_ten}. Mean: 0.5."
+
+
+def test_seeds_repeat_a_game() -> None:
+    """The same seed gives the same balls, in the second episode too; the second is another than the first."""
+
+    def balls(seed: int | None) -> list[str]:
+        game = Game("Golf", seed=seed)
+        places = []
+        for _ in range(2):
+            game.step("drive")
+            env: Any = game.environment.unwrapped
+            places.append(str(env.state))
+            game.reset()
+        return places
+
+    assert balls(3) == balls(3)
+    assert len({*balls(3), *balls(4), *balls(None), *balls(None)}) == 8
+
+
+@pytest.mark.parametrize("name", [entry.name for entry in ENVIRONMENTS])
+def test_every_environment_can_be_played(name: str) -> None:
+    """The actions of all environments have different keys, stand for valid actions, and are shown as a scene."""
+    game = Game(name)
+    assert len(keys_of(list(game.actions))) == len(game.actions) >= 2
+    for action, value in game.actions.items():
+        assert game.environment.action_space.contains(value)
+        game.reset(seed=1)
+        game.step(action)
+        assert game.line().startswith(f"step 1: {action}, ")
+    assert game._repr_svg_() is not None
+
+
+def test_environments_of_gymnasium_can_be_played() -> None:
+    """They show pixels or characters as asked, their observation where they have neither, and numbers for actions."""
+    pixels = Game("CliffWalking-v1")
+    assert list(pixels.actions) == ["0", "1", "2", "3"]
+    assert isinstance(pixels.frames[0].picture, np.ndarray)
+    assert pixels.frames[0].picture.shape[2] == 3
+    assert pixels._repr_svg_() is None
+    text = Game("CliffWalking-v1", picture="ansi")
+    assert isinstance(text.frames[0].picture, str)
+    assert "C  C  C" in text.frames[0].picture
+    cards = Game("Blackjack-v1", picture="ansi")
+    assert cards.frames[0].picture == f"observation {cards.observation}"
+    with pytest.raises(ValueError, match="picture must be a scene"):
+        text.frames[0].with_caption()
+
+
+@pytest.mark.parametrize(
+    ("system", "screen", "driver"),
+    [("linux", None, "dummy"), ("linux", "DISPLAY", None), ("linux", "WAYLAND_DISPLAY", None), ("darwin", None, None)],
+)
+def test_pixels_without_a_screen(
+    system: str, screen: str | None, driver: str | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Where Linux has none, pygame is told to do without, and only there."""
+    for name in ("DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"):
+        monkeypatch.setenv(name, "")  # so that it is put back after the test
+        monkeypatch.delenv(name)
+    if screen:
+        monkeypatch.setenv(screen, ":0")
+    monkeypatch.setattr("edugym.adapters.playing.game.sys", SimpleNamespace(platform=system))
+    made("CliffWalking-v1", "ansi", {})
+    assert os.environ.get("SDL_VIDEODRIVER") == driver
+
+
+def test_what_cannot_be_played_is_named() -> None:
+    """An environment that does not exist, parameters that it does not have or that are wrong, and where they belong."""
+    with pytest.raises(ValueError, match=r"environment must be one of Boulder, .*Bolder.* doesn't exist"):
+        Game("Bolder")
+    with pytest.raises(ValueError, match="Boulder has no parameter 'heigth'; it has height, n_grips, "):
+        Game("Boulder", heigth=3)
+    with pytest.raises(ValueError, match="height must be from 1 to 1000000, but is 0"):
+        Game("Boulder", height=0)
+    with pytest.raises(ValueError, match=r"go with the name of an environment, but are \['height', 'n_grips'\]"):
+        Game(Walk(), n_grips=2, height=3)
+    with pytest.raises(ValueError, match="picture must be one of"):
+        Game("Boulder", picture="human")
+
+
+@pytest.mark.parametrize(
+    ("space", "actions"),
+    [
+        (spaces.Discrete(2, start=5), {"5": 5, "6": 6}),
+        (
+            spaces.MultiDiscrete([3, 5]),
+            {"middle": [1, 2], "0 low": [0, 2], "0 high": [2, 2], "1 low": [1, 0], "1 high": [1, 4]},
+        ),
+        (spaces.Box(-1, 3, (1,)), {"middle": [1], "0 low": [-1], "0 high": [3]}),
+    ],
+)
+def test_actions_without_names(space: spaces.Space[Any], actions: dict[str, Any]) -> None:
+    """Whole numbers are their own names; of several numbers, each can be pushed to its ends."""
+    named = named_actions(Still(space))
+    assert {name: np.ravel(action).tolist() for name, action in named.items()} == {
+        name: np.ravel(action).tolist() for name, action in actions.items()
+    }
+    assert all(space.contains(action) for action in named.values())
+
+
+@pytest.mark.parametrize("space", [spaces.Box(-np.inf, 1, (2,)), spaces.Text(3)])
+def test_actions_that_nobody_can_name(space: spaces.Space[Any]) -> None:
+    """Endless and other actions need an environment that names them."""
+    with pytest.raises(ValueError, match="give the environment a method named_actions"):
+        named_actions(Still(space))
+
+
+@pytest.mark.parametrize(
+    ("observation", "line"),
+    [
+        (True, "start, observation 1, total 0"),
+        (np.float32(0.25), "start, observation 0.25, total 0"),
+        (np.arange(4), "start, observation 0 1 2 3, total 0"),
+        (np.arange(5), "start, total 0\nobservation 0 1 2 3 4"),
+        (np.arange(8), "start, total 0\nobservation 0 1 2 3 4 5 6 7"),
+        (np.arange(9), "start, total 0"),
+        ((3, np.array([1.5, 2.0])), "start, observation 3 1.5 2, total 0"),
+        (
+            np.array([1 / 3, -1 / 300, 12345, np.inf, np.nan]),
+            "start, total 0\nobservation 0.333 -0.00333 12345 inf nan",
+        ),
+        ({"a": 1}, "start, total 0"),
+        ("hello", "start, total 0"),
+    ],
+)
+def test_only_short_observations_are_written_out(observation: Any, line: str) -> None:
+    """Up to eight numbers, from spaces of several kinds; of those with many digits, three."""
+    assert Game(Still(spaces.Discrete(2), observation)).line() == line
+
+
+def test_actions_without_a_name_are_written_out() -> None:
+    """As the observations are."""
+    game = Game("Trashbot")
+    game.step(np.array([-1, 1 / 3], np.float32))
+    score, observation = game.line().splitlines()
+    assert score == "step 1: action -1 0.333, reward 0, total 0"
+    assert observation.startswith("observation -0.28")
+
+
+def test_very_many_actions_have_no_names() -> None:
+    """An environment with a billion actions can be shown, though not played with keys."""
+    many = Still(spaces.Discrete(10**9))
+    assert Game(many).actions == {}
+    assert Game(Still(spaces.Discrete(10_001))).actions == {}
+    assert len(Game(Still(spaces.Discrete(10_000))).actions) == 10_000
+    with pytest.raises(ValueError, match="too many actions to be played with keys"):
+        play(many, keyboard=io.StringIO(), screen=io.StringIO())

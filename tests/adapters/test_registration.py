@@ -1,0 +1,206 @@
+"""The registry, in this process and in fresh ones that import nothing but Gymnasium."""
+
+import json
+import re
+import subprocess
+import sys
+import warnings
+from typing import Any
+
+import gymnasium
+import pytest
+from gymnasium.error import NameNotFound
+
+import edugym
+from edugym.adapters.registration import (
+    ENVIRONMENTS,
+    find,
+    full_id,
+    in_snake_case,
+    make_environment,
+    make_mdp,
+    parameters_of,
+    register_environments,
+    specification,
+)
+
+HEAVY = [
+    "numba",
+    "pygame",
+    "matplotlib",
+    "pandas",
+    "scipy",
+    "joblib",
+    "ipywidgets",
+    "IPython",
+    "torch",
+    "tqdm",
+    "typer",
+]
+
+
+def in_a_fresh_process(code: str) -> str:
+    """What a program prints."""
+    done = subprocess.run([sys.executable, "-W", "error", "-c", code], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def test_importing_is_light() -> None:
+    """`import edugym` registers everything, imports nothing heavy, and draws no random number."""
+    code = f"""
+import sys, json, random
+import numpy
+before = numpy.random.get_state()[1].tolist(), random.getstate()
+import edugym, gymnasium
+assert (numpy.random.get_state()[1].tolist(), random.getstate()) == before
+heavy = [name for name in {HEAVY} if name in sys.modules]
+environments = [name for name in sys.modules if name.startswith("edugym.envs.")]
+print(json.dumps([heavy, environments, [entry.id in gymnasium.registry for entry in edugym.ENVIRONMENTS]]))
+"""
+    assert json.loads(in_a_fresh_process(code)) == [[], [], [True] * len(ENVIRONMENTS)]
+
+
+def test_making_one_environment_is_light() -> None:
+    """Making and playing an environment without pictures imports its own module only, and no compiler."""
+    code = f"""
+import sys, json, gymnasium, edugym
+env = gymnasium.make("edugym/Boulder-v0")
+env.reset(seed=0)
+env.step(0)
+print(json.dumps([[name for name in {HEAVY} if name in sys.modules],
+    [name for name in sys.modules if name.startswith("edugym.envs.")]]))
+"""
+    assert json.loads(in_a_fresh_process(code)) == [[], ["edugym.envs.boulder"]]
+
+
+def test_ids_that_name_the_package() -> None:
+    """`edugym:edugym/...` imports the package by itself, in `make` and in `make_vec`, for every environment."""
+    code = f"""
+import gymnasium
+for name in {[entry.name for entry in ENVIRONMENTS]}:
+    env = gymnasium.make(f"edugym:edugym/{{name}}-v0")
+    env.reset(seed=0)
+    envs = gymnasium.make_vec(f"edugym:edugym/{{name}}-v0", num_envs=2)
+    print(type(env.unwrapped).__name__, type(envs.unwrapped).__name__, envs.num_envs)
+"""
+    expected = [f"{entry.name}Env MDPVectorEnv 2" for entry in ENVIRONMENTS]
+    assert in_a_fresh_process(code).splitlines() == expected
+
+
+def test_entries() -> None:
+    """Every entry has an id, a class of its own, a challenge and a lesson of its own."""
+    assert len({entry.name for entry in ENVIRONMENTS}) == len(ENVIRONMENTS)
+    assert len({entry.challenge for entry in ENVIRONMENTS}) == len(ENVIRONMENTS)
+    assert len({entry.lesson for entry in ENVIRONMENTS}) == len(ENVIRONMENTS)
+    for entry in ENVIRONMENTS:
+        assert entry.id == f"edugym/{entry.name}-v0"
+        assert find(entry.name) is find(entry.id) is entry
+        env = gymnasium.make(entry.id)
+        assert type(env.unwrapped) is entry.load()
+        assert entry.load().__name__ == f"{entry.name}Env"
+        assert type(make_mdp(entry.name)) is type(make_mdp(entry.id)) is type(entry.load()().mdp)
+
+
+def test_registering_again() -> None:
+    """A second call changes nothing and says nothing."""
+    before = dict(gymnasium.registry)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        register_environments()
+    assert gymnasium.registry == before
+
+
+def test_unknown_names() -> None:
+    """A name that is not there is answered with those that are."""
+    for call in (find, make_mdp):
+        for name in ("Boulders", "", "edugym/Boulder-v1"):
+            with pytest.raises(ValueError, match=f"environment must be one of Boulder, .*, but is {name!r}"):
+                call(name)
+    with pytest.raises(NameNotFound):
+        gymnasium.make("edugym/Boulders-v0")
+    for module in (edugym, edugym.adapters.registration):
+        with pytest.raises(AttributeError, match="has no attribute 'make_Boulders_vector'"):
+            _ = module.make_Boulders_vector
+
+
+def test_public_names() -> None:
+    """Every public name is there, and is what its home module calls so."""
+    assert len(dir(edugym)) >= 30
+    for name in dir(edugym):
+        value = getattr(edugym, name)
+        home = getattr(value, "__module__", "edugym")
+        assert home.startswith("edugym"), name
+        assert getattr(value, "__name__", name) == name
+
+
+@pytest.mark.parametrize(
+    ("name", "file"),
+    [("Boulder", "boulder"), ("MemoryCorridor", "memory_corridor"), ("QLearning", "q_learning"), ("DQN", "dqn"),
+     ("PPOAgent", "ppo_agent"), ("NStepSarsa2", "n_step_sarsa2")],
+)  # fmt: skip
+def test_file_names(name: str, file: str) -> None:
+    """Words are divided by lines, and abbreviations stay whole."""
+    assert in_snake_case(name) == file
+
+
+@pytest.mark.parametrize(
+    ("name", "full"),
+    [
+        ("Boulder", "edugym/Boulder-v0"),
+        ("Boulder-v0", "edugym/Boulder-v0"),
+        ("edugym:Boulder", "edugym/Boulder-v0"),
+        ("edugym:edugym/Boulder-v0", "edugym/Boulder-v0"),
+        ("Boulder-v1", "Boulder-v1"),
+        ("CartPole-v1", "CartPole-v1"),
+    ],
+)
+def test_ids(name: str, full: str) -> None:
+    """The name alone is enough in the course; other ids stay as they are."""
+    assert full_id(name) == full
+
+
+@pytest.mark.parametrize(
+    ("name", "parameters", "says"),
+    [
+        ("Bolder", {}, "environment must be one of Boulder, Catch, Golf, MemoryCorridor, Roadrunner, Study,"
+         " Supermarket, Tamagotchi, Trashbot, or an id of Gymnasium's; Environment `Bolder` doesn't exist."),
+        ("CartPole-v1", {"x": 1}, "CartPole-v1 has no parameter 'x'; it has sutton_barto_reward"),
+        ("Boulder", {"height": 3, "n": 1},
+         "Boulder has no parameter 'n'; it has height, n_grips, max_steps, layout_seed"),
+    ],
+)  # fmt: skip
+def test_what_a_specification_refuses(name: str, parameters: dict[str, int], says: str) -> None:
+    """And what there is instead."""
+    with pytest.raises(ValueError, match=f"^{re.escape(says)}$"):
+        specification(name, parameters)
+
+
+def test_specifications() -> None:
+    """With all parameters and their defaults; an environment of the course knows what it was made with."""
+    assert specification("Boulder", {"height": 3})[1] == {
+        "height": 10, "n_grips": 2, "max_steps": None, "layout_seed": 0,
+    }  # fmt: skip
+    assert specification("CartPole-v1", {})[0].id == "CartPole-v1"
+    assert [*parameters_of(lambda a, b=3, render_mode=None: None)] == ["a", "b"]
+    env = make_environment("Boulder", height=4, render_mode="ansi")
+    assert env.spec.kwargs == {"height": 4, "render_mode": "ansi"}
+    assert repr(gymnasium.make(env.spec).unwrapped.mdp) == repr(env.mdp)  # type: ignore[attr-defined]
+
+
+def test_environments_that_exist_only_as_copies(monkeypatch: pytest.MonkeyPatch) -> None:
+    """They cannot be trained on."""
+    spec = gymnasium.envs.registration.EnvSpec("Copies-v0", vector_entry_point="edugym:any")
+    monkeypatch.setitem(gymnasium.registry, "Copies-v0", spec)
+    with pytest.raises(ValueError, match="must exist as a single one, but 'Copies-v0' is a vector of copies"):
+        specification("Copies-v0", {})
+
+
+def test_any_keyword_will_do_where_the_environment_takes_any(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It says itself what it does not know."""
+
+    def make(size: int = 3, **more: int) -> Any:
+        """Take anything."""
+
+    monkeypatch.setitem(gymnasium.registry, "Open-v0", gymnasium.envs.registration.EnvSpec("Open-v0", entry_point=make))
+    assert specification("Open-v0", {"colour": 1})[0].id == "Open-v0"

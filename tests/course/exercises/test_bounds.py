@@ -1,0 +1,160 @@
+"""Answers that are a number: how far it may be from the right one, and what is said of one that is close."""
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from edugym_course.grading import WrongAnswer
+from edugym_course.lessons.exploration import exercises as exploration
+from edugym_course.lessons.loop import exercises as loop
+from edugym_course.lessons.on_off_policy import exercises as on_off_policy
+from edugym_course.lessons.on_off_policy import switch
+from edugym_course.lessons.own_problem import exercises as own_problem
+from edugym_course.lessons.signal import bits
+from edugym_course.lessons.signal import exercises as signal
+from edugym_course.lessons.stochasticity import exercises as stochasticity
+from edugym_course.lessons.stochasticity.exact import crossing
+
+Exercise = Callable[[Any, int], str]
+EPSILON = 2 * (1 - 0.5 ** (1 / 100))
+LEVEL = crossing(0.02, 0.025, max_hits=5)
+NEARLY = "; you are close, "
+
+
+def off(function: Callable[..., float], error: float) -> Callable[..., float]:
+    """A right function with an error."""
+    return lambda *arguments: function(*arguments) + error
+
+
+def some_return(rewards: list[float], discount: float) -> float:
+    """The discounted return."""
+    return sum(discount**k * reward for k, reward in enumerate(rewards))
+
+
+def exact_switch(model: Any) -> float:
+    """The ε at which the best run changes."""
+    return switch(model, tolerance=1e-7)
+
+
+ACCEPTED = [
+    (loop.exercise_1, off(some_return, 0.9e-9)),
+    (exploration.exercise_1, EPSILON + 1.9e-5),
+    (exploration.exercise_1, EPSILON - 1.9e-5),
+    (on_off_policy.exercise_1, -36.9851 + 0.001),
+    (on_off_policy.exercise_1, -36.985 + 0.099),
+    (on_off_policy.exercise_2, off(exact_switch, 0.00109)),
+    (on_off_policy.exercise_2, off(exact_switch, -0.00109)),
+    (signal.exercise_1, 22),
+    (signal.exercise_2, off(bits, 0.9e-6)),
+    (stochasticity.exercise_1, LEVEL + 0.00014),
+    (stochasticity.exercise_1, LEVEL - 0.00014),
+    (own_problem.exercise_1, 59 / 9 + 0.0049),
+    (own_problem.exercise_1, 59 / 9 - 0.0049),
+]
+REFUSED = [
+    (loop.exercise_1, off(some_return, 1e-6), "none of the usual mistakes"),
+    (exploration.exercise_1, EPSILON + 2.1e-5, "smaller, by a little: give four digits or more"),
+    (exploration.exercise_1, EPSILON - 2.1e-5, "larger, by a little: give four digits or more"),
+    (exploration.exercise_1, EPSILON * 1.019, "smaller, by a little: give four digits or more"),
+    (exploration.exercise_1, EPSILON * 1.021, "so ε must be smaller"),
+    (exploration.exercise_1, EPSILON * 0.981, "larger, by a little: give four digits or more"),
+    (exploration.exercise_1, EPSILON * 0.979, "so ε must be larger"),
+    (on_off_policy.exercise_1, -36.985 - 0.001, "that is too low, by a little: take the next higher tenth"),
+    (on_off_policy.exercise_1, -36.985 - 0.099, "that is too low, by a little: take the next higher tenth"),
+    (on_off_policy.exercise_1, -36.985 - 0.101, "steps should be best" + NEARLY + "look at every tenth"),
+    (on_off_policy.exercise_1, -36.985 - 0.999, "steps should be best" + NEARLY + "look at every tenth"),
+    (on_off_policy.exercise_1, -36.985 - 1.001, "steps should be best"),
+    (on_off_policy.exercise_1, -36.985 + 0.101, "it is higher than it need be" + NEARLY + "look at every tenth"),
+    (on_off_policy.exercise_1, -36.985 + 1.001, "it is higher than it need be"),
+    (on_off_policy.exercise_2, off(exact_switch, 0.00111), "that is close, but look in steps of 0.001 or smaller"),
+    (on_off_policy.exercise_2, off(exact_switch, 0.0123), "that is close, but look in steps of 0.001 or smaller"),
+    (on_off_policy.exercise_2, off(exact_switch, 0.0127), "print the number of steps of the best run for some ε"),
+    (signal.exercise_1, 20, "that is not enough yet"),
+    (signal.exercise_1, 24, "fewer words are enough"),
+    (signal.exercise_2, off(bits, 1.1e-6), "none of the usual mistakes"),
+    (stochasticity.exercise_1, LEVEL + 0.00016, "it is too high" + NEARLY + "look in steps of 0.0001"),
+    (stochasticity.exercise_1, LEVEL + 0.00099, "it is too high" + NEARLY + "look in steps of 0.0001"),
+    (stochasticity.exercise_1, LEVEL + 0.00101, "it is too high"),
+    (stochasticity.exercise_1, LEVEL - 0.00016, "worth more there" + NEARLY + "look in steps of 0.0001"),
+    (stochasticity.exercise_1, LEVEL - 0.00101, "it is too low, as the drive is worth more there"),
+    (stochasticity.exercise_1, -0.001, "it is too low"),
+    (own_problem.exercise_1, 59 / 9 + 0.0051, "it need be" + NEARLY + "round it to two digits after the decimal point"),
+    (own_problem.exercise_1, 59 / 9 + 0.149, "higher than it need be" + NEARLY + "round it to two digits"),
+    (own_problem.exercise_1, 59 / 9 + 0.151, "it is higher than it need be"),
+    (own_problem.exercise_1, 59 / 9 - 0.0051, "too low for a ring" + NEARLY + "round it to two digits"),
+    (own_problem.exercise_1, 59 / 9 - 0.151, "it is too low for a ring"),
+]
+
+
+@pytest.mark.parametrize(("exercise", "answer"), ACCEPTED)
+def test_close_enough(exercise: Exercise, answer: Any) -> None:
+    """It is right."""
+    assert exercise(answer, 0).startswith("Right")
+
+
+@pytest.mark.parametrize(("exercise", "answer", "says"), REFUSED)
+def test_not_close_enough(exercise: Exercise, answer: Any, says: str) -> None:
+    """It is told on which side it is, and that it is close only where it is."""
+    with pytest.raises(WrongAnswer) as caught:
+        exercise(answer, 0)
+    assert says in str(caught.value)
+    assert ("close" in str(caught.value) or "by a little" in str(caught.value)) == ("close" in says or "little" in says)
+
+
+TOO_LOW, TOO_HIGH = "it is too low", "it is higher than it need be"
+TOLD = [
+    (signal.exercise_1, 0, "words = 0 is not from 1 to 100: that is not enough yet"),
+    (signal.exercise_1, 1, "1 word carries 0.022 bit at τ = 0.1: that is the value with which the cell began"),
+    (signal.exercise_1, 20, "20 words carry 0.373 bit at τ = 0.1: that is not enough yet"),
+    (signal.exercise_1, 101, "words = 101 is not from 1 to 100: fewer words are enough"),
+    (exploration.exercise_1, -0.1, "ε = -0.1 is no probability: half should, so ε must be larger"),
+    (exploration.exercise_1, 0, "with ε = 0, 100.00% of the climbs reach the top: half should, so ε must be larger"),
+    (exploration.exercise_1, 1, "with ε = 1, 0.00% of the climbs reach the top: half should, so ε must be smaller"),
+    (exploration.exercise_1, 1.1, "ε = 1.1 is no probability: half should, so ε must be smaller"),
+    (on_off_policy.exercise_1, 1, "negative_reward = 1: a fall is no gain, so the number must be negative"),
+    (on_off_policy.exercise_1, 0, f"with negative_reward = 0 the best run at ε = 0.1 takes 1 step: {TOO_HIGH}"),
+    (on_off_policy.exercise_1, -3, f"with negative_reward = -3 the best run at ε = 0.1 takes 4 steps: {TOO_HIGH}"),
+    (
+        on_off_policy.exercise_1,
+        -1_000_000,
+        f"with negative_reward = -1000000 the best run at ε = 0.1 takes 5 steps: {TOO_LOW}, and the fast run of 4"
+        " steps should be best",
+    ),
+    (
+        on_off_policy.exercise_1,
+        -1_000_001,
+        f"negative_reward = -1000001 is below -1 000 000: {TOO_LOW}, and the fast run of 4 steps should be best",
+    ),
+    (own_problem.exercise_1, -1, f"late = -1: {TOO_LOW} for a ring"),
+    (
+        own_problem.exercise_1,
+        0,
+        f"with late = 0 it is best to stay quiet at 8:20 when she is fast asleep: {TOO_LOW} for a ring",
+    ),
+    (own_problem.exercise_1, 8, f"with late = 8 it is best to ring at 8:20 when she is fast asleep: {TOO_HIGH}"),
+    (stochasticity.exercise_1, 0, f"level = 0 is not a level, a number above 0 and far below 1: {TOO_LOW}"),
+    (
+        stochasticity.exercise_1,
+        0.02,
+        f"at level = 0.02 the drive is worth 0.6583 and the chip 0.5674: {TOO_LOW}, as the drive is worth more there",
+    ),
+    (
+        stochasticity.exercise_1,
+        1,
+        "at level = 1 the drive is worth -0.9985 and the chip -0.9498: it is too high",
+    ),
+    (
+        stochasticity.exercise_1,
+        1.1,
+        "level = 1.1 is not a level, a number above 0 and far below 1: it is too high",
+    ),
+]
+
+
+@pytest.mark.parametrize(("exercise", "answer", "sentence"), TOLD)
+def test_the_whole_sentence(exercise: Exercise, answer: float, sentence: str) -> None:
+    """What would happen with the number, without giving the right one away, and on which side it is."""
+    with pytest.raises(WrongAnswer) as caught:
+        exercise(answer, 0)
+    assert str(caught.value) == sentence

@@ -1,0 +1,109 @@
+"""The exercises of lesson 5: what counts as a mistake is one, and the challenge is worth its points."""
+
+from collections.abc import Callable
+from itertools import permutations
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+
+from edugym import repeat
+from edugym_course.lessons.memory import exercises, window_law
+from edugym_course.lessons.memory.secret import SECRET_DOORS, secret_corridor
+
+
+def test_every_mistake_in_rows_is_one() -> None:
+    """For a case of the check each differs from the right number."""
+    for sentence, wrong in exercises._row_mistakes(4, 4).items():
+        assert wrong != 5 ** window_law(4), sentence
+
+
+def test_every_mistake_in_push_is_one() -> None:
+    """For a window without repetitions each differs from the right one, and from the others."""
+    window = np.array([0, 1, 2, 3, 4, 5, 6])
+    made = {sentence: tuple(map(int, rule(window, 7, 8))) for sentence, rule in exercises.PUSHES.items()}
+    assert (2, 3, 4, 5, 6, 7, 8) not in made.values()
+    assert all(len(entries) == len(window) for entries in made.values())
+    assert len(set(made.values())) == len(made)
+
+
+def test_every_mistake_in_notes_is_one() -> None:
+    """On the walks of the check each differs from the right update, and from the others."""
+    cases = [case for n in (3, 4, 6) for case in exercises._walk(n, np.random.default_rng(0))]
+    rules = {"right": exercises._right, **exercises.UPDATES}
+    for (one, first), (two, second) in permutations(rules.items(), 2):
+        made = [_tried(first, case) for case in cases]
+        if None not in made:
+            agreeing = [exercises._agree(case, outcome, second) for case, outcome in zip(cases, made, strict=True)]
+            assert not all(agreeing), f"{one} / {two}"
+
+
+def _tried(rule: Callable[..., Any], case: Any) -> Any:
+    """What a rule makes of a case; None if it writes outside of the notes."""
+    try:
+        return rule(*case)
+    except IndexError:
+        return None
+
+
+class Knowing(NamedTuple):
+    """An agent that keeps the right notes, and never tries a door for a sign that it could know to be another one."""
+
+    possible: Any
+    notes: Any
+    place: Any
+
+    def act(self, state: int, rng: np.random.Generator) -> int:
+        """Open the noted door, or at a sign a door that is still possible."""
+        n = self.possible.shape[1]
+        if state == n:
+            return int(self.notes[self.place[0]])
+        seen, door = 0, 0
+        for other in range(n):
+            if self.possible[state, other]:
+                seen += 1
+                if rng.random() * seen < 1.0:
+                    door = other
+        return door
+
+    def learn(self, state: int, action: int, reward: float, terminated: bool, truncated: bool) -> None:
+        """Note the door, and what its sign can mean."""
+        n = self.possible.shape[1]
+        if state < n:
+            if reward > 0:
+                for other in range(n):
+                    self.possible[state, other] = self.possible[other, action] = 0
+                self.possible[state, action] = 1
+            else:
+                self.possible[state, action] = 0
+        self.notes[self.place[0]] = action
+        self.place[0] = 0 if state < n or terminated or truncated else self.place[0] + 1
+
+
+def knowing(task: object) -> Knowing:
+    """Make one."""
+    shape = (SECRET_DOORS, SECRET_DOORS)
+    return Knowing(np.ones(shape, np.int64), np.zeros(128, np.int64), np.zeros(1, np.int64))
+
+
+def test_the_challenge() -> None:
+    """The best average is that of an agent that makes no avoidable error; the baselines are far from it."""
+    challenge = exercises.CHALLENGE
+    results = repeat(
+        secret_corridor, {"knowing": knowing}, challenge.n_steps, repetitions=200, evaluate_every=challenge.n_steps
+    )
+    mean = results.average("knowing", "training_return").mean()
+    assert mean == pytest.approx(challenge.best_average, abs=1.5)
+    score = challenge.score(knowing, "Ada")
+    assert score.points > 90
+    assert score.rows["good play, on average"] == (100.0, 64.0)  # luck can exceed it
+    assert score.rows["Q-learning"][1] < 3
+    assert score.rows["the lesson's notes"][1] < 3
+
+
+def test_signs_belong_to_a_seed() -> None:
+    """Each door has one sign, the same for the same seed."""
+    signs = secret_corridor(7).signs
+    assert sorted(signs.tolist()) == [*range(SECRET_DOORS)]
+    assert np.array_equal(signs, secret_corridor(7).signs)
+    assert not np.array_equal(signs, secret_corridor(8).signs)

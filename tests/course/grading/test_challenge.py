@@ -1,0 +1,212 @@
+"""The open challenge: seeds from names, scores against what is possible, and slips."""
+
+import math
+from contextlib import AbstractContextManager
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+import numpy as np
+import pandas
+import pytest
+
+from edugym import QLearning
+from edugym.experiments.results.statistics import Interval
+from edugym.experiments.results.tables import Results
+from edugym_course.grading import WrongAnswer, challenge, seed_from_name, student_code
+from edugym_course.lessons.exploration import GO_EXPLORE, METHODS, best_return
+from edugym_course.lessons.exploration.exercises import CHALLENGE, best_average
+
+
+class Systematic(NamedTuple):
+    """An explorer that never takes a grip again from which it fell: as good as one can be."""
+
+    fell: Any
+
+    def act(self, state: int, rng: Any) -> int:
+        """The first grip from which it did not fall yet."""
+        for action in range(self.fell.shape[1] - 1):
+            if self.fell[state, action] == 0:
+                return action
+        return int(self.fell.shape[1]) - 1
+
+    def learn(self, state: int, action: int, next_state: int) -> None:
+        """Remember a fall."""
+        if next_state == 0:
+            self.fell[state, action] = 1
+
+
+def systematic(wall: Any) -> Systematic:
+    """Make one, from the spaces alone."""
+    return Systematic(np.zeros((int(wall.observation_space.n), int(wall.action_space.n)), np.int64))
+
+
+def test_seeds_from_names() -> None:
+    """The same for the same name on every machine, however it is written; others for other names."""
+    assert seed_from_name("Ada Lovelace") == seed_from_name("  ada LOVELACE") == 2350958316
+    assert seed_from_name(1234567) == seed_from_name("1234567")
+    assert len({seed_from_name(f"student {i}") for i in range(1000)}) == 1000
+    assert seed_from_name("Zoë") == seed_from_name("Zoe\u0308") != seed_from_name("Zoe")
+    refused: list[Any] = ["", "  ", None, 1.5, True, ["Ada"]]
+    for name in refused:
+        with pytest.raises(ValueError, match="name must"):
+            seed_from_name(name)
+
+
+def test_an_agent_that_is_there_already_is_not_trained(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The first steps, by which code that never ends is found, leave nothing in its table."""
+    agent = systematic(CHALLENGE._task(0))
+    monkeypatch.setattr(challenge, "repeat", lambda *arguments, **how: (_ for _ in ()).throw(WrongAnswer("enough")))
+    with pytest.raises(WrongAnswer, match="enough"):
+        CHALLENGE.score(lambda wall: agent, "Ada")
+    assert not agent.fell.any()
+
+
+def test_what_is_trained(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The student's agent and all baselines, on ten tasks of the name; the settings are those of the challenge."""
+    asked: dict[str, Any] = {}
+
+    def repeat(environment: Any, methods: dict[str, Any], n_steps: int, **how: Any) -> None:
+        asked.update(how, environment=environment, methods=[*methods], n_steps=n_steps)
+        raise WrongAnswer("enough")
+
+    limits = []
+
+    def running(what: str, limit: float = 30.0) -> AbstractContextManager[None]:
+        limits.append((what, limit))
+        return student_code.running(what, limit)
+
+    monkeypatch.setattr(challenge, "repeat", repeat)
+    monkeypatch.setattr(challenge, "running", running)
+    with pytest.raises(WrongAnswer, match="enough"):
+        CHALLENGE.score(systematic, "Ada Lovelace")
+    assert limits == [("making your agent", 30.0), ("training your agent", 30.0), ("training your agent", math.inf)]
+    assert asked == {
+        "environment": "Boulder",
+        "methods": ["your agent", *CHALLENGE.baselines],
+        "n_steps": 5_000,
+        "repetitions": 10,
+        "seed": 2350958316,
+        "parameters": {"height": 60},
+    }
+
+
+def test_what_an_agent_is_told_of_a_task() -> None:
+    """Nothing but two spaces; who takes it for a table forgot `create`."""
+    sizes = challenge.Sizes("seen", "done")
+    assert (sizes.observation_space, sizes.action_space) == ("seen", "done")
+    with pytest.raises(AttributeError, match=r"where an array should, which has 'shape': is `\.create` missing"):
+        _ = sizes.shape
+    with pytest.raises(AttributeError, match="only, not 'height': it has to find out the rest"):
+        _ = sizes.height
+
+
+@pytest.mark.slow
+def test_scores() -> None:
+    """A systematic explorer gets nearly all points, a random one none, and what is possible is above all others."""
+    best = CHALLENGE.score(systematic, "Ada")
+    assert best.points == pytest.approx(100, abs=4)
+    assert best.rows["possible"] == (1.0, CHALLENGE.best_average)
+    assert best.ahead.low > 0
+    assert CHALLENGE.optimum == best_return(60)
+    none = CHALLENGE.score(lambda wall: QLearning.create(wall), "Ada")
+    assert none.points == 0
+    assert none.ahead.high < 0
+    assert none.rows[GO_EXPLORE] == best.rows[GO_EXPLORE]  # the same walls
+    assert none.rows[GO_EXPLORE] != CHALLENGE.score(METHODS[GO_EXPLORE], "Grace").rows["your agent"]
+    text = repr(none)
+    assert "Ada: 0 of 100 points, behind" in text
+    assert "| your agent | 0.00 | 0.00 |" in none._repr_markdown_()
+
+
+@pytest.mark.parametrize(
+    ("best", "average", "points"),
+    [
+        (4.0, 3.0, 75.0),
+        (4.0, 5.0, 100.0),
+        (4.0, -1.0, 0.0),
+        (-2.0, -8.0, 25.0),
+        (-2.0, -1.0, 100.0),
+        (-2.0, 0.0, 100.0),
+        (4.0, math.nan, 0.0),
+        (-2.0, math.nan, 0.0),
+    ],
+)
+def test_points(best: float, average: float, points: float) -> None:
+    """The share of the best average; where returns are negative it is divided the other way round."""
+    assert replace(CHALLENGE, best_average=best)._points(average) == pytest.approx(points)
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "where"),
+    [(0.1, 0.7, "ahead of"), (-0.1, 0.9, "level with"), (0.0, 0.0, "level with"), (-0.9, -0.1, "behind")],
+)
+def test_the_table_of_a_score(low: float, high: float, where: str) -> None:
+    """As text and in a notebook, to the letter."""
+    ahead = Interval((low + high) / 2, low, high, 10)
+    rows = {"possible": (1.0, 0.8), "your agent": (12.5, 0.25)}
+    score = challenge.Score("Ada", 62.4, rows, ahead, "novelty", Results(pandas.DataFrame()))
+    verdict = f"Ada: 62 of 100 points, {where} novelty (difference {ahead.estimate:+.2f}, "
+    verdict += f"95 % interval {low:+.2f} to {high:+.2f})."
+    assert repr(score).splitlines() == [
+        "            return at the end  average while learning",
+        "possible                 1.00                    0.80",
+        "your agent              12.50                    0.25",
+        "",
+        verdict,
+    ]
+    assert score._repr_markdown_().splitlines() == [
+        "| | return at the end | average while learning |",
+        "|---|---:|---:|",
+        "| possible | 1.00 | 0.80 |",
+        "| your agent | 12.50 | 0.25 |",
+        "",
+        verdict,
+    ]
+
+
+def test_what_is_possible() -> None:
+    """Checked by hand: a wall of height 1 with 2 grips needs 1 step, or 2; one of height 2 needs 1 + 1 + 1/2 + 2/2."""
+    assert best_average(1, 2, 10) == pytest.approx(1 - 1.5 / 10)
+    assert best_average(2, 2, 10) == pytest.approx(1 - 3.5 / 10)
+    assert best_average(60, 2, 5_000) == pytest.approx(1 - 975 / 5_000)
+    assert best_average(60, 2, 100) == 0
+
+
+class Endless(Systematic):
+    """An explorer that waits for something that never happens."""
+
+    __slots__ = ()
+
+    def act(self, state: int, rng: Any) -> int:
+        """Never."""
+        while state < 100:
+            pass
+        return 0
+
+
+def test_an_agent_that_never_ends(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is stopped in its first steps, with one sentence."""
+    monkeypatch.setattr(challenge, "LIMIT", 0.5)
+    with pytest.raises(WrongAnswer, match=r"training your agent has not ended after 0\.5 seconds"):
+        CHALLENGE.score(lambda wall: Endless(systematic(wall).fell), "Ada")
+
+
+@pytest.mark.parametrize(
+    ("agent", "says"),
+    [
+        (None, "Not solved yet"),
+        (..., "Not solved yet"),
+        (QLearning, "such as QLearning.create, but is the class"),
+        (QLearning.create((61, 2)), "that makes a new agent"),
+        (3, "a function that makes an agent, but is 3"),
+        (lambda wall: None, "gives None: is a `return` missing"),
+        (lambda wall: QLearning, "must be an object with the methods act and learn"),
+        (lambda wall: QLearning.create(wall, alpha=1), "has no setting 'alpha'"),
+        (lambda wall: wall.unwrapped.mdp.grips, "told `observation_space` and `action_space` only, not 'unwrapped'"),
+        (lambda wall: QLearning.create((3, 2)), r"must have a table Q of shape \(61, 2\)"),
+    ],
+)
+def test_slips(agent: Any, says: str) -> None:
+    """Each gets its sentence; the task cannot be looked at."""
+    with pytest.raises(WrongAnswer, match=says):
+        CHALLENGE.score(agent, "Ada")

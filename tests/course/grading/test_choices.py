@@ -1,0 +1,98 @@
+"""How often an agent chooses each action."""
+
+from collections.abc import Callable
+from itertools import cycle
+from typing import Any
+
+import numpy as np
+import pytest
+
+from edugym_course.grading import Unsolved, WrongAnswer
+from edugym_course.grading.choices import check_choices
+
+HALF = [0.0, 0.5, 0.5]
+MISTAKES = {"at random": [1 / 3] * 3, "the first of equals": [0.0, 1.0, 0.0], "with ε": [0.1, 0.45, 0.45]}
+
+
+def chosen(choose: Callable[[np.random.Generator], Any], tables: dict[str, Any] | None = None) -> None:
+    """Check a choice between the last two of three actions."""
+    check_choices("act(0, rng)", choose, HALF, MISTAKES, tables=tables or {}, where="where all is well")
+
+
+def test_right_choices() -> None:
+    """Actions may be numbers of NumPy."""
+    chosen(lambda rng: 1 + int(rng.random() * 2))
+    chosen(lambda rng: rng.integers(1, 3))
+
+
+@pytest.mark.parametrize(
+    ("choose", "says"),
+    [
+        (lambda rng: int(rng.random() * 3), "of calls: at random$"),
+        (
+            lambda rng: 1,
+            "should choose action 1 in 50% and action 2 in 50% of calls, but it chooses action 1: the first",
+        ),
+        (lambda rng: 0 if rng.random() < 0.1 else 1 + int(rng.random() * 2), "with ε$"),
+        (lambda rng: 2, "none of the usual mistakes$"),
+        (lambda rng: None, "a `return` missing"),
+        (lambda rng: 1.0, "a whole number, but gives 1.0$"),
+        (lambda rng: True, "a whole number, but gives True$"),
+        (lambda rng: np.array([1]), "gives an array: return one of its entries, drawn with rng.choice$"),
+        (lambda rng: 3, "from 0 to 2, but gives 3$"),
+        (lambda rng: -1, "from 0 to 2, but gives -1$"),
+        (lambda rng: 1 // 0, "raises ZeroDivisionError"),
+        (lambda rng: int(np.random.choice([1, 2])), "does not draw its random numbers from `rng`"),  # noqa: NPY002
+    ],
+)
+def test_wrong_choices(choose: Callable[[Any], Any], says: str) -> None:
+    """Each is told what it is."""
+    with pytest.raises(WrongAnswer, match=says):
+        chosen(choose)
+
+
+@pytest.mark.parametrize(("ones", "accepted"), [(245, True), (355, True), (244, False), (356, False)])
+def test_how_far_shares_may_be(ones: int, accepted: bool) -> None:
+    """Of 600 draws between equals 4.5 standard deviations more or less than half, 55 draws."""
+    draws = cycle([1] * ones + [2] * (600 - ones))
+    if accepted:
+        chosen(lambda rng: next(draws))
+    else:
+        with pytest.raises(WrongAnswer, match="action 1 in 50% and action 2 in 50% of calls, but it chooses"):
+            chosen(lambda rng: next(draws))
+
+
+def test_what_should_never_be_chosen() -> None:
+    """One draw of it in 600 is too many."""
+    draws = cycle([0] + [1] * 300 + [2] * 299)
+    with pytest.raises(WrongAnswer, match="but it chooses action 0 in 0% and action 1 in 50%"):
+        chosen(lambda rng: next(draws))
+
+
+@pytest.mark.parametrize(
+    ("mistakes", "why"),
+    [
+        ({"rarely another": [0.01, 0.98, 0.01]}, "rarely another"),
+        ({"rarely another": [0.01, 0.98, 0.01], "always": [0.0, 1.0, 0.0]}, "always"),
+        ({"two of them": [0.012, 0.988, 0.0], "rarely another": [0.01, 0.98, 0.01]}, "two of them"),
+    ],
+)
+def test_the_mistake_that_fits_best_is_told(mistakes: dict[str, list[float]], why: str) -> None:
+    """Also one that may choose what never came; the distances are 0.04, 0, and 0.024."""
+    with pytest.raises(WrongAnswer, match=f"{why}$"):
+        check_choices("act(0, rng)", lambda rng: 1, HALF, mistakes, tables={}, where="where all is well")
+
+
+def test_placeholder_and_changed_tables() -> None:
+    """A placeholder is not solved yet; choosing must change nothing."""
+    with pytest.raises(Unsolved):
+        chosen(lambda rng: ...)
+    counts = np.zeros(3)
+
+    def count(rng: np.random.Generator) -> int:
+        action = 1 + int(rng.random() * 2)
+        counts[action] += 1
+        return action
+
+    with pytest.raises(WrongAnswer, match=r"act\(0, rng\) changes the table `counts`"):
+        chosen(count, {"counts": counts})

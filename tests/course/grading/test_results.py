@@ -1,0 +1,66 @@
+"""What `repeat` returned, against what was asked for; lessons 1 and 9 have more wrong answers."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from typing import Any
+
+import pytest
+
+from edugym import QLearning, make_mdp, repeat
+from edugym.experiments.results.tables import Results
+from edugym_course.grading import WrongAnswer
+from edugym_course.grading.results import check_results
+
+WALL = {"height": 3, "layout_seed": 0}
+Methods = dict[str, Callable[[Any], Any]]
+METHODS: Methods = {
+    "slow": partial(QLearning.create, learning_rate=0.1),
+    "fast": partial(QLearning.create, learning_rate=0.9),
+}
+
+
+def results(methods: Methods, **how: Any) -> Results:
+    """An experiment of ten steps."""
+    how = {"repetitions": 2, "evaluate_every": 10, "jobs": 1, **how}
+    return repeat("Boulder", methods, 10, parameters=WALL, **how)
+
+
+def checked(answer: Any) -> Any:
+    """Check an experiment of ten steps with two repetitions."""
+    asked = {"environment": "edugym/Boulder-v0", "environment.height": 3, "n_steps": 10, "repetitions": 2}
+    wall = make_mdp("Boulder", **WALL)
+    return check_results("mine", answer, asked=asked, methods=METHODS, environment=wall)
+
+
+def test_the_right_results() -> None:
+    """They come back, also with one method more."""
+    answer = results({**METHODS, "own": partial(QLearning.create, learning_rate=0.5)})
+    assert checked(answer) is answer
+
+
+def test_an_experiment_that_was_stopped() -> None:
+    """One run is not there."""
+    whole = results(METHODS)
+    table = whole.table[(whole.table["method"] != "fast") | (whole.table["repetition"] == 0)]
+    says = "^mine is not complete: the experiment was stopped, so run its cell again$"
+    with pytest.raises(WrongAnswer, match=says):
+        checked(replace(whole, table=table))
+
+
+def test_other_experiments() -> None:
+    """What differs is named."""
+    other: Methods = {**METHODS, "fast": partial(QLearning.create, learning_rate=0.8)}
+    same: Methods = {**METHODS, "again": METHODS["slow"]}
+    for answer, says in (
+        (results(METHODS, repetitions=3), "mine should be an experiment with repetitions 2, but it has repetitions 3"),
+        (results(other), "mine should have for 'fast' the learning_rate 0.9, but it has 0.8"),
+        (results(same), "mine should have different methods, but 'slow' and 'again' are the same agent"),
+        (
+            results({"slow": METHODS["slow"]}),
+            "mine should have the method 'fast', but has only slow: keep the labels",
+        ),
+        (checked, r"mine should be what `repeat\(...\)` returns, but is of the type function: call it"),
+    ):
+        with pytest.raises(WrongAnswer, match=f"^{says}$"):
+            checked(answer)

@@ -1,0 +1,143 @@
+"""Errors in an answer: a sentence that ends at the student's own line."""
+
+import linecache
+import math
+import random
+import warnings
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+
+from edugym import QLearning
+from edugym_course.grading import Unsolved, WrongAnswer
+from edugym_course.grading.student_code import HINTS, PACKAGES, running
+
+
+def run(code: str, **names: Any) -> str:
+    """Run a student's function `f`, and return what is said of its error."""
+    linecache.cache["<cell>"] = (len(code), None, code.splitlines(keepends=True), "<cell>")
+    namespace: dict[str, Any] = names
+    exec(compile(code, "<cell>", "exec"), namespace)
+    with pytest.raises(WrongAnswer) as caught, running("f()"):
+        namespace["f"]()
+    assert caught.value.__suppress_context__
+    assert caught.value.__cause__ is None  # one sentence, and no chain of tracebacks
+    return str(caught.value)
+
+
+def test_the_line_is_the_students() -> None:
+    """Also when the error is raised further down, in a library or in this package."""
+    assert run("def f():\n    x = 1\n    return x / 0") == (
+        "the line `return x / 0` raises ZeroDivisionError: division by zero"
+        " (the number below the line can be 0: is it a count that should grow first?)"
+    )
+    said = run("def f():\n    return np.zeros(2).reshape(3)\n", np=np)
+    assert said.startswith("the line `return np.zeros(2).reshape(3)` raises ValueError: cannot reshape")
+    said = run("def f():\n    return QLearning.create((2, 2), alpha=1)\n", QLearning=QLearning)
+    assert said.startswith("the line `return QLearning.create((2, 2), alpha=1)` raises ValueError: QLearning has no")
+
+
+@pytest.mark.parametrize(
+    ("code", "says"),
+    [
+        ("QLearning.create((2, 2), alpha=1)", "QLearning has no setting 'alpha'"),
+        ("QLearning.create()", "my_agent raises TypeError: "),
+        ("random.sample([], 2)", "my_agent raises ValueError: Sample larger than population"),
+    ],
+)
+def test_without_a_line_of_the_students(code: str, says: str) -> None:
+    """What the package refuses says all that there is to say; of other errors it is told where they come from."""
+    check = f"with running('my_agent'):\n    {code}\n"
+    with pytest.raises(WrongAnswer) as caught:
+        exec(
+            compile(check, f"{PACKAGES[0]}/check.py", "exec"),
+            {"running": running, "QLearning": QLearning, "random": random},
+        )
+    assert str(caught.value).startswith(says)
+
+
+def test_every_error_is_one_line() -> None:
+    """A key, an endless recursion, a message of several lines."""
+    assert "raises KeyError: there is no key 'a'" in run("def f():\n    return {}['a']")
+    assert run("def f():\n    f()").endswith("raises RecursionError: a function calls itself for ever")
+    assert "\n" not in run("def f():\n    raise ValueError('one\\ntwo')")
+
+
+class Pair(NamedTuple):
+    """Two numbers."""
+
+    a: int
+    b: int
+
+
+ERRORS = [
+    ("Pair(1, 2).a = 3", "the fields of a NamedTuple are fixed"),
+    ("Pair(1, 2)[0] = 3", "only arrays and lists have entries"),
+    ("return 1 if np.zeros(2) > 0 else 0", "compare single entries"),
+    ("return tries[0]", "write `self.` before a field"),
+    ("return preferences[0]", "write `self.` before a field"),
+    ("return f[0]", "a function is called, with parentheses"),
+    ("return float(np.zeros(2))", "an array stands where one number is needed"),
+    ("return np.zeros(2) + np.zeros(3)", "two arrays of different sizes meet there"),
+    ("x += 1; x = 2", "it gets a value on some paths only"),
+    ("x = None; return x[0]", "something is None there"),
+    ("return 1 / 0", "the number below the line can be 0"),
+    ("return Pair.a[0]", "that is the field of the class"),
+    ("return np.zeros(2)[0, 1]", "the array has fewer axes than there are indices"),
+    ("return np.zeros(2)[2]", "indices go from 0 to the size less 1"),
+    ("return [1, 2][2]", "indices go from 0 to the size less 1"),
+    ("return math.log(0)", "a logarithm needs a number above 0"),
+    ("return np.array([[1], [1, 2]])", "an array of numbers is needed there"),
+    ("return np.zeros(2)[1.0]", "an index is a whole number"),
+    ("return create()", "`create` takes the environment first"),
+    ("return g(1)", "it has more parameters than the call gives it values"),
+    ("return g(1, 2, 3)", "its parameters are not those of the exercise"),
+    ("return g(1, z=2)", "its parameters are not those of the exercise"),
+    ("return [True].all()", "that is a list: np.array(...) makes an array of it"),
+    ("return np.zeros(2).maximum()", "is the name spelt as in the exercise?"),
+]
+"""Lines that raise an error, and what is said of it."""
+
+
+@pytest.mark.parametrize(("line", "hint"), ERRORS)
+def test_what_often_lies_behind_an_error(line: str, hint: str) -> None:
+    """The hint belongs to the error, and no other one comes first."""
+
+    def create(environment: Any) -> None:
+        """A function that needs an environment."""
+
+    def g(x: int, y: int) -> None:
+        """A function of two parameters."""
+
+    said = run(f"def f():\n    {line}", np=np, math=math, Pair=Pair, create=create, g=g)
+    assert f"({hint}" in said
+
+
+def test_every_hint_has_an_error() -> None:
+    """And so each pattern is known to find what it should."""
+    for _, told in HINTS:
+        assert any(hint in told for _, hint in ERRORS), told
+
+
+def test_placeholders_are_not_solved_yet() -> None:
+    """Neither the lesson's nor that of nbgrader is an error of the student's."""
+    for placeholder in (
+        "raise NotImplementedError('not solved yet: replace this line')",
+        "raise NotImplementedError()",
+    ):
+        assert run(f"def f():\n    {placeholder}").startswith("Not solved yet")
+    with pytest.raises(Unsolved), running("f()"):
+        raise NotImplementedError
+
+
+def test_warnings_and_verdicts_pass() -> None:
+    """Warnings are not shown, a verdict stays as it is, and an interrupt ends the check."""
+    with warnings.catch_warnings(record=True) as caught, running("f()"):
+        warnings.warn("old", stacklevel=1)
+        assert np.isinf(np.float64(1.0) / np.float64(0.0))
+    assert caught == []
+    with pytest.raises(WrongAnswer, match=r"^as it is$"), running("f()"):
+        raise WrongAnswer("as it is")
+    with pytest.raises(KeyboardInterrupt), running("f()"):
+        raise KeyboardInterrupt

@@ -1,0 +1,94 @@
+"""Numbers of every kind, and the mistakes that they come from."""
+
+import math
+from decimal import Decimal
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import pytest
+
+from edugym_course.grading import Unsolved, WrongAnswer
+from edugym_course.grading.values import compare, digits, number
+
+
+@pytest.mark.parametrize(
+    "value", [2, 2.0, np.int8(2), np.float16(2), np.array(2.0), np.array(2), Fraction(4, 2), Decimal("2"), np.uint64(2)]
+)
+def test_numbers_of_every_kind(value: Any) -> None:
+    """They are taken as floats."""
+    found = number("x", value)
+    assert type(found) is float
+    assert found == 2.0
+
+
+@pytest.mark.parametrize(
+    ("value", "says"),
+    [
+        (True, "truth value"),
+        (np.True_, "truth value"),
+        ("2", "leave the quotes out"),
+        ((2,), "tuple: take an entry"),
+        ([2], "list: take an entry"),
+        (np.array([2.0]), r"ndarray of shape \(1,\): take an entry"),
+        (lambda: 2, "call it"),
+        (2j, r"^x should be a real number, but is 2j: is it the root of a negative number\?$"),
+        (math.nan, "finite"),
+        (-math.inf, "finite"),
+        (10**400, "finite"),
+        (object(), "^x should be a number, but is of the type object$"),
+    ],
+)
+def test_what_is_no_number(value: Any, says: str) -> None:
+    """Each has its sentence."""
+    with pytest.raises(WrongAnswer, match=says):
+        number("x", value)
+
+
+def test_what_was_not_given() -> None:
+    """A placeholder is not solved yet; None from a function means that it returned nothing."""
+    for value in (..., None):
+        with pytest.raises(Unsolved, match="Not solved yet: x"):
+            number("x", value)
+    with pytest.raises(WrongAnswer, match=r"^f\(3\) gives None: is a `return` missing\? Or is none reached\?$"):
+        number("f(3)", None)
+
+
+def test_a_mistake_is_recognised() -> None:
+    """The nearest one, also rounded; the right number is told unless the author says something else."""
+    mistakes = {"the sign is wrong": -0.5, "it is doubled": 1.0, "nearly doubled": 1.001}
+    assert compare("x", np.float32(0.5), 0.5, mistakes) == 0.5
+    for value, says in ((-0.5, "the sign is wrong"), (1.0002, "it is doubled"), (1.0011, "nearly doubled")):
+        with pytest.raises(WrongAnswer, match=rf"^x should be 0.5, but is {value:.4g}: {says}$"):
+            compare("x", value, 0.5, mistakes)
+    with pytest.raises(WrongAnswer, match=r"^x should be 0.5, but is 0.7: that is none of the usual mistakes"):
+        compare("x", 0.7, 0.5, mistakes)
+    with pytest.raises(WrongAnswer, match=r"^half of it: the sign is wrong$"):
+        compare("x", -0.5, 0.5, mistakes, says=lambda found: "half of it")
+    assert compare("x", 0.51, 0.5, {}, tolerance=0.02) == 0.51
+    with pytest.raises(WrongAnswer, match=r"should be 0\.5, but is 0\.50000001"):
+        compare("x", 0.50000001, 0.5, {})
+
+
+@pytest.mark.parametrize(
+    ("value", "doubled"), [(1.0019, True), (1.0021, False), (0.9981, True), (0.9979, False), (1.0, True)]
+)
+def test_how_far_a_mistake_may_be_rounded(value: float, doubled: bool) -> None:
+    """By two thousandths of it; what is nearer to the right number is no mistake at all."""
+    with pytest.raises(WrongAnswer, match="it is doubled$" if doubled else "none of the usual mistakes"):
+        compare("x", value, 0.5, {"it is doubled": 1.0})
+    with pytest.raises(WrongAnswer, match="none of the usual mistakes"):
+        compare("x", value, value - 1e-6, {"it is nearly right": value + 1e-5})
+    with pytest.raises(WrongAnswer, match="none of the usual mistakes"):
+        compare("x", 1.0, 1.0 - 2**-10, {"it is as far away": 1.0 + 2**-10})
+
+
+def test_as_many_digits_as_tell_two_numbers_apart() -> None:
+    """Four, or more."""
+    assert digits(1 / 3, 0.5) == "0.3333"
+    assert digits(0.1234567, 0.1234566) == "0.1234567"
+    assert digits(2.0, 3.0) == "2"
+    assert digits(78_125.0, 9_765_625.0) == "78125"
+    assert digits(-0.0, 1.0) == "0"
+    assert (digits(999_999_999_999_999.0, 1.0), digits(1e300, 1.0)) == ("999999999999999", "1e+300")
+    assert digits(-0.8999999999999999, -0.9) == "-0.9"

@@ -1,0 +1,124 @@
+"""Every lesson in JupyterLab, in a real browser: it runs, its sliders and buttons work, and it shows no error.
+
+It runs where Chromium, its driver and Selenium are installed; CONTRIBUTING.md says how to get them, and how to get
+screenshots to look at.
+"""
+
+import importlib.util
+import os
+from collections.abc import Iterator
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import build
+import nbformat
+import pytest
+
+from edugym_course.lab.lessons import student_lessons
+from tests.course.lab.browser import CHROMIUM, DRIVER, Lab, Page, chromium, running_lab, screenshots, until
+
+SCREENSHOTS = os.environ.get("EDUGYM_SCREENSHOTS")
+TRAINED = "01_exploration"
+IN_SHORT = f"""
+import os, sys
+sys.path.append({str(build.ROOT)!r})
+from tests.course.lessons import few_runs
+sys.path.pop()
+few_runs.limit_runs() if {TRAINED!r} in os.environ["JPY_SESSION_NAME"] else few_runs.make_runs_up()
+del os, sys, few_runs
+"""
+"""In one lesson agents train in two runs, in the others their results are made up: a student sees and moves the same.
+
+Results, and what else lessons compute, are the matter of other tests.
+"""
+LESSONS = [lesson.name for lesson in student_lessons()]
+
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(
+        not (CHROMIUM and DRIVER and importlib.util.find_spec("selenium")),
+        reason="needs Chromium, chromedriver and Selenium; CONTRIBUTING.md says how to install them",
+    ),
+]
+
+
+@pytest.fixture(scope="module", params=["Light", "Dark"] if SCREENSHOTS else ["Light"])
+def lab(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Lab]:
+    """A running lab, in each theme if screenshots are wanted."""
+    folder = tmp_path_factory.mktemp("lab")
+    with running_lab(folder, f"JupyterLab {request.param}", "" if SCREENSHOTS else IN_SHORT) as lab:
+        template = build.student_edition(build.read_lesson(build.ROOT / "lessons" / "template.py"), "template")
+        nbformat.write(template, folder / "lessons" / "template.ipynb")
+        yield lab
+
+
+@pytest.fixture(scope="module")
+def driver() -> Iterator[Any]:
+    """A browser: one for all tests, for it keeps the code of JupyterLab."""
+    with chromium() as driver:
+        yield driver
+
+
+def test_the_start_page_leads_to_the_lessons(lab: Lab, driver: Any) -> None:
+    """It shows pictures, and a click opens a lesson."""
+    driver.get(lab.address)
+    links = "[...document.querySelectorAll('.jp-MarkdownViewer a[href*=ipynb]')]"
+    until(lambda: driver.execute_script(f"return {links}.length === {len(LESSONS)}"), "the links")
+    images = "[...document.querySelectorAll('.jp-MarkdownViewer img')]"
+    assert driver.execute_script(f"return {images}.every(image => image.naturalWidth > 0)")
+    driver.execute_script(f"{links}[0].click()")
+    until(lambda: driver.execute_script("return !!document.querySelector('.jp-Notebook')"), "the lesson")
+
+
+@pytest.mark.parametrize("lesson", [*LESSONS, "template"])  # the template also has a film
+def test_a_lesson_works(lesson: str, lab: Lab, driver: Any) -> None:
+    """All cells run, and nothing is wrong but what students have not solved yet; all that moves is moved."""
+    page = Page(driver, lab, f"{lesson}.ipynb")
+    cells = page.run_all()
+    assert len(cells) > 20
+    for cell in cells:
+        if cell["cell_type"] == "code" and "raises-exception" not in cell["metadata"].get("tags", []):
+            for output in cell["outputs"]:
+                assert output["output_type"] != "error", (cell["source"], output)
+                assert output.get("name") != "stderr", (cell["source"], output)
+    boxes = page.widgets()
+    assert sum(try_sliders(page, box) for box in boxes) > 0
+    assert sum(try_buttons(page, box) for box in boxes) > 0
+    if SCREENSHOTS:
+        screenshots(page, Path(SCREENSHOTS), f"{lesson}-{lab.theme}")
+
+
+def try_sliders(page: Page, box: Any) -> int:
+    """Move each slider in a box to an end, see that the picture changes, and return their number.
+
+    What lessons draw at both ends is the matter of their transcripts.
+    """
+    handles = page("[...arguments[0].querySelectorAll('.widget-hslider .noUi-handle')]", box)
+    for handle in handles:
+        low, high, now = (float(handle.get_attribute(f"aria-value{name}")) for name in ("min", "max", "now"))
+        name = page("arguments[0].closest('.widget-hslider').querySelector('.widget-label').innerText", handle)
+        side, value = ("left", low) if now == high else ("right", high)
+        before = page.picture(box)
+        page.drag(handle, side)
+        until(partial(is_another_picture, page, box, before), f"another picture: {name} moved to {value:g}", 30)
+        assert float(handle.get_attribute("aria-valuenow")) == value
+    assert page.errors(box) == []
+    return len(handles)
+
+
+def is_another_picture(page: Page, box: Any, before: str) -> bool:
+    """Whether the picture in a box is not what it was before."""
+    return page.picture(box) != before
+
+
+def try_buttons(page: Page, box: Any) -> int:
+    """Press the first button of a game or a film, see that something changes, and return the number of buttons."""
+    buttons = page("[...arguments[0].querySelectorAll('button:enabled')]", box)
+    if buttons and page.picture(box):
+        before = page.picture(box) + page.text(box)
+        page("arguments[0].scrollIntoView({block: 'center'})", buttons[0])
+        buttons[0].click()
+        until(lambda: page.picture(box) + page.text(box) != before, "an answer to the button", 30)
+        assert page.errors(box) == []
+    return len(buttons)

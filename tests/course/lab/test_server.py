@@ -1,0 +1,185 @@
+"""What JupyterLab is started with, what is compiled meanwhile, and what a lesson says of itself."""
+
+import base64
+import importlib
+import os
+import re
+import runpy
+import sys
+import threading
+import warnings
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from edugym_course.lab import lessons, server, start_page, warm_up
+from edugym_course.lab.lessons import Lesson, student_lessons
+from edugym_course.lessons import lesson_names
+
+OPENING = """# Doubling #2: by `x + x`
+**The challenge.** One
+line. **You will be able to** double. **Time.** 5 minutes. **Before you start.** Read **this**.
+
+**Time.** Another."""
+DOUBLING = Lesson(
+    "01_doubling",
+    "",
+    [
+        {"cell_type": "markdown", "source": [OPENING], "metadata": {}},
+        {"cell_type": "code", "source": "1", "metadata": {"tags": ["check"]}},
+        {"cell_type": "code", "source": "2", "metadata": {"tags": ["hidden"]}},
+        {"cell_type": "code", "source": "3", "metadata": {"tags": ["hidden", "check"]}},
+    ],
+)
+
+
+def test_what_a_lesson_says_of_itself() -> None:
+    """In one line each; a part ends at the next label or at the end of its paragraph."""
+    assert (DOUBLING.number, DOUBLING.title, DOUBLING.exercises) == (1, "Doubling #2: by `x + x`", 2)
+    assert [DOUBLING.part(label) for label in ("The challenge", "Time", "Before you start", "Author")] == [
+        "One line.",
+        "5 minutes.",
+        "Read **this**.",
+        "",
+    ]
+    long = DOUBLING._replace(name="12_x")
+    assert long.number == 12
+
+
+def test_the_lessons_are_in_order(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Those of an installed package before those of a checkout; other notebooks are no lessons."""
+    for folder in ("packaged", "checkout"):
+        (tmp_path / folder).mkdir()
+        for name in ("02_b.ipynb", "01_a.ipynb", "10_c.ipynb", "template.ipynb", "3.ipynb"):
+            (tmp_path / folder / name).write_text('{"cells": []}')
+    (tmp_path / "checkout" / "11_d.ipynb").write_text('{"cells": [{}]}')
+    monkeypatch.setattr(lessons, "PACKAGED", tmp_path / "packaged")
+    monkeypatch.setattr(lessons, "CHECKOUT", tmp_path / "checkout")
+    assert student_lessons() == [Lesson(name, '{"cells": []}', []) for name in ("01_a", "02_b", "10_c")]
+    monkeypatch.setattr(lessons, "PACKAGED", tmp_path / "nowhere")
+    assert student_lessons()[3:] == [Lesson("11_d", '{"cells": [{}]}', [{}])]
+
+
+def test_a_row_of_the_start_page(tmp_path: Path) -> None:
+    """Word for word, with the versions beside the student's own."""
+    for name in ("", "_new_version", "_new_version_2"):
+        (tmp_path / f"01_doubling{name}.ipynb").touch()
+    image, _, rest = start_page.row(DOUBLING, tmp_path).removeprefix("| ").partition(" | ")
+    assert rest == (
+        "**1. [Doubling #2: by `x + x`](01_doubling.ipynb)** ([01_doubling_new_version](01_doubling_new_version.ipynb))"
+        " ([01_doubling_new_version_2](01_doubling_new_version_2.ipynb))"
+        "<br>One line.<br>**Time.** 5 minutes. **Before you start.** Read **this**."
+        "<br>**Exercises.** 0 of 2 solved |\n"
+    )
+    found = re.fullmatch(r"!\[Boulder\]\(data:image/svg\+xml;base64,(.*)\)", image)
+    assert found
+    size = re.search(r'width="(\d+)" height="(\d+)"', base64.b64decode(found[1]).decode())
+    assert size
+    assert 114 <= max(map(int, size.groups())) <= 126  # its unit is a whole number of pixels
+    assert start_page.row(DOUBLING._replace(name="99_later"), tmp_path).startswith("|  | **99. [")
+
+
+def test_the_start_page_is_whole(tmp_path: Path) -> None:
+    """A row for each lesson of the course between its head and its foot."""
+    text = start_page.write_start_page(tmp_path).read_text()
+    assert text.startswith("# EduGym\n")
+    assert re.findall(r"\*\*(\d+)\. \[", text) == [str(lesson.number) for lesson in student_lessons()]
+    assert text.endswith("in the menu *File*.\n")
+
+
+@pytest.mark.parametrize(("user", "set_before"), [(0, "mine"), (1000, None)])
+def test_how_jupyterlab_is_started(
+    user: int, set_before: str | None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """At the start page of the student's folder; the student's own options come last, so that they win."""
+    started: list[Any] = []
+
+    @contextmanager
+    def warming_up(names: Sequence[str]) -> Iterator[None]:
+        started.append(names)
+        yield
+        started.append("ended")
+
+    labapp = SimpleNamespace(LabApp=SimpleNamespace(launch_instance=started.append))
+    monkeypatch.setitem(sys.modules, "jupyterlab.labapp", labapp)
+    monkeypatch.setattr(server, "warming_up", warming_up)
+    monkeypatch.setattr(os, "geteuid", lambda: user)
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.delenv("JUPYTER_CONFIG_PATH", raising=False)
+    if set_before:
+        monkeypatch.setenv("JUPYTER_CONFIG_PATH", set_before)
+    else:
+        monkeypatch.setenv("JUPYTER_CONFIG_PATH", "")
+    server.serve(Path("mine"), ["--port=1"])
+    names, arguments, end = started
+    assert (names, end) == (lesson_names(), "ended")
+    assert arguments == [
+        f"--ServerApp.root_dir={tmp_path}/mine",
+        "--LabApp.default_url=/lab/tree/start.md",
+        f"--LabApp.workspaces_dir={tmp_path}/mine/.edugym/workspaces",
+        "--ServerApp.answer_yes=True",
+        "--log-level=WARN",
+        "--port=1",
+        *["--allow-root"] * (user == 0),
+    ]
+    paths = os.environ["JUPYTER_CONFIG_PATH"].split(os.pathsep)
+    assert paths == [str(server.SETTINGS), *([set_before] if set_before else [])]
+    assert (tmp_path / "mine" / "start.md").exists()
+    settings = (server.SETTINGS / "labconfig" / "default_setting_overrides.json").read_text()
+    assert '"markdown": "Markdown Preview"' in settings
+    assert '"fetchNews": "false"' in settings
+
+
+@pytest.mark.parametrize("missing", ["jupyterlab", "ipywidgets", "matplotlib"])
+def test_what_the_lab_needs(missing: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is looked for before anything is written."""
+    monkeypatch.setattr("edugym.system.extras.find_spec", lambda library: None if library == missing else library)
+    with pytest.raises(Exception, match=rf'^{missing} is not installed, run `pip install "edugym\[lab\]"`$'):
+        server.require_jupyterlab()
+
+
+def test_what_is_compiled_in_the_background(monkeypatch: pytest.MonkeyPatch) -> None:
+    """With the lowest priority; a lesson that fails does not stop those after it."""
+    done: list[Any] = []
+
+    def fails() -> None:
+        raise RuntimeError
+
+    modules = {
+        "edugym_course.lessons.a": SimpleNamespace(warm_up=fails),
+        "edugym_course.lessons.b": SimpleNamespace(warm_up=lambda: done.append("b"), report=fails),
+        "edugym_course.lessons.c": SimpleNamespace(report=lambda **how: done.append(how)),
+    }
+    monkeypatch.setattr(warnings, "simplefilter", done.append)
+    monkeypatch.setattr(importlib, "import_module", modules.__getitem__)
+    monkeypatch.setattr(os, "nice", lambda by: done.append(by))
+    monkeypatch.setattr(threading.Thread, "start", lambda self: done.append((self.daemon, self._target)))
+    warm_up.main("abxc")
+    assert done == [19, (True, warm_up._end_with_standard_input), "ignore", "b", {"repetitions": 2, "jobs": 1}]
+
+
+def test_the_process_that_compiles(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It takes its lessons from its command line, and ends at the end of its standard input."""
+    asked: list[Any] = []
+
+    def read() -> str:
+        asked.append("read")
+        return ""
+
+    def load(name: str) -> SimpleNamespace:
+        asked.append(name)
+        return SimpleNamespace()
+
+    monkeypatch.setattr(os, "nice", lambda by: None)
+    monkeypatch.setattr(os, "_exit", asked.append)
+    monkeypatch.setattr(sys, "stdin", SimpleNamespace(read=read))
+    monkeypatch.setattr(sys, "argv", ["warm_up", "a", "b"])
+    monkeypatch.setattr(threading.Thread, "start", lambda self: self.run())
+    monkeypatch.setattr(warnings, "simplefilter", lambda action: None)
+    monkeypatch.setattr(importlib, "import_module", load)
+    runpy.run_path(warm_up.__file__, run_name="__main__")
+    assert asked == ["read", 0, "edugym_course.lessons.a", "edugym_course.lessons.b"]

@@ -1,0 +1,119 @@
+"""The start page, and the record of solved exercises that it shows."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from edugym_course.grading import WrongAnswer, check
+from edugym_course.lab import lessons
+from edugym_course.lab.progress import record_passed
+from edugym_course.lab.records import PASSED, passed
+from edugym_course.lab.server import prepare
+from edugym_course.lab.start_page import START_PAGE
+from tests.course.lab.conftest import notebook
+
+
+@pytest.fixture
+def folder(tmp_path: Path, shipped: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A student's folder, which is the present folder."""
+    prepare(tmp_path / "mine")
+    monkeypatch.chdir(tmp_path / "mine")
+    return tmp_path / "mine"
+
+
+def test_it_says_what_a_lesson_is_about(folder: Path) -> None:
+    """Title, challenge, time, and the picture of its environment, in one row of a table."""
+    text = (folder / START_PAGE).read_text()
+    assert "**1. [Doubling: two](01_doubling.ipynb)**<br>Small \\| numbers.<br>**Time.** 1 minute." in text
+    assert "![Boulder](data:image/svg+xml;base64," in text
+    assert "0 of 1 solved |" in text
+
+
+def test_it_shows_what_is_done(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A check may pass often, in a folder inside the student's; the page is never the student's own work by that."""
+    (folder / "deeper").mkdir()
+    monkeypatch.chdir(folder / "deeper")
+    for _ in range(2):
+        record_passed("01_doubling", 1)
+        record_passed("doubling", 7)  # an exercise of a later version
+    assert passed(folder, "doubling") == {1, 7}
+    assert len((folder / PASSED).read_text().splitlines()) == 2
+    assert "1 of 1 solved ✓" in (folder / START_PAGE).read_text()
+    assert [path.name for path in folder.glob("*.md")] == [START_PAGE]
+
+
+def test_a_check_that_passes_is_recorded(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """By the names of the exercise and its file; a wrong answer is not."""
+
+    def exercise_1(answer: int, seed: int) -> str:
+        if answer != 2:
+            raise WrongAnswer("twice one is two")
+        return "two"
+
+    exercise_1.__module__ = "edugym.exercises.doubling"
+    with pytest.raises(WrongAnswer):
+        check(exercise_1, 3)
+    assert passed(folder, "doubling") == set()
+    check(exercise_1, 2)
+    assert passed(folder, "doubling") == {1}
+    assert "1 of 1 solved ✓" in (folder / START_PAGE).read_text()
+
+
+def test_nothing_is_recorded_elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A notebook on Colab, or under nbgrader, leaves no file."""
+    monkeypatch.chdir(tmp_path)
+    record_passed("doubling", 1)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_record_that_cannot_be_written_is_no_error(folder: Path) -> None:
+    """The check has passed all the same."""
+    (folder / PASSED).mkdir()
+    record_passed("doubling", 1)
+
+
+def test_new_versions_are_told_and_linked(folder: Path, shipped: Path) -> None:
+    """One sentence for each lesson that has been changed."""
+    assert prepare(folder) == []
+    (folder / "01_doubling.ipynb").write_text("mine")
+    (shipped / "01_doubling.ipynb").write_text(notebook("2 + 2"))
+    assert prepare(folder) == [
+        "01_doubling.ipynb has your changes and stays as it is; the new version is in 01_doubling_new_version.ipynb"
+    ]
+    assert "([01_doubling_new_version](01_doubling_new_version.ipynb))" in (folder / START_PAGE).read_text()
+
+
+def test_every_lesson_of_the_course_can_be_shown() -> None:
+    """All have a title, a challenge, a time, knowledge that is needed, and exercises."""
+    found = lessons.student_lessons()
+    assert found
+    for lesson in found:
+        assert lesson.title
+        assert lesson.exercises >= 2
+        assert all(lesson.part(label) for label in ("The challenge", "Time", "Before you start")), lesson.name
+
+
+ENCODED = """
+import os, sys, warnings
+from pathlib import Path
+warnings.filterwarnings("error", category=EncodingWarning, module="edugym")
+import edugym
+edugym.QLearning
+from edugym_course.lab import lessons
+from edugym_course.lab.progress import record_passed
+from edugym_course.lab.server import prepare
+lessons.PACKAGED = Path(sys.argv[1])
+print(prepare(Path("mine")), prepare(Path("mine")))
+os.chdir("mine")
+record_passed("doubling", 1)
+record_passed("doubling", 1)
+"""
+
+
+def test_files_do_not_depend_on_the_language_of_the_computer(tmp_path: Path, shipped: Path) -> None:
+    """Each is opened with an encoding; Python warns of those that are not, if it is asked to."""
+    command = [sys.executable, "-X", "warn_default_encoding", "-c", ENCODED, str(shipped)]
+    assert subprocess.check_output(command, text=True, cwd=tmp_path) == "[] []\n"
+    assert (tmp_path / "mine" / PASSED).read_text(encoding="utf-8") == "doubling 1\n"

@@ -1,0 +1,166 @@
+"""Right and wrong answers to the exercises of a lesson: how they are read, and tried on the lesson's own checks."""
+
+import ast
+import linecache
+import re
+import textwrap
+from collections.abc import Sequence
+from itertools import pairwise
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import build
+from nbformat import NotebookNode
+from rules import is_check, is_code, is_exercise, without_marks, without_solutions
+
+from edugym_course.grading import WrongAnswer
+
+NAME = re.compile(r"exercise_(?P<exercise>\d+)_(?P<verdict>right|wrong)")
+SAYS = re.compile(r"^# says: (.+\n(?:#   .+\n)*)", flags=re.MULTILINE)
+
+
+class Answer(NamedTuple):
+    """An answer to an exercise.
+
+    Attributes:
+        lesson: the name of the lesson: "01_exploration".
+        exercise: the number of the exercise, from 1.
+        right: whether it is right.
+        name: what is special about it.
+        says: what the message must contain; if it is right, the line that is printed.
+        code: what stands in the cell, or methods that replace those of the solution.
+    """
+
+    lesson: str
+    exercise: int
+    right: bool
+    name: str
+    says: tuple[str, ...]
+    code: str
+
+
+class Exercise(NamedTuple):
+    """An exercise of a lesson.
+
+    Attributes:
+        placeholder: the cell as students get it.
+        solution: the cell with its solution.
+        check: the calls of `check` in the cell below, hidden ones too.
+    """
+
+    placeholder: str
+    solution: str
+    check: str
+
+
+def read_answers(lesson: str) -> tuple[str, list[Answer]]:
+    """Read the answers to the exercises of a lesson: `answers/exercise_1_right.py`, `answers/exercise_1_wrong.py`, ...
+
+    Returns:
+        The code that runs before every answer, and the answers.
+    """
+    setup, answers = "", []
+    for path in sorted((build.lesson_sources()[lesson].parent / "answers").glob("*.py")):
+        text = path.read_text(encoding="utf-8")
+        if path.stem == "setup":
+            setup = text
+            continue
+        found = NAME.fullmatch(path.stem)
+        assert found, f"{path}: its name should be like 'exercise_1_wrong.py'"
+        right = found["verdict"] == "right"
+        for part in re.split(r"^# %% ", text, flags=re.MULTILINE)[1:]:
+            name, _, body = part.partition("\n")
+            says = tuple(words.strip().replace("\n#  ", "") for words in SAYS.findall(body))
+            assert right or says, f"{path}: {name!r}: a wrong answer has a line '# says: ...'"
+            code = SAYS.sub("", body).strip() + "\n"
+            answers.append(Answer(lesson, int(found["exercise"]), right, name, says, code))
+    return setup, answers
+
+
+def read_exercises(lesson: Path) -> tuple[str, list[Exercise]]:
+    """Read the exercises of a lesson.
+
+    Returns:
+        The imports of the lesson, and the exercises in order.
+    """
+    cells = [cell for cell in build.read_lesson(lesson).cells if is_code(cell)]
+    imports = "\n".join(cell.source for cell in cells if is_imports(cell))
+    pairs = [(cell, below) for cell, below in pairwise(cells) if is_exercise(cell)]
+    return imports, [
+        Exercise(without_solutions(cell.source), without_marks(cell.source), _checks(below)) for cell, below in pairs
+    ]
+
+
+def is_imports(cell: NotebookNode) -> bool:
+    """Whether a cell has nothing but imports."""
+    return all(isinstance(part, ast.Import | ast.ImportFrom) for part in ast.parse(cell.source).body)
+
+
+def _checks(cell: NotebookNode) -> str:
+    """Return the calls of `check` in a cell, without the figures that it also draws."""
+    assert is_check(cell)
+    parts = ast.parse(without_marks(cell.source)).body
+    calls = [ast.unparse(part) for part in parts]
+    return "\n".join(call for call in calls if call.startswith("check("))
+
+
+def verdict(answer: Answer, exercise: Exercise, before: Sequence[str]) -> str:
+    """Try an answer on the check of its exercise.
+
+    Args:
+        answer: the answer.
+        exercise: its exercise.
+        before: what runs first: the imports of the lesson, and the setup of the answers.
+
+    Returns:
+        What the check says; "" if it passes.
+    """
+    namespace: dict[str, Any] = {"__name__": "__main__"}
+    for code in before:
+        exec(code, namespace)
+    whole = _with_methods(exercise.solution, answer.code)
+    if whole is None:
+        exec(exercise.placeholder, namespace)
+        whole = answer.code
+    file = f"<answer {answer.exercise}, {answer.name}>"
+    linecache.cache[file] = (len(whole), None, whole.splitlines(keepends=True), file)
+    exec(compile(whole, file, "exec"), namespace)
+    try:
+        exec(exercise.check, namespace)
+    except WrongAnswer as wrong:
+        return str(wrong)
+    return ""
+
+
+def _with_methods(solution: str, answer: str) -> str | None:
+    """Return the solution with methods from the answer in the place of its own; None if the answer is a whole cell."""
+    classes = [node for node in ast.parse(solution).body if isinstance(node, ast.ClassDef)]
+    methods = {part.name: part for node in classes for part in node.body if isinstance(part, ast.FunctionDef)}
+    parts = ast.parse(answer).body
+    imports = [ast.unparse(part) for part in parts if isinstance(part, ast.Import | ast.ImportFrom)]
+    given = [part for part in parts if not isinstance(part, ast.Import | ast.ImportFrom)]
+    if not all(isinstance(part, ast.FunctionDef) and part.name in methods for part in given):
+        return None
+    lines = solution.splitlines()
+    mine = {
+        part.name: ast.get_source_segment(answer, part) or "" for part in given if isinstance(part, ast.FunctionDef)
+    }
+    for name in sorted(mine, key=lambda name: -methods[name].lineno):
+        old = methods[name]
+        lines[old.lineno - 1 : old.end_lineno] = textwrap.indent(mine[name], " " * old.col_offset).splitlines()
+    return "\n".join([*imports, *lines]) + "\n"
+
+
+def solution(lesson: str, number: int, name: str) -> Any:
+    """Return what the lesson's solution of an exercise defines.
+
+    Args:
+        lesson: the name of the lesson: "01_exploration".
+        number: the number of the exercise, from 1.
+        name: what it defines.
+    """
+    imports, exercises = read_exercises(build.lesson_sources()[lesson])
+    namespace: dict[str, Any] = {"__name__": "__main__"}
+    exec(imports, namespace)
+    exec(exercises[number - 1].solution, namespace)
+    return namespace[name]

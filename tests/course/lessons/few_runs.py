@@ -1,0 +1,100 @@
+"""Experiments in few runs, or with made-up results, for tests of what lessons show; other tests see to claims."""
+
+import functools
+import json
+import re
+import warnings
+import zlib
+from typing import Any
+
+import gymnasium
+import numpy as np
+
+from edugym.experiments import repeat as repeating
+from edugym.experiments.configuration import described
+from edugym.experiments.repeat import repeat
+from edugym.experiments.results.tables import Results
+from edugym.training import train as training
+from edugym.training.contract import tables_of
+from edugym.training.run import Run
+from edugym.training.train import train
+from edugym_course.notebook.prediction import Comparison, Prediction
+
+ANY_RETURN, SOLVED_OR_NOT = (-20.0, 100.0), (0.0, 1.0)
+
+
+class Again(dict[int, Any]):
+    """The agents of a few runs, which stand for those of all others too."""
+
+    def __missing__(self, run: int) -> Any:
+        """Return an agent of the runs that there are."""
+        return self[run % len(self)]
+
+
+@functools.wraps(repeat)
+def few_runs(*arguments: Any, most: int = 2, **how: Any) -> Results:
+    """Return the results of `repeat` with so many repetitions at most."""
+    results = repeat(*arguments, **how | {"repetitions": min(how.get("repetitions", 10), most)})
+    return Results(results.table, {method: Again(agents) for method, agents in results.agents.items()})
+
+
+def made_up_run(
+    environment: Any, agent: Any, n_steps: int, *, returns: tuple[float, float] = ANY_RETURN, most: int = 50, **how: Any
+) -> Run:
+    """Let an agent train for a few steps, and return a run with returns that depend on nothing but the arguments."""
+    how = {name: value for name, value in how.items() if name not in ("stop", "progress") and value is not None}
+    rng = np.random.default_rng(zlib.crc32(told(environment, agent, n_steps, how).encode()))
+    few = min(n_steps, most)
+    run = train(environment, agent, few, **how | {"evaluate_every": few, "evaluation_episodes": 1})
+    every = how.get("evaluate_every", max(1, n_steps // 100))
+    steps = np.unique(np.append(np.arange(0, n_steps, every), n_steps))
+    made = np.round(rng.uniform(*returns, (2, len(steps))), 0 if returns == SOLVED_OR_NOT else 2)
+    made[:, 0] = returns[0]
+    return Run(steps, made[0], made[1], rng.integers(1, 9, len(steps)), run.agent, run.seed, 0.0, complete=True)
+
+
+def told(environment: Any, agent: Any, n_steps: int, how: dict[str, Any]) -> str:
+    """Return what a run is made of, as text: the same on every machine, and without the contents of long tables."""
+    settings = []
+    for part in (environment, agent):
+        part = part.unwrapped if isinstance(part, gymnasium.Env) else part
+        part = getattr(part, "mdp", part) if isinstance(part, gymnasium.Env) else part
+        try:
+            settings.append(described(part, "it"))
+        except TypeError:
+            settings.append({"it": type(part).__name__})
+    plain = json.dumps([settings, n_steps, sorted(how.items())], default=str, ensure_ascii=False)
+    plain = re.sub(r'\\"sha256\\": \\"\w+\\"', "", plain)
+    return re.sub(r"\d+\.\d+(?:e[-+]?\d+)?", lambda found: f"{float(found[0]):.6g}", plain)
+
+
+def random_run(*arguments: Any, **how: Any) -> Run:
+    """Return a made-up run whose agent has random numbers in its tables, others with each setting."""
+    run = made_up_run(*arguments, **how)
+    rng = np.random.default_rng(zlib.crc32(run.returns.tobytes()))
+    for table in tables_of(run.agent).values():
+        table[...] = rng.random(table.shape)
+    return run
+
+
+def limit_runs() -> None:
+    """Let all experiments of this process, in whatever module is imported from now on, take two runs."""
+    repeating.repeat = few_runs
+
+
+def make_runs_up() -> None:
+    """Let all runs of this process be made up, in whatever module is imported from now on; they need not make sense."""
+    measured = Prediction.measured
+
+    def one_of_the_options(asked: Prediction, value: Any, explanation: str = "") -> Comparison:
+        options = asked.options or [value]
+        return measured(asked, value if value in options else options[0], explanation)
+
+    warnings.simplefilter("ignore", RuntimeWarning)
+    limit_runs()
+    for owner, name, instead in (
+        (repeating, "train", random_run),
+        (training, "train", random_run),
+        (Prediction, "measured", one_of_the_options),
+    ):
+        setattr(owner, name, instead)

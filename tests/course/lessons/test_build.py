@@ -1,0 +1,398 @@
+"""Tests of the builder of notebooks, on a tiny lesson, and of every lesson that is there."""
+
+import ast
+import asyncio
+import importlib.metadata
+import importlib.util
+import shutil
+import subprocess
+import sys
+from contextlib import nullcontext
+from pathlib import Path
+from queue import Empty
+from types import SimpleNamespace
+from typing import Any, cast
+
+import build
+import nbformat
+import pytest
+from nbformat import NotebookNode
+from nbformat.v4 import new_code_cell, new_notebook
+from rules import is_code, without_solutions
+
+LESSON = '''\
+# %% [markdown]
+# # Doubling
+# **The challenge.** Numbers are small. **You will be able to** double them. **Time.** 1 minute.
+# **Before you start.** Nothing.
+
+# %% [markdown]
+# ## Meet the environment
+
+# %%
+import ipywidgets
+import matplotlib.pyplot as plt
+
+
+def draw(height: int) -> None:
+    """Draws a line."""
+    plt.plot([0, height])
+    plt.show()
+    print("drawn up to", height)
+
+
+# %% [markdown]
+# ## The idea
+# $2x = x + x$, and this is no heading:
+# ```
+# # a comment
+# ```
+
+# %%
+print(1 + 1)
+
+# %% [markdown]
+# ## The experiment
+
+# %%
+draw(3)
+
+# %% [markdown]
+# ## Your turn
+
+# %%
+_ = ipywidgets.interact(draw, height=(1, 5))
+
+# %% [markdown]
+# ## See inside
+
+# %%
+print({"b", "a", "c", "d"})
+
+# %% [markdown]
+# ## Predict, then check
+# **Predict.** What is 2 times 2?
+
+# %%
+from edugym_course.notebook import predict
+
+product = predict("2 times 2")
+product
+
+# %%
+product.measured(2 * 2)
+
+# %% [markdown]
+# <details><summary>What was measured</summary> **Measured.** 4. </details>
+
+# %% [markdown]
+# ## Exercises
+# Write `double`. <details><summary>Hint</summary> Add. </details>
+
+
+# %%
+def double(number: int) -> int:
+    """Twice the number."""
+    ### BEGIN SOLUTION
+    return number + number  # a secret sum
+    ### END SOLUTION
+
+
+# %% tags=["check"] points=2
+assert double(4) == 8, f"double(4) is 4 + 4 = 8, not {double(4)}"
+
+# %% [markdown]
+# Choose a `factor` that doubles. <details><summary>Hint</summary> It is even. </details>
+
+# %%
+factor = 1
+### BEGIN SOLUTION
+factor = 2  # secret
+### END SOLUTION
+
+# %%
+assert factor > 1, f"factor = {factor} does not double"
+### BEGIN HIDDEN TESTS
+assert factor == 2, "secret too"
+### END HIDDEN TESTS
+
+# %% [markdown]
+# ## What you saw
+# ### Limits
+# Overflow.
+# ### Further reading
+# None.
+'''
+
+
+@pytest.fixture
+def source(tmp_path: Path) -> Path:
+    """The tiny lesson, as a file."""
+    path = tmp_path / build.LESSONS / "doubling" / "01_doubling.py"
+    path.parent.mkdir(parents=True)
+    path.write_text(LESSON, encoding="utf-8")
+    return path
+
+
+def all_editions(source: Path) -> dict[str, NotebookNode]:
+    """The three editions of a lesson, not executed, by name."""
+    made = build.editions(source, source.parents[4] / "notebooks")
+    return dict(zip(["student", "solution", "teacher"], made.values(), strict=True))
+
+
+def test_students_see_no_solution_and_no_hidden_test(source: Path) -> None:
+    """Nothing of a solution or a hidden test is in the students' edition; the solution edition has all but marks."""
+    made = {name: nbformat.writes(notebook) for name, notebook in all_editions(source).items()}
+    for text in ("secret", "BEGIN", "END"):
+        assert text not in made["student"]
+        assert text in made["teacher"]
+    assert "secret sum" in made["solution"]
+    assert "secret too" in made["solution"]
+    assert "BEGIN" not in made["solution"]
+
+
+def test_every_cell_of_every_edition_is_plain_python_and_has_an_id_by_position(source: Path) -> None:
+    """All code parses, all notebooks are valid without a warning, and ids depend on the position alone."""
+    for notebook in all_editions(source).values():
+        nbformat.validate(notebook)
+        assert [cell.id for cell in notebook.cells] == [f"cell-{n:03d}" for n in range(len(notebook.cells))]
+        for cell in filter(is_code, notebook.cells):
+            assert ast.parse(cell.source).body
+            assert cell.outputs == []
+            assert cell.execution_count is None
+            assert "points" not in cell.metadata
+
+
+def test_what_takes_the_place_of_a_solution() -> None:
+    """In a function the placeholder raises, even inside a method's loop; elsewhere it does nothing."""
+    region = "### BEGIN SOLUTION\n{0}x = 1\n{0}### END SOLUTION"
+    method = (
+        f"class A:\n    def f(self):\n        for i in [1]:\n            {region.format(' ' * 12)}\n        return x"
+    )
+    assert 'raise NotImplementedError("not solved yet' in without_solutions(method)
+    loop = without_solutions(f"def f(): return 1\nfor i in [1]:\n    {region.format(' ' * 4)}\n")
+    assert loop == "def f(): return 1\nfor i in [1]:\n    # Your solution here.\n    pass"
+    exec(compile(loop, "cell", "exec"), {})
+
+
+def test_the_metadata_for_nbgrader(source: Path) -> None:
+    """Exercises and checks carry the metadata of nbgrader's schema 3; no other cell does."""
+    cells = all_editions(source)["teacher"].cells
+    roles = [cell.metadata["nbgrader"] for cell in cells if "nbgrader" in cell.metadata]
+    exercise = {"schema_version": 3, "task": False, "grade": False, "solution": True, "locked": False}
+    check = {"schema_version": 3, "task": False, "grade": True, "solution": False, "locked": True}
+    assert roles == [
+        exercise | {"grade_id": "exercise-1"},
+        check | {"grade_id": "check-1", "points": 2},
+        exercise | {"grade_id": "exercise-2"},
+        check | {"grade_id": "check-2", "points": 1},
+    ]
+
+
+def test_every_edition_installs_the_package_first_and_ends_with_the_form(source: Path) -> None:
+    """The first code cell installs the package, the last text links to the form, students find a link to Colab."""
+    made = all_editions(source)
+    for notebook in made.values():
+        assert next(filter(is_code, notebook.cells)).source == build.INSTALL
+        assert "lesson-feedback.yml&lesson=01_doubling" in notebook.cells[-1].source
+    assert "/blob/main/notebooks/01_doubling.ipynb" in made["student"].cells[0].source
+
+
+def test_the_install_cell_keeps_what_is_there(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nothing is installed where the package is; where it is not, NumPy and torch are pinned to what is there."""
+    commands: list[list[str]] = []
+    monkeypatch.setattr(subprocess, "run", lambda command, check: commands.append(command))
+    monkeypatch.setattr(importlib.metadata, "version", lambda name: {"numpy": "2.0.1", "torch": "2.6.0+cu124"}[name])
+    there = {"edugym", "numpy"}
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name: sys if name in there else None)
+    exec(build.INSTALL, {})
+    assert commands == []
+    there.remove("edugym")
+    exec(build.INSTALL, {})
+    there.add("torch")
+    exec(build.INSTALL, {})
+    pins = [Path(command[command.index("--constraint") + 1]).read_text().split() for command in commands]
+    assert pins == [["numpy==2.0.1"], ["numpy==2.0.1", "torch==2.6.0+cu124"]]
+    assert all(command[-1].startswith("edugym[notebook] @ git+https://") for command in commands)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("## The idea", "## An idea", "the headings must begin so"),
+        ("# ## Your turn", "# Play.\n# ## Your turn", "opens its cell"),
+        ("**Time.** 1 minute.", "", r"must contain '\*\*Time"),
+        ("### Limits", "", "must contain '### Limits'"),
+        ("%%\nproduct.measured(2 * 2)", "%% [markdown]\n# 4", "needs next a code cell"),
+        ("product.measured(2 * 2)", "print(2 * 2)", "needs next a code cell"),
+        ('predict("2 times 2")', "2 * 2", "needs next a code cell"),
+        ("<details><summary>What was measured</summary>", "", "needs next a code cell"),
+        ('# %%\nprint({"b", "a", "c", "d"})', "", "'## See inside' must have a code cell"),
+        ("<details><summary>Hint</summary> Add. </details>", "", "a hint that folds out"),
+        ('tags=["check"] points=2', "", "followed by its check"),
+        ('# %%\nprint({"b", "a", "c", "d"})', '# %% tags=["check"]\n1', "follows the exercise that it checks"),
+        ("    ### END SOLUTION\n", "", "SOLUTION is marked in code by a line"),
+        ("    ### BEGIN SOLUTION", "    ## BEGIN SOLUTION", "SOLUTION is marked in code by a line"),
+        ("# ## Exercises", "# ## Exercises\n# ### BEGIN SOLUTION\n# ### END SOLUTION", "SOLUTION is marked in code"),
+        ('assert factor > 1, f"factor = {factor} does not double"', "# hidden", "a part that students see"),
+        ("### BEGIN SOLUTION\nfactor = 2  # secret\n### END SOLUTION", "", "2 to 4 exercises"),
+        ("print(1 + 1)", "!pip install numpy", "not valid Python"),
+        ("interact(draw,", "interact(lambda height: height,", "the widget calls lambda height: height"),
+        ("# %%\ndraw(3)", "# %%\nprint(3)", "the widget calls draw"),
+    ],
+)
+def test_a_lesson_that_breaks_a_rule_is_refused(source: Path, old: str, new: str, message: str) -> None:
+    """Every rule is broken once, and the message says what to do."""
+    assert old in LESSON
+    source.write_text(LESSON.replace(old, new, 1), encoding="utf-8")
+    with pytest.raises(build.LessonError, match=message):
+        build.read_lesson(source)
+
+
+@pytest.mark.slow
+def test_building_twice_changes_no_byte(
+    source: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A second build writes nothing, and one that executes again writes the same bytes, which `--check` accepts."""
+    root = source.parents[4]
+    monkeypatch.setenv("MPLBACKEND", "Agg")
+    monkeypatch.setenv("PYTHONHASHSEED", "random")
+    assert build.main([], root) == 0
+    files = {path: path.read_bytes() for path in (root / "notebooks").rglob("*.ipynb")}
+    assert len(files) == 3
+    assert build.main(["01_doubling"], root) == 0
+    assert capsys.readouterr().out.count("wrote") == 3
+    assert build.build(source, root / "notebooks", execute_again=True) == [
+        root / "notebooks/solutions/01_doubling.ipynb"
+    ]
+    assert {path: path.read_bytes() for path in files} == files
+    assert build.main(["--check"], root) == 0
+    solution = nbformat.read(root / "notebooks/solutions/01_doubling.ipynb", as_version=4)
+    outputs = [output for cell in filter(is_code, solution.cells) for output in cell.outputs]
+    printed = [output.text for output in outputs if output.output_type == "stream"]
+    assert printed[:2] == ["2\n", "drawn up to 3\n"]
+    assert sum("image/png" in output.get("data", {}) for output in outputs) == 1
+    assert "widget" not in str(outputs)
+    assert "widgets" not in solution.metadata
+
+
+def test_check_names_what_is_not_current(source: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Missing, edited and left-over notebooks are named; outputs are allowed in solutions only."""
+    root = source.parents[4]
+    made = build.editions(source, root / "notebooks")
+    student, solution, teacher = made
+    for path in (student, solution):
+        path.parent.mkdir(exist_ok=True)
+        cell = next(filter(is_code, made[path].cells))
+        cell.outputs, cell.execution_count = [nbformat.v4.new_output("stream", text="done\n")], 1
+        path.write_text(nbformat.writes(made[path]), encoding="utf-8")
+    (root / "notebooks" / "00_gone.ipynb").touch()
+    (root / "notebooks" / ".ipynb_checkpoints").mkdir()
+    (root / "notebooks" / ".ipynb_checkpoints" / "01_doubling-checkpoint.ipynb").touch()
+    assert build.main(["--check"], root) == 1
+    named = [line.rpartition(": ")[2] for line in capsys.readouterr().err.splitlines()]
+    assert named == [str(path.relative_to(root)) for path in (root / "notebooks/00_gone.ipynb", student, teacher)]
+    source.write_text(LESSON.replace("1 + 1", "1 + 2"), encoding="utf-8")
+    assert not build.is_current(solution, build.editions(source, root / "notebooks")[solution])
+
+
+def test_the_command_line_names_lessons_and_problems(source: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """An unknown lesson and a broken rule end the program with a message, and nothing is written."""
+    root = source.parents[4]
+    with pytest.raises(SystemExit):
+        build.main(["02_tripling"], root)
+    assert "no lesson 02_tripling; there are: 01_doubling" in capsys.readouterr().err
+    source.write_text(LESSON.replace("## The idea", "## An idea"), encoding="utf-8")
+    assert build.main([], root) == 1
+    assert "01_doubling.py: the headings must begin so" in capsys.readouterr().err
+    assert not (root / "notebooks").exists()
+
+
+def test_a_large_notebook_is_refused() -> None:
+    """A notebook that GitHub would not show is refused, with its size."""
+    notebook = new_notebook(cells=[new_code_cell("x = '" + "x" * build.SIZE_LIMIT + "'")])
+    with pytest.raises(build.LessonError, match=r"large: the notebook has 2,000,\d\d\d bytes"):
+        build.to_text(notebook, "large")
+
+
+WIDGET_ERROR = "import ipywidgets\ndef shout(x):\n    raise KeyError('in a widget')\nipywidgets.interact(shout, x=2)"
+CLEARED_ERROR = """\
+import ipywidgets
+def shout(x):
+    if x < 3:
+        raise KeyError('in a widget')
+slider = ipywidgets.IntSlider(2)
+ipywidgets.interact(shout, x=slider)
+slider.value = 4"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("code", "message"),
+    [
+        (WIDGET_ERROR, "one: cell-000 .*KeyError: 'in a widget'"),
+        (CLEARED_ERROR, "one: cell-000 .*KeyError: 'in a widget'"),
+        ("b = ipywidgets.Button()\nb.on_click(lambda _: 1 / 0)\nb.click()", "ZeroDivisionError"),
+        ("1 / 0", r"cell-000 \('1 / 0'\): ZeroDivisionError"),
+        ("import warnings\nwarnings.warn('old')", "wrote to stderr: .*UserWarning: old"),
+        ("object()", "prints <object at 0x.* end with plt.show"),
+        ("import time\ntime.sleep(20)", "cell-000 .*timed out"),
+        ("import os\nos._exit(1)", "cell-000 .*Kernel died"),
+    ],
+)
+def test_what_a_reader_would_see_go_wrong_fails_the_build(code: str, message: str) -> None:
+    """An exception, also one that a widget swallows or later clears away, a warning, an address, a wait, a crash."""
+    source = code if "import" in code or "ipywidgets" not in code else f"import ipywidgets\n{code}"
+    notebook = new_notebook(cells=[new_code_cell(source, id="cell-000")])
+    with pytest.raises(build.LessonError, match=f"(?s){message}"):
+        build.execute(notebook, "one", seconds=1 if "sleep" in code else 5)
+
+
+class Channel:
+    """A channel that only notices at its second look that a reply has come, or never."""
+
+    def __init__(self, *, ever: bool) -> None:
+        """Make a channel that nobody has looked at."""
+        self.looks, self.ever = list[float](), ever
+
+    async def get_msg(self, timeout: float) -> dict[str, str]:
+        """Return the reply, or raise `Empty` when the time is over, as a channel of Jupyter does."""
+        self.looks.append(timeout)
+        if self.ever and len(self.looks) == 2:
+            return {"msg_type": "execute_reply"}
+        await asyncio.sleep(timeout)
+        raise Empty
+
+
+def test_a_reply_that_was_missed_is_found_at_the_next_look() -> None:
+    """The builder looks once a second; it gives up when the time of the cell is over."""
+    for timeout, ever, looks in ((60, True, 2), (1.2, False, 2), (0, False, 1)):
+        client, channel = build.LessonClient(new_notebook()), Channel(ever=ever)
+        client.kc = cast(Any, SimpleNamespace(shell_channel=channel))
+        client.begin(client.nb)
+        with nullcontext() if ever else pytest.raises(Empty):
+            assert asyncio.run(channel.get_msg(timeout)) == {"msg_type": "execute_reply"}
+        assert len(channel.looks) == looks
+        assert sum(channel.looks) == pytest.approx(2 if ever else timeout, abs=0.1)
+
+
+@pytest.mark.slow
+def test_an_unsolved_notebook_runs_to_its_end(source: Path) -> None:
+    """Checks say what is missing, nothing else fails; a demonstration that needs a solution is an error."""
+    student = all_editions(source)["student"]
+    build.execute(student, "01_doubling")
+    said = [o.evalue for cell in filter(is_code, student.cells) for o in cell.outputs if o.output_type == "error"]
+    assert said == ["not solved yet: replace this line", "factor = 1 does not double"]
+    source.write_text(LESSON.replace("# Choose a", "# %%\ndouble(1)\n\n# %% [markdown]\n# Choose a"), encoding="utf-8")
+    with pytest.raises(build.LessonError, match=r"cell-020 \('double\(1\)'\): NotImplementedError"):
+        build.execute(all_editions(source)["student"], "01_doubling")
+
+
+@pytest.mark.slow
+def test_the_template_builds(tmp_path: Path) -> None:
+    """Copied to the place of a lesson it makes three notebooks, and it runs from top to bottom."""
+    source = tmp_path / "lessons" / "99_new.py"
+    source.parent.mkdir()
+    shutil.copy(build.ROOT / "lessons" / "template.py", source)
+    assert len(build.build(source, tmp_path / "notebooks")) == 3
+    assert build.outdated(source, tmp_path / "notebooks") == []

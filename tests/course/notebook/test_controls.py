@@ -1,0 +1,287 @@
+"""Figures with sliders: an experiment that is done again at each change."""
+
+import base64
+import io
+from collections.abc import Callable, Iterator
+from types import SimpleNamespace
+from typing import Any
+
+import ipywidgets
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+import pytest
+from matplotlib.figure import Figure
+from PIL import Image
+
+from edugym.experiments.figures import Sheet
+from edugym.rendering.scene import Circle, Scene
+from edugym_course.notebook import sliders
+from edugym_course.notebook.controls import call
+from tests.course.notebook.widgets import texts
+
+
+@pytest.fixture(autouse=True)
+def no_figure_left() -> Iterator[None]:
+    """Every test must leave as many figures open as it opened itself: none."""
+    plt.switch_backend("agg")
+    yield
+    assert plt.get_fignums() == []
+
+
+def curve(slope: float = 1.0, points: int = 3, colour: str = "red", dashed: bool = False) -> Any:
+    """A straight line."""
+    _, axes = plt.subplots(figsize=(2, 1))
+    axes.plot(np.arange(points) * slope, "--" if dashed else "-", color=colour)
+    axes.set_title(f"slope {slope:g}")
+    return axes
+
+
+def test_exploring_with_sliders() -> None:
+    """The function is called once at first and once for each change, with what the controls say."""
+    calls: list[dict[str, Any]] = []
+
+    def recorded(slope: float = 1.0, points: int = 3, colour: str = "red", dashed: bool = False) -> Any:
+        calls.append({"slope": slope, "points": points, "colour": colour, "dashed": dashed})
+        return curve(slope, points, colour, dashed)
+
+    panel = sliders(recorded, slope=(0.0, 2.0, 0.5), points=(2, 6, 2), colour=["blue", "red"], dashed=True)
+    first = {"slope": 1.0, "points": 3, "colour": "red", "dashed": False}
+    assert calls == [first]
+    before = texts(panel.widget)[1]
+    assert before.startswith('<img alt="slope 1" src="data:image/png;base64,')
+    for name, value in {"slope": 1.5, "points": 4, "colour": "blue", "dashed": True}.items():
+        panel.controls[name].value = value
+        first[name] = value
+        assert calls[-1] == first
+    assert len(calls) == 5
+    assert texts(panel.widget)[0] == "Done."
+    assert texts(panel.widget)[1].startswith('<img alt="slope 1.5"')
+    png = base64.b64decode(panel.still()["image/png"])
+    with Image.open(io.BytesIO(png)) as image:
+        assert image.format == "PNG"
+        assert image.width > 100
+
+
+def test_the_status_says_that_the_function_is_running() -> None:
+    """And afterwards that it is not any more."""
+    status: list[str] = []
+
+    def watched(x: int = 1) -> str:
+        status.append(texts(panels[0].widget)[0] if panels else "first")
+        return f"x is {x}"
+
+    panels: list[Any] = []
+    panels.append(sliders(watched, x=(1, 3)))
+    panels[0].controls["x"].value = 2
+    assert status == ["first", "Computing ..."]
+    assert texts(panels[0].widget) == ["Done.", "<pre>x is 2</pre>"]
+
+
+@pytest.mark.parametrize(
+    ("allowed", "kind", "value"),
+    [
+        ((0, 4), ipywidgets.IntSlider, 2),
+        ((0, 4.0), ipywidgets.FloatSlider, 2.0),
+        ((0, 4, 2), ipywidgets.IntSlider, 2),
+        ([1, 2, 5], ipywidgets.SelectionSlider, 2),
+        (range(4), ipywidgets.SelectionSlider, 2),
+        ([2, "two"], ipywidgets.Dropdown, 2),
+        ([2, True], ipywidgets.Dropdown, 2),
+        (True, ipywidgets.Checkbox, True),
+    ],
+)
+def test_kinds_of_controls(allowed: Any, kind: type[Any], value: Any) -> None:
+    """Each starts from the function's default, and counts only when it is let go."""
+    control = sliders(lambda x=2: None, x=allowed).controls["x"]
+    assert type(control) is kind
+    assert control.value == value
+    assert control.description == "x"
+    assert not getattr(control, "continuous_update", False)
+
+
+@pytest.mark.parametrize(
+    ("default", "allowed"), [(0, (-2, 2)), (0.0, (-1.0, 1.0)), (0, [1, 0]), ("", ["a", ""]), (False, True)]
+)
+def test_a_default_that_is_zero_or_empty(default: Any, allowed: Any) -> None:
+    """It is a default all the same."""
+    assert sliders(lambda x=default: None, x=allowed).controls["x"].value == default
+
+
+def test_ends_steps_and_labels() -> None:
+    """As given; whole numbers go by one, others by a hundredth of the range. All labels are as wide as the longest."""
+
+    def function(learning_rate: float = 0.5, x: int = 3, y: int = 4, z: float = 1.5, kind: str = "b") -> None:
+        """Nothing to see."""
+
+    ranges: dict[str, Any] = {"learning_rate": (0.0, 2.0), "x": (1, 9), "y": (0, 8, 2), "z": (1, 3, 0.5)}
+    controls = sliders(function, **ranges, kind=["a", "b"]).controls
+    of_sliders = [(slider.min, slider.max, slider.step) for slider in map(controls.get, ranges) if slider is not None]
+    assert of_sliders == [(0, 2, 0.02), (1, 9, 1), (0, 8, 2), (1, 3, 0.5)]
+    assert [control.description for control in controls.values()] == ["learning rate", "x", "y", "z", "kind"]
+    assert {control.style.description_width for control in controls.values()} == {"13ch"}
+    assert {control.layout.width for control in controls.values()} == {"420px"}
+    assert (controls["kind"].options, controls["kind"].value) == (("a", "b"), "b")
+    assert sliders(lambda x=3: None, x=range(1, 7, 2)).controls["x"].options == (1, 3, 5)
+
+
+def test_controls_without_a_default() -> None:
+    """A slider starts at its low end, a list at its first value, a box as given; widgets are taken as they are."""
+    seen: list[tuple[Any, ...]] = []
+
+    def recorded(a: Any, b: Any, c: Any, learning_rate: Any) -> None:
+        seen.append((a, b, c, learning_rate))
+
+    logarithmic = ipywidgets.FloatLogSlider(value=0.1, min=-3, max=0)
+    panel = sliders(recorded, a=(3, 9), b=["x", "y"], c=True, learning_rate=logarithmic)
+    assert seen == [(3, "x", True, 0.1)]
+    assert panel.controls["learning_rate"] is logarithmic
+    assert not logarithmic.continuous_update
+
+
+@pytest.mark.parametrize(("step", "digits"), [(0.5, ".1f"), (0.25, ".2f"), (0.001, ".3f"), (1e-9, ".6f"), (2.0, ".0f")])
+def test_sliders_show_as_many_digits_as_they_have(step: float, digits: str) -> None:
+    """Not two for all."""
+    control = sliders(lambda x=0.0: None, x=(0.0, 4.0, step)).controls["x"]
+    assert control.readout_format == digits
+
+
+@pytest.mark.parametrize(
+    ("controls", "message"),
+    [
+        ({"y": (0, 1)}, "control must be one of 'x', but is 'y'"),
+        ({"x": (5, 9)}, "x must be from 5 to 9, but the default of the function is 2"),
+        ({"x": [1, 3]}, "x must be one of 1, 3, but is 2"),
+        ({"x": (4, 0)}, r"x must be \(low, high\) or .* but is \(4, 0\)"),
+        ({"x": (0, 4, 0)}, r"x must be \(low, high\) or .* but is \(0, 4, 0\)"),
+        ({"x": []}, r"x must be \(low, high\) or .* but is \[\]"),
+        ({"x": (0,)}, r"x must be \(low, high\) or .* but is \(0,\)"),
+        ({"x": (0, 4, 1, 2)}, r"x must be \(low, high\) or .* but is \(0, 4, 1, 2\)"),
+        ({"x": (0, "4")}, r"x must be \(low, high\) or .* but is \(0, '4'\)"),
+        ({"x": "text"}, r"x must be \(low, high\) or .* but is 'text'"),
+        ({"x": (2, 2)}, r"x must be \(low, high\) or .* with low < high .* but is \(2, 2\)"),
+        ({"x": np.array([0, 4])}, r"x must be \(low, high\) or .* but is array\(\[0, 4\]\)"),
+    ],
+)
+def test_wrong_controls_are_named(controls: dict[str, Any], message: str) -> None:
+    """Before the function is called."""
+
+    def never(x: int = 2) -> None:
+        pytest.fail("called")
+
+    with pytest.raises(ValueError, match=message):
+        sliders(never, **controls)
+
+
+def grid_of_axes() -> Any:
+    """Two axes in an array, as `plt.subplots` returns them."""
+    return plt.subplots(1, 2)[1]
+
+
+def axes_in_a_subfigure() -> Any:
+    """Axes in a part of a figure."""
+    part: Any = plt.figure().subfigures()
+    axes = part.subplots()
+    axes.set_title("a part")
+    return axes
+
+
+def figure_without_pyplot() -> Figure:
+    """A figure that no list of open figures knows."""
+    figure = Figure()
+    figure.subplots().set_title("drawn apart")
+    return figure
+
+
+def nothing_returned() -> None:
+    """Figures that are only made, of which the last one is shown."""
+    plt.figure().suptitle("made first")
+    plt.figure().suptitle("made")
+
+
+def text_beside_a_figure() -> str:
+    """What is returned counts, not what was drawn on the way."""
+    plt.figure()
+    return "done"
+
+
+@pytest.mark.parametrize(
+    ("function", "mime_type", "data", "description"),
+    [
+        (curve, "image/png", "iVBOR", "slope 1"),
+        (grid_of_axes, "image/png", "iVBOR", "grid_of_axes"),
+        (axes_in_a_subfigure, "image/png", "iVBOR", "a part"),
+        (figure_without_pyplot, "image/png", "iVBOR", "drawn apart"),
+        (nothing_returned, "image/png", "iVBOR", "made"),
+        (text_beside_a_figure, "text/html", "<pre>done</pre>", "text_beside_a_figure"),
+        (lambda: Sheet("made", []), "image/png", "iVBOR", "<lambda>"),
+        (lambda: ("two", [1, 2]), "text/html", "<pre>(&#x27;two&#x27;, [1, 2])</pre>", "<lambda>"),
+        (lambda: [[]], "text/html", "<pre>[[]]</pre>", "<lambda>"),
+        (lambda: np.zeros(0), "text/html", "<pre>[]</pre>", "<lambda>"),
+        (lambda: Scene(1, 1, (Circle(0.5, 0.5, 0.2),)), "image/svg+xml", "<svg", "<lambda>"),
+        (lambda: pd.DataFrame({"method": [1]}), "text/html", "<div>", "<lambda>"),
+        (lambda: "a < b", "text/html", "<pre>a &lt; b</pre>", "<lambda>"),
+        (lambda: SimpleNamespace(figure=3), "text/html", "<pre>namespace(figure=3)</pre>", "<lambda>"),
+        (lambda: None, "text/html", "", "<lambda>"),
+    ],
+)
+def test_what_functions_return(function: Callable[..., Any], mime_type: str, data: str, description: str) -> None:
+    """Figures, axes, scenes, tables and texts are all shown."""
+    result = call(function, {})
+    assert (result.mime_type, result.description) == (mime_type, description)
+    assert result.data.startswith(data)
+    assert (result.data == "") == (data == "")
+
+
+def test_a_picture_is_a_png_whatever_the_reader_saves() -> None:
+    """Their setting of Matplotlib is for their own files."""
+    with plt.rc_context({"savefig.format": "svg"}):
+        assert call(curve, {}).data.startswith("iVBOR")
+
+
+def test_figures_of_others_stay_open() -> None:
+    """Only what the function made is closed, also when it fails."""
+    own = plt.figure()
+
+    def failing() -> None:
+        plt.figure()
+        raise RuntimeError("no")
+
+    call(curve, {})
+    with pytest.raises(RuntimeError, match="no"):
+        call(failing, {})
+    assert plt.get_fignums() == [own.number]
+    plt.close(own)
+
+
+def test_a_first_call_that_fails_fails_in_the_cell() -> None:
+    """Then there is no widget that could show the error."""
+
+    def failing(x: int = 1) -> None:
+        raise RuntimeError("no")
+
+    with pytest.raises(RuntimeError, match="no"):
+        sliders(failing, x=(1, 2))
+
+
+@pytest.mark.parametrize("allowed", [(2, 5), (0, 2)])
+def test_a_default_may_be_at_an_end(allowed: tuple[int, int]) -> None:
+    """The slider starts there."""
+
+    def doubled(x: int = 2) -> str:
+        return str(2 * x)
+
+    control = sliders(doubled, x=allowed).controls["x"]
+    assert (control.value, control.min, control.max) == (2, *allowed)
+
+
+def test_a_figure_is_cut_to_what_is_drawn() -> None:
+    """Empty margins take room from the cell."""
+
+    def small() -> Figure:
+        figure = Figure(figsize=(6, 6), dpi=50)
+        figure.add_axes((0.4, 0.4, 0.2, 0.2))
+        return figure
+
+    width, height = Image.open(io.BytesIO(base64.b64decode(call(small, {}).data))).size
+    assert max(width, height) < 150

@@ -1,0 +1,53 @@
+"""The form of a lesson's experiments."""
+
+import inspect
+import threading
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+from edugym.experiments.checkpoints import CHECKPOINTS
+from edugym_course.report import Report
+from edugym_course.reporting import How, for_mdp, reporting
+
+
+def test_how_an_experiment_is_run() -> None:
+    """What all share, the file of one, and what replaces either."""
+    shared = {"repetitions": "7", "seed": 3}
+    how, nowhere = How(shared, Path("folder")), How(shared, None)
+    assert how() == nowhere("name") == shared
+    assert how("name") == shared | {"save_to": Path("folder/name.csv")}
+    assert how("name", seed=4, save_to=None, jobs=1) == {"repetitions": "7", "seed": 4, "save_to": None, "jobs": 1}
+    assert how.repetitions == 7
+
+
+def test_a_report_is_measured_and_judged() -> None:
+    """With the caller's arguments; after an interruption nothing is judged."""
+    asked: list[How] = []
+
+    def measure(how: How) -> tuple[Any, ...]:
+        asked.append(how)
+        return 1, 2
+
+    def judge(one: Any, other: Any) -> Report:
+        return Report([one], [other])
+
+    report = reporting(measure, judge, 30)
+    assert report() == judge(1, 2)
+    stop = threading.Event()
+    assert report(repetitions=4, seed=5, jobs=6, progress=True, stop=stop, folder=Path("here")) == report()
+    default, given, _ = asked
+    assert isinstance(default.shared.pop("stop"), threading.Event)
+    assert default == How({"repetitions": 30, "seed": 0, "jobs": -1, "progress": False, "checkpoints": None}, None)
+    assert given.shared.pop("stop") is stop
+    assert given.shared.pop("checkpoints") == Path("here") / CHECKPOINTS
+    assert given == How({"repetitions": 4, "seed": 5, "jobs": 6, "progress": True}, Path("here"))
+    stop.set()
+    assert report(stop=stop) == Report([], [])
+    assert inspect.signature(report).parameters["repetitions"].default == 30
+
+
+def test_an_agent_for_the_mdp_of_an_environment() -> None:
+    """Wrappers are passed over."""
+    environment = SimpleNamespace(unwrapped=SimpleNamespace(mdp="the MDP"))
+    assert for_mdp(lambda mdp: ("agent", mdp))(environment) == ("agent", "the MDP")

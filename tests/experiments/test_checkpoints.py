@@ -1,0 +1,252 @@
+"""Finished runs are kept: the same call goes on from them, and comes to the same results."""
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from edugym import EpsilonGreedy, QLearning, Results, repeat
+from edugym.experiments import checkpoints
+from edugym.experiments import repeat as repeating
+from edugym.system.files import write_whole
+from edugym.system.interrupts import Interrupted
+from edugym.training.run import Run
+from edugym.training.train import train
+
+
+@pytest.fixture
+def trained(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """The seeds of the runs that were computed, one after another."""
+    seeds: list[int] = []
+
+    def noted(*arguments: Any, **more: Any) -> Run:
+        seeds.append(more["seed"])
+        return train(*arguments, **more)
+
+    monkeypatch.setattr(repeating, "train", noted)
+    return seeds
+
+
+def small(folder: Path | None, **changes: Any) -> Results:
+    """Three runs on a low wall."""
+    arguments: dict[str, Any] = {
+        "agents": {"Q": QLearning.create},
+        "n_steps": 300,
+        "repetitions": 3,
+        "parameters": {"height": 4},
+        "jobs": 1,
+        "checkpoints": folder,
+    } | changes
+    return repeat("Boulder", **arguments)
+
+
+def test_finished_runs_are_not_computed_again(tmp_path: Path, trained: list[int]) -> None:
+    """They come back with their agents."""
+    first = small(tmp_path)
+    again = small(tmp_path)
+    assert len(trained) == 3
+    pd.testing.assert_frame_equal(first.table, again.table)
+    for repetition, agent in first.agents["Q"].items():
+        assert np.array_equal(agent.Q, again.agents["Q"][repetition].Q)
+
+
+def test_a_longer_experiment_goes_on(tmp_path: Path, trained: list[int]) -> None:
+    """The first repetitions are those of the shorter one."""
+    small(tmp_path)
+    small(tmp_path, repetitions=5)
+    assert len(trained) == 5
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"seed": 1},
+        {"n_steps": 301},
+        {"evaluate_every": 100},
+        {"evaluation_episodes": 2},
+        {"max_steps": 7},
+        {"parameters": {"height": 5}},
+        {"agents": {"Q": lambda task: QLearning.create(task, learning_rate=0.2)}},
+        {"agents": {"Q": QLearning.create((5, 2), exploration=EpsilonGreedy(0.2))}},
+    ],
+)
+def test_other_runs_are_not_mixed_in(tmp_path: Path, trained: list[int], changes: dict[str, Any]) -> None:
+    """Other settings, seeds or code make other runs."""
+    small(tmp_path)
+    small(tmp_path, **changes)
+    assert len(trained) == 6
+
+
+def test_a_complete_experiment_removes_its_own_runs_only(tmp_path: Path, trained: list[int]) -> None:
+    """What another experiment keeps at the same place stays there for its next call; what was half written goes."""
+    folder = tmp_path / "results.csv.unfinished"
+    small(folder)
+    kept = sorted(folder.iterdir())
+    (folder / "half.partial").touch()
+    small(None, save_to=tmp_path / "results.csv", seed=1)
+    assert sorted(folder.iterdir()) == kept
+    small(None, save_to=tmp_path / "results.csv")
+    assert len(trained) == 6
+    assert not folder.exists()
+
+
+def test_a_folder_of_ones_own_is_used_and_left(tmp_path: Path) -> None:
+    """Nothing is kept beside the file then."""
+    assert small(tmp_path / "runs", save_to=tmp_path / "results.csv").complete
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["results.csv", "results.csv.json", "runs"]
+    assert len(list((tmp_path / "runs").iterdir())) == 3
+
+
+@pytest.mark.parametrize(("where", "is_kept"), [(None, False), ("save_to", True), ("checkpoints", True)])
+def test_an_interruption_says_whether_runs_are_kept(
+    where: str | None, is_kept: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Beside the file, or in a folder."""
+
+    def press(*_: Any) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(repeating, "_do_all", press)
+    with pytest.raises(Interrupted, match="0 of 3 runs are complete") as caught:
+        small(None, **({} if where is None else {where: tmp_path / "kept"}))
+    assert str(caught.value).endswith("the same call goes on from there") == is_kept
+
+
+def test_a_damaged_file_is_computed_again(tmp_path: Path, trained: list[int]) -> None:
+    """Cut off, emptied, or with another number in a table."""
+    whole = small(tmp_path)
+    one, two, three = sorted(tmp_path.iterdir())
+    one.write_bytes(one.read_bytes()[:-1])
+    two.write_bytes(b"")
+    changed = bytearray(three.read_bytes())
+    changed[max(changed.find(agent.Q.tobytes()) for agent in whole.agents["Q"].values())] ^= 1
+    three.write_bytes(changed)
+    pd.testing.assert_frame_equal(small(tmp_path).table, whole.table)
+    assert len(trained) == 6
+
+
+def test_a_folder_that_cannot_be_made_is_said_before_the_first_run(tmp_path: Path, trained: list[int]) -> None:
+    """Hours of training would be lost."""
+    (tmp_path / "file").write_text("")
+    with pytest.raises(NotADirectoryError, match="is not a folder"):
+        small(tmp_path / "file")
+    assert trained == []
+
+
+def test_an_agent_that_cannot_be_kept_is_said(tmp_path: Path) -> None:
+    """Once, and the results are complete all the same."""
+
+    class Local(QLearning):
+        """A class that no other process finds."""
+
+        __slots__ = ()
+
+    def make(task: Any) -> Any:
+        return Local(*QLearning.create(task))
+
+    with pytest.warns(UserWarning, match="finished runs of 'Q' cannot be kept on the disk") as said:
+        assert small(tmp_path, agents={"Q": make}).complete
+    assert len(said) == 1
+    assert list(tmp_path.iterdir()) == []
+    with pytest.warns(UserWarning, match="finished runs of 'Q' cannot be kept on the disk"):
+        small(None, agents={"Q": make}, save_to=tmp_path / "results.csv")
+    assert sorted(file.name for file in tmp_path.iterdir()) == ["results.csv", "results.csv.json"]
+
+
+def test_what_cannot_be_taken_apart_is_said(tmp_path: Path) -> None:
+    """The function that makes an agent holds a lock, which cannot be told from another one."""
+    lock = threading.Lock()
+
+    def make(task: Any) -> Any:
+        with lock:
+            return QLearning.create(task)
+
+    with pytest.warns(UserWarning, match=r"runs of 'Q' cannot be kept on the disk, so an .* loses them: .*lock"):
+        assert small(tmp_path, agents={"Q": make}).complete
+    assert list(tmp_path.iterdir()) == []
+    assert small(None, agents={"Q": make}).complete, "nothing was to be kept, so there is nothing to say"
+
+
+@pytest.mark.parametrize("older", [False, True])
+def test_a_full_disk_loses_no_finished_run(
+    older: bool, tmp_path: Path, trained: list[int], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The error says so, and the same call goes on when there is room, also where there is an older file."""
+    path = tmp_path / "results.csv"
+    if older:
+        small(None, save_to=path, seed=1)
+        trained.clear()
+
+    def write(file: Path, contents: bytes) -> Path:
+        if len(trained) == 2:
+            raise OSError("no space left")
+        return write_whole(file, contents)
+
+    monkeypatch.setattr(checkpoints, "write_whole", write)
+    with pytest.raises(OSError, match="no space left"):
+        small(None, save_to=path)
+    assert path.exists() == older
+    assert len(trained) == 2
+    assert len(list(Path(f"{path}.unfinished").iterdir())) == 1
+    monkeypatch.undo()
+    assert small(None, save_to=path).complete
+    assert sorted(file.name for file in tmp_path.iterdir()) == ["results.csv", "results.csv.json"]
+
+
+def test_a_device_is_written_to_and_nothing_is_kept_beside_it(tmp_path: Path) -> None:
+    """A pipe gets the whole table as one file."""
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    with subprocess.Popen(["cat", pipe], stdout=subprocess.PIPE) as reader:
+        results = small(None, save_to=pipe)
+        assert reader.stdout is not None
+        read = reader.stdout.read()
+    (tmp_path / "copy.csv").write_bytes(read)
+    pd.testing.assert_frame_equal(Results.load(tmp_path / "copy.csv").table, results.table)
+    assert sorted(file.name for file in tmp_path.iterdir()) == ["copy.csv", "pipe"]
+
+
+CHILD = """
+import sys
+from edugym import CountBased, QLearning, repeat
+
+agents = {"Q": QLearning.create, "novelty": CountBased.create}
+repeat("Boulder", agents, 3_000, repetitions=40, jobs=2, save_to=sys.argv[1])
+"""
+
+
+@pytest.mark.slow
+def test_kill_9_loses_no_finished_run(tmp_path: Path) -> None:
+    """Killed again and again, the same call finishes with the same bytes."""
+
+    def begin(path: Path) -> subprocess.Popen[bytes]:
+        return subprocess.Popen([sys.executable, "-c", CHILD, str(path)])
+
+    whole, killed = tmp_path / "whole.csv", tmp_path / "killed.csv"
+    assert begin(whole).wait(timeout=120) == 0
+    folder = Path(f"{killed}.unfinished")
+    rng = np.random.default_rng(0)
+    for kill in range(4):
+        with begin(killed) as child:
+            while child.poll() is None and len(list(folder.glob("*.run"))) < 15 * (kill + 1):
+                time.sleep(0.005)
+            time.sleep(rng.uniform(0, 0.05))
+            os.kill(child.pid, signal.SIGKILL)
+        assert not killed.exists()
+    assert begin(killed).wait(timeout=120) == 0
+    assert killed.read_bytes() == whole.read_bytes()
+    assert Path(f"{killed}.json").read_bytes() == Path(f"{whole}.json").read_bytes()
+    assert sorted(path.name for path in tmp_path.iterdir()) == [
+        "killed.csv",
+        "killed.csv.json",
+        "whole.csv",
+        "whole.csv.json",
+    ]

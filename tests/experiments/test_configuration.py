@@ -1,0 +1,101 @@
+"""What is written down of a setting, to the letter, and what the runs of a task are recognised by."""
+
+import hashlib
+import importlib
+import sys
+from pathlib import Path
+from typing import Any
+
+import gymnasium
+import numpy as np
+import pytest
+from gymnasium.wrappers import PassiveEnvChecker
+
+from edugym.envs.boulder import Boulder
+from edugym.experiments.configuration import LISTED, plain, task
+from edugym.experiments.fingerprints import fingerprint
+from tests.training.tasks import Stairs
+
+MIXED = np.arange(33).reshape(3, 11)
+
+
+@pytest.mark.parametrize(
+    ("value", "written"),
+    [
+        (True, True),
+        (3, 3),
+        (0.5, 0.5),
+        ("8x8", "8x8"),
+        (np.int64(3), 3),
+        (np.str_("8x8"), "8x8"),
+        ([1, 2], "[1, 2]"),
+        (np.array([[1, 2], [3, 4]]), "[[1, 2], [3, 4]]"),
+        (np.zeros((4, 8), int), str([[0] * 8] * 4)),
+        (np.full((3, 11), 0.5), '{"shape": [3, 11], "filled_with": 0.5}'),
+        (MIXED, f'{{"shape": [3, 11], "sha256": "{hashlib.sha256(MIXED.tobytes()).hexdigest()[:16]}"}}'),
+        ({"goal": Path()}, f'{{"goal": "{type(Path()).__name__}"}}'),
+    ],
+)
+def test_how_a_setting_is_written(value: Any, written: Any) -> None:
+    """As a number or a text; an array up to 32 entries whole, and a longer one in short."""
+    found = plain(value)
+    assert found == written
+    assert type(found) is type(written)
+    assert LISTED == 32
+
+
+def test_a_registered_environment_is_known_by_its_code(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Also where it is registered by the name of its class: whoever changes the file gets other runs."""
+    monkeypatch.syspath_prepend(tmp_path)
+    monkeypatch.setitem(gymnasium.registry, "Drop-v0", gymnasium.envs.registration.EnvSpec("Drop-v0", "dropped:Drop"))
+    path, found = tmp_path / "dropped.py", []
+    for height in (1, 1, 100):
+        path.write_text(
+            f"import gymnasium\n\n\nclass Drop(gymnasium.Env):\n    def height(self):\n        return {height}\n"
+        )
+        monkeypatch.delitem(sys.modules, "dropped", raising=False)
+        importlib.invalidate_caches()
+        found.append(fingerprint(task("Drop-v0").origin))
+    assert found[0] == found[1] != found[2]
+
+
+class Callable(Stairs):
+    """A task that can also be called."""
+
+    __slots__ = ()
+
+    def __call__(self) -> None:
+        """Do nothing."""
+
+
+def test_a_task_that_can_be_called_is_no_function() -> None:
+    """It is the task."""
+    found = task(Callable())
+    assert not found.has_layout
+    assert found.make(3) == Callable()
+
+
+def test_a_function_of_one_argument_of_any_name() -> None:
+    """It gets the seed of the layout, also where its argument is called otherwise."""
+    by_name = task(lambda layout_seed: Boulder.create(4, layout_seed=layout_seed))
+    by_place = task(lambda number: Boulder.create(4, layout_seed=number))
+    for seed in (1, 2):
+        assert by_place.make(seed).grips.tolist() == by_name.make(seed).grips.tolist()
+    assert by_place.make(1).grips.tolist() != by_place.make(2).grips.tolist()
+
+
+def test_gymnasiums_own_checks_are_left_out() -> None:
+    """They would take a part of the time of each step."""
+    env = task("CliffWalking-v1").make(0)
+    while env is not env.unwrapped:
+        assert not isinstance(env, PassiveEnvChecker)
+        env = env.env
+
+
+def test_an_environment_that_is_registered_as_a_class(monkeypatch: pytest.MonkeyPatch) -> None:
+    """There is no name to look it up by."""
+    kind: Any = type(gymnasium.make("CliffWalking-v1").unwrapped)
+    spec = gymnasium.envs.registration.EnvSpec("Local-v0", kind)
+    monkeypatch.setitem(gymnasium.registry, "Local-v0", spec)
+    assert fingerprint(task("Local-v0").origin)
+    assert task("Local-v0").make(0).spec.id == "Local-v0"

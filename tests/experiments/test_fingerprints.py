@@ -1,0 +1,392 @@
+"""Fingerprints: the same in every process, and others for other values or code."""
+
+import copy
+import functools
+import importlib
+import math
+import os
+import platform
+import subprocess
+import sys
+import threading
+from collections import defaultdict, deque
+from importlib.metadata import version
+from pathlib import Path
+from types import ModuleType
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+
+from edugym import QLearning
+from edugym.exact.value_iteration import best_values
+from edugym.experiments.fingerprints import _own_code, fingerprint, versions
+
+CODE = """
+import functools
+from typing import NamedTuple
+import numpy as np
+from edugym import EpsilonGreedy, QLearning
+from edugym.experiments.fingerprints import fingerprint
+
+class Plain:
+    names = {"b", "a", "c"}
+    def __init__(self):
+        self.memory = {"x": [1, 2.5], "y": {3, 4}}
+        self.rng = np.random.default_rng(3)
+        self.me = self
+    def act(self, state, rng):
+        return [k for k in range(3) if k in {"p", "q"}]
+
+make = functools.partial(QLearning.create, exploration=EpsilonGreedy(0.2))
+print(fingerprint(Plain(), make, lambda task: Plain().act(np.pi, len)))
+"""
+
+
+def test_every_process_agrees() -> None:
+    """Whatever its hash seed."""
+    said = {
+        subprocess.run([sys.executable, "-c", CODE], env=None, capture_output=True, text=True, check=True).stdout
+        for _ in range(2)
+    }
+    assert len(said) == 1
+
+
+class Settings(NamedTuple):
+    """Values."""
+
+    rate: float
+    table: Any
+
+
+FACTOR = 2
+
+
+def helper(x: float) -> float:
+    """Something that a function may call."""
+    return x * FACTOR
+
+
+def with_helper(x: float) -> float:
+    """Call it."""
+    return helper(x) + 1
+
+
+class Counter:
+    """An ordinary object."""
+
+    def __init__(self, start: int) -> None:
+        """From a number on."""
+        self.count = start
+
+
+def make_adder(n: int) -> Any:
+    """A closure."""
+    return lambda x: x + n
+
+
+class Word(str):
+    """A text that holds more."""
+
+    def __new__(cls, text: str, more: int) -> "Word":
+        """Both."""
+        word = super().__new__(cls, text)
+        word.more = more
+        return word
+
+    def __getnewargs__(self) -> tuple[Any, ...]:
+        """For a copy."""
+        return str(self), self.more
+
+    more: int
+
+
+class Made:
+    """What is in it is made anew when it is asked for."""
+
+    def __init__(self, k: int) -> None:
+        """See the class."""
+        self.k = k
+
+    def __getstate__(self) -> Any:
+        """New lists."""
+        return [[self.k]]
+
+
+def made(body: str, base: type = object) -> Any:
+    """A class of a notebook."""
+    names: dict[str, Any] = {"__name__": "__main__", "functools": functools, "Base": base, "Both": Both}
+    exec(f"class Made(Base):\n    {body}", names)
+    return names["Made"]
+
+
+def noted(thing: Any, note: int) -> Any:
+    """Give it an attribute."""
+    thing.note = note
+    return thing
+
+
+class Both:
+    """What a class may have instead of a property with a setter."""
+
+    def __init__(self, value: int) -> None:
+        """See the class."""
+        self.value = value
+
+    def __get__(self, thing: Any, kind: Any) -> int:
+        """Read."""
+        return self.value
+
+    def __set__(self, thing: Any, value: int) -> None:
+        """Write."""
+
+
+TABLE = np.zeros(3)
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        (1, 1.0),
+        (0.0, -0.0),
+        (1, True),
+        ("1", 1),
+        ([1, 2], (1, 2)),
+        ({1, 2}, frozenset({1, 2})),
+        (property(helper), staticmethod(helper)),
+        ([[1], 2], [[1, 2]]),
+        ({"a": 1}, {"a": 2}),
+        (np.zeros(3), np.zeros((3, 1))),
+        (np.zeros(3), np.zeros(3, np.float32)),
+        (Settings(0.1, None), Settings(0.2, None)),
+        (Counter(1), Counter(2)),
+        (make_adder(1), make_adder(2)),
+        (lambda x: x + 1, lambda x: x + 2),
+        (lambda x: math.sin(x), lambda x: math.cos(x)),
+        (functools.partial(helper, x=1), functools.partial(helper, x=2)),
+        (QLearning.create((2, 2)), QLearning.create((2, 2), learning_rate=0.2)),
+        (np.random.default_rng(1), np.random.default_rng(2)),
+        (deque([1, 2]), deque([1, 3])),
+        (defaultdict(int), defaultdict(float)),
+        (made("x = 1"), made("y = 1")),
+        (made("x = 1", dict)(), made("x = 2", dict)()),
+        (noted(made("pass", dict)(), 1), noted(made("pass", dict)(), 2)),
+        (noted(made("pass", list)(), 1), noted(made("pass", list)(), 2)),
+        (made("x = 1", float)(), made("x = 2", float)()),
+        (np.ma.array([1, 2], mask=[False, True]), np.ma.array([1, 2], mask=[True, False])),
+        ([TABLE, TABLE], [TABLE, TABLE.copy()]),
+        (noted(lambda f: f.note, 1), noted(lambda f: f.note, 2)),
+        (made("x = Both(1)"), made("x = Both(2)")),
+        (np.array([[1], "x"], object), np.array([[2], "x"], object)),
+        (Word("a", 1), Word("a", 2)),
+        (made("x = 1"), made("x = 2")),
+        (made("def f(self): return 1"), made("def f(self): return 2")),
+        (made("@property\n    def f(self): return 1"), made("@property\n    def f(self): return 2")),
+        (
+            made("@functools.cached_property\n    def f(self): return 1"),
+            made("@functools.cached_property\n    def f(self): return 2"),
+        ),
+        (made("@staticmethod\n    def f(): return 1"), made("@staticmethod\n    def f(): return 2")),
+        (made("f = staticmethod(functools.partial(pow, 1))"), made("f = staticmethod(functools.partial(pow, 2))")),
+        (made("@classmethod\n    def f(cls): return 1"), made("@classmethod\n    def f(cls): return 2")),
+        (made("@functools.cache\n    def f(self): return 1"), made("@functools.cache\n    def f(self): return 2")),
+        (made("x = 1", made("y = 1")), made("x = 1", made("y = 2"))),
+        (made("def f(self): return 1")().f, made("def f(self): return 2")().f),
+        (made("def f(self, x=1): return x"), made("def f(self, x=2): return x")),
+        (made("def f(self, *, x=1): return x"), made("def f(self, *, x=2): return x")),
+    ],
+)
+def test_what_differs_has_another_one(one: Any, other: Any) -> None:
+    """Values, types, shapes and code."""
+    assert fingerprint(one) == fingerprint(one) == fingerprint(copy.deepcopy(one))
+    assert fingerprint(one) != fingerprint(other)
+
+
+def test_values_that_are_made_for_the_fingerprint() -> None:
+    """Objects that tell what is in them by a new list each time: the place of one that is gone is another's again."""
+    assert fingerprint([Made(k) for k in (1, 2, 3)]) != fingerprint([Made(k) for k in (1, 3, 2)])
+
+
+@pytest.mark.parametrize("kind", ["NamedTuple", "object"])
+def test_copying_changes_nothing(kind: str) -> None:
+    """Python notes the slots of a class in it when a value of it is copied, as every agent is before its run."""
+    names: dict[str, Any] = {"__name__": "__main__", "NamedTuple": NamedTuple}
+    exec(f"class Own({kind}):\n    x: int = 1", names)
+    make = eval("lambda task: Own()", names)
+    before = fingerprint(make, names["Own"])
+    copy.deepcopy(names["Own"]())
+    assert "__slotnames__" in vars(names["Own"])
+    assert fingerprint(make, names["Own"]) == before
+
+
+def test_code_counts_with_what_it_reaches(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A global of a helper of a function."""
+    before = fingerprint(with_helper)
+    monkeypatch.setattr(sys.modules[__name__], "FACTOR", 3)
+    assert fingerprint(with_helper) != before
+
+
+def test_what_a_function_of_the_package_holds_counts() -> None:
+    """Functions that one factory makes differ by what they were made with."""
+    assert fingerprint(best_values(0.1)) == fingerprint(best_values(0.1))
+    assert fingerprint(best_values(0.1)) != fingerprint(best_values(0.2))
+
+
+def test_a_method_counts(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of an ordinary class, also its `__init__`."""
+    before = fingerprint(Counter(1))
+    monkeypatch.setattr(Counter, "__init__", lambda self, start: None)
+    assert fingerprint(Counter) != before
+
+
+@pytest.mark.parametrize(
+    ("name", "other"),
+    [
+        ("platform.machine", lambda: "another machine"),
+        ("platform.python_version", lambda: "3.99"),
+        ("_version", lambda package: "99"),
+        ("_own_code", lambda: "other code of this package"),
+    ],
+)
+def test_what_the_numbers_depend_on_counts(name: str, other: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The machine, versions, and all files of this package."""
+    before = fingerprint(1)
+    monkeypatch.setattr(f"edugym.experiments.fingerprints.{name}", other)
+    assert fingerprint(1) != before
+
+
+def test_versions_in_words() -> None:
+    """Of what the numbers depend on, and of what else is installed."""
+    expected = [f"python {platform.python_version()}"]
+    expected += [f"{name} {version(name)}" for name in ("edugym", "numpy", "numba", "gymnasium")]
+    assert versions() == ", ".join(expected)
+    assert versions("pytest", "no_such_package") == ", ".join([*expected, f"pytest {version('pytest')}"])
+
+
+def test_every_file_of_the_package_counts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """By its name and its contents, in folders too."""
+    monkeypatch.setattr("edugym.experiments.fingerprints.own_folders", lambda: [tmp_path])
+    (tmp_path / "inner").mkdir()
+    seen = {_own_code.__wrapped__()}
+    for name, contents in (("a.py", "1"), ("a.py", "2"), ("inner/b.py", ""), ("inner/c.py", "2")):
+        (tmp_path / name).write_text(contents)
+        seen.add(_own_code.__wrapped__())
+    (tmp_path / "a.py").rename(tmp_path / "d.py")
+    seen.add(_own_code.__wrapped__())
+    assert len(seen) == 6
+    (tmp_path / "table.csv").write_text("3")
+    assert _own_code.__wrapped__() in seen
+
+
+def test_a_module_of_ones_own_counts_where_it_is_used(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What a function takes from it, and from a module inside it; the rest does not."""
+    mine, inner = ModuleType("mine"), ModuleType("mine.inner")
+    vars(mine).update(rate=1, other=1, inner=inner)
+    vars(inner).update(deep=1, other=1)
+    names: dict[str, Any] = {"__name__": "__main__", "mine": mine}
+    exec("def use(): return mine.rate + mine.inner.deep", names)
+    before = fingerprint(names["use"])
+    for module in (mine, inner):
+        monkeypatch.setattr(module, "other", 2)
+    assert fingerprint(names["use"]) == before
+    for module, name in ((mine, "rate"), (inner, "deep")):
+        with monkeypatch.context() as changed:
+            changed.setattr(module, name, 2)
+            assert fingerprint(names["use"]) != before
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "import mine.part as p; return p.f()",
+        "from mine.part import f; return f()",
+        "from mine import part; return part.f()",
+        "from .part import f; return f()",
+        "import other; return other.f()",
+        "import third; return third.f()",
+    ],
+)
+def test_a_folder_of_ones_own_counts(line: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Also one without __init__.py, and one that is imported when a function is called."""
+    monkeypatch.syspath_prepend(str(tmp_path))
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "other.py").write_text("import sys, numpy, mine.part\nsys.exit()")  # it is read, and not run
+    (tmp_path / "third.py").write_text("from mine.part import f")
+    names: dict[str, Any] = {"__name__": "__main__", "__package__": "mine"}
+    exec(f"def use(): {line}", names)
+    prints = set()
+    for result in ("1", "22"):
+        (tmp_path / "mine/part.py").write_text(f"def f(): return {result}")
+        for name in ("mine", "mine.part"):
+            monkeypatch.delitem(sys.modules, name, raising=False)
+        prints |= {fingerprint(names["use"]), fingerprint(importlib.import_module("mine.part").f)}
+    assert len(prints) == 4
+
+
+def test_modules_in_a_circle_and_none(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Two that import each other count both; a missing one is an error of the call, and not before."""
+    monkeypatch.syspath_prepend(str(tmp_path))
+    names: dict[str, Any] = {"__name__": "__main__"}
+    exec("def use(): import one_way\ndef miss(): import no_such_module", names)
+    prints = {fingerprint(names["miss"])}
+    for one, back in (("", ""), ("x = 1", ""), ("x = 1", "x = 22")):
+        (tmp_path / "one_way.py").write_text(f"import way_back\n{one}")
+        (tmp_path / "way_back.py").write_text(f"import one_way\n{back}")
+        importlib.invalidate_caches()
+        prints.add(fingerprint(names["use"]))
+    assert len(prints) == 4
+
+
+def test_every_process_reads_a_folder_in_the_same_order(tmp_path: Path) -> None:
+    """Whatever its hash seed, which orders the sets of names that a file imports, or a function uses."""
+    names = [f"part_{letter}" for letter in "abcdef"]
+    for name in names:
+        (tmp_path / f"{name}.py").write_text(f"{name} = 1")
+    (tmp_path / "mine.py").write_text("".join(f"import {name}\n" for name in names))
+    (tmp_path / "kit.py").write_text("u, v, w, x, y, z = range(6)")
+    code = (
+        "import kit\nfrom edugym.experiments.fingerprints import fingerprint\na, b, c, d, e, f = range(6)\n"
+        "def use():\n    import mine, part_c, part_b, part_a\n"
+        "    return a + b + c + d + e + f in {'one', 'two', 'three'}\n"
+        "def use_kit(): return kit.u + kit.v + kit.w + kit.x + kit.y + kit.z\n"
+        "print(fingerprint(use), fingerprint(use_kit))"
+    )
+    said = {
+        subprocess.check_output(
+            [sys.executable, "-c", code], env={**os.environ, "PYTHONHASHSEED": str(seed)}, cwd=tmp_path
+        )
+        for seed in range(3)
+    }
+    assert len(said) == 1
+
+
+@pytest.mark.parametrize("module", ["__main__", "gone"])
+def test_code_of_a_notebook_counts(module: str) -> None:
+    """Its module is the program that runs it, or one that is no file."""
+    prints = set()
+    for body in ("1", "2"):
+        names: dict[str, Any] = {"__name__": module}
+        exec(f"def f(): return {body}\nclass C:\n    def g(self): return {body}", names)
+        prints |= {fingerprint(names["f"]), fingerprint(names["C"])}
+    assert len(prints) == 4
+    assert fingerprint(type(sys.flags)) == fingerprint(type(sys.flags))  # a class of a module that is no file either
+
+
+def test_the_order_in_which_a_disk_lists_files_does_not_count(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of the package, and of a folder of one's own."""
+    monkeypatch.syspath_prepend(str(tmp_path))
+    (tmp_path / "several").mkdir()
+    for name in "abc":
+        (tmp_path / "several" / f"{name}.py").write_text(f"{name} = 1")
+    names: dict[str, Any] = {"__name__": "__main__"}
+    exec("def use(): import several.a", names)
+    before = fingerprint(names["use"]), _own_code.__wrapped__()
+    listed = Path.rglob
+    monkeypatch.setattr(Path, "rglob", lambda path, pattern: reversed([*listed(path, pattern)]))
+    assert (fingerprint(names["use"]), _own_code.__wrapped__()) == before
+
+
+def test_what_cannot_be_taken_apart_is_an_error() -> None:
+    """There is no fingerprint of a lock."""
+    with pytest.raises(TypeError):
+        fingerprint([threading.Lock()])

@@ -1,0 +1,89 @@
+"""Several runs at a time, in threads and in processes: the same results, and errors that name the line."""
+
+from typing import Any, NamedTuple
+
+import joblib
+import pytest
+from joblib.externals.loky.process_executor import _RemoteTraceback
+
+import edugym
+from edugym import QLearning
+from edugym.checks.tracebacks import end_at_students_line
+from edugym.envs.trashbot import Trashbot
+from edugym.experiments.repeat import MOST_JOBS
+from edugym.mdp.discretised import DiscreteActions, Discretised
+from edugym.mdp.protocol import Random
+from tests.experiments.experiments import same, small
+
+
+@pytest.mark.parametrize("n_steps", [2_000, 6_000])
+def test_jobs_change_nothing(n_steps: int) -> None:
+    """One at a time, three at a time, or as many as may be asked for; interpreted and compiled."""
+    one = small(n_steps, jobs=1)
+    assert same(one, small(n_steps, jobs=3))
+    assert same(one, small(n_steps, jobs=MOST_JOBS))
+
+
+def test_runs_share_no_array_of_a_wrapper() -> None:
+    """`Discretised` writes what it observes into one array; several runs at a time each have their own."""
+    task = Discretised.create(DiscreteActions.create(Trashbot.create(), 3), [1, 1, 8, 8, 1, 1, 3])
+    agents = {"Q-learning": QLearning.create}
+    one, other = (small(100_000, environment=task, agents=agents, repetitions=6, jobs=jobs) for jobs in (1, 4))
+    assert same(one, other)
+
+
+@pytest.mark.slow
+def test_other_processes_change_nothing() -> None:
+    """The back ends of joblib are chosen with joblib's own function."""
+    with joblib.parallel_config(backend="loky", n_jobs=2):
+        elsewhere = small(jobs=None)
+    assert same(small(), elsewhere)
+
+
+class Faulty(NamedTuple):
+    """A student's agent with a mistake."""
+
+    def act(self, state: int, rng: Random) -> int:
+        """There is no such entry."""
+        return [0][state + 1]
+
+    def learn(self, state: int, action: int, reward: float, next_state: int) -> None:
+        """Nothing."""
+
+
+def faulty(_: Any) -> Faulty:
+    """Make one."""
+    return Faulty()
+
+
+@pytest.mark.slow
+def test_an_error_in_another_process_names_the_students_line() -> None:
+    """Without the traceback of joblib and its processes."""
+    with joblib.parallel_config(backend="loky", n_jobs=2), pytest.raises(IndexError) as caught:
+        small(jobs=None, agents={"faulty": faulty})
+    assert caught.value.__cause__ is None
+    (note,) = caught.value.__notes__
+    assert note.startswith("In another process: ")
+    assert note.endswith("in act\n    return [0][state + 1]")
+    assert __file__ in note
+
+
+@pytest.mark.parametrize("kind", [AttributeError, TypeError])
+def test_an_error_without_a_line_of_a_student(kind: type[Exception]) -> None:
+    """It says what it says."""
+    error = kind("as it is")
+    end_at_students_line(error)
+    assert (str(error), error.__traceback__) == ("as it is", None)
+
+
+def test_an_error_of_the_package_in_another_process_names_the_students_line_or_none() -> None:
+    """Frames of the package, of joblib and of the standard library are no help."""
+    frame = '  File "{}", line 3, in act\n    raise ValueError\n'
+    shown = ["/home/me/edugym/mine.py", pytest.__file__]
+    for students, notes in (("", []), *((frame.format(file), [file]) for file in shown)):
+        error = ValueError("action is 7")
+        told = "Traceback (most recent call last):\n" + students + frame.format(edugym.__file__) + "ValueError: 7"
+        error.__cause__ = _RemoteTraceback(told)
+        end_at_students_line(error)
+        assert error.__cause__ is None
+        assert [note.split('"')[1] for note in getattr(error, "__notes__", [])] == notes

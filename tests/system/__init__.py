@@ -1,0 +1,1 @@
+"""Tests of files, interrupts, memory and optional libraries."""
