@@ -1,8 +1,9 @@
 # What can be done with a checkout of EduGym. Needed: make and Python 3.11 or newer; all else goes into .venv.
 #
 #   make lab        open the lessons in JupyterLab   (make lab ARGS=--no-browser)
-#   make test       run every check and every test   (make test ARGS="-k boulder" for some of the tests)
+#   make test       run every check, and every test that is not slow   (make test ARGS="-k boulder" for some of them)
 #                   (JOBS=8 runs the tests in eight processes, for a machine of eight cores)
+#   make test-all   run the slow tests too: all claims, nbgrader, browsers, learning to the end, random programs
 #   make reproduce  recompute the results of the paper
 #   make bench      measure speed, against what one would use instead
 #   make clean      remove .venv and what tools left behind
@@ -12,7 +13,7 @@ ARGS ?=
 JOBS ?= 2
 RUN := .venv/bin/python -m
 
-.PHONY: lab test reproduce bench clean
+.PHONY: lab test test-all reproduce bench clean
 
 lab: .venv/lab.installed
 	.venv/bin/edugym lab $(ARGS)
@@ -23,11 +24,16 @@ test: .venv/dev.installed
 	$(RUN) ruff format --check
 	.venv/bin/lint-imports
 	$(RUN) mypy & types=$$!; trap "kill $$types 2>/dev/null" EXIT; trap "exit 130" INT TERM; \
-		$(RUN) pytest -n $(JOBS) --dist worksteal $(ARGS) && \
+		$(RUN) pytest -n $(JOBS) --dist worksteal -m "not slow" $(ARGS) && \
 		{ wait $$types || { echo "mypy failed: what it says stands above, among the tests" >&2; exit 1; }; }
 	.venv/bin/python lessons/build.py --check
 	.venv/bin/python docs/pages.py --check
 	.venv/bin/python docs/agents.py --check
+	.venv/bin/python docs/architecture.py --check
+
+# The tests that `make test` leaves out, and it alone: together the two commands run everything once.
+test-all: .venv/dev.installed
+	$(RUN) pytest -n $(JOBS) --dist worksteal -m slow $(ARGS)
 
 # How fast it is, side by side with what one would use instead.
 bench: .venv/dev.installed

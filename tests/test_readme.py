@@ -1,4 +1,4 @@
-"""The examples of the README run as they are printed, and print what it says."""
+"""The README and the pages of docs: their examples print what they say, and their links lead somewhere."""
 
 import contextlib
 import io
@@ -7,32 +7,33 @@ from pathlib import Path
 
 import pytest
 
-README = (Path(__file__).parent.parent / "README.md").read_text(encoding="utf-8")
-EXAMPLES = re.findall(r"```python\n(.*?)```\s+```text\n(.*?)```", README, flags=re.DOTALL)
+ROOT = Path(__file__).parent.parent
+PAGES = [*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")]
+EXAMPLE = re.compile(r"```python\n(.*?)```\s+```text\n(.*?)```", flags=re.DOTALL)
+EXAMPLES = [(page.name, *found) for page in PAGES for found in EXAMPLE.findall(page.read_text(encoding="utf-8"))]
 
 
-def test_there_are_examples() -> None:
-    """A change of the README's form must not hide them from the tests."""
-    assert len(EXAMPLES) == 2
-
-
-@pytest.mark.parametrize(("code", "output"), EXAMPLES)
-def test_example_prints_what_the_readme_says(code: str, output: str) -> None:
-    """Run as a script, each example prints the text below it."""
+@pytest.mark.parametrize(("page", "code", "output"), EXAMPLES, ids=lambda part: part[:15])
+def test_an_example_prints_what_its_page_says(page: str, code: str, output: str) -> None:
+    """Each is run as a script."""
     printed = io.StringIO()
     with contextlib.redirect_stdout(printed):
-        exec(compile(code, "README.md", "exec"), {"__name__": "__main__"})
+        exec(compile(code, page, "exec"), {"__name__": "__main__"})
     assert printed.getvalue() == output
 
 
-def test_files_that_the_readme_names_exist() -> None:
-    """Its links lead somewhere."""
-    links = [link for link in re.findall(r"\]\(([^)]+)\)", README) if not link.startswith("http")]
-    assert links
-    missing = [link for link in links if not (Path(__file__).parent.parent / link).exists()]
-    assert missing == []
+def test_there_are_examples() -> None:
+    """A change of a page's form must not hide them."""
+    assert {"README.md", "your-own.md"} <= {page for page, *_ in EXAMPLES}
 
 
-def test_the_readme_is_whole() -> None:
-    """No figure was left to be filled in."""
-    assert "BENCH" not in README
+def test_links_lead_somewhere() -> None:
+    """Those to files of the project."""
+    links = [
+        (page, link.partition("#")[0])
+        for page in PAGES
+        for link in re.findall(r"\]\(([^)\s]+)\)", page.read_text(encoding="utf-8"))
+        if not link.startswith(("http", "#", "mailto:"))
+    ]
+    assert len(links) > 50
+    assert [f"{page.name}: {link}" for page, link in links if not (page.parent / link).exists()] == []
