@@ -3,7 +3,10 @@
 import contextlib
 import io
 import re
+import sys
 from pathlib import Path
+from types import ModuleType
+from typing import Any
 
 import pytest
 
@@ -25,6 +28,21 @@ def test_an_example_prints_what_its_page_says(page: str, code: str, output: str)
 def test_there_are_examples() -> None:
     """A change of a page's form must not hide them."""
     assert {"README.md", "your-own.md"} <= {page for page, *_ in EXAMPLES}
+
+
+def test_the_worked_example_of_an_agent(monkeypatch: pytest.MonkeyPatch) -> None:
+    """CONTRIBUTING prints an agent and its test: the test passes, and fails where the slow rate is ignored."""
+    agent, test = re.findall(r"```python\n(.*?)```", (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8"), re.DOTALL)
+    name = "edugym.agents.hysteretic_q_learning"
+    for code, passes in ((agent, True), (agent.replace("else self.slow_rate", "else self.learning_rate"), False)):
+        monkeypatch.setitem(sys.modules, name, ModuleType(name))
+        exec(compile(code, "CONTRIBUTING.md", "exec"), vars(sys.modules[name]))
+        namespace: dict[str, Any] = {}
+        exec(compile(test, "CONTRIBUTING.md", "exec"), namespace)
+        [cases] = namespace["test_update"].pytestmark
+        with contextlib.nullcontext() if passes else pytest.raises(AssertionError):
+            for case in cases.args[1]:
+                namespace["test_update"](*case)
 
 
 def test_links_lead_somewhere() -> None:
