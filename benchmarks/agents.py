@@ -8,9 +8,9 @@ import numpy as np
 import edugym
 from benchmarks.measure import Comparison, Contender, Work
 from edugym import make_mdp, train
-from edugym.adapters.rooms import View
+from edugym.adapters.double_buffer import DoubleBuffer
+from edugym.checks.contract import is_on_policy, learner
 from edugym.training import loops
-from edugym.training.contract import is_on_policy, learner
 from edugym.training.trainers import new_log
 
 ONE_STEP = ("SARSA", "ExpectedSARSA", "DoubleQLearning", "RiskSensitiveQLearning", "CountBased", "ActorCritic")
@@ -91,7 +91,7 @@ def interpreted(name: str, create: Any) -> Work:
 
     def work(n: int) -> int:
         agent = create(mdp)
-        view = View(mdp, agent, is_on_policy(agent))
+        view = DoubleBuffer(mdp, agent, is_on_policy(agent))
         learning = view.of(learner(agent))
         rngs = np.random.default_rng(0), np.random.default_rng(1)
         if is_on_policy(agent):

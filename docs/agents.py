@@ -26,9 +26,9 @@ from gymnasium.wrappers import FlattenObservation
 
 import edugym
 from edugym import agents, finite_model, make_mdp, train, value_iteration
+from edugym.adapters.fitting import tabular
 from edugym.adapters.registration import in_course_order
-from edugym.adapters.rooms import takes_vectors
-from edugym.adapters.tabular_observation import tabular
+from edugym.checks.contract import takes_vectors
 
 PAGE, DATA = Path(__file__).parent / "agents.md", Path(__file__).parent / "agents.json"
 SEEDS, EPISODES = 3, 20

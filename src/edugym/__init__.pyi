@@ -1,5 +1,6 @@
 """The public names of EduGym and where each is defined: the one list, for type checkers and for `__init__.py`."""
 
+from edugym.adapters.fitting import TabularObservation as TabularObservation
 from edugym.adapters.gymnasium_env import MDPEnv as MDPEnv
 from edugym.adapters.registration import ENVIRONMENTS as ENVIRONMENTS
 from edugym.adapters.registration import make_environment as make_environment
@@ -7,7 +8,6 @@ from edugym.adapters.registration import make_mdp as make_mdp
 from edugym.adapters.registration import register_environments as register_environments
 from edugym.adapters.sharing import read_mdp as read_mdp
 from edugym.adapters.sharing import share as share
-from edugym.adapters.tabular_observation import TabularObservation as TabularObservation
 from edugym.adapters.vector_env import MDPVectorEnv as MDPVectorEnv
 from edugym.agents.actor_critic import ActorCritic as ActorCritic
 from edugym.agents.count_based import CountBased as CountBased
@@ -43,7 +43,6 @@ from edugym.agents.traces import Accumulating as Accumulating
 from edugym.agents.traces import Dutch as Dutch
 from edugym.agents.traces import Replacing as Replacing
 from edugym.agents.tree_backup import TreeBackup as TreeBackup
-from edugym.checks.mdps import check_mdp as check_mdp
 from edugym.exact.finite_horizon import finite_horizon as finite_horizon
 from edugym.exact.model import finite_model as finite_model
 from edugym.exact.policies import policy_of as policy_of
@@ -73,8 +72,9 @@ from edugym.mdp.hashed import Hashed as Hashed
 from edugym.mdp.hashed_table import HashedTable as HashedTable
 from edugym.mdp.noisy_observation import NoisyObservation as NoisyObservation
 from edugym.mdp.separate_frames import SeparateFrames as SeparateFrames
-from edugym.mdp.sizes import table_size as table_size
 from edugym.mdp.tabular import Tabular as Tabular
+from edugym.mdp.task import check_mdp as check_mdp
+from edugym.mdp.task import table_size as table_size
 from edugym.mdp.wrapper import wrapper as wrapper
 from edugym.system.interrupts import Interrupted as Interrupted
 from edugym.training.run import Run as Run

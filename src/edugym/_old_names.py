@@ -14,8 +14,11 @@ from types import ModuleType
 from typing import Any
 
 MOVED = {
+    "adapters.rooms": "edugym.adapters.double_buffer",
+    "adapters.tabular_observation": "edugym.adapters.fitting",
     "cli": "edugym_course.cli",
     "commands": "edugym_course.commands",
+    "compiled.generated": "edugym.system.generated",
     "exercises": "edugym_course.lessons",
     "extras": "edugym.system.extras",
     "files": "edugym.system.files",
@@ -24,6 +27,7 @@ MOVED = {
     "lab": "edugym_course.lab",
     "lessons": "edugym_course.lessons",
     "mdp.checking": "edugym.checks.mdps",
+    "mdp.sizes": "edugym.mdp.task",
     "mdp.tracebacks": "edugym.checks.tracebacks",
     "mdp.values": "edugym.checks.values",
     "memory": "edugym.system.memory",
@@ -34,9 +38,13 @@ MOVED = {
     "results": "edugym.experiments.results",
     "sharing": "edugym.adapters.sharing",
     "stored": "edugym_course.stored",
+    "training.checked_env": "edugym.checks.envs",
+    "training.checking": "edugym.checks.agents",
     "training.checkpoints": "edugym.experiments.checkpoints",
     "training.configuration": "edugym.experiments.configuration",
+    "training.contract": "edugym.checks.contract",
     "training.fingerprints": "edugym.experiments.fingerprints",
+    "training.guarded": "edugym.mdp.guards",
     "training.repeat": "edugym.experiments.repeat",
 }
 """The new place of each module or package that has moved, by its old name below `edugym`."""

@@ -15,7 +15,6 @@ import edugym
 from edugym.adapters.registration import (
     ENVIRONMENTS,
     find,
-    full_id,
     in_snake_case,
     make_environment,
     make_mdp,
@@ -23,6 +22,7 @@ from edugym.adapters.registration import (
     register_environments,
     specification,
 )
+from edugym.mdp.task import full_id
 
 HEAVY = [
     "numba",

@@ -6,9 +6,11 @@ import numpy as np
 import pytest
 from gymnasium import spaces
 
-from edugym.adapters.fitting import check_sizes, takes_vectors
-from edugym.adapters.rooms import View
+from edugym.adapters.double_buffer import DoubleBuffer
+from edugym.adapters.fitting import check_sizes
+from edugym.checks.contract import takes_vectors
 from edugym.mdp.protocol import Random
+from edugym.mdp.task import Task
 
 RNG = np.random.default_rng(0)
 
@@ -113,7 +115,7 @@ SEEN: dict[str, Any] = {
 def test_two_rooms_take_turns(name: str, kind: type[Told]) -> None:
     """An observation is written over the one before the last, as a vector."""
     space, (one, other), (first, second) = SEEN[name]
-    view = View(kind(space, TWO, one, []), VectorHearer([]))
+    view = DoubleBuffer(kind(space, TWO, one, []), VectorHearer([]))
     reader = view.of(VectorHearer([]))
     rooms = [view.mdp.observation(state, RNG) for state in (one, other, one, one, other)]
     assert rooms == [1, 0, 1, 0, 1]
@@ -126,7 +128,7 @@ def test_an_agent_is_told_what_is_in_the_rooms() -> None:
     """And everything else as it is, in the order of its parameters."""
     mdp = Told(PLANE, TWO, (1.0, 2.0), [])
     for agent, on_policy in ((VectorHearer([]), False), (VectorHearer([]), True)):
-        view = View(mdp, agent, on_policy)
+        view = DoubleBuffer(mdp, agent, on_policy)
         reader = view.of(agent)
         before, after = view.mdp.observation((1.0, 2.0), RNG), view.mdp.observation((3.0, 4.0), RNG)
         assert reader.act(before, RNG) == 3
@@ -142,7 +144,7 @@ def test_an_agent_is_told_what_is_in_the_rooms() -> None:
 def test_actions_that_are_written_take_turns_in_rooms() -> None:
     """The task is given what is in the room, and the agent learns from it."""
     mdp, agent = Told(PLANE, FORCE, (1.0, 2.0), []), WritingHearer([])
-    view = View(mdp, agent)
+    view = DoubleBuffer(mdp, agent)
     reader = view.of(agent)
     before, after = view.mdp.observation((1.0, 2.0), RNG), view.mdp.observation((3.0, 4.0), RNG)
     assert [reader.act(before, RNG), reader.act(after, RNG)] == [1, 0]
@@ -162,7 +164,7 @@ def test_actions_that_are_written_take_turns_in_rooms() -> None:
 )
 def test_actions_that_are_handed_on(actions: Any, agent: Any, on_policy: bool) -> None:
     """Those of other agents and tasks are no rooms."""
-    view = View(Told(PLANE, actions, (1.0, 2.0), []), agent, on_policy)
+    view = DoubleBuffer(Told(PLANE, actions, (1.0, 2.0), []), agent, on_policy)
     assert view.of(agent).act(view.mdp.observation((1.0, 2.0), RNG), RNG) == 3
 
 
@@ -191,7 +193,7 @@ class Silent(Hearer):
 def test_observations_that_are_handed_on(kind: type[Told], space: Any, agent: Any) -> None:
     """Where the agent takes no vectors, and the task writes nothing or observes no array, or the agent has a table."""
     mdp = kind(space, TWO, np.ones((2, 2)), [])
-    view = View(mdp, agent)
+    view = DoubleBuffer(mdp, agent)
     assert view.mdp is mdp
     assert view.of(agent) is agent
     assert not takes_vectors(agent)
@@ -200,7 +202,7 @@ def test_observations_that_are_handed_on(kind: type[Told], space: Any, agent: An
 def test_boards_stay_boards() -> None:
     """For an agent that takes what the task shows, in the types of its space."""
     agent, other = Hearer([]), Hearer([])
-    view = View(ToldInPlace(BOARD, TWO, np.ones((2, 2)), []), agent)
+    view = DoubleBuffer(ToldInPlace(BOARD, TWO, np.ones((2, 2)), []), agent)
     reader = view.of(other)
     assert reader.agent is other
     assert (reader.rows.shape, reader.rows.dtype) == ((2, 2, 2), np.float32)
@@ -214,10 +216,13 @@ def test_boards_stay_boards() -> None:
 )
 def test_sizes_that_an_agent_has(actions: Any, name: str, needed: int) -> None:
     """Those of the environment, where it has some."""
-    environment = Told(BOARD, actions, None, [])
+    mdp = Told(BOARD, actions, None, [])
+    task = Task(mdp, mdp, is_mdp=True, is_own=False, max_steps=None)
     for given in (needed - 1, needed + 1):
         agent = type("Agent", (), {name: given})()
         with pytest.raises(ValueError, match=f"agent must be one for {name} = {needed}, .* but its is {given}$"):
-            check_sizes(agent, environment)
-    check_sizes(type("Agent", (), {name: needed})(), environment)
-    check_sizes(type("Agent", (), {"n_actions": 99})(), Told(BOARD, spaces.MultiBinary(2), None, []))
+            check_sizes(agent, task)
+    check_sizes(type("Agent", (), {name: needed})(), task)
+    check_sizes(
+        type("Agent", (), {"n_actions": 99})(), task._replace(played=Told(BOARD, spaces.MultiBinary(2), None, []))
+    )

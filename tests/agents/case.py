@@ -7,8 +7,8 @@ import gymnasium
 import numpy as np
 from gymnasium.wrappers import FlattenObservation
 
-from edugym.adapters.fitting import takes_vectors
-from edugym.adapters.tabular_observation import tabular
+from edugym.adapters.fitting import tabular
+from edugym.checks.contract import takes_vectors
 
 
 class Case(NamedTuple):

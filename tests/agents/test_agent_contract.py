@@ -23,12 +23,12 @@ from edugym import (
     save,
     train,
 )
-from edugym.adapters.rooms import View
+from edugym.adapters.double_buffer import DoubleBuffer
 from edugym.agents.settings import settings_of
 from edugym.agents.traces import Replacing
+from edugym.checks.contract import is_on_policy, learner
 from edugym.compiled.compiler import compiled
 from edugym.mdp.protocol import Random
-from edugym.training.contract import is_on_policy, learner
 from edugym.training.loops import off_policy, on_policy, start_off_policy
 from edugym.training.trainers import new_log
 from tests.agents.case import Case
@@ -113,7 +113,7 @@ def run_loop(mdp: Any, agent: Any, n_steps: int, seed: int, compile_it: bool) ->
     """Run the loop for `n_steps` and give everything that it left behind."""
     environment_rng, agent_rng = np.random.default_rng([seed, 0]), np.random.default_rng([seed, 1])
     log = new_log()
-    view = View(mdp, agent, is_on_policy(agent))
+    view = DoubleBuffer(mdp, agent, is_on_policy(agent))
     mdp, learning = view.mdp, view.of(learner(agent))
     loop: Any = off_policy
     moment: Any = start_off_policy(mdp, environment_rng)

@@ -10,19 +10,11 @@ from gymnasium import spaces
 
 from edugym import make_mdp, train
 from edugym.adapters.gymnasium_env import MDPEnv
-from edugym.checks.mdps import (
-    CHECKED_STEPS,
-    CheckedMDP,
-    check_mdp,
-    checked_mdp,
-    innermost,
-    is_own,
-    require_environment,
-    require_mdp,
-    require_method,
-    step_limit,
-)
+from edugym.checks.interfaces import require_environment, require_mdp, require_method, step_limit
+from edugym.checks.mdps import CHECKED_STEPS, CheckedMDP, checked_mdp, innermost
 from edugym.mdp.tabular import Tabular
+from edugym.mdp.task import check_mdp
+from edugym.system.packages import is_own
 from tests.compiled.cells import LEARNER, WALK, cell
 
 BOARD = """

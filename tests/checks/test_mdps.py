@@ -11,8 +11,11 @@ from gymnasium import spaces
 from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.adapters.registration import ENVIRONMENTS
 from edugym.adapters.vector_env import MDPVectorEnv
-from edugym.checks.mdps import CheckedMDP, check_mdp, checked_mdp, is_own, refuse_nothing, require_mdp, step_limit
+from edugym.checks.interfaces import require_mdp, step_limit
+from edugym.checks.mdps import CheckedMDP, checked_mdp, refuse_nothing
 from edugym.envs.catch import CatchGrid, Fall
+from edugym.mdp.task import check_mdp, task_of
+from edugym.system.packages import is_own
 from tests.compiled.cells import WALK, cell
 from tests.training.tasks import Stairs
 
@@ -219,7 +222,7 @@ def test_step_limits() -> None:
         task = walk(
             "    def initial", f"    @property\n    def max_steps(self):\n        return {wrong}\n\n    def initial"
         )
-        for use in (MDPEnv, require_mdp):
+        for use in (MDPEnv, task_of):
             with pytest.raises(ValueError, match="max_steps must be"):
                 use(task)
     for right, limit in (("None", None), ("7", 7), ("np.int32(7)", 7)):

@@ -9,9 +9,18 @@ import numpy as np
 import pytest
 
 from edugym.adapters.registration import make_mdp
-from edugym.checks.mdps import step_limit
-from edugym.checks.parameters import a_number, above, at_least, between, in_short, number_of_steps, one_of, whole_number
-from edugym.mdp.protocol import coerced
+from edugym.checks.interfaces import step_limit
+from edugym.checks.parameters import (
+    a_number,
+    above,
+    at_least,
+    between,
+    coerced,
+    in_short,
+    number_of_steps,
+    one_of,
+    whole_number,
+)
 
 NO_NUMBERS = ["2", None, True, np.True_, [2], 2j, math.nan]
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from gymnasium import spaces
 
-from edugym.checks.values import GlobalDraws, fits, is_finite_number, kept, own_copy, same
+from edugym.checks.values import GlobalDraws, deep_copy, fits, is_finite_number, kept, same
 
 PIXELS = spaces.Box(0, 255, (2,), np.uint8)
 NEGATIVE = spaces.Discrete(3, start=-1)
@@ -103,9 +103,9 @@ class Uncopyable:
 def test_what_cannot_be_copied() -> None:
     """What it holds is named; a mistake in the copying shows as it is."""
     with pytest.raises(ValueError, match=r"^list holds a generator, which cannot be copied, but we must$"):
-        own_copy([(k for k in range(2))], "we must")
+        deep_copy([(k for k in range(2))], "we must")
     with pytest.raises(TypeError, match="author's"):
-        own_copy([Uncopyable()], "we must")
+        deep_copy([Uncopyable()], "we must")
 
 
 def test_what_is_kept() -> None:

@@ -22,12 +22,12 @@ from tests.compiled.cells import cell
 CALLS, STEPS = 5, 300
 
 
-def loop(n: int, thing: Any, rng: np.random.Generator, out: Any, moment: Any) -> Any:
+def loop(n: int, thing: Any, rng: np.random.Generator, out: Any, carry: Any) -> Any:
     """Call a method n times with what it gave before; `out` holds the sum of the numbers."""
     for _ in range(n):
-        moment = thing.f(moment, rng)
+        carry = thing.f(carry, rng)
         out[0] += 1
-    return moment
+    return carry
 
 
 def played(source: str, *, fast: bool) -> dict[str, Any]:
@@ -42,10 +42,10 @@ def played(source: str, *, fast: bool) -> dict[str, Any]:
         try:
             run = executable(loop, (thing, rng, out, start)) if fast else loop
             found["compiled"] = run is not loop
-            moment = start
+            carry = start
             for _ in range(CALLS):
-                moment = run(STEPS, thing, rng, out, moment)
-            found["result"] = (moment, thing, rng, out)
+                carry = run(STEPS, thing, rng, out, carry)
+            found["result"] = (carry, thing, rng, out)
         except Exception as error:
             found["error"] = type(error).__name__
             found["line"] = traceback.extract_tb(error.__traceback__)[-1].line

@@ -12,23 +12,23 @@ from edugym.compiled.subset import place, refusal
 from tests.compiled.cells import cell
 
 
-def loop(n: int, thing: Any, rng: np.random.Generator, out: Any, moment: Any) -> Any:
+def loop(n: int, thing: Any, rng: np.random.Generator, out: Any, carry: Any) -> Any:
     """Call a method n times with what it gave before."""
     for _ in range(n):
-        moment = thing.f(moment, rng)
-    return moment
+        carry = thing.f(carry, rng)
+    return carry
 
 
 def said(
-    before: str, members: str, body: str, value: Any = 1.5, moment: Any = (0.0,), out: Any = (), namespace: Any = None
+    before: str, members: str, body: str, value: Any = 1.5, carry: Any = (0.0,), out: Any = (), namespace: Any = None
 ) -> str | None:
     """What is said of a class with a field, and of the loop's other arguments."""
     inside = "\n".join(f"    {line}" for line in members.splitlines())
     source = f"{before}\nclass T(NamedTuple):\n    v: object\n{inside}\n    def f(self, s, rng):\n        {body}\n"
     variables = cell(source, None if namespace is None else cell("") | namespace)
     thing = variables["T"](value)
-    arguments = (thing, np.random.default_rng(0), out, moment)
-    found = refusal(Code(loop, (10, *arguments)), arguments, ("thing", "rng", "out", "moment"))
+    arguments = (thing, np.random.default_rng(0), out, carry)
+    found = refusal(Code(loop, (10, *arguments)), arguments, ("thing", "rng", "out", "carry"))
     return found and re.sub(r"<cell \d+>, ", "", found)
 
 
@@ -75,13 +75,13 @@ def test_values(value: Any, sentence: str | None) -> None:
 
 
 def test_what_a_loop_is_called_with() -> None:
-    """A student knows a loop's moment by what is in it, and other arguments by their names."""
+    """A student knows a loop's carry by what is in it, and other arguments by their names."""
     a_list = "is a list: use an array or a tuple"
-    assert said("", "", "return s", moment=([0],)) == f"a state {a_list}"
-    assert said("", "", "return s", moment=(0, (1, [0]))) == f"observation[1] {a_list}"
-    assert said("", "", "return s", moment=(0, 1, [0])) == f"an action {a_list}"
-    assert said("", "", "return s", moment=(0, 1, 2, 3)) is None
-    assert said("", "", "return s", moment=[0]) == f"the argument moment {a_list}"
+    assert said("", "", "return s", carry=([0],)) == f"a state {a_list}"
+    assert said("", "", "return s", carry=(0, (1, [0]))) == f"observation[1] {a_list}"
+    assert said("", "", "return s", carry=(0, 1, [0])) == f"an action {a_list}"
+    assert said("", "", "return s", carry=(0, 1, 2, 3)) is None
+    assert said("", "", "return s", carry=[0]) == f"the argument carry {a_list}"
     assert said("", "", "return s", out=[0]) == f"the argument out {a_list}"
     assert said("", "", "return s", out=(0, [0])) == f"the argument out[1] {a_list}"
 
@@ -203,7 +203,7 @@ def test_an_array_that_is_a_field_as_well() -> None:
     ):
         outer: dict[str, Any] = {"A": table}
         assert said("", members, body, (1, table[:2]), namespace=outer) == sentence
-        assert said("", members, body, (1, np.zeros(2)), moment=(table[:],), namespace=outer) is None
+        assert said("", members, body, (1, np.zeros(2)), carry=(table[:],), namespace=outer) is None
 
 
 def test_lines() -> None:

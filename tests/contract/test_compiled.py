@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 from gymnasium import spaces
 
+from edugym.adapters.fitting import tabular
 from edugym.adapters.registration import Entry, make_mdp
-from edugym.adapters.tabular_observation import tabular
 from edugym.agents.q_learning import QLearning
-from edugym.checks.mdps import step_limit
+from edugym.checks.contract import GreedyActor, learner
+from edugym.checks.interfaces import step_limit
 from edugym.compiled.compiler import compiled
 from edugym.mdp.protocol import Random
-from edugym.training.contract import GreedyActor, learner
 from edugym.training.loops import off_policy, on_policy, play_episodes, start_off_policy, start_on_policy
 from edugym.training.trainers import new_log
 from tests.contract.parameters import Keywords

@@ -21,7 +21,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from edugym.adapters.registration import ENVIRONMENTS, Entry
-from edugym.checks.mdps import step_limit
+from edugym.checks.interfaces import step_limit
 from edugym.checks.parameters import in_short
 from tests.contract.parameters import PARAMETERS, Keywords
 from tests.contract.play import Env, Player, every_corner, every_environment, plain

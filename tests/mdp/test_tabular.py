@@ -14,11 +14,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from edugym import QLearning, Tabular, TabularObservation, make_mdp, table_size, train
+from edugym.adapters.fitting import tabular
 from edugym.adapters.gymnasium_env import MDPEnv
-from edugym.adapters.tabular_observation import tabular
 from edugym.compiled.compiler import compiled
 from edugym.mdp.protocol import MDP, Random
-from edugym.mdp.sizes import number_of_rows, table_sizes
+from edugym.mdp.tabular import number_of_rows, table_sizes
 from tests.compiled.cells import WALK, cell
 
 

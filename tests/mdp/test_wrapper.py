@@ -23,8 +23,8 @@ from edugym import (
     value_iteration,
     wrapper,
 )
-from edugym.adapters.tabular_observation import tabular
-from edugym.checks.mdps import require_mdp, step_limit
+from edugym.adapters.fitting import tabular
+from edugym.checks.interfaces import require_mdp, step_limit
 from edugym.mdp.protocol import named_actions
 from edugym.rendering.ansi import to_text
 

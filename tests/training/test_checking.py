@@ -9,12 +9,13 @@ from gymnasium import spaces
 from gymnasium.wrappers import FlattenObservation, TransformReward
 
 from edugym import EpsilonGreedy, QLearning
-from edugym.adapters.tabular_observation import TabularObservation
+from edugym.adapters.fitting import TabularObservation
+from edugym.checks.afterwards import shared_by_class
+from edugym.checks.agents import CheckedAgent, checked_agent, students_parts
+from edugym.checks.contract import GreedyActor, learner
+from edugym.checks.envs import CheckedEnv, checked_env
 from edugym.checks.mdps import CheckedMDP, checked_mdp
-from edugym.training.checked_env import CheckedEnv, checked_env
-from edugym.training.checking import CheckedAgent, checked_agent, shared_by_class, students_parts
-from edugym.training.contract import GreedyActor, learner
-from edugym.training.guarded import GUARDS, ActionsOfASpace, FiniteRewards, RowsOfATable, guarded
+from edugym.mdp.guards import GUARDS, ActionsOfASpace, FiniteRewards, RowsOfATable, guarded
 from edugym_course.lessons.own_problem import WithBonus
 from tests.training.tasks import Stairs, StudentsQLearning
 

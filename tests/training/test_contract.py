@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from edugym import QLearning, train
+from edugym.checks.contract import LEARN_PARAMETERS, is_on_policy, learner, learns_from
 from edugym.mdp.protocol import Random
-from edugym.training.contract import LEARN_PARAMETERS, is_on_policy, learner, learns_from
 from tests.training.tasks import SlipperyWalk, Stairs
 
 STEP = {

@@ -82,7 +82,7 @@ class Evaluated:
         """No need."""
         raise NotImplementedError
 
-    def doubts(self, run: Run) -> list[str]:
+    def warnings(self, run: Run) -> list[str]:
         """None."""
         return []
 

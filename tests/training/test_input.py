@@ -13,9 +13,9 @@ import pytest
 
 from edugym import QLearning, make_mdp, repeat, train
 from edugym.adapters.gymnasium_env import MDPEnv
-from edugym.checks.mdps import require_task
 from edugym.compiled import execution
 from edugym.mdp.protocol import Random, Reals
+from edugym.mdp.task import task_of
 from tests.compiled.cells import LEARNER, cell
 
 WALL = make_mdp("Boulder", height=3)
@@ -214,5 +214,5 @@ def test_the_limit_of_a_wrapped_task() -> None:
     class Unchanged(gymnasium.Wrapper[Any, Any, Any, Any]):
         """Does nothing."""
 
-    assert require_task(Unchanged(MDPEnv(WALL))) == require_task(WALL) == 30
-    assert require_task(gymnasium.make("CartPole-v1")) == 500
+    assert task_of(Unchanged(MDPEnv(WALL))).max_steps == task_of(WALL).max_steps == 30
+    assert task_of(gymnasium.make("CartPole-v1")).max_steps == 500

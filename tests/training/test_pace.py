@@ -16,7 +16,7 @@ def test_calls_grow_until_they_take_long(monkeypatch: pytest.MonkeyPatch) -> Non
     now = [0.0]
     monkeypatch.setattr(trainers, "CALL_SECONDS", 0.25)
     monkeypatch.setattr(time, "perf_counter", lambda: now[0])
-    pace, taken = trainers.Pace(), list[int]()
+    pace, taken = trainers.Chunk(), list[int]()
     for at_most, seconds in (
         (1_000, 0.0625), (1_000, 0.0625), (70, 0.0), (1_000, 0.125), (1_000, 0.25), (1_000, 1.0), (1_000, 100.0),
         (1_000, 0.0), (1_000, 0.0),

@@ -18,8 +18,8 @@ from edugym import (
     record_visits,
     train,
 )
+from edugym.checks.contract import is_on_policy, learner, tables_of
 from edugym.mdp.protocol import Random
-from edugym.training.contract import is_on_policy, learner, tables_of
 from tests.agents.case import Case, same
 from tests.agents.cases import AGENTS
 from tests.training.tasks import Ring

@@ -8,8 +8,8 @@ from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
-from edugym.compiled.generated import generated_class
 from edugym.mdp.protocol import MDP, Random, writes_in_place
+from edugym.system.generated import generated_class
 
 
 class Storage(Protocol):

@@ -1,92 +1,160 @@
 """An environment in the form in which an agent takes it: vectors, rows of a table, or as it is."""
 
 import math
+from collections.abc import Iterator
 from typing import Any
 
 import gymnasium
+import numpy as np
 from gymnasium import spaces
-from gymnasium.wrappers import FlattenObservation, OrderEnforcing, PassiveEnvChecker
+from gymnasium.wrappers import FlattenObservation
 
-from edugym.adapters.gymnasium_env import MDPEnv
-from edugym.adapters.tabular_observation import tabular
-from edugym.checks.mdps import is_own
-from edugym.mdp.sizes import table_size, vector_length
+from edugym.checks.contract import Contract, tables_of
+from edugym.checks.parameters import in_short
+from edugym.mdp.tabular import number_of_rows, table_lows, table_sizes, tabular_mdp
+from edugym.mdp.task import Task
+from edugym.system.packages import package_of
 
 
-def fitting(environment: Any, agent: Any, tables: dict[str, Any]) -> Any:
-    """Return the MDP behind an environment if no wrapper changes it, else the environment, as an agent sees it.
-
-    Args:
-        environment: an MDP or a Gymnasium environment.
-        agent: the agent.
-        tables: its tables, by name.
+def fitted(task: Task, contract: Contract) -> Task:
+    """The task as an agent sees it.
 
     Raises:
-        ValueError: they do not fit each other.
+        ValueError: the two do not fit each other.
     """
-    inside = environment
-    while isinstance(inside, PassiveEnvChecker | OrderEnforcing):
-        inside = inside.env
-    if isinstance(inside, MDPEnv) and inside.only_plays_its_mdp:
-        environment = inside.mdp
-    if takes_vectors(agent):
-        check_sizes(agent, environment)
-        return FlattenObservation(environment) if isinstance(environment, gymnasium.Env) else environment
-    if getattr(agent, "tabular", True) is False:
-        return environment
-    _check_tables(tables, agent, environment)
+    if contract.takes_vectors:
+        check_sizes(contract.agent, task)
+        return task if task.is_mdp else task._replace(played=FlattenObservation(task.played))
+    if not contract.tabular:
+        return task
+    _check_tables(contract, task)
     try:
-        return tabular(environment)
+        return task._replace(played=tabular(task.played))
     except ValueError as error:
-        if is_own(agent):
+        if contract.is_own:
             raise
-        what = f"write `tabular = False` in the class {type(agent).__name__} if it takes such observations as they are"
+        kind = type(contract.agent).__name__
+        what = f"write `tabular = False` in the class {kind} if it takes such observations as they are"
         raise ValueError(f"{error}: {what}") from None
 
 
-def _check_tables(tables: dict[str, Any], agent: Any, environment: Any) -> None:
-    """Refuse a table that was made for another environment.
-
-    A student's may have other rows, as where states are aggregated; but not a row for each state and too few actions.
-    """
-    own, discrete = (
-        type(agent).__module__.startswith("edugym.agents."),
-        isinstance(environment.action_space, spaces.Discrete),
-    )
-    needed = {
-        name: table
-        for name, table in tables.items()
-        if (own and name in ("Q", "preferences")) or (not own and name == "Q" and table.ndim == 2 and discrete)
-    }
-    shape = table_size(environment) if needed else (0, 0)
-    for name, table in needed.items():
-        if own and table.shape[-2:] != shape:
-            raise ValueError(
-                f"agent must have a table {name} of shape {shape} for this environment, but its is {table.shape[-2:]}"
-            )
-        if not own and len(table) == shape[0] and table.shape[1] < shape[1]:
-            raise ValueError(
-                f"{name} of {type(agent).__name__} has the shape {table.shape}, but this environment has"
-                f" {shape[0]} observations and {shape[1]} actions"
-            )
-
-
-def takes_vectors(agent: Any) -> bool:
-    """Whether an agent takes vectors of numbers: it has no table, and says how long they are."""
-    return getattr(agent, "tabular", True) is False and hasattr(agent, "n_inputs")
-
-
-def check_sizes(agent: Any, environment: Any) -> None:
+def check_sizes(agent: Any, task: Task) -> None:
     """Refuse an agent that takes vectors where it was made for another environment.
 
     Raises:
         ValueError: its `n_inputs` or `n_actions` are not those of the environment.
     """
-    actions = environment.action_space
-    sizes = {"n_inputs": vector_length(environment.observation_space)}
+    actions = task.played.action_space
+    sizes = {"n_inputs": task.n_inputs}
     if isinstance(actions, spaces.Discrete | spaces.Box):
         sizes["n_actions"] = int(actions.n) if isinstance(actions, spaces.Discrete) else math.prod(actions.shape)
     for name, needed in sizes.items():
         given = getattr(agent, name, needed)
         if given != needed:
             raise ValueError(f"agent must be one for {name} = {needed}, as this environment has, but its is {given}")
+
+
+def _check_tables(contract: Contract, task: Task) -> None:
+    """Refuse a table that was made for another environment.
+
+    A student's may have other rows, as where states are aggregated; but not a row for each state and too few actions.
+    """
+    kind = type(contract.agent)
+    own, discrete = package_of(kind) == "edugym", isinstance(task.played.action_space, spaces.Discrete)
+    for name, table in tables_of(contract.agent).items():
+        if own and name in ("Q", "preferences"):
+            if table.shape[-2:] != task.table_shape:
+                raise ValueError(
+                    f"agent must have a table {name} of shape {task.table_shape} for this environment, but its is"
+                    f" {table.shape[-2:]}"
+                )
+        elif not own and name == "Q" and table.ndim == 2 and discrete:
+            n_states, n_actions = task.table_shape
+            if len(table) == n_states and table.shape[1] < n_actions:
+                raise ValueError(
+                    f"{name} of {kind.__name__} has the shape {table.shape}, but this environment has {n_states}"
+                    f" observations and {n_actions} actions"
+                )
+
+
+def tabular(environment: Any) -> Any:
+    """The MDP or Gymnasium environment with each observation replaced by the index of its row in a table.
+
+    An MDP, or an environment of this package, whose observations are already 0, 1, ... is returned unchanged. Any other
+    environment is wrapped, and the wrapper checks each observation.
+
+    Raises:
+        ValueError: the observations are not whole numbers, an MDP does not number them from 0, or the table would have
+            2^63 rows or more.
+    """
+    if isinstance(environment, gymnasium.Env):
+        space = environment.observation_space
+        is_checked = hasattr(environment.unwrapped, "only_plays_its_mdp")  # an `MDPEnv`; those of others are checked
+        is_table = isinstance(space, spaces.Discrete) and space.start == 0 and is_checked
+        return environment if is_table else TabularObservation(environment)
+    return tabular_mdp(environment)
+
+
+class TabularObservation(gymnasium.ObservationWrapper[int, Any, Any]):
+    """Number the observations of a Gymnasium environment 0, 1, ..., so that an agent can use them as rows of a table.
+
+    The last number of an observation varies fastest: (i, j) of sizes (3, 4) becomes row 4 i + j. For an MDP,
+    `edugym.Tabular` does the same.
+
+    Args:
+        env: an environment with a Discrete, MultiDiscrete or MultiBinary observation space, or a (nested) Tuple of
+            these. For others see `edugym.Discretised`, `edugym.Hashed`, and agents without a table.
+
+    Raises:
+        ValueError: the observation space is of another kind, or the table would have 2^63 rows or more.
+    """
+
+    def __init__(self, env: gymnasium.Env[Any, Any]) -> None:
+        """See the class."""
+        super().__init__(env)
+        self._sizes = table_sizes(env.observation_space)
+        self._is_plain = isinstance(env.observation_space, spaces.Discrete)
+        self._lows = [int(low) for low in table_lows(env.observation_space)]
+        rows: spaces.Space[Any] = spaces.Discrete(number_of_rows(self._sizes))
+        self.observation_space = rows
+
+    def observation(self, observation: Any) -> int:
+        """The row of the table that stands for an observation.
+
+        Raises:
+            ValueError: the observation is not in the observation space of the environment.
+        """
+        if self._is_plain and isinstance(observation, int | np.integer):
+            row = int(observation) - self._lows[0]
+            if 0 <= row < self._sizes[0]:
+                return row
+        parts = list(_numbers(observation))
+        fits = len(parts) == len(self._lows) and all(
+            _is_whole(part) and 0 <= int(part) - low < size
+            for part, low, size in zip(parts, self._lows, self._sizes, strict=True)
+        )
+        if not fits:
+            raise ValueError(
+                f"observation {in_short(observation)} is not in the observation space {self.env.observation_space} that"
+                f" {self.env.unwrapped} declares"
+            )
+        row = 0
+        for part, low, size in zip(parts, self._lows, self._sizes, strict=True):
+            row = row * size + int(part) - low
+        return row
+
+
+def _numbers(observation: Any) -> Iterator[Any]:
+    """The whole numbers in an observation: a number, an array, or a tuple of these, nested as it may be."""
+    if isinstance(observation, tuple):
+        for part in observation:
+            yield from _numbers(part)
+    else:
+        yield from np.ravel(observation)
+
+
+def _is_whole(part: Any) -> bool:
+    """Whether a part of an observation is a whole number; 2.0 is one."""
+    if isinstance(part, float | np.floating):
+        return part.is_integer()
+    return isinstance(part, int | np.integer | np.bool_)

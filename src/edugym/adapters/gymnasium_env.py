@@ -11,15 +11,16 @@ import numpy as np
 from gymnasium import spaces
 from gymnasium.envs.registration import EnvSpec
 from gymnasium.error import ResetNeeded
-from gymnasium.wrappers import OrderEnforcing, PassiveEnvChecker
 
 from edugym.adapters import keys
 from edugym.adapters.actions import checked_action
 from edugym.adapters.specification import filled
-from edugym.checks.mdps import CHECKED_STEPS, CheckedMDP, checked_step, is_own, refuse_nothing, require_mdp, step_limit
+from edugym.checks.interfaces import MDP_ONLY
+from edugym.checks.mdps import CHECKED_STEPS, CheckedMDP, checked_step, refuse_nothing
 from edugym.checks.parameters import in_short, one_of
 from edugym.checks.tracebacks import end_at_students_line
-from edugym.mdp.protocol import MDP, coerced, history_wanted, named_actions
+from edugym.mdp.protocol import MDP, history_wanted, named_actions
+from edugym.mdp.task import bare, task_of
 
 if TYPE_CHECKING:
     from edugym.exact.tables import FiniteModel, Outcome
@@ -50,7 +51,7 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         info_takes: which of `edugym.mdp.protocol.HISTORY` the MDP's `info` asks for.
 
     Raises:
-        ValueError: there is no such render mode, or `mdp` is no MDP (see `edugym.checks.mdps.require_mdp`).
+        ValueError: there is no such render mode, or `mdp` is no MDP (see `edugym.checks.interfaces`).
     """
 
     metadata = RENDERING
@@ -59,11 +60,11 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
     def __init__(self, mdp: M, render_mode: str | None = None) -> None:
         """See the class."""
         try:
-            require_mdp(mdp)
+            task = task_of(mdp, "mdp", MDP_ONLY)
         except Exception as error:
             end_at_students_line(error)
             raise
-        mdp = coerced(mdp)
+        mdp = task.played
         one_of("render_mode", render_mode, [None, *self.metadata["render_modes"]])
         self.mdp = mdp
         self.observation_space = mdp.observation_space
@@ -73,7 +74,7 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         self.steps = 0
         self.last_state: Any = None
         self.actions: list[Any] = []
-        self._limit = step_limit(mdp)
+        self._limit = task.max_steps
         self._over = True
         self._shown = as_element_of(mdp.observation_space)
         self._n_actions = int(mdp.action_space.n) if isinstance(mdp.action_space, spaces.Discrete) else 0
@@ -82,7 +83,7 @@ class MDPEnv(gymnasium.Env[Any, Any], Generic[M]):
         self._model_rng = np.random.default_rng(0)
         self._info = getattr(mdp, "info", None)
         self.info_takes = history_wanted(mdp.info) if hasattr(mdp, "info") else ()
-        self._steps_to_check = 0 if is_own(mdp) else CHECKED_STEPS
+        self._steps_to_check = 0 if task.is_own else CHECKED_STEPS
 
     @property
     def spec(self) -> EnvSpec | None:
@@ -349,9 +350,7 @@ def environment_of(environment: Any, name: str = "environment") -> "MDPEnv[Any]"
     Raises:
         ValueError: it is something else, or a wrapper changes what it does.
     """
-    inside = environment
-    while isinstance(inside, PassiveEnvChecker | OrderEnforcing):
-        inside = inside.env
+    inside = bare(environment)
     if isinstance(inside, MDPEnv):
         return inside
     if isinstance(inside, gymnasium.Wrapper) and isinstance(inside.unwrapped, MDPEnv):
@@ -359,8 +358,8 @@ def environment_of(environment: Any, name: str = "environment") -> "MDPEnv[Any]"
             f"{name} must have no wrapper that changes it, but has {type(inside).__name__}: pass its `unwrapped`, and"
             " wrap the copies instead"
         )
-    require_mdp(inside, name)
-    return MDPEnv(inside)
+    task: Any = task_of(inside, name, MDP_ONLY)
+    return MDPEnv(task)
 
 
 def as_element_of(space: spaces.Space[Any]) -> Callable[[Any], Any]:

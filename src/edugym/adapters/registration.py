@@ -107,15 +107,6 @@ def find(name: str) -> Entry:
     raise ValueError(f"environment must be one of {', '.join(e.name for e in ENVIRONMENTS)}, but is {name!r}")
 
 
-def full_id(name: str) -> str:
-    """The Gymnasium id of an environment of the course; any other id stays as it is.
-
-    The name alone (Boulder) is enough. The prefix `edugym:`, which tells Gymnasium to import this package, is removed.
-    """
-    name = name.removeprefix("edugym:")
-    return next((entry.id for entry in ENVIRONMENTS if entry.name in (name, name.removesuffix("-v0"))), name)
-
-
 def specification(name: str, parameters: Mapping[str, Any]) -> tuple[EnvSpec, dict[str, Any]]:
     """The specification of an environment, and all of its parameters with their defaults.
 
@@ -126,6 +117,8 @@ def specification(name: str, parameters: Mapping[str, Any]) -> tuple[EnvSpec, di
     Raises:
         ValueError: there is no such environment, or it has no such parameter.
     """
+    from edugym.mdp.task import full_id  # `import edugym` registers, and takes no longer than it must
+
     try:
         spec = gymnasium.spec(full_id(name))
         creator = load_env_creator(spec.entry_point) if isinstance(spec.entry_point, str) else spec.entry_point

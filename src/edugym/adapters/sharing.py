@@ -23,7 +23,7 @@ from typing import Any
 import numpy as np
 
 from edugym.adapters.gymnasium_env import MDPEnv
-from edugym.checks.mdps import check_mdp
+from edugym.mdp.task import check_mdp
 from edugym.rendering.ansi import to_text
 from edugym.system.files import write_whole
 

@@ -16,10 +16,12 @@ from edugym.adapters.copies import ACTION_OUTSIDE, MODES, Batch, reset_copies, s
 from edugym.adapters.gymnasium_env import RENDERING, M, MDPEnv, environment_of
 from edugym.adapters.runner import Runner
 from edugym.adapters.specification import filled
-from edugym.checks.mdps import check_mdp, is_own, step_limit
+from edugym.checks.interfaces import MDP_ONLY
+from edugym.checks.mdps import random_steps
 from edugym.checks.parameters import in_short, number_of_steps, one_of, whole_number
 from edugym.checks.tracebacks import end_at_students_line
 from edugym.mdp.protocol import HISTORY, history_wanted
+from edugym.mdp.task import task_of
 
 NO_LIMIT = 2**62
 NOTHING = np.empty(0, np.int64)
@@ -85,7 +87,8 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
         self.single_observation_space, self.single_action_space = env.observation_space, env.action_space
         self.observation_space = batch_space(env.observation_space, num_envs)
         self.action_space = batch_space(env.action_space, num_envs)
-        self._limit = step_limit(env.mdp)
+        task = task_of(env.mdp, "env", MDP_ONLY)
+        self._limit, self._is_own = task.max_steps, task.is_own
         if max_episode_steps not in (None, -1):
             most = number_of_steps("max_episode_steps", max_episode_steps)
             self._limit = most if self._limit is None else min(most, self._limit)
@@ -263,10 +266,10 @@ class MDPVectorEnv(VectorEnv[Any, Any, Any], Generic[M]):
 
     def _made_runner(self) -> Runner:
         """Choose the storage for states and observations by what some random steps show."""
-        states = check_mdp(self.mdp, TRIED)
+        states = random_steps(self.mdp, TRIED)
         rng = np.random.default_rng(0)
         self._rows = observation_rows(self.mdp, copy.deepcopy(self.mdp).observation(states[-1], rng))
-        places = storage(states, self.num_envs, checked=not is_own(self.mdp))
+        places = storage(states, self.num_envs, checked=not self._is_own)
         return Runner(self.mdp, self.num_envs, places, states[0])
 
     def _checked(self, actions: Any) -> np.ndarray[Any, Any]:

@@ -11,7 +11,7 @@ from edugym.agents.tables import greedy_action
 from edugym.agents.tabular_model import TabularModel, model_of
 from edugym.exact.tables import FiniteModel
 from edugym.mdp.protocol import Random
-from edugym.mdp.sizes import table_size
+from edugym.mdp.task import table_size
 
 
 @shows_settings

@@ -7,7 +7,7 @@ from edugym.agents.strategies import EpsilonGreedy, Exploration
 from edugym.agents.tables import best_value, greedy_action, one_step_target
 from edugym.agents.traces import Replacing, Trace, Traces, check_trace
 from edugym.mdp.protocol import Random
-from edugym.mdp.sizes import table_size
+from edugym.mdp.task import table_size
 
 
 @shows_settings

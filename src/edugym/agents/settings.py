@@ -19,11 +19,12 @@ from typing import Annotated, Any, NamedTuple, TypeVar, get_args, get_origin, ge
 
 import numpy as np
 
-from edugym.checks.mdps import is_own, require_method
+from edugym.checks.interfaces import require_method
 from edugym.checks.parameters import a_number, above, at_least, between, in_short, whole_number
 from edugym.mdp.protocol import Integers, Reals
-from edugym.mdp.sizes import table_size
+from edugym.mdp.task import table_size
 from edugym.system.memory import require_memory
+from edugym.system.packages import is_own
 
 Made = TypeVar("Made")
 

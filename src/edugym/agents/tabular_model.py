@@ -10,8 +10,8 @@ from edugym.agents.tables import best_value, one_step_target, random_action
 from edugym.checks.parameters import in_short, whole_number
 from edugym.exact.tables import FiniteModel
 from edugym.mdp.protocol import Integers, Random, Reals
-from edugym.mdp.sizes import table_size
 from edugym.mdp.tabular import tabular_mdp
+from edugym.mdp.task import table_size
 
 
 class TabularModel(NamedTuple):

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from gymnasium import spaces
 
-from edugym.checks.parameters import in_short
+from edugym.checks.interfaces import SHAPED
 from edugym.mdp.protocol import Reals
-from edugym.mdp.sizes import check_shape, vector_length
+from edugym.mdp.task import checked_shape, is_shape, task_of, vector_length
 
 UNBOUNDED = 1e9
 """A bound of this size or more counts as none: many environments give the largest float32 for infinity."""
@@ -27,18 +27,15 @@ def vector_size(environment: Any, actions: type[spaces.Space[Any]] = spaces.Disc
     Raises:
         ValueError: it is no environment, its observations are not numbers, or its actions are of another kind.
     """
-    if isinstance(environment, tuple) and not hasattr(environment, "_fields"):
-        return check_shape(environment, "(n_inputs, n_actions)")
-    if not hasattr(environment, "action_space"):
-        raise ValueError(
-            f"environment must be an MDP, a Gymnasium environment or a shape, but is {in_short(environment)}"
-        )
-    space = environment.action_space
+    if is_shape(environment):
+        return checked_shape(environment, "(n_inputs, n_actions)")
+    task = task_of(environment, allowed=SHAPED)
+    space = task.played.action_space
     if isinstance(space, actions):
         if isinstance(space, spaces.Discrete) and space.start == 0:
-            return vector_length(environment.observation_space), int(space.n)
+            return task.n_inputs, int(space.n)
         if isinstance(space, spaces.Box) and len(space.shape) == 1:
-            return vector_length(environment.observation_space), space.shape[0]
+            return task.n_inputs, space.shape[0]
     needed = "the actions 0, 1, ..." if actions is spaces.Discrete else "actions that are vectors of real numbers"
     raise ValueError(f"this agent needs {needed}, but the action space is {space}")
 
@@ -51,7 +48,7 @@ def vector_bounds(environment: Any) -> tuple[Reals, Reals]:
     space: Any = getattr(environment, "observation_space", None)
     if isinstance(space, spaces.Box):
         return np.ravel(space.low).astype(float), np.ravel(space.high).astype(float)
-    n_inputs = environment[0] if isinstance(environment, tuple) and space is None else vector_length(space)
+    n_inputs = environment[0] if is_shape(environment) else vector_length(space)
     return np.zeros(n_inputs), np.ones(n_inputs)
 
 

@@ -1,5 +1,6 @@
-"""Checks of parameters: each raises a `ValueError` that names the parameter, its value and what is allowed."""
+"""Checks of parameters: each returns the value, or raises a `ValueError` that names it, and what is allowed."""
 
+import inspect
 import math
 import sys
 from collections.abc import Sequence
@@ -13,33 +14,37 @@ LONGEST, LONGEST_NUMBER = 200, 40
 """The most letters of a value, and the most digits of a whole number, that a message shows."""
 
 
-def a_number(name: str, value: Any) -> None:
+def a_number(name: str, value: Any) -> float:
     """Refuse a `value` that is not a finite number."""
-    _number(name, value, "finite")
-    if not math.isfinite(value):
+    number: float = _number(name, value, "finite")
+    if not math.isfinite(number):
         raise ValueError(f"{name} must be a finite number, but is {in_short(value)}")
+    return number
 
 
-def at_least(name: str, value: Any, low: float) -> None:
+def at_least(name: str, value: Any, low: float) -> float:
     """Refuse a `value` that is not a number of `low` or more."""
-    _number(name, value, f"{low} or more")
-    if not value >= low:
+    number: float = _number(name, value, f"{low} or more")
+    if not number >= low:
         raise ValueError(f"{name} must be {low} or more, but is {in_short(value)}")
+    return number
 
 
-def between(name: str, value: Any, low: float, high: float) -> None:
+def between(name: str, value: Any, low: float, high: float) -> float:
     """Refuse a `value` that is not a number from `low` to `high`, ends included."""
-    _number(name, value, f"from {low} to {high}")
-    if not low <= value <= high:
+    number: float = _number(name, value, f"from {low} to {high}")
+    if not low <= number <= high:
         raise ValueError(f"{name} must be from {low} to {high}, but is {in_short(value)}")
+    return number
 
 
-def above(name: str, value: Any, low: float, high: float | None = None) -> None:
+def above(name: str, value: Any, low: float, high: float | None = None) -> float:
     """Refuse a `value` that is not a number greater than `low` (and, if given, of `high` or less)."""
     allowed = f"greater than {low}" if high is None else f"greater than {low} and at most {high}"
-    _number(name, value, allowed)
-    if not value > low or (high is not None and value > high):
+    number: float = _number(name, value, allowed)
+    if not number > low or (high is not None and number > high):
         raise ValueError(f"{name} must be {allowed}, but is {in_short(value)}")
+    return number
 
 
 def whole_number(name: str, value: Any, low: int, high: int | None = None) -> int:
@@ -64,10 +69,39 @@ def number_of_steps(name: str, value: Any) -> int:
     return steps
 
 
-def one_of(name: str, value: Any, allowed: Sequence[Any]) -> None:
+def one_of(name: str, value: Any, allowed: Sequence[Any]) -> Any:
     """Refuse a `value` that is not one of those `allowed`."""
     if value not in allowed:
         raise ValueError(f"{name} must be one of {', '.join(map(repr, allowed))}, but is {in_short(value)}")
+    return value
+
+
+def coerced(value: Any) -> Any:
+    """Copy a NamedTuple, and turn the numbers in its `float` fields into Python floats.
+
+    NumPy integers in `int` fields become Python ints. NamedTuples in its fields are treated in the same way. A value
+    that is no NamedTuple is returned as it is.
+
+    The copy holds the same arrays as the original. The numbers are converted for two reasons. Numba would otherwise
+    compile the same agent twice, for `learning_rate=1` (an int) and for `learning_rate=0.1` (a float). And small NumPy
+    integers, such as an int8, would overflow.
+    """
+    if not (isinstance(value, tuple) and hasattr(value, "_fields")):
+        return value
+    kinds: dict[str, Any] = {}
+    for base in reversed(type(value).__mro__):
+        kinds |= inspect.get_annotations(base)
+    fields = {}
+    for name, field in zip(value._fields, value, strict=True):
+        kind = getattr(kinds.get(name), "__forward_arg__", kinds.get(name))  # an annotation written as a string
+        kind = getattr(kind, "__origin__", kind)  # Annotated[float, ...] becomes float
+        if kind in (float, "float") and isinstance(field, int | np.number):
+            fields[name] = float(field)
+        elif kind in (int, "int") and isinstance(field, np.integer):
+            fields[name] = int(field)
+        else:
+            fields[name] = coerced(field)
+    return type(value)(**fields)
 
 
 def in_short(value: Any) -> str:
@@ -78,8 +112,10 @@ def in_short(value: Any) -> str:
     return text if len(text) <= LONGEST else f"{text[: LONGEST - 3]}..."
 
 
-def _number(name: str, value: Any, allowed: str) -> None:
+def _number(name: str, value: Any, allowed: str) -> Any:
+    """The value, if it is a real number that can be computed with."""
     if isinstance(value, bool | np.bool_) or not isinstance(value, int | float | np.integer | np.floating):
         raise ValueError(f"{name} must be a number, {allowed}, but is {in_short(value)}")
     if isinstance(value, int) and abs(value) > sys.float_info.max:  # it could not be computed with
         raise ValueError(f"{name} must be {allowed}, but is {in_short(value)}")
+    return value

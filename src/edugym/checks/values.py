@@ -67,7 +67,7 @@ def kept(state: Any) -> Any:
     return state if isinstance(state, int | float | str | None) else copy.deepcopy(state)
 
 
-def own_copy(value: Any, why: str) -> Any:
+def deep_copy(value: Any, why: str) -> Any:
     """A copy that shares nothing with a value.
 
     Args:

@@ -59,7 +59,7 @@ HARMLESS = words(
 """Special names of a class that no operation of machine code would look up."""
 DRAWS_WITH_CHECKS = words("binomial exponential integers normal poisson uniform")
 """Draws whose parameters are checked; see `edugym.compiled.draws`."""
-MOMENT = ("a state", "an observation", "an action")
+CARRIED = ("a state", "an observation", "an action")
 """What is between two steps of a loop, which may have other numbers in place of the action."""
 OTHERWISE = {
     "print": "it prints",
@@ -84,13 +84,13 @@ def refusal(code: Code, arguments: tuple[Any, ...], names: tuple[str, ...]) -> s
     """
     foreign, parts = code.foreign, list[tuple[Any, str]]()
     for argument, name in zip(arguments, names, strict=True):
-        known = name == "moment" and isinstance(argument, tuple)  # a student knows the names of its first parts
+        known = name == "carry" and isinstance(argument, tuple)  # a student knows the names of its first parts
         if not isinstance(argument, np.random.Generator):
-            parts += zip(argument, MOMENT, strict=False) if known else [(argument, f"the argument {name}")]
+            parts += zip(argument, CARRIED, strict=False) if known else [(argument, f"the argument {name}")]
     found = next(filter(None, (_of_values(one, of, all_kinds=not foreign, owner=None) for one, of in parts)), None)
     if found or not foreign:
         return found
-    fields = arrays_in(*(argument for argument, name in zip(arguments, names, strict=True) if name != "moment"))
+    fields = arrays_in(*(argument for argument, name in zip(arguments, names, strict=True) if name != "carry"))
     judged = [_of_shared(code, list(fields)), *map(_of_class, filter(is_foreign, code.classes)), *_of_members(code)]
     judged += [_of_function(function) for function in code.functions if is_foreign(function)]
     return next(filter(None, judged), None)

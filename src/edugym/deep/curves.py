@@ -12,10 +12,11 @@ import torch
 from gymnasium.vector import AutoresetMode, VectorEnv
 
 from edugym.adapters.gymnasium_env import MDPEnv
-from edugym.adapters.registration import ENVIRONMENTS, full_id, make_environment
+from edugym.adapters.registration import ENVIRONMENTS, make_environment
 from edugym.adapters.vector_env import MDPVectorEnv
-from edugym.checks.mdps import step_limit
+from edugym.checks.interfaces import MDP_ONLY
 from edugym.checks.parameters import whole_number
+from edugym.mdp.task import full_id, task_of
 from edugym.training.run import Run
 from edugym.training.trainers import EVALUATION_LIMIT
 
@@ -126,7 +127,7 @@ class Curve:
 def _step_limit(env: Any) -> int | None:
     """The step limit of the task, or None where it has none."""
     if isinstance(env, MDPVectorEnv):
-        return step_limit(env.mdp)
+        return task_of(env.mdp, "mdp", MDP_ONLY).max_steps
     limit: int | None = env.get_attr("spec")[0].max_episode_steps
     return limit
 

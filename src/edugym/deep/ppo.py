@@ -16,7 +16,8 @@ from edugym.agents.settings import Discount, LearningRate, Probability, Range, n
 from edugym.agents.vectors import input_scale
 from edugym.checks.parameters import whole_number
 from edugym.deep.curves import Curve, copies, one_thread
-from edugym.mdp.sizes import table_lows, table_sizes, vector_length
+from edugym.mdp.tabular import table_lows, table_sizes
+from edugym.mdp.task import vector_length
 from edugym.training.run import Run
 
 Whole = Annotated[int, Range(1)]

@@ -12,21 +12,22 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from gymnasium import Env, spaces
+from gymnasium import spaces
 
+from edugym.checks.interfaces import MDP_ONLY
 from edugym.checks.parameters import whole_number
 from edugym.checks.tracebacks import end_at_students_line
 from edugym.exact.branching import branches
 from edugym.exact.checking import compare_with_steps, global_randomness
 from edugym.exact.tables import FiniteModel, plain
 from edugym.mdp.protocol import MDP
+from edugym.mdp.task import task_of
 
 MAX_STATES = 50_000
 MAX_WAYS = 20_000
 """How many ways one step may go: thirty coins, say, are thrown in a billion ways."""
 MAX_ENTRIES = 50_000_000
 """Of each of the three tables of shape (S, A, K): more would not fit into the memory of a small machine."""
-METHODS = ("action_space", "initial", "transition", "reward", "terminal", "observation")
 
 
 def finite_model(mdp: MDP[Any, Any], max_states: int = MAX_STATES) -> FiniteModel:
@@ -45,7 +46,7 @@ def finite_model(mdp: MDP[Any, Any], max_states: int = MAX_STATES) -> FiniteMode
             they are followed.
     """
     whole_number("max_states", max_states, 1)
-    _check_task(mdp)
+    task_of(mdp, "mdp", MDP_ONLY)
     before = global_randomness()
     try:
         model = _explored(mdp, max_states)
@@ -62,17 +63,6 @@ def finite_model(mdp: MDP[Any, Any], max_states: int = MAX_STATES) -> FiniteMode
         reason = f"{type(mdp).__name__} has no finite model: {problem}"
         raise ValueError(reason).with_traceback(problem.__traceback__) from None
     return model
-
-
-def _check_task(mdp: Any) -> None:
-    """Refuse what is no MDP."""
-    if isinstance(mdp, Env):
-        raise ValueError(f"mdp must be an MDP, but is {mdp} (an environment of EduGym has one: env.unwrapped.mdp)")
-    if isinstance(mdp, type):
-        raise ValueError(f"mdp must be an MDP, but is the class {mdp.__name__}: pass a value, {mdp.__name__}(...)")
-    missing = [name for name in METHODS if not hasattr(mdp, name)]
-    if missing:
-        raise ValueError(f"mdp must be an MDP, such as make_mdp('Boulder'), but {mdp!r} has no {missing[0]}")
 
 
 class _Explorer:

@@ -11,9 +11,10 @@ import numpy as np
 from gymnasium.envs.registration import load_env_creator
 
 from edugym.adapters.registration import specification
-from edugym.checks.mdps import a_class, require_environment
+from edugym.checks.interfaces import MADE, a_class
 from edugym.checks.parameters import in_short
-from edugym.checks.values import own_copy
+from edugym.checks.values import deep_copy
+from edugym.mdp.task import task_of
 
 Setting = bool | int | float | str
 
@@ -97,10 +98,10 @@ def task(environment: Any, parameters: Mapping[str, Any] | None = None) -> Task:
         make = _by_layout(environment)
         first, second = (_settings(make(layout_seed)).items() for layout_seed in (0, 1))
         return Task(make, True, dict(setting for setting in first if setting in second), (environment,))
-    require_environment("environment", environment, "an MDP, a Gymnasium environment or a name")
+    task_of(environment)
     # A copy for each run: wrappers of MDPs have arrays to write into, which runs at the same time may not share.
     return Task(
-        lambda _: own_copy(environment, f"{COPIES} that makes one"), False, _settings(environment), (environment,)
+        lambda _: deep_copy(environment, f"{COPIES} that makes one"), False, _settings(environment), (environment,)
     )
 
 
@@ -122,7 +123,7 @@ def _by_layout(function: Callable[..., Any]) -> Callable[[int], Any]:
 
     def make(layout_seed: int) -> Any:
         made = function(layout_seed=layout_seed) if by_name else function(layout_seed)
-        require_environment("the environment that the function makes", made)
+        task_of(made, "the environment that the function makes", MADE)
         return made
 
     return make

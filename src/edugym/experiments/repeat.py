@@ -12,9 +12,10 @@ from numbers import Integral
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from edugym.checks.contract import METHODS
 from edugym.checks.parameters import in_short, whole_number
 from edugym.checks.tracebacks import end_at_students_line
-from edugym.checks.values import own_copy
+from edugym.checks.values import deep_copy
 from edugym.experiments.checkpoints import Checkpoints
 from edugym.experiments.configuration import COPIES, Planned, Task, described, planned_runs, task
 from edugym.experiments.fingerprints import versions
@@ -22,7 +23,6 @@ from edugym.experiments.results.tables import MEASURED, Results, with_types
 from edugym.system.extras import require
 from edugym.system.files import check_writable
 from edugym.system.interrupts import Interrupted, Stop, Work, interruptibly, ordered_by
-from edugym.training.contract import METHODS
 from edugym.training.progress import progress_bar
 from edugym.training.run import Run
 from edugym.training.train import check_stop, train
@@ -205,7 +205,7 @@ def _maker(label: str, agent: Any) -> Maker:
         made = f"{agent.__name__}.create" if hasattr(agent, "create") else f"{agent.__name__}(...)"
         raise ValueError(f"{needed} the class {agent.__name__}: give {made}")
     if any(hasattr(agent, name) for name in METHODS):
-        return lambda _: own_copy(agent, f"{COPIES} that makes one")
+        return lambda _: deep_copy(agent, f"{COPIES} that makes one")
     if not callable(agent):
         raise ValueError(f"{needed} {in_short(agent)}")
     try:
@@ -221,7 +221,7 @@ def _maker(label: str, agent: Any) -> Maker:
         made = agent(environment)
         if not any(hasattr(made, name) for name in METHODS):
             raise ValueError(f"agents[{label!r}] must make an agent, but made {in_short(made)}")
-        return own_copy(made, f"{COPIES} that makes all of it")
+        return deep_copy(made, f"{COPIES} that makes all of it")
 
     return make
 

@@ -7,10 +7,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
-from edugym.checks.mdps import require_mdp
+from edugym.checks.interfaces import MDP_ONLY
 from edugym.checks.parameters import whole_number
 from edugym.mdp.in_place import blank, in_place, written
 from edugym.mdp.protocol import Integers, Random, Reals
+from edugym.mdp.task import task_of
 from edugym.mdp.wrapper import wrapper
 from edugym.system.memory import in_digits
 
@@ -83,7 +84,7 @@ class Discretised(NamedTuple):
         Raises:
             ValueError: the task observes something else, or a number is not as said.
         """
-        require_mdp(mdp)
+        task_of(mdp, "mdp", MDP_ONLY)
         space = mdp.observation_space
         if not isinstance(space, spaces.Box):
             raise ValueError(f"mdp must observe real numbers (a Box), but its observation space is {space}")
@@ -143,7 +144,7 @@ class DiscreteActions(NamedTuple):
         Raises:
             ValueError: the actions are something else, a number is not as said, or there are more than 100 000 actions.
         """
-        require_mdp(mdp)
+        task_of(mdp, "mdp", MDP_ONLY)
         space = mdp.action_space
         if not isinstance(space, spaces.Box) or len(space.shape) != 1 or not space.is_bounded():
             raise ValueError(f"the actions of mdp must be a Box of one axis with finite bounds, but are {space}")

@@ -5,11 +5,11 @@ from typing import Any, NamedTuple
 
 from gymnasium import spaces
 
-from edugym.checks.mdps import require_mdp
+from edugym.checks.interfaces import MDP_ONLY
 from edugym.checks.parameters import in_short, whole_number
 from edugym.mdp.protocol import Random
-from edugym.mdp.sizes import MOST_ROWS, table_sizes
-from edugym.mdp.tabular import tabular_mdp
+from edugym.mdp.tabular import MOST_ROWS, table_sizes, tabular_mdp
+from edugym.mdp.task import task_of
 from edugym.mdp.wrapper import wrapper
 
 
@@ -104,7 +104,7 @@ class FrameStack(NamedTuple):
             ValueError: a parameter is not as above; `mdp` is not an MDP, its observations are not whole numbers, or its
                 actions do not start at 0; or the table would have 2^63 rows or more.
         """
-        require_mdp(mdp)
+        task_of(mdp, "mdp", MDP_ONLY)
         k = whole_number("k", k, 1)
         if not isinstance(actions, bool):
             raise ValueError(f"actions must be True or False, but is {in_short(actions)}")

@@ -4,10 +4,11 @@ from typing import Any, NamedTuple
 
 from gymnasium import spaces
 
-from edugym.checks.mdps import require_mdp
+from edugym.checks.interfaces import MDP_ONLY
 from edugym.mdp.hashed_table import HashedTable
 from edugym.mdp.in_place import blank, in_place
 from edugym.mdp.protocol import Random
+from edugym.mdp.task import task_of
 from edugym.mdp.wrapper import wrapper
 
 
@@ -72,7 +73,7 @@ class Hashed(NamedTuple):
         Raises:
             ValueError: the task does not observe numbers, or the capacity is not as said.
         """
-        require_mdp(mdp)
+        task_of(mdp, "mdp", MDP_ONLY)
         mdp = in_place(mdp)
         key = blank(mdp)
         return cls(mdp, HashedTable.create(key, capacity, overflow), key)

@@ -4,10 +4,11 @@ from typing import Any, NamedTuple
 
 from gymnasium import spaces
 
-from edugym.checks.mdps import require_mdp
+from edugym.checks.interfaces import MDP_ONLY
 from edugym.checks.parameters import a_number, at_least, whole_number
 from edugym.mdp.in_place import blank, in_place, written
 from edugym.mdp.protocol import Random
+from edugym.mdp.task import task_of
 from edugym.mdp.wrapper import wrapper
 
 
@@ -76,7 +77,7 @@ def bounds(mdp: Any) -> tuple[float, float]:
     Raises:
         ValueError: it does not observe an array, or one without bounds, or with different ones.
     """
-    require_mdp(mdp)
+    task_of(mdp, "mdp", MDP_ONLY)
     space = mdp.observation_space
     if not isinstance(space, spaces.Box):
         raise ValueError(f"mdp must observe an array (a Box), but its observation space is {space}")

@@ -89,7 +89,7 @@ class Actor(Protocol[Observation_contra]):
 class Agent(Actor[Observation_contra], Protocol[Observation_contra]):
     """An agent. Its method `learn` is called after every step.
 
-    `learn` may have any of these parameters, which are passed by name (see `edugym.training.contract`):
+    `learn` may have any of these parameters, which are passed by name (see `edugym.checks.contract`):
 
     * `state`, `action`, `reward`, `next_state`: the transition, as the agent observes it;
     * `terminated`: whether `next_state` is terminal;
@@ -115,34 +115,6 @@ class Agent(Actor[Observation_contra], Protocol[Observation_contra]):
         In your agent, write `learn` as an ordinary method. This protocol declares it as a property for one reason: type
         checkers then accept a `learn` with any parameters.
         """
-
-
-def coerced(value: Any) -> Any:
-    """Copy a NamedTuple, and turn the numbers in its `float` fields into Python floats.
-
-    NumPy integers in `int` fields become Python ints. NamedTuples in its fields are treated in the same way. A value
-    that is no NamedTuple is returned as it is.
-
-    The copy holds the same arrays as the original. The numbers are converted for two reasons. Numba would otherwise
-    compile the same agent twice, for `learning_rate=1` (an int) and for `learning_rate=0.1` (a float). And small NumPy
-    integers, such as an int8, would overflow.
-    """
-    if not (isinstance(value, tuple) and hasattr(value, "_fields")):
-        return value
-    kinds: dict[str, Any] = {}
-    for base in reversed(type(value).__mro__):
-        kinds |= inspect.get_annotations(base)
-    fields = {}
-    for name, field in zip(value._fields, value, strict=True):
-        kind = getattr(kinds.get(name), "__forward_arg__", kinds.get(name))  # an annotation written as a string
-        kind = getattr(kind, "__origin__", kind)  # Annotated[float, ...] becomes float
-        if kind in (float, "float") and isinstance(field, int | np.number):
-            fields[name] = float(field)
-        elif kind in (int, "int") and isinstance(field, np.integer):
-            fields[name] = int(field)
-        else:
-            fields[name] = coerced(field)
-    return type(value)(**fields)
 
 
 HISTORY = ("last_state", "last_action", "actions", "steps")

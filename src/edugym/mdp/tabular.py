@@ -1,14 +1,59 @@
-"""Observations of several whole numbers as one: the row of a table."""
+"""Observations of whole numbers as rows of a table: how many there are, and an MDP that shows them so."""
 
 import math
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 from gymnasium import spaces
 
 from edugym.mdp.protocol import MDP, Integers, Random, writes_in_place
-from edugym.mdp.sizes import number_of_rows, table_lows, table_sizes
 from edugym.mdp.wrapper import wrapper
+from edugym.system.memory import in_digits
+
+MOST_ROWS = 2**63 - 1
+"""The largest number of rows that machine code can count."""
+
+
+def table_sizes(space: spaces.Space[Any]) -> tuple[int, ...]:
+    """How many values each whole number in an element of `space` takes.
+
+    Raises:
+        ValueError: there are other things than whole numbers in it.
+    """
+    if isinstance(space, spaces.Discrete):
+        return (int(space.n),)
+    if isinstance(space, spaces.MultiDiscrete):
+        return tuple(int(n) for n in np.ravel(space.nvec))
+    if isinstance(space, spaces.MultiBinary):
+        return (2,) * math.prod(space.shape)
+    if isinstance(space, spaces.Tuple):
+        return tuple(size for part in space.spaces for size in table_sizes(part))
+    raise ValueError(f"a table needs observations that are whole numbers, but the observation space is {space}")
+
+
+def table_lows(space: spaces.Space[Any]) -> Sequence[int]:
+    """The lowest value of each whole number in an element of `space`."""
+    if isinstance(space, spaces.Tuple):
+        return [low for part in space.spaces for low in table_lows(part)]
+    if isinstance(space, spaces.Discrete | spaces.MultiDiscrete):
+        return [int(low) for low in np.ravel(space.start)]
+    return [0] * len(table_sizes(space))
+
+
+def number_of_rows(sizes: Sequence[int]) -> int:
+    """The number of rows of a table for several numbers, which take so many values each.
+
+    Raises:
+        ValueError: there are 2^63 rows or more.
+    """
+    rows = math.prod(sizes)
+    if rows > MOST_ROWS:
+        raise ValueError(
+            f"the rows of a table over {in_digits(rows)} observations do not fit 63 bits: give rows only to those that"
+            " occur (edugym.Hashed)"
+        )
+    return rows
 
 
 @wrapper
@@ -59,8 +104,9 @@ class Tabular(NamedTuple):
         if not all(isinstance(part, spaces.Discrete) for part in parts) or len(space.shape or ()) > 1:
             raise ValueError(f"observation_space of an MDP must be flat for a table, but is {space}")
         number_of_rows(sizes)
+        lows, seen = np.array(table_lows(space)), np.zeros(len(sizes), np.int64)
         kind = TabularInPlace if writes_in_place(mdp) else cls
-        return kind(mdp, np.array(sizes), np.array(table_lows(space)), np.zeros(len(sizes), np.int64))
+        return kind(mdp, np.array(sizes), lows, seen)
 
 
 class TabularInPlace(Tabular):

@@ -25,6 +25,13 @@ def is_ours(thing: Any) -> bool:
     return package_of(thing) in OURS
 
 
+def is_own(value: Any) -> bool:
+    """Whether all classes in a value are EduGym's own, or Python's and NumPy's, and no student's."""
+    if isinstance(value, tuple) and not all(map(is_own, value)):
+        return False
+    return is_ours(type(value)) or package_of(type(value)) in ("builtins", "numpy")
+
+
 def is_installed(place: str | Path) -> bool:
     """Whether a file or folder belongs to Python's library or to an installed package."""
     path = Path(place).resolve()

@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from edugym.checks.mdps import step_limit
-from edugym.training.contract import is_on_policy, learner
+from edugym.checks.contract import contract_of, learner
+from edugym.mdp.task import task_of
 
 
 def attempt(make: Callable[[Any], Any], mdp: Any, after: int, seed: int = 0) -> list[int]:
@@ -26,12 +26,13 @@ def attempt(make: Callable[[Any], Any], mdp: Any, after: int, seed: int = 0) -> 
     Raises:
         ValueError: the agent is on-policy, or the MDP has no step limit.
     """
-    agent, limit = make(mdp), step_limit(mdp)
-    if is_on_policy(agent):
+    agent, limit = make(mdp), task_of(mdp, "mdp").max_steps
+    contract = contract_of(agent)
+    if contract.is_on_policy:
         raise ValueError(f"make must give an off-policy agent, but learn of {type(agent).__name__} takes `next_action`")
     if limit is None:
         raise ValueError(f"mdp must have a step limit, `max_steps`, but {type(mdp).__name__} has none")
-    learning = learner(agent)  # its `learn` passes on only what the agent's own `learn` takes
+    learning = learner(contract)  # its `learn` passes on only what the agent's own `learn` takes
     rng, steps = np.random.default_rng(seed), 0
     while True:
         state, actions, terminated = mdp.initial(rng), list[int](), False

@@ -7,19 +7,19 @@ import numpy as np
 from gymnasium import spaces
 
 from edugym.mdp.protocol import Actor, Random
-from edugym.training.loops import Log, Moment, OnPolicyMoment
+from edugym.training.loops import Carry, Log, OnPolicyCarry
 
 
 def off_policy(
-    n_steps: int, env: gymnasium.Env[Any, Any], agent: Any, max_steps: int, agent_rng: Random, log: Log, moment: Moment
-) -> Moment:
+    n_steps: int, env: gymnasium.Env[Any, Any], agent: Any, max_steps: int, agent_rng: Random, log: Log, carry: Carry
+) -> Carry:
     """Take `n_steps` steps, learning before the next action is chosen (Q-learning, section 6.5).
 
     The agent bootstraps where the environment truncates, and not where it terminates. Arguments and result are those of
-    `edugym.training.loops.off_policy`; the environment keeps its state and random stream itself, so the moment has no
+    `edugym.training.loops.off_policy`; the environment keeps its state and random stream itself, so the carry has no
     state.
     """
-    _, observation, steps, total = moment
+    _, observation, steps, total = carry
     for _ in range(n_steps):
         action = agent.act(observation, agent_rng)
         next_observation, reward, terminated, truncated, _ = env.step(given(action, env))
@@ -43,10 +43,10 @@ def on_policy(
     max_steps: int,
     agent_rng: Random,
     log: Log,
-    moment: OnPolicyMoment,
-) -> OnPolicyMoment:
+    carry: OnPolicyCarry,
+) -> OnPolicyCarry:
     """Take `n_steps` steps, choosing the next action before learning, which uses it (SARSA, section 6.4)."""
-    _, observation, action, steps, total = moment
+    _, observation, action, steps, total = carry
     for _ in range(n_steps):
         next_observation, reward, terminated, truncated, _ = env.step(given(action, env))
         next_action = action if terminated else agent.act(next_observation, agent_rng)

@@ -1,7 +1,7 @@
 """The interaction loops of agent and MDP, written as in the textbook.
 
-They are plain Python and can be compiled. A long run is split into chunks: each call starts from a `moment` and returns
-the `moment` at which it stopped. The result is exactly that of one long call.
+They are plain Python and can be compiled. A long run is split into chunks: each call starts from a `Carry`, what the
+loop carries from step to step, and returns the one at which it stopped. The result is exactly that of one long call.
 
 Environment and agent have random streams of their own (`environment_rng`, `agent_rng`), so the random numbers of one
 never depend on how many the other has drawn.
@@ -13,10 +13,10 @@ from typing import Any, NamedTuple, TypeAlias
 
 from edugym.mdp.protocol import MDP, Actor, Integers, Observation, Random, Reals, State
 
-Moment: TypeAlias = tuple[Any, Any, int, float]
-"""Between two steps: the state, its observation, the steps of this episode so far, and its return so far."""
-OnPolicyMoment: TypeAlias = tuple[Any, Any, Any, int, float]
-"""Like `Moment`, with the next action, which is already chosen, as the third element."""
+Carry: TypeAlias = tuple[Any, Any, int, float]
+"""What a loop carries from step to step: the state, its observation, and this episode's steps and return so far."""
+OnPolicyCarry: TypeAlias = tuple[Any, Any, Any, int, float]
+"""Like `Carry`, with the next action, which is already chosen, as the third element."""
 
 
 class Log(NamedTuple):
@@ -31,16 +31,16 @@ class Log(NamedTuple):
     episodes: Integers
 
 
-def start_off_policy(mdp: MDP[State, Observation], environment_rng: Random) -> Moment:
-    """The moment before the first step."""
+def start_off_policy(mdp: MDP[State, Observation], environment_rng: Random) -> Carry:
+    """The carry before the first step."""
     state = mdp.initial(environment_rng)
     return state, mdp.observation(state, environment_rng), 0, 0.0
 
 
 def start_on_policy(
     mdp: MDP[State, Observation], agent: Actor[Any], environment_rng: Random, agent_rng: Random
-) -> OnPolicyMoment:
-    """The moment before the first step, with the first action already chosen."""
+) -> OnPolicyCarry:
+    """The carry before the first step, with the first action already chosen."""
     state, observation, steps, total = start_off_policy(mdp, environment_rng)
     return state, observation, agent.act(observation, agent_rng), steps, total
 
@@ -53,25 +53,25 @@ def off_policy(
     environment_rng: Random,
     agent_rng: Random,
     log: Log,
-    moment: Moment,
-) -> Moment:
+    carry: Carry,
+) -> Carry:
     """Take `n_steps` steps, learning before the next action is chosen (Q-learning, section 6.5).
 
     Args:
         n_steps: how many steps to take; episodes follow each other.
         mdp: the task.
-        agent: the agent, wrapped by `edugym.training.contract.learner`. The wrapper's `learn` takes everything that
+        agent: the agent, wrapped by `edugym.checks.contract.learner`. The wrapper's `learn` takes everything that
             this loop passes.
         max_steps: after how many steps an episode is truncated.
         environment_rng: what the task draws from.
         agent_rng: what the agent draws from.
         log: where the returns of the episodes that end are added up.
-        moment: where to start: what `start_off_policy` or the previous call returned.
+        carry: where to start: what `start_off_policy` or the previous call returned.
 
     Returns:
-        The moment after the last step.
+        The carry after the last step.
     """
-    state, observation, steps, total = moment
+    state, observation, steps, total = carry
     for _ in range(n_steps):
         action = agent.act(observation, agent_rng)
         next_state = mdp.transition(state, action, environment_rng)
@@ -100,16 +100,16 @@ def on_policy(
     environment_rng: Random,
     agent_rng: Random,
     log: Log,
-    moment: OnPolicyMoment,
-) -> OnPolicyMoment:
+    carry: OnPolicyCarry,
+) -> OnPolicyCarry:
     """Take `n_steps` steps. Choose the next action first, then learn from it (SARSA, section 6.4).
 
     After a terminal state there is no next action: `learn` is given the last action in its place, and must ignore it.
     When an episode is truncated, a next action is chosen and `learn` may use it, but it is never executed. Arguments
-    and result are as in `off_policy`, except for the moment: it also holds the next action, and the first moment comes
+    and result are as in `off_policy`, except for the carry: it also holds the next action, and the first one comes
     from `start_on_policy`.
     """
-    state, observation, action, steps, total = moment
+    state, observation, action, steps, total = carry
     for _ in range(n_steps):
         next_state = mdp.transition(state, action, environment_rng)
         reward = mdp.reward(state, action, next_state, environment_rng)

@@ -100,8 +100,8 @@ def train(
         raise
     run = Run(*curve.columns(), agent, seed, time.perf_counter() - began, complete=curve.last == n_steps)
     if run.complete:
-        for doubt in training.doubts(run):
-            warnings.warn(doubt, stacklevel=2)
+        for warning in training.warnings(run):
+            warnings.warn(warning, stacklevel=2)
     if interrupted:
         where = f", in the loop at line {work.loop} of your code" if work.loop else ""
         raise Interrupted(f"after {done} of {n_steps} steps{where}; the agent keeps what it has learned", lambda: run)

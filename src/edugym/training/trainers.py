@@ -1,7 +1,7 @@
-"""Who trains an agent, and evaluates it: one for MDPs, one for any other Gymnasium environment.
+"""Trainers train an agent and evaluate it: one in MDPs, one in any other Gymnasium environment.
 
-`trainer` resolves what a user gave (a name, an environment, a wrapped one, an MDP) once; from there on there is one
-form of everything.
+`trainer` passes what a user gave through the two gates, `task_of` and `contract_of`, fits the task to the agent, and
+chooses the trainer.
 """
 
 import math
@@ -10,22 +10,21 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any, Protocol
 
-import gymnasium
 import numpy as np
 
-from edugym.adapters.fitting import fitting, takes_vectors
-from edugym.adapters.registration import full_id
-from edugym.adapters.rooms import View
-from edugym.checks.mdps import CHECKED_STEPS, checked_mdp, is_own, require_task
-from edugym.checks.values import own_copy
+from edugym.adapters.double_buffer import DoubleBuffer
+from edugym.adapters.fitting import fitted
+from edugym.checks.afterwards import snapshot, warnings_after
+from edugym.checks.agents import checked_agent
+from edugym.checks.contract import Contract, actor, contract_of, forget_episode, learner
+from edugym.checks.envs import checked_env
+from edugym.checks.mdps import CHECKED_STEPS, checked_mdp
+from edugym.checks.values import deep_copy
 from edugym.compiled.execution import executable
-from edugym.mdp.protocol import coerced
+from edugym.mdp.guards import GUARDS, guarded
+from edugym.mdp.task import Task, task_of
 from edugym.system.interrupts import held
 from edugym.training import gymnasium_loops, loops
-from edugym.training.checked_env import checked_env
-from edugym.training.checking import before_training, checked_agent, doubts
-from edugym.training.contract import actor, forget_episode, is_on_policy, learner, learns_from, tables_of
-from edugym.training.guarded import GUARDS, guarded
 from edugym.training.loops import Log
 from edugym.training.machine_agent import MachineAgent
 from edugym.training.run import Run
@@ -62,12 +61,12 @@ class Trainer(Protocol):
     def play_episodes(self, at_most: int) -> list[float]:
         """Play an episode or more without learning, as the agent believes best; return their undiscounted returns."""
 
-    def doubts(self, run: Run) -> list[str]:
-        """Return what is probably wrong with what has been trained, in a sentence each."""
+    def warnings(self, run: Run) -> list[str]:
+        """What is probably wrong with what has been trained, in a sentence each."""
 
 
 def trainer(environment: Any, agent: Any, seed: int, max_steps: int | None, expected: int) -> Trainer:
-    """Return the trainer for an environment and an agent.
+    """The trainer for an environment and an agent.
 
     Args:
         environment: an MDP, a Gymnasium environment, or the name or id of one.
@@ -79,35 +78,34 @@ def trainer(environment: Any, agent: Any, seed: int, max_steps: int | None, expe
     Raises:
         ValueError: one is no environment or no agent, or they do not fit each other.
     """
-    if isinstance(environment, str):
-        environment = gymnasium.make(full_id(environment))
-    limit = require_task(environment)
-    learns_from(agent)  # refuses what is no agent
-    agent = coerced(agent)
-    task = coerced(fitting(environment, agent, tables_of(agent)))
-    forget_episode(agent)
-    kind = GymnasiumTrainer if isinstance(task, gymnasium.Env) else MDPTrainer
-    return kind(task, agent, seed, max_steps or limit, expected)
+    task, contract = task_of(environment), contract_of(agent)
+    task = fitted(task, contract)
+    forget_episode(contract.agent)
+    kind = MDPTrainer if task.is_mdp else GymnasiumTrainer
+    return kind(task, contract, seed, max_steps or task.max_steps, expected)
 
 
 class MDPTrainer:
     """Trains and evaluates an agent in an MDP, as machine code where that pays.
 
     The first training steps and the first evaluation episode of students' code run interpreted and checked (see
-    `edugym.training.checking`). They are part of the run: nothing happens twice.
+    `edugym.checks`). They are part of the run: nothing happens twice.
     """
 
-    def __init__(self, mdp: Any, agent: Any, seed: int, limit: int | None, expected: int) -> None:
-        """See `trainer`; the limit is None where the task has none."""
-        self.agent, self.log, self._pace, self._task, self._expected = agent, new_log(), Pace(), mdp, expected
-        self._before = before_training(agent)
+    def __init__(self, task: Task, contract: Contract, seed: int, limit: int | None, expected: int) -> None:
+        """See `trainer`; the limit is None where there is none."""
+        self.agent, self._task, self._expected = contract.agent, task.played, expected
+        self.log, self._chunk = new_log(), Chunk()
+        self._contract, self._before = contract, snapshot(contract)
         environment_rng, agent_rng, self._evaluation_rng, self._actor_rng = streams(seed)
-        self._evaluation_limit = limit or EVALUATION_LIMIT
-        training, self._playing = (View(mdp, agent, on_policy, guarded) for on_policy in (is_on_policy(agent), False))
-        self._steps_to_check = 0 if is_own(mdp) and is_own(agent) else CHECKED_STEPS
+        self._limit, self._evaluation_limit = limit, limit or EVALUATION_LIMIT
+        training, self._playing = (
+            DoubleBuffer(task.played, self.agent, on_policy, guarded) for on_policy in (contract.is_on_policy, False)
+        )
+        self._steps_to_check = 0 if contract.is_own and task.is_own else CHECKED_STEPS
         self._rest = (
             training.mdp,
-            training.of(learner(agent)),
+            training.of(learner(contract)),
             limit or NO_LIMIT,
             environment_rng,
             agent_rng,
@@ -116,11 +114,11 @@ class MDPTrainer:
         self._first = mdp, learning, *_ = self._checked(*self._rest)
         self._loop: Callable[..., Any]
         self._advance: Callable[..., Any]
-        self._moment: Any
-        if is_on_policy(agent):
-            self._loop, self._moment = loops.on_policy, loops.start_on_policy(mdp, learning, environment_rng, agent_rng)
+        self._carry: Any
+        if contract.is_on_policy:
+            self._loop, self._carry = loops.on_policy, loops.start_on_policy(mdp, learning, environment_rng, agent_rng)
         else:
-            self._loop, self._moment = loops.off_policy, loops.start_off_policy(mdp, environment_rng)
+            self._loop, self._carry = loops.off_policy, loops.start_off_policy(mdp, environment_rng)
         self._advance, self._play = self._loop, loops.play_episodes
         self._has_played = not self._steps_to_check
         if not self._steps_to_check:
@@ -136,11 +134,11 @@ class MDPTrainer:
         """Take training steps, as many as take about `CALL_SECONDS`; return their number."""
         if not self._steps_to_check:
             arguments = self._rest if self.is_compiled else self._first
-            with self._pace.steps(at_most) as n_steps:
-                self._moment = self._advance(n_steps, *arguments, self._moment)
+            with self._chunk.steps(at_most) as n_steps:
+                self._carry = self._advance(n_steps, *arguments, self._carry)
             return n_steps
-        with self._pace.steps(min(at_most, self._steps_to_check)) as n_steps:
-            self._moment = self._loop(n_steps, *self._first, self._moment)
+        with self._chunk.steps(min(at_most, self._steps_to_check)) as n_steps:
+            self._carry = self._loop(n_steps, *self._first, self._carry)
         self._steps_to_check -= n_steps
         if not self._steps_to_check:
             self._compile_training()
@@ -155,7 +153,7 @@ class MDPTrainer:
             The undiscounted return of each.
         """
         compiled = self._play is not loops.play_episodes
-        together = compiled and hasattr(self.agent, "greedy")
+        together = compiled and self._contract.has_greedy
         n_episodes = min(at_most, max(1, MOST_STEPS // self._evaluation_limit)) if together else 1
         evaluation = self._evaluation(n_episodes)
         with held(machine_code=compiled):
@@ -170,17 +168,15 @@ class MDPTrainer:
         returns: list[float] = evaluation[-1].tolist()
         return returns
 
-    def doubts(self, run: Run) -> list[str]:
-        """Return what is probably wrong with what has been trained, in a sentence each."""
-        limit = self._rest[2]
-        known = None if limit == NO_LIMIT else limit
-        return doubts(self._task, self.agent, known, run, self._before)
+    def warnings(self, run: Run) -> list[str]:
+        """What is probably wrong with what has been trained, in a sentence each."""
+        return warnings_after(self._task, self.agent, self._limit, run, self._before)
 
     def _compile_training(self) -> None:
         """From now on train by machine code, if that pays and is possible; where that fails, checks say why."""
         self._advance = executable(
             self._loop,
-            (*self._rest, self._moment),
+            (*self._rest, self._carry),
             expected=self._expected,
             replay=lambda n, *rest: self._loop(n, *self._checked(*rest, steps=math.inf)),
         )
@@ -196,14 +192,14 @@ class MDPTrainer:
         )
 
     def _checked(self, mdp: Any, agent: Any, *rest: Any, steps: float = CHECKED_STEPS) -> tuple[Any, ...]:
-        """Return the arguments of a loop with a student's MDP and agent checked."""
+        """The arguments of a loop with a student's MDP and agent checked."""
         return checked_mdp(mdp, steps, instead_of=GUARDS), checked_agent(agent, self._task, steps), *rest
 
     def _evaluation(self, n_episodes: int = 1) -> tuple[Any, ...]:
-        """Return the arguments of `play_episodes` after the number of episodes; it writes returns into the last."""
+        """The arguments of `play_episodes` after the number of episodes; it writes returns into the last."""
         limit, evaluation_rng, actor_rng = self._evaluation_limit, self._evaluation_rng, self._actor_rng
         playing = self._playing
-        return playing.mdp, playing.of(actor(self.agent)), limit, evaluation_rng, actor_rng, np.zeros(n_episodes)
+        return playing.mdp, playing.of(actor(self._contract)), limit, evaluation_rng, actor_rng, np.zeros(n_episodes)
 
 
 class GymnasiumTrainer:
@@ -211,51 +207,53 @@ class GymnasiumTrainer:
 
     is_compiled = False
 
-    def __init__(self, env: gymnasium.Env[Any, Any], agent: Any, seed: int, limit: int | None, expected: int) -> None:
+    def __init__(self, task: Task, contract: Contract, seed: int, limit: int | None, expected: int) -> None:
         """See `trainer`; the limit is None where it is not known."""
-        self.agent, self.log, self._pace, self._expected = agent, new_log(), Pace(), expected
+        env = task.played
+        self.agent, self._env, self._expected = contract.agent, env, expected
+        self.log, self._chunk = new_log(), Chunk()
         environment_rng, self._agent_rng, self._evaluation_rng, self._actor_rng = streams(seed)
-        self._evaluated = own_copy(env, "evaluation plays a copy: make it in reset")  # before anything is drawn
-        self._env, self._limit, self._before = env, limit, before_training(agent)
-        self._learner: Any = checked_agent(learner(agent), env)
+        self._evaluated = deep_copy(env, "evaluation plays a copy: make it in reset")  # before anything is drawn
+        self._limit, self._contract, self._before = limit, contract, snapshot(contract)
+        self._learner: Any = checked_agent(learner(contract), env)
         self._actor: Any = None
         self._steps_to_check, self._has_played = CHECKED_STEPS, False
         with checked_env(env) as checked:
             observation, _ = checked.reset(seed=gymnasium_loops.draw_seed(environment_rng))
-        self._moment: Any = (None, observation, 0, 0.0)
+        self._carry: Any = (None, observation, 0, 0.0)
         self._loop: Callable[..., Any] = gymnasium_loops.off_policy
-        if is_on_policy(agent):
+        if contract.is_on_policy:
             self._loop = gymnasium_loops.on_policy
-            self._moment = (None, observation, self._learner.act(observation, self._agent_rng), 0, 0.0)
-        if is_own(agent):
+            self._carry = (None, observation, self._learner.act(observation, self._agent_rng), 0, 0.0)
+        if contract.is_own:
             self._compile(observation)
 
     def learn(self, at_most: int) -> int:
         """Take training steps, as many as take about `CALL_SECONDS`; return their number."""
         if not self._steps_to_check:
-            with self._pace.steps(at_most) as n_steps, checked_env(self._env, steps=0) as env:
+            with self._chunk.steps(at_most) as n_steps, checked_env(self._env, steps=0) as env:
                 self._advance(n_steps, env)
             return n_steps
-        with self._pace.steps(min(at_most, self._steps_to_check)) as n_steps, checked_env(self._env) as env:
+        with self._chunk.steps(min(at_most, self._steps_to_check)) as n_steps, checked_env(self._env) as env:
             self._advance(n_steps, env)
         self._steps_to_check -= n_steps
-        if not self._steps_to_check and not is_own(self.agent):
-            self._compile(self._moment[1])
+        if not self._steps_to_check and not self._contract.is_own:
+            self._compile(self._carry[1])
         return n_steps
 
     def play_episodes(self, at_most: int) -> list[float]:
         """Play one episode without learning, as the agent believes best; return its undiscounted return."""
         steps, self._has_played = 0 if self._has_played else CHECKED_STEPS, True
         with checked_env(self._evaluated, steps) as env:
-            return [self._played(env, self._actor or checked_agent(actor(self.agent), self._evaluated, steps))]
+            return [self._played(env, self._actor or checked_agent(actor(self._contract), self._evaluated, steps))]
 
-    def doubts(self, run: Run) -> list[str]:
-        """Return what is probably wrong with what has been trained, in a sentence each."""
-        return doubts(self._env, self.agent, self._limit, run, self._before)
+    def warnings(self, run: Run) -> list[str]:
+        """What is probably wrong with what has been trained, in a sentence each."""
+        return warnings_after(self._env, self.agent, self._limit, run, self._before)
 
     def _advance(self, n_steps: int, env: Any) -> None:
         limit = self._limit or NO_LIMIT
-        self._moment = self._loop(n_steps, env, self._learner, limit, self._agent_rng, self.log, self._moment)
+        self._carry = self._loop(n_steps, env, self._learner, limit, self._agent_rng, self.log, self._carry)
 
     def _played(self, env: Any, player: Any) -> float:
         limit = self._limit or EVALUATION_LIMIT
@@ -263,14 +261,14 @@ class GymnasiumTrainer:
 
     def _compile(self, observation: Any) -> None:
         """From now on the agent alone runs as machine code, where it takes vectors and that pays."""
-        self._learner = checked_agent(learner(self.agent), self._env, steps=0)
-        if takes_vectors(self.agent):
-            self._learner = MachineAgent(learner(self.agent), self._agent_rng, observation, self._expected)
-            self._actor = MachineAgent(actor(self.agent), self._actor_rng, observation, self._expected)
+        self._learner = checked_agent(learner(self._contract), self._env, steps=0)
+        if self._contract.takes_vectors:
+            self._learner = MachineAgent(learner(self._contract), self._agent_rng, observation, self._expected)
+            self._actor = MachineAgent(actor(self._contract), self._actor_rng, observation, self._expected)
 
 
-class Pace:
-    """How many steps to take at a time. How a run is cut into calls does not change its results."""
+class Chunk:
+    """How many steps a call takes. How a run is cut into calls does not change its results."""
 
     def __init__(self) -> None:
         """Begin with few."""
@@ -289,10 +287,10 @@ class Pace:
 
 
 def streams(seed: int) -> list[np.random.Generator]:
-    """Return the random streams of environment, agent, evaluation, and of the agent while it is evaluated."""
+    """The random streams of environment, agent, evaluation, and of the agent while it is evaluated."""
     return [np.random.default_rng(child) for child in np.random.SeedSequence(seed).spawn(4)]
 
 
 def new_log() -> Log:
-    """Return a log of no episodes."""
+    """A log of no episodes."""
     return Log(np.zeros(1), np.zeros(1, np.int64))

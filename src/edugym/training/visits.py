@@ -4,10 +4,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from edugym.checks.contract import actor, contract_of, forget_episode, learner
 from edugym.checks.parameters import whole_number
 from edugym.mdp.protocol import Integers, Random
-from edugym.mdp.sizes import table_size
-from edugym.training.contract import actor, forget_episode, is_on_policy, learner
+from edugym.mdp.task import table_size
 
 
 class VisitRecorder(NamedTuple):
@@ -69,25 +69,25 @@ class OnPolicyVisitRecorder(NamedTuple):
     """The same for agents that learn from the action they will take next (SARSA).
 
     Attributes:
-        recorder: what counts, with the agent in it.
+        agent: the agent, with what counts around it.
         visits: shape (n_intervals, n_states): the counts, as in `VisitRecorder`.
     """
 
-    recorder: VisitRecorder
+    agent: VisitRecorder
     visits: Integers
 
     @property
     def recorded(self) -> Any:
         """The agent."""
-        return self.recorder.agent
+        return self.agent.agent
 
     def act(self, state: int, rng: Random) -> int:
         """The agent's action."""
-        return self.recorder.act(state, rng)
+        return self.agent.act(state, rng)
 
     def greedy(self, state: int, rng: Random) -> int:
         """The action by which the agent is evaluated."""
-        return self.recorder.greedy(state, rng)
+        return self.agent.greedy(state, rng)
 
     def learn(
         self,
@@ -100,12 +100,12 @@ class OnPolicyVisitRecorder(NamedTuple):
         truncated: bool,
     ) -> None:
         """Count, and let the agent learn."""
-        self.recorder.record(state, next_state, terminated)
-        self.recorder.learner.learn(state, action, reward, next_state, next_action, terminated, truncated)
+        self.agent.record(state, next_state, terminated)
+        self.agent.learner.learn(state, action, reward, next_state, next_action, terminated, truncated)
 
     def forget_episode(self) -> None:
         """Let the agent forget an episode that was not played to its end."""
-        self.recorder.forget_episode()
+        self.agent.forget_episode()
 
 
 def record_visits(
@@ -130,6 +130,7 @@ def record_visits(
     whole_number("n_steps", n_steps, 1)
     whole_number("n_intervals", n_intervals, 1)
     visits = np.zeros((n_intervals, table_size(environment)[0]), np.int64)
-    evaluated = actor(agent) if hasattr(agent, "greedy") else agent
-    recorder = VisitRecorder(agent, learner(agent), evaluated, visits, np.zeros(1, np.int64), n_steps)
-    return OnPolicyVisitRecorder(recorder, visits) if is_on_policy(agent) else recorder
+    contract = contract_of(agent)
+    evaluated = actor(contract) if contract.has_greedy else agent
+    recorder = VisitRecorder(agent, learner(contract), evaluated, visits, np.zeros(1, np.int64), n_steps)
+    return OnPolicyVisitRecorder(recorder, visits) if contract.is_on_policy else recorder

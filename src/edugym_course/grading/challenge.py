@@ -12,10 +12,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from edugym.adapters.registration import make_mdp
+from edugym.checks.contract import learner
 from edugym.experiments.repeat import repeat
 from edugym.experiments.results.statistics import Interval, paired_difference
 from edugym.experiments.results.tables import Results
-from edugym.training.contract import learner
 from edugym.training.train import train
 from edugym_course.grading.patience import LIMIT
 from edugym_course.grading.student_code import running

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from edugym.training.contract import learns_from
+from edugym.checks.contract import learns_from
 from edugym_course.grading.student_code import running
 from edugym_course.grading.values import TOLERANCE, digits
 from edugym_course.grading.wrong import WrongAnswer

@@ -10,12 +10,12 @@ from typing import Any
 import gymnasium
 import numpy as np
 
+from edugym.checks.contract import tables_of
 from edugym.experiments import repeat as repeating
 from edugym.experiments.configuration import described
 from edugym.experiments.repeat import repeat
 from edugym.experiments.results.tables import Results
 from edugym.training import train as training
-from edugym.training.contract import tables_of
 from edugym.training.run import Run
 from edugym.training.train import train
 from edugym_course.notebook.prediction import Comparison, Prediction

@@ -7,8 +7,8 @@ from typing import Any
 import gymnasium
 import numpy as np
 
+from edugym.adapters.fitting import tabular
 from edugym.adapters.playing.game import Frame, Game, made
-from edugym.adapters.tabular_observation import tabular
 from edugym.checks.parameters import whole_number
 from edugym.mdp.protocol import Random
 from edugym.system.files import check_writable

@@ -12,10 +12,10 @@ from gymnasium import spaces
 from edugym.agents.features import Identity
 from edugym.agents.linear_q_learning import LinearQLearning
 from edugym.agents.semi_gradient_sarsa import SemiGradientSARSA
+from edugym.checks.contract import is_on_policy
 from edugym.experiments.figures.lines import Lines
 from edugym.experiments.figures.sheet import Sheet
 from edugym.mdp.protocol import Random, Reals
-from edugym.training.contract import is_on_policy
 
 SOLID = 1
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from edugym.envs.catch import Catch
 from edugym.exact.model import finite_model
-from edugym.mdp.sizes import table_sizes
+from edugym.mdp.tabular import table_sizes
 from edugym_course.lessons.dimensionality.tasks import COLUMNS, ROWS
 
 

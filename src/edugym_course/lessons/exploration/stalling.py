@@ -6,13 +6,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from edugym.checks.contract import forget_episode, learner
 from edugym.experiments.figures import Lines
 from edugym.experiments.repeat import repeat
 from edugym.experiments.results.claims import Claim, Within
 from edugym.experiments.results.statistics import mean_interval
 from edugym.experiments.results.tables import Results
 from edugym.mdp.protocol import Integers, Random
-from edugym.training.contract import forget_episode, learner
 from edugym_course.lessons.exploration.methods import METHODS, N_STEPS, NOVELTY, SLIP, Maker
 
 SHOWN = 10

@@ -5,12 +5,12 @@ from dataclasses import dataclass
 from typing import Any
 
 from edugym.adapters.gymnasium_env import MDPEnv
-from edugym.checks.mdps import check_mdp, step_limit
 from edugym.exact.values import Values
 from edugym.experiments.figures.sheet import Sheet
 from edugym.experiments.results.statistics import mean_interval
 from edugym.experiments.results.tables import Results
 from edugym.mdp.protocol import Reals
+from edugym.mdp.task import check_mdp, task_of
 from edugym_course.lessons.own_problem.exact import in_words, random_return, solve
 from edugym_course.lessons.own_problem.figures import PolicyMap, can_be_drawn, names_of, race
 from edugym_course.lessons.own_problem.methods import Maker, learn, methods_with, true_returns
@@ -46,7 +46,7 @@ class Tour:
     def sheets(self) -> list[Sheet]:
         """The best policy, where it can be drawn, and the comparison of the agents."""
         drawn = can_be_drawn(self.values)
-        title = "the best policy" if step_limit(self.mdp) is None else "the best first action"
+        title = "the best policy" if task_of(self.mdp).max_steps is None else "the best first action"
         maps = [Sheet("policy", [[PolicyMap(self.values, names_of(self.mdp), title)]])] if drawn else []
         return [*maps, race(self.results, self.learned, self.values.start, self.random)]
 
@@ -61,7 +61,7 @@ class Tour:
             f" {', '.join(names)}.",
             "The dynamics are " + ("random." if chance else "not random."),
             f"Expected return of random actions: {self.random:.4g}. Optimum: {self.values.start:.4g}.",
-            "The best action in each state" + (", at the first step:" if step_limit(self.mdp) else ":"),
+            "The best action in each state" + (", at the first step:" if task_of(self.mdp).max_steps else ":"),
             in_words(self.values, dict(enumerate(names)), most=30),
             "What the agents' policies are worth in the end (mean over runs, 95 % interval):",
             *(f"{label:>12}: {mean_interval(values)}" for label, values in self.learned.items()),
@@ -109,4 +109,4 @@ def take_through_everything(
     makers = {label: methods_with()[label] for label in FEW} if methods is None else methods
     results = learn(mdp, makers, n_steps, repetitions=repetitions, seed=seed)
     learned = {label: true_returns(results, label, mdp) for label in makers}
-    return Tour(mdp, values, random_return(mdp, step_limit(mdp)), results, learned)
+    return Tour(mdp, values, random_return(mdp, task_of(mdp).max_steps), results, learned)

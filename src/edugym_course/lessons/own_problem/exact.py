@@ -6,7 +6,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from edugym.checks.mdps import step_limit
 from edugym.exact.model import finite_model
 from edugym.exact.policy_evaluation import policy_evaluation
 from edugym.exact.tables import FiniteModel
@@ -14,6 +13,7 @@ from edugym.exact.value_iteration import value_iteration
 from edugym.exact.values import Values
 from edugym.experiments.results.statistics import in_short
 from edugym.mdp.protocol import Reals
+from edugym.mdp.task import task_of
 from edugym_course.lessons.own_problem.morning import RING
 
 DISCOUNT = 1.0
@@ -147,7 +147,7 @@ def solve(mdp: Any) -> Values:
             than any number of a computer.
     """
     model = finite_model(mdp)
-    limit = step_limit(mdp)
+    limit = task_of(mdp).max_steps
     if not model.terminal.any() and limit is None:
         raise ValueError(
             f"no state of {type(mdp).__name__} is terminal, so an episode never ends: let `terminal` be True somewhere,"

@@ -8,11 +8,12 @@ from typing import Any
 
 import numpy as np
 
-from edugym.checks.mdps import check_mdp, require_mdp, step_limit
+from edugym.checks.interfaces import MDP_ONLY
 from edugym.checks.values import GlobalDraws
 from edugym.exact.branching import branches
 from edugym.exact.model import finite_model
 from edugym.mdp.protocol import Random
+from edugym.mdp.task import check_mdp, task_of
 from edugym_course.grading.agents import require_class, require_function
 from edugym_course.grading.cases import telling_draw
 from edugym_course.grading.student_code import running
@@ -217,7 +218,7 @@ def exercise_3(answer: Any, seed: int) -> str:
     with running("UsedToIt()"):
         mine = answer()
     with _told_as_wrong():
-        require_mdp(mine, "UsedToIt()")
+        task_of(mine, "UsedToIt()", MDP_ONLY)
     with running("initial(rng)"):
         first = mine.initial(np.random.default_rng(seed))
     if _three("initial(rng)", first) != (0, 2, 0):
@@ -353,14 +354,14 @@ def exercise_4(answer: Any, seed: int) -> str:
     if isinstance(answer, Morning) or type(answer).__name__ == "Morning":
         raise WrongAnswer("that is the problem of the lesson: write one of your own, under its own name")
     with running("my_problem"), _told_as_wrong():
-        require_mdp(answer, "my_problem")
+        task_of(answer, "my_problem", MDP_ONLY)
     kind = type(answer)
     if not issubclass(kind, tuple):
         raise WrongAnswer(
             f"{kind.__name__} should inherit from NamedTuple, as the form does: class {kind.__name__}(NamedTuple), with"
             " its numbers as fields and without __init__"
         )
-    if step_limit(answer) is not None:
+    if task_of(answer).max_steps is not None:
         raise WrongAnswer(
             "my_problem has `max_steps`, so the best action depends on how many steps are left: keep the time in the"
             " state, and end the episode by `terminal`, as Morning does"

@@ -12,12 +12,12 @@ from edugym.agents.n_step_sarsa import NStepSARSA
 from edugym.agents.q_learning import QLearning
 from edugym.agents.sarsa import SARSA
 from edugym.agents.strategies import EpsilonGreedy
-from edugym.checks.mdps import step_limit
 from edugym.exact.model import finite_model
 from edugym.exact.policies import policy_of
 from edugym.experiments.repeat import repeat
 from edugym.experiments.results.tables import Results
 from edugym.mdp.protocol import Reals
+from edugym.mdp.task import task_of
 from edugym_course.lessons.own_problem.exact import DISCOUNT, MOST_STEPS, worth
 
 N_STEPS = 10_000
@@ -51,7 +51,7 @@ def learn(mdp: Any, methods: Mapping[str, Maker] | None = None, n_steps: int = N
 
     An MDP without a step limit gets one of `MOST_STEPS`, since a greedy policy may walk in a circle.
     """
-    how = {"max_steps": step_limit(mdp) or MOST_STEPS, **how}
+    how = {"max_steps": task_of(mdp).max_steps or MOST_STEPS, **how}
     how = {"repetitions": REPETITIONS, "evaluate_every": max(n_steps // 20, 1), "evaluation_episodes": 20, **how}
     return repeat(mdp, methods or methods_with(), n_steps, **how)
 
@@ -64,7 +64,7 @@ def true_returns(results: Results, method: str, judge: Any) -> Reals:
         method: the label of the method.
         judge: the MDP with the reward that counts.
     """
-    model, limit = finite_model(judge), step_limit(judge)
+    model, limit = finite_model(judge), task_of(judge).max_steps
     agents = results.complete_agents(method).values()
     return np.array([worth(model, policy_of(agent, model, greedy=True), limit) for agent in agents])
 

@@ -1,8 +1,8 @@
 """Guards around an MDP: they stop machine code at a reward, an observation or an action that cannot be.
 
-The first steps of a student's MDP or agent are checked by `edugym.training.checking`. A mistake in a rare state comes
-later, when the loop may run as machine code. There NaN would spread silently, and the row -1 of a table is its last.
-Where a guard stops machine code, the interpreter plays the call again with all checks, and they say what is wrong.
+The first steps of a student's MDP or agent are checked in every way (see `edugym.checks`). A mistake in a rare state
+comes later, when the loop may run as machine code. There NaN would spread silently, and the row -1 of a table is its
+last. Where a guard stops machine code, the interpreter plays the call again with all checks, which say what is wrong.
 """
 
 import math
@@ -11,10 +11,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from gymnasium import spaces
 
-from edugym.checks.mdps import is_own
-from edugym.compiled.generated import generated_class
 from edugym.mdp.protocol import Random, Reals, writes_in_place
 from edugym.mdp.wrapper import wrapper
+from edugym.system.generated import generated_class
+from edugym.system.packages import is_own
 
 FEW = 16
 """Numbers of an observation that may be a tuple of several types."""

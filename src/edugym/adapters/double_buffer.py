@@ -1,8 +1,8 @@
-"""Observations that are arrays stay where they are: the loops pass on in which of two rooms one is, not the array.
+"""A double buffer for observations that are arrays: the loops pass on the number of a slot, 0 or 1, not the array.
 
-The MDP writes what it shows into one room and then the other, and the agent looks it up there; and so with actions that
-are arrays, the other way round. So the loops handle nothing but numbers, no array is made at any step, and machine code
-needs no reference counts.
+The MDP writes its observations into the two slots in turn, and the agent reads them there: a step needs the present
+observation and the next. With actions that are arrays it is the other way round. So the loops handle nothing but
+numbers, no step makes an array, and machine code counts no references.
 """
 
 from collections.abc import Callable
@@ -12,22 +12,23 @@ import numpy as np
 from gymnasium import spaces
 
 from edugym.adapters.columns import RowsInPlace, observation_rows
-from edugym.adapters.fitting import takes_vectors
+from edugym.checks.contract import takes_vectors
 from edugym.checks.mdps import innermost
 from edugym.mdp.protocol import Integers, Random, Reals
-from edugym.mdp.sizes import table_lows, table_sizes, vector_length
+from edugym.mdp.tabular import table_lows, table_sizes
+from edugym.mdp.task import vector_length
 from edugym.mdp.wrapper import wrapper
 
 
 @wrapper
-class InRooms(NamedTuple):
-    """An MDP that puts its observations into rooms, and shows the number of the room.
+class BufferedObservations(NamedTuple):
+    """An MDP that writes its observations into a buffer, and shows the number of the slot.
 
     Attributes:
         mdp: the task.
-        rows: two rooms, and how an observation is written into one (see `edugym.adapters.columns`).
-        latest: shape (1,): the room of the latest observation.
-        actions: shape (2, ...): rooms for actions.
+        rows: two slots, and how an observation is written into one (see `edugym.adapters.columns`).
+        latest: shape (1,): the slot of the latest observation.
+        actions: shape (2, ...): slots for actions.
     """
 
     mdp: Any
@@ -36,35 +37,35 @@ class InRooms(NamedTuple):
     actions: Any
 
     def observation(self, state: Any, rng: Random) -> int:
-        """Put what the task shows into the room that has waited longer."""
-        room = 1 - int(self.latest[0])
-        self.rows.put(room, self.mdp, state, rng)
-        self.latest[0] = room
-        return room
+        """Write what the task shows into the older slot."""
+        slot = 1 - int(self.latest[0])
+        self.rows.put(slot, self.mdp, state, rng)
+        self.latest[0] = slot
+        return slot
 
 
-class ActionsInRooms(InRooms):
-    """The same for an agent that puts its actions into rooms, too."""
+class BufferedActions(BufferedObservations):
+    """The same for an agent that writes its actions into a buffer, too."""
 
     __slots__ = ()
 
     def transition(self, state: Any, action: int, rng: Random) -> Any:
-        """Do what is in a room."""
+        """Do what is in a slot."""
         return self.mdp.transition(state, self.actions[action], rng)
 
     def reward(self, state: Any, action: int, next_state: Any, rng: Random) -> Any:
-        """The reward for what is in a room."""
+        """The reward for what is in a slot."""
         return self.mdp.reward(state, self.actions[action], next_state, rng)
 
 
-class AnyReader(NamedTuple):
-    """An agent that is told the number of a room, and looks up what is in it; how it learns is added below.
+class BufferedActor(NamedTuple):
+    """An agent that is told the number of a slot, and looks up what is in it; subclasses add how it learns.
 
     Attributes:
         agent: the agent, in the form that the loops ask for.
-        rows: shape (2, ...): the rooms of the MDP that it plays.
-        latest: shape (1,): the room of its latest action.
-        actions: shape (2, ...): rooms for actions.
+        rows: shape (2, ...): the slots for observations of the MDP that it plays.
+        latest: shape (1,): the slot of its latest action.
+        actions: shape (2, ...): slots for actions.
     """
 
     agent: Any
@@ -77,8 +78,8 @@ class AnyReader(NamedTuple):
         return self.agent.act(self.rows[state], rng)
 
 
-class Reader(AnyReader):
-    """One that learns from what happened."""
+class OffPolicyLearner(BufferedActor):
+    """One that learns before it chooses its next action."""
 
     __slots__ = ()
 
@@ -87,8 +88,8 @@ class Reader(AnyReader):
         self.agent.learn(self.rows[state], action, reward, self.rows[next_state], terminated, truncated)
 
 
-class OnPolicyReader(AnyReader):
-    """One that learns from the action it will take next, too."""
+class OnPolicyLearner(BufferedActor):
+    """One that learns from the action that it will take next, too."""
 
     __slots__ = ()
 
@@ -106,17 +107,17 @@ class OnPolicyReader(AnyReader):
         self.agent.learn(self.rows[state], action, reward, self.rows[next_state], next_action, terminated, truncated)
 
 
-class ReaderAndWriter(AnyReader):
+class WritingLearner(BufferedActor):
     """One for agents that write their actions into an array (`act_into`)."""
 
     __slots__ = ()
 
     def act(self, state: int, rng: Random) -> int:
-        """Put the agent's action into the room that has waited longer."""
-        room = 1 - int(self.latest[0])
-        self.agent.act_into(self.rows[state], rng, self.actions[room])
-        self.latest[0] = room
-        return room
+        """Write the agent's action into the older slot."""
+        slot = 1 - int(self.latest[0])
+        self.agent.act_into(self.rows[state], rng, self.actions[slot])
+        self.latest[0] = slot
+        return slot
 
     def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool, truncated: bool) -> None:
         """Let the agent learn."""
@@ -168,14 +169,16 @@ class OneHotRows(NamedTuple):
             first += self.sizes[k]
 
 
-class View:
-    """An MDP as an agent sees it: through rooms of its own, where the agent takes vectors or the MDP writes in place.
+class DoubleBuffer:
+    """The buffer between an MDP and an agent, if the agent takes vectors or the MDP writes its observations in place.
+
+    Other agents and MDPs stay as they are: the loops hand on their numbers.
 
     Args:
         mdp: the task.
         agent: the agent.
         on_policy: whether it learns from the action that it will take next.
-        guard: what puts guards around the task, for an agent, once the task has shown what it observes.
+        guard: puts guards around the task, for an agent, once the task has shown what it observes.
 
     Attributes:
         mdp: the task for the loops.
@@ -189,23 +192,23 @@ class View:
     ) -> None:
         """See the class."""
         rows = _rows(mdp, agent)
-        self.mdp, self._reader = guard(mdp, agent), None
+        self.mdp, self._kind = guard(mdp, agent), None
         if rows is None:
             return
         space = mdp.action_space
         writes = hasattr(agent, "act_into") and isinstance(space, spaces.Box) and not on_policy
         actions = np.zeros((2, *space.shape), space.dtype) if writes else np.zeros((2, 1))
-        self.mdp = (ActionsInRooms if writes else InRooms)(self.mdp, rows, np.zeros(1, np.int64), actions)
-        self._reader = ReaderAndWriter if writes else OnPolicyReader if on_policy else Reader
-        self._rooms = (rows.rows.reshape(2, -1) if takes_vectors(agent) else rows.rows), np.zeros(1, np.int64), actions
+        self.mdp = (BufferedActions if writes else BufferedObservations)(self.mdp, rows, np.zeros(1, np.int64), actions)
+        self._kind = WritingLearner if writes else OnPolicyLearner if on_policy else OffPolicyLearner
+        self._slots = (rows.rows.reshape(2, -1) if takes_vectors(agent) else rows.rows), np.zeros(1, np.int64), actions
 
     def of(self, agent: Any) -> Any:
-        """An agent, in the form that the loops ask for, with this view."""
-        return agent if self._reader is None else self._reader(agent, *self._rooms)
+        """An agent, in the form that the loops ask for, at this buffer."""
+        return agent if self._kind is None else self._kind(agent, *self._slots)
 
 
 def _rows(mdp: Any, agent: Any) -> Any:
-    """Rooms for observations as the agent takes them; None where the loops can hand them on as they are."""
+    """Slots for observations as the agent takes them; None where the loops can hand them on as they are."""
     space = mdp.observation_space
     if takes_vectors(agent):
         return _vector_rows(mdp)

@@ -1,31 +1,26 @@
-"""Checks of students' code: what agents return (and `checked_env` what Gymnasium environments return).
+"""What a student's agent returns is checked, and what it may not change.
 
 The first steps are checked in every way. Later steps that the interpreter runs are still checked for what would spread
 silently: actions, rewards and observations that may not be. The checks change nothing: they draw no random numbers, and
 each method is called as often as without them. The package's own classes are not checked here; the tests cover them.
 """
 
-import dis
 import inspect
 import math
 import re
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any
 
-import gymnasium
 import numpy as np
 from gymnasium import spaces
+from numpy.random import Generator as Random
 
-from edugym.checks.mdps import CHECKED_STEPS, innermost, is_own, refuse_change
+from edugym.checks.contract import LEARN_PARAMETERS, METHODS, tables_of
+from edugym.checks.mdps import CHECKED_STEPS, refuse_change
 from edugym.checks.parameters import in_short
-from edugym.checks.values import GlobalDraws, fits, kept, same
-from edugym.mdp.protocol import Random
-from edugym.system.packages import is_ours
-from edugym.training.contract import LEARN_PARAMETERS, METHODS, tables_of
-from edugym.training.run import Run
+from edugym.checks.values import GlobalDraws, fits, kept
+from edugym.system.packages import is_ours, is_own
 
-ENDLESS = 1_000
-"""From so many training steps on there is a warning if no episode has ended, or if the agent has learned nothing."""
 SMALL = 10_000
 """A table with more entries is not searched for NaN after each step."""
 
@@ -40,120 +35,9 @@ def checked_agent(agent: Any, task: Any, steps: float = CHECKED_STEPS) -> Any:
     """
     if is_own(agent):
         return agent
-    machinery = type(agent).__module__.startswith(("edugym.training", "edugym.compiled", "edugym.adapters"))
-    if isinstance(agent, tuple) and machinery:
+    if is_ours(type(agent)) and "agent" in getattr(agent, "_fields", ()):  # what the loops need around an agent
         return tuple.__new__(type(agent), [checked_agent(part, task, steps) for part in tuple.__iter__(agent)])
     return CheckedAgent(agent, task, steps) if hasattr(agent, "act") else agent
-
-
-class Before(NamedTuple):
-    """What is kept of a student's agent before training, for `doubts` after it.
-
-    Attributes:
-        shared: what it has from its class: see `shared_by_class`.
-        blank: the number that each blank table holds: see `blank_tables`.
-    """
-
-    shared: dict[str, Any]
-    blank: dict[str, float]
-
-
-def before_training(agent: Any) -> Before:
-    """Return what is kept of an agent before training."""
-    return Before(shared_by_class(agent), blank_tables(agent))
-
-
-def shared_by_class(agent: Any) -> dict[str, Any]:
-    """Return copies of the lists, dictionaries, sets and arrays that a student's agent has from its class.
-
-    Those are attributes of the class, and defaults of its fields, or of its `__init__`, that this agent has.
-    """
-    if is_own(agent):
-        return {}
-    own, kind = _own_values(agent), type(agent)
-    members = {name: member for base in reversed(kind.__mro__) for name, member in vars(base).items()}
-    makers: list[Any] = [getattr(kind, name) for name in ("__init__", "__new__")]
-    defaults = {id(value) for maker in makers for value in getattr(maker, "__defaults__", None) or ()}
-    shared = {name: member for name, member in members.items() if name not in own}
-    shared |= {name: value for name, value in own.items() if id(value) in defaults}
-    return {
-        name: kept(member)
-        for name, member in shared.items()
-        if isinstance(member, list | dict | set | np.ndarray) and name[0] != "_"
-    }
-
-
-def _own_values(agent: Any) -> dict[str, Any]:
-    """Return what an agent has of its own: its fields, or the attributes of an ordinary object."""
-    return agent._asdict() if hasattr(agent, "_asdict") else getattr(agent, "__dict__", {})
-
-
-def doubts(task: Any, agent: Any, limit: int | None, run: Run, before: Before) -> list[str]:
-    """Return what is probably wrong with a student's task or agent after training, in a sentence each.
-
-    Args:
-        task: the MDP or environment.
-        agent: the agent.
-        limit: the step limit of its episodes, if there is one.
-        run: what training has produced.
-        before: what `before_training` returned.
-    """
-    found, n_steps = [], run.steps[-1]
-    student = task.unwrapped if isinstance(task, gymnasium.Env) else innermost(task)
-    if not is_own(student) and limit is None and run.episodes.sum() == 0 and n_steps >= ENDLESS:
-        method = "step never returned terminated" if isinstance(task, gymnasium.Env) else "terminal never returned"
-        found.append(
-            f"no episode of {type(student).__name__} has ended in {n_steps} steps: {method} True, and there is no"
-            " limit (max_steps)"
-        )
-    if not is_own(agent):
-        found += [
-            f"{name} of {type(agent).__name__} holds nan after training: some update came to no number"
-            for name, table in tables_of(agent).items()
-            if table.dtype.kind == "f" and np.isnan(table).any()
-        ]
-        kind, own = type(agent).__name__, _own_values(agent)
-        found += [
-            f"{name} of {kind} has changed, which is not the agent's own: all agents of the class share it, so that the"
-            " next one begins with it. Give each its own: "
-            + (
-                f"pass it, {kind}(...), without a default"
-                if name in own
-                else f"self.{name} = ... in __init__, or a field"
-            )
-            for name, value in before.shared.items()
-            if not same(value, getattr(agent, name, None))
-        ]
-        found += _nothing_learned(agent, before.blank, run)
-    return found
-
-
-def blank_tables(agent: Any) -> dict[str, float]:
-    """Return the tables of a student's agent that hold one number everywhere, by name, with the number.
-
-    An agent whose `learn` computes nothing, or assigns to an element of an array, has none: it means to change nothing,
-    or knows how.
-    """
-    code = getattr(getattr(agent, "learn", None), "__code__", None)
-    if is_own(agent) or code is None:
-        return {}
-    does = {instruction.opname for instruction in dis.get_instructions(code)}
-    if "BINARY_OP" not in does or "STORE_SUBSCR" in does:
-        return {}
-    tables = {name: table for name, table in tables_of(agent).items() if table.size > 1}
-    return {name: table.flat[0] for name, table in tables.items() if (table == table.flat[0]).all()}
-
-
-def _nothing_learned(agent: Any, blank: dict[str, float], run: Run) -> list[str]:
-    """Return the sentence about an agent whose tables are all as blank as before, although rewards came; or nothing."""
-    rewarded = np.nansum(np.abs(run.training_returns)) > 0 and run.steps[-1] >= ENDLESS
-    if not (blank and rewarded and len(blank) == len(tables_of(agent)) and blank_tables(agent) == blank):
-        return []
-    name, kind = next(iter(blank)), type(agent).__name__
-    return [
-        f"learn of {kind} has changed nothing in {' and '.join(blank)} in {run.steps[-1]} steps, although rewards came:"
-        f" assign to the table itself, as in self.{name}[...] += ...; what learn returns is ignored"
-    ]
 
 
 def students_parts(agent: Any) -> list[str]:

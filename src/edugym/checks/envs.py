@@ -1,4 +1,4 @@
-"""Checks of students' code: what Gymnasium environments return (and `checking` what agents return)."""
+"""What a student's Gymnasium environment returns is checked, in its first steps in every way."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -6,12 +6,13 @@ from typing import Any
 
 import gymnasium
 import numpy as np
-from gymnasium.wrappers import FlattenObservation, OrderEnforcing, PassiveEnvChecker
+from gymnasium.wrappers import FlattenObservation
 
-from edugym.adapters.tabular_observation import TabularObservation
-from edugym.checks.mdps import CHECKED_STEPS, is_own
+from edugym.checks.interfaces import HARMLESS
+from edugym.checks.mdps import CHECKED_STEPS
 from edugym.checks.parameters import in_short
 from edugym.checks.values import fits, is_finite_number, without_flag
+from edugym.system.packages import is_own, package_of
 
 
 @contextmanager
@@ -26,7 +27,7 @@ def checked_env(env: gymnasium.Env[Any, Any], steps: float = CHECKED_STEPS) -> I
     """
     if all(map(is_own, _layers(env))):
         yield env
-    elif isinstance(env, TabularObservation | FlattenObservation):
+    elif isinstance(env, gymnasium.Wrapper) and (is_own(env) or isinstance(env, FlattenObservation)):
         inner = env.env
         env.env = CheckedEnv(inner, steps)
         try:
@@ -42,7 +43,7 @@ def _layers(env: gymnasium.Env[Any, Any]) -> list[gymnasium.Env[Any, Any]]:
     layers = [env]
     while isinstance(layers[-1], gymnasium.Wrapper):
         layers.append(layers[-1].env)
-    return [layer for layer in layers if not isinstance(layer, PassiveEnvChecker | OrderEnforcing)]
+    return [layer for layer in layers if not isinstance(layer, HARMLESS)]
 
 
 class CheckedEnv(gymnasium.Wrapper[Any, Any, Any, Any]):
@@ -58,7 +59,7 @@ class CheckedEnv(gymnasium.Wrapper[Any, Any, Any, Any]):
         super().__init__(env)
         self._left = steps
         layers = [layer for layer in _layers(env) if not is_own(layer)]
-        students = [layer for layer in layers if not type(layer).__module__.startswith("gymnasium.")]
+        students = [layer for layer in layers if package_of(type(layer)) != "gymnasium"]
         inside = env.unwrapped
         self._of = type((students or layers or [inside])[0] if is_own(inside) else inside).__name__
 

@@ -1,4 +1,7 @@
-"""How the training loops call an agent: the names of the parameters of `learn` decide which arguments it gets."""
+"""What an agent is, and how the loops call it: the names of the parameters of `learn` decide what it is told.
+
+`contract_of` is the gate: what a user gives as an agent becomes a `Contract`, and from there on nobody asks again.
+"""
 
 import difflib
 import inspect
@@ -6,11 +9,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from edugym.checks.mdps import a_class, is_own, require_method
-from edugym.checks.parameters import in_short
-from edugym.checks.values import own_copy
-from edugym.compiled.generated import generated_class
-from edugym.training.run import Run
+from edugym.checks.interfaces import a_class, require_method
+from edugym.checks.parameters import coerced, in_short
+from edugym.checks.values import deep_copy
+from edugym.system.generated import generated_class
+from edugym.system.packages import is_own
 
 LEARN_PARAMETERS = ("state", "action", "reward", "next_state", "next_action", "terminated", "truncated")
 """The names of the parameters that `learn` may have."""
@@ -29,37 +32,104 @@ TABLES = frozenset({"Q", "V", "W", "H", "q", "v", "w", "Q1", "Q2", "weights", "v
 """Names that students give tables of real numbers."""
 
 
-class GreedyActor(NamedTuple):
-    """The policy of an agent in evaluation: always its greedy action."""
+class Contract(NamedTuple):
+    """What a user gave as an agent, looked at once.
+
+    Attributes:
+        agent: the agent, the numbers in its fields Python's own.
+        learns_from: which of `LEARN_PARAMETERS` its `learn` has.
+        is_own: whether it is made of nothing but the package's own classes.
+        has_greedy: whether it has `greedy`, the policy of its evaluation.
+        tabular: whether it takes observations as rows of a table.
+        takes_vectors: whether it takes observations as flat vectors of numbers.
+    """
 
     agent: Any
+    learns_from: tuple[str, ...]
+    is_own: bool
+    has_greedy: bool
+    tabular: bool
+    takes_vectors: bool
 
-    def act(self, state: Any, rng: Any) -> Any:
-        """The agent's greedy action."""
-        return self.agent.greedy(state, rng)
-
-    def act_into(self, state: Any, rng: Any, action: Any) -> None:
-        """Write the agent's greedy action into the array `action` (for agents whose actions are vectors)."""
-        self.agent.greedy_into(state, rng, action)
+    @property
+    def is_on_policy(self) -> bool:
+        """Whether it learns from the action that it will take next, like SARSA: the loop chooses that before."""
+        return "next_action" in self.learns_from
 
 
-def is_on_policy(agent: Any) -> bool:
-    """Whether the agent's `learn` has the parameter `next_action`, like the `learn` of SARSA.
+def contract_of(agent: Any) -> Contract:
+    """Look at what a user gave as an agent, and refuse what is none.
 
-    If so, the loop chooses the next action before it calls `learn`.
+    Args:
+        agent: an agent, or a `Contract`, which is returned.
+
+    Raises:
+        ValueError: something is missing or not as it must be, see `require_agent`; or `learn` has a
+            parameter without a default that is none of `LEARN_PARAMETERS`.
     """
-    return "next_action" in learns_from(agent)
+    if isinstance(agent, Contract):
+        return agent
+    own = is_own(agent)
+    require_agent(agent, own=own)
+    takes, tabular = _taken(agent), getattr(agent, "tabular", True) is not False
+    return Contract(coerced(agent), takes, own, hasattr(agent, "greedy"), tabular, takes_vectors(agent))
+
+
+def takes_vectors(agent: Any) -> bool:
+    """Whether an agent takes vectors of numbers: it has no table, and says how long they are."""
+    return getattr(agent, "tabular", True) is False and hasattr(agent, "n_inputs")
 
 
 def learns_from(agent: Any) -> tuple[str, ...]:
-    """Which of `LEARN_PARAMETERS` the agent's `learn` has.
+    """Which of `LEARN_PARAMETERS` the agent's `learn` has."""
+    return contract_of(agent).learns_from
+
+
+def is_on_policy(agent: Any) -> bool:
+    """Whether the agent learns from the action that it will take next."""
+    return contract_of(agent).is_on_policy
+
+
+def require_agent(agent: Any, *, own: bool = False) -> None:
+    """Refuse what is no agent. An agent needs the methods `act` and `learn`, and may have `greedy`.
+
+    Args:
+        agent: the value.
+        own: whether it is the package's own, the methods of which its tests have looked at.
+
+    Raises:
+        ValueError: it is a class; `act` or `learn` is missing; `act` or `greedy` does not take (state, rng), or
+            `greedy` is misspelt; `learn` has no `self`; a table contains NaN, or has an integer or bool dtype.
+    """
+    needed = "agent must be an object with the methods act and learn, but is"
+    if isinstance(agent, type):
+        raise ValueError(f"{needed} {a_class(agent)}")
+    _require_tables(agent, own)
+    if own and hasattr(agent, "act") and hasattr(agent, "learn"):
+        return
+    if not any(hasattr(agent, name) for name in METHODS):
+        hint = ": call it, and give what it makes" if inspect.isroutine(agent) else ""
+        if hasattr(agent, "training_returns"):
+            raise ValueError(f"{needed} a Run: give its agent, run.agent")
+        raise ValueError(f"{needed} {in_short(agent)}{hint}")
+    require_method(agent, "act", METHODS["act"], METHODS)
+    if not callable(getattr(agent, "learn", None)):
+        require_method(agent, "learn", METHODS["learn"], METHODS)
+    if hasattr(agent, "greedy") or difflib.get_close_matches("greedy", dir(agent), 1, 0.8):
+        require_method(agent, "greedy", METHODS["greedy"], METHODS)
+    function = getattr(agent.learn, "__func__", None)
+    if function is not None and next(iter(inspect.signature(function).parameters), "") in LEARN_PARAMETERS:
+        raise ValueError(f"learn of {type(agent).__name__} must have self as its first parameter")
+
+
+def _taken(agent: Any) -> tuple[str, ...]:
+    """Which of `LEARN_PARAMETERS` the agent's `learn` has, in its order.
 
     Any other parameter must have a default, which is used; `**` parameters are allowed and get nothing.
 
     Raises:
-        ValueError: as `require_agent`; or `learn` has another parameter without a default.
+        ValueError: it has another parameter without a default.
     """
-    require_agent(agent)
     taken = []
     for name, parameter in inspect.signature(agent.learn).parameters.items():
         if name in LEARN_PARAMETERS and parameter.kind is not parameter.VAR_POSITIONAL:
@@ -77,43 +147,16 @@ def learns_from(agent: Any) -> tuple[str, ...]:
     return tuple(taken)
 
 
-def require_agent(agent: Any) -> None:
-    """Refuse what is no agent. An agent needs the methods `act` and `learn`, and may have `greedy`.
-
-    Raises:
-        ValueError: it is a class; `act` or `learn` is missing; `act` or `greedy` does not take (state, rng), or
-            `greedy` is misspelt; `learn` has no `self`; a table contains NaN, or has an integer or bool dtype.
-    """
-    needed = "agent must be an object with the methods act and learn, but is"
-    if isinstance(agent, type):
-        raise ValueError(f"{needed} {a_class(agent)}")
-    _require_tables(agent)
-    if is_own(agent) and hasattr(agent, "act") and hasattr(agent, "learn"):
-        return  # the tests check the methods of the package's own agents
-    if not any(hasattr(agent, name) for name in METHODS):
-        hint = ": call it, and give what it makes" if inspect.isroutine(agent) else ""
-        what = "a Run: give its agent, run.agent" if isinstance(agent, Run) else in_short(agent)
-        raise ValueError(f"{needed} {what}{hint}")
-    require_method(agent, "act", METHODS["act"], METHODS)
-    if not callable(getattr(agent, "learn", None)):
-        require_method(agent, "learn", METHODS["learn"], METHODS)
-    if hasattr(agent, "greedy") or difflib.get_close_matches("greedy", dir(agent), 1, 0.8):
-        require_method(agent, "greedy", METHODS["greedy"], METHODS)
-    function = getattr(agent.learn, "__func__", None)
-    if function is not None and next(iter(inspect.signature(function).parameters), "") in LEARN_PARAMETERS:
-        raise ValueError(f"learn of {type(agent).__name__} must have self as its first parameter")
-
-
 def tables_of(agent: Any) -> dict[str, np.ndarray[Any, Any]]:
     """Those arrays of an agent that are meant for real numbers: fields and attributes whose name is in `TABLES`."""
     fields = agent._asdict() if hasattr(agent, "_asdict") else getattr(agent, "__dict__", {})
     return {name: table for name, table in fields.items() if name in TABLES and isinstance(table, np.ndarray)}
 
 
-def _require_tables(agent: Any) -> None:
+def _require_tables(agent: Any, own: bool) -> None:
     """Refuse tables of values that cannot hold fractions, or that contain NaN."""
     kind = type(agent).__name__
-    if is_own(agent) and "Q" in getattr(agent, "_fields", ()) and not isinstance(agent.Q, np.ndarray):
+    if own and "Q" in getattr(agent, "_fields", ()) and not isinstance(agent.Q, np.ndarray):
         raise ValueError(f"Q of {kind} must be an array, but is {in_short(agent.Q)}: use {kind}.create(environment)")
     for name, table in tables_of(agent).items():
         if table.dtype.kind in "bui":
@@ -124,6 +167,20 @@ def _require_tables(agent: Any) -> None:
         if table.dtype.kind == "f" and np.isnan(table).any():
             where = tuple(np.argwhere(np.isnan(table))[0].tolist())
             raise ValueError(f"{name} of {kind} must hold numbers, but {name}{list(where)} is nan")
+
+
+class GreedyActor(NamedTuple):
+    """The policy of an agent in evaluation: always its greedy action."""
+
+    agent: Any
+
+    def act(self, state: Any, rng: Any) -> Any:
+        """The agent's greedy action."""
+        return self.agent.greedy(state, rng)
+
+    def act_into(self, state: Any, rng: Any, action: Any) -> None:
+        """Write the agent's greedy action into the array `action` (for agents whose actions are vectors)."""
+        self.agent.greedy_into(state, rng, action)
 
 
 def learner(agent: Any) -> Any:
@@ -142,10 +199,13 @@ def learner(agent: Any) -> Any:
         def learn(self, state, action, reward, next_state, terminated, truncated):
             self.agent.learn(state=state, action=action, reward=reward, terminated=terminated)
 
+    Args:
+        agent: the agent, or its contract.
+
     Raises:
-        ValueError: as `learns_from`.
+        ValueError: as `contract_of`.
     """
-    taken = learns_from(agent)
+    agent, taken, *_ = contract_of(agent)
     told = [name for name in LEARN_PARAMETERS if name != "next_action" or name in taken]
     lines = [
         "    agent: object",
@@ -170,6 +230,7 @@ def actor(agent: Any) -> Any:
 
     (`act` may change the agent, for example count a step of a schedule. Evaluation must not change it.)
     """
-    if hasattr(agent, "greedy"):
-        return GreedyActor(agent)
-    return own_copy(agent, "evaluation acts by a copy: give it a method greedy(self, state, rng)")
+    contract = contract_of(agent)
+    if contract.has_greedy:
+        return GreedyActor(contract.agent)
+    return deep_copy(contract.agent, "evaluation acts by a copy: give it a method greedy(self, state, rng)")
