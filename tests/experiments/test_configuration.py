@@ -12,9 +12,14 @@ import pytest
 from gymnasium.wrappers import PassiveEnvChecker
 
 from edugym.envs.boulder import Boulder
-from edugym.experiments.configuration import LISTED, plain, task
+from edugym.experiments.configuration import plain, task
 from edugym.experiments.fingerprints import fingerprint
 from tests.training.tasks import Stairs
+
+
+class Odd:
+    """A value that no text can hold."""
+
 
 MIXED = np.arange(33).reshape(3, 11)
 
@@ -25,15 +30,15 @@ MIXED = np.arange(33).reshape(3, 11)
         (True, True),
         (3, 3),
         (0.5, 0.5),
-        ("8x8", "8x8"),
-        (np.int64(3), 3),
+        (np.int8(3), 3),
+        (np.True_, True),
         (np.str_("8x8"), "8x8"),
-        ([1, 2], "[1, 2]"),
+        ((1, 2.5), "[1, 2.5]"),
         (np.array([[1, 2], [3, 4]]), "[[1, 2], [3, 4]]"),
         (np.zeros((4, 8), int), str([[0] * 8] * 4)),
         (np.full((3, 11), 0.5), '{"shape": [3, 11], "filled_with": 0.5}'),
         (MIXED, f'{{"shape": [3, 11], "sha256": "{hashlib.sha256(MIXED.tobytes()).hexdigest()[:16]}"}}'),
-        ({"goal": Path()}, f'{{"goal": "{type(Path()).__name__}"}}'),
+        ({"goal": [None, Odd()]}, '{"goal": [null, "Odd"]}'),
     ],
 )
 def test_how_a_setting_is_written(value: Any, written: Any) -> None:
@@ -41,7 +46,6 @@ def test_how_a_setting_is_written(value: Any, written: Any) -> None:
     found = plain(value)
     assert found == written
     assert type(found) is type(written)
-    assert LISTED == 32
 
 
 def test_a_registered_environment_is_known_by_its_code(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
