@@ -18,8 +18,6 @@ ROOT = Path(edugym_course.lessons.__path__[0])
 MODULES = [".".join(path.relative_to(ROOT).with_suffix("").parts) for path in sorted(ROOT.rglob("*.csv"))]
 
 
-
-
 @pytest.mark.parametrize("module", MODULES)
 def test_they_are_current(module: str) -> None:
     """If not, run `python -m edugym_course.stored MODULE`. All runs are whole."""
@@ -32,8 +30,6 @@ def test_they_are_current(module: str) -> None:
     for _, run in results.table.groupby(["method", "repetition"]):
         assert (run["step"].diff().dropna() > 0).all()
         assert run["step"].iloc[-1] == run["n_steps"].iloc[-1]
-
-
 
 
 def test_changed_code_is_noticed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
