@@ -15,7 +15,9 @@ from edugym.adapters.playing import Game, play_episode
 from edugym.adapters.registration import make_mdp
 from edugym.agents.q_learning import QLearning
 from edugym.agents.tables import greedy_action
+from edugym.rendering.scene import Scene
 from edugym_course.notebook import frames, play, source
+from edugym_course.notebook.film import side_by_side
 from edugym_course.notebook.widget import WIDGET
 from tests.course.notebook.widgets import texts
 
@@ -42,14 +44,6 @@ def test_playing_with_buttons() -> None:
     assert texts(panel.widget)[1] == line
     assert not any(button.disabled for button in panel.actions.values())
     assert panel.new_episode.button_style == ""
-
-
-def test_the_seed_of_a_game_with_buttons() -> None:
-    """It is that of `Game`; without one it is 0, and other seeds begin other games."""
-    begun = [play("Catch", seed=seed).game.observation.tolist() for seed in range(8)]
-    assert begun == [Game("Catch", seed=seed).observation.tolist() for seed in range(8)]
-    assert play("Catch").game.observation.tolist() == begun[0]
-    assert any(board != begun[0] for board in begun)
 
 
 def test_playing_blind() -> None:
@@ -93,7 +87,7 @@ def test_what_stands_where_no_kernel_runs() -> None:
     panel = play("Boulder", height=3)
     panel.actions["grip 1"].click()
     bundle = panel._repr_mimebundle_()
-    assert bundle[WIDGET]["model_id"] == panel.widget.model_id
+    assert bundle[WIDGET] == {"version_major": 2, "version_minor": 0, "model_id": panel.widget.model_id}
     assert "step 1: grip 1" in "".join(ElementTree.fromstring(bundle["image/svg+xml"]).itertext())
     assert " at 0x" not in bundle["text/plain"]
     pixels = play("CliffWalking-v1").still()["text/html"]
@@ -143,6 +137,9 @@ def test_a_film_without_its_widget() -> None:
     widths = [float(picture.get("width", "")) for picture in inner]
     assert lefts == [0, *np.cumsum(widths)[:-1]]
     assert still.get("viewBox") == f"0 0 {sum(widths):.0f} {inner[0].get('height')}"
+    page: Any = ElementTree.fromstring(side_by_side([Scene(20, 10, ()), Scene(10, 20, ())]))
+    assert page.attrib["viewBox"] == "0 0 720 480"  # as high as the highest
+    assert len(ElementTree.fromstring(frames("Golf", []).still()["image/svg+xml"])) == 1
     short = frames("Boulder", [0])
     assert len(ElementTree.fromstring(short.still()["image/svg+xml"])) == 2
     assert frames("CliffWalking-v1", [0, 0]).still()["text/html"].count("<img ") == 3
