@@ -37,21 +37,20 @@ def test_a_run_is_what_train_gives() -> None:
     np.testing.assert_array_equal(results.curves("novelty", "training_return")[2], run.training_returns)
 
 
-def test_a_fixed_layout_stays() -> None:
-    """A user who names a layout gets it in every repetition."""
-    results = small(parameters={"height": 5, "layout_seed": 7})
-    assert set(runs(results)["layout_seed"]) == {7}
-    assert runs(results)["seed"].nunique() == 3
-    agents = results.agents["novelty"].values()
-    assert len({tuple(agent.Q[:5].argmax(axis=1)) for agent in agents}) == 1  # all have learned the same wall
-
-
-def test_an_mdp_has_no_layout_to_vary() -> None:
-    """It is one fixed task, described by its fields."""
-    results = repeat(make_mdp("Boulder", height=4), AGENTS, 500, repetitions=2, jobs=1)
-    assert results.table["layout_seed"].isna().all()
-    assert set(results.table["environment"]) == {"Boulder"}
-    assert set(results.table["environment.height"]) == {4}
+def test_where_layouts_come_from() -> None:
+    """A layout that is named, or that of an MDP, stays; a function makes one for each seed, by name or place."""
+    fixed = runs(small(100, parameters={"height": 5, "layout_seed": 7}))
+    assert (set(fixed["layout_seed"]), fixed["seed"].nunique()) == ({7}, 3)
+    given = small(100, environment=make_mdp("Boulder", height=4)).table
+    assert given["layout_seed"].isna().all()
+    assert (set(given["environment"]), set(given["environment.height"])) == ({"Boulder"}, {4})
+    made = small(environment=lambda layout_seed: Boulder.create(height=5, layout_seed=layout_seed))
+    pd.testing.assert_frame_equal(made.table[list(MEASURED)], small().table[list(MEASURED)])
+    assert set(made.table["environment.height"]) == {5}
+    assert "environment.grips" not in made.table
+    by_name = small(100, environment=Boulder.create)  # its first parameter is the height
+    assert runs(by_name)["layout_seed"].nunique() == 3
+    assert {agent.Q.shape for agent in by_name.agents["novelty"].values()} == {(11, 2)}
 
 
 def test_agents_are_copied() -> None:
@@ -82,28 +81,17 @@ def test_any_gymnasium_environment() -> None:
     assert by_id.curves("Q").equals(given.curves("Q"))
 
 
-class Fading(NamedTuple):
-    """A schedule that keeps its state in an array: the more often it is asked, the less it explores."""
-
-    asked: Reals
-
-    def action(self, Q: Reals, state: int, rng: Random) -> int:
-        """Explore ever less."""
-        self.asked[0] += 1
-        if rng.random() < 1 / self.asked[0]:
-            return int(rng.random() * Q.shape[1])
-        return int(Q[state].argmax())
-
-
 class Fader(NamedTuple):
-    """An agent with such a schedule."""
+    """An agent with state in a second array: the more often it is asked, the less it explores."""
 
     Q: Reals
-    schedule: Fading
+    asked: Reals
 
     def act(self, state: int, rng: Random) -> int:
-        """As the schedule says."""
-        return self.schedule.action(self.Q, state, rng)
+        """Explore ever less."""
+        self.asked[0] += 1
+        explores = rng.random() < 1 / self.asked[0]
+        return int(rng.random() * self.Q.shape[1]) if explores else int(self.Q[state].argmax())
 
     def learn(self, state: int, action: int, reward: float, next_state: int) -> None:
         """Learn a little."""
@@ -111,17 +99,17 @@ class Fader(NamedTuple):
 
 
 def test_runs_share_nothing() -> None:
-    """A schedule inside a partial or a closure is that of one run, so results do not depend on `jobs`."""
+    """An array inside a partial or a closure is that of one run, so results do not depend on `jobs`."""
 
     def run(jobs: int) -> list[pd.DataFrame]:
-        schedule = Fading(np.zeros(1))
+        asked = np.zeros(1)
         agents = {
-            "partial": partial(lambda task, schedule: Fader(np.zeros((6, 2)), schedule), schedule=schedule),
-            "closure": lambda task: Fader(np.zeros((6, 2)), schedule),
+            "partial": partial(lambda task, asked: Fader(np.zeros((6, 2)), asked), asked=asked),
+            "closure": lambda task: Fader(np.zeros((6, 2)), asked),
         }
         results = small(300, jobs=jobs, agents=agents)
-        assert schedule.asked[0] == 0
-        assert all(agent.schedule.asked[0] >= 300 for runs in results.agents.values() for agent in runs.values())
+        assert asked[0] == 0
+        assert all(agent.asked[0] >= 300 for runs in results.agents.values() for agent in runs.values())
         return [results.curves(method, "training_return") for method in agents]
 
     for alone, parallel in zip(run(1), run(4), strict=True):
@@ -130,38 +118,20 @@ def test_runs_share_nothing() -> None:
     pd.testing.assert_frame_equal(first, second)
 
 
-def test_a_function_of_the_layout_seed() -> None:
-    """It gives what the name gives; the settings are those that all layouts share."""
-    made = small(environment=lambda layout_seed: Boulder.create(height=5, layout_seed=layout_seed))
-    named = small()
-    pd.testing.assert_frame_equal(made.table[list(MEASURED)], named.table[list(MEASURED)])
-    assert set(made.table["environment.height"]) == {5}
-    assert "environment.grips" not in made.table
-
-
 def test_an_error_ends_all_runs_at_its_line() -> None:
     """The last frame is the student's, and joblib's are not shown."""
+    made: list[Any] = []
 
     def broken(environment: Any) -> QLearning:
-        raise ZeroDivisionError("mine")
+        made.append(environment)
+        if len(made) > 1:  # the first one is described in the results
+            raise ZeroDivisionError("mine")
+        return QLearning.create(environment)
 
     with pytest.raises(ZeroDivisionError, match="mine") as raised:
-        repeat("Boulder", {"Q": QLearning.create, "broken": MakesOnce(broken)}, 100, jobs=2)
+        repeat("Boulder", {"Q": QLearning.create, "broken": broken}, 100, jobs=2)
     assert raised.traceback[-1].name == "broken"
     assert not any("joblib" in str(entry.path) for entry in raised.traceback)
-
-
-class MakesOnce:
-    """A function that is asked once for a description, and fails after that."""
-
-    def __init__(self, then: Any) -> None:
-        """What follows."""
-        self.then, self.asked = then, 0
-
-    def __call__(self, environment: Any) -> Any:
-        """Make an agent, or not."""
-        self.asked += 1
-        return QLearning.create(environment) if self.asked == 1 else self.then(environment)
 
 
 def test_an_unwritable_file_is_refused_before_the_work(tmp_path: Path) -> None:
@@ -182,17 +152,13 @@ def test_saved_and_loaded_is_the_same(tmp_path: Path) -> None:
     results = repeat("Boulder", agents, 1_000, repetitions=2, evaluation_episodes=3, jobs=1, save_to=path)
     loaded = Results.load(path)
     pd.testing.assert_frame_equal(loaded.table, results.table)
-    assert loaded.complete
-    assert loaded.agents == {}
-    assert loaded.share("novelty", at_least=1.0) == results.share("novelty", at_least=1.0)
+    assert (loaded.complete, loaded.agents) == (True, {})
     row = loaded.table.query("method == 'ε-greedy'").iloc[0]
-    assert row["agent"] == "QLearning"
-    assert row["agent.learning_rate"] == 0.5
-    assert row["agent.exploration"] == "EpsilonGreedy"
-    assert row["agent.exploration.epsilon"] == 0.1
-    assert row["environment"] == "edugym/Boulder-v0"
-    assert row["environment.height"] == 10
-    assert row["experiment_seed"] == 0
+    expected = {
+        "agent": "QLearning", "agent.learning_rate": 0.5, "agent.exploration": "EpsilonGreedy",
+        "agent.exploration.epsilon": 0.1, "environment": "edugym/Boulder-v0", "environment.height": 10,
+    }  # fmt: skip
+    assert {column: row[column] for column in expected} == expected
     assert f"numpy {np.__version__}" in row["versions"]
     assert pd.isna(row["agent.bonus"])  # a setting of another method
     assert sorted(file.name for file in path.parent.iterdir()) == ["results.csv", "results.csv.json"]
@@ -238,12 +204,3 @@ def test_settings_are_flat() -> None:
     assert table == described(copy.deepcopy(value), "agent")["agent.table"]
     assert table != described(value._replace(table=np.arange(40.0) + 1), "agent")["agent.table"]
     assert described(Plain(), "agent") == {"agent": "Plain", "agent.rate": 0.5}
-
-
-def test_a_function_with_other_parameters_gets_the_layout_by_name() -> None:
-    """Such as `create` itself: its first parameter is the height."""
-    results = repeat(Boulder.create, AGENTS, 100, repetitions=2, jobs=1)
-    layouts = results.table.groupby("repetition", observed=True)["layout_seed"].first()
-    for repetition, agent in results.complete_agents(next(iter(AGENTS))).items():
-        assert agent.Q.shape == (11, 2), repetition
-    assert layouts.nunique() == 2
