@@ -75,7 +75,7 @@ def test_the_notebook_of_a_student() -> None:
 def test_a_pickle_with_an_old_name() -> None:
     """As of saved agents and of finished runs."""
     for thing, old, new in (
-        (registration.BoulderEnv, b"edugym.registration", b"edugym.adapters.registration"),
+        (registration.Entry, b"edugym.registration", b"edugym.adapters.registration"),
         (Results, b"edugym.results.tables", b"edugym.experiments.results.tables"),
     ):
         stored = pickle.dumps(thing, protocol=0)

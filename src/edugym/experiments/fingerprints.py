@@ -31,11 +31,11 @@ def fingerprint(*values: Any) -> str:
     Raises:
         Exception: a value cannot be taken apart, such as an open file (what is raised depends on its class).
     """
-    walk = _Walk()
-    walk.add(platform.machine(), versions(), _own_code())
+    hasher = _Hasher()
+    hasher.add(platform.machine(), versions(), _own_code())
     for value in values:
-        walk.visit(value)
-    return walk.hash.hexdigest()[:32]
+        hasher.visit(value)
+    return hasher.hash.hexdigest()[:32]
 
 
 def versions(*more: str) -> str:
@@ -45,15 +45,16 @@ def versions(*more: str) -> str:
     return ", ".join([f"python {platform.python_version()}", *found])
 
 
-class _Walk:
-    """A walk through values, which hashes each part once."""
+class _Hasher:
+    """Hashes values and all that they reach, each object once."""
 
     def __init__(self) -> None:
         self.hash = hashlib.sha256()
         self._seen: dict[int, int] = {}
-        self._kept: list[Any] = []  # ids stay unique while the objects live
+        self._kept: list[Any] = []  # while an object lives, no other one has its id
 
     def add(self, *things: Any) -> None:
+        """Hash values that are told apart by how Python writes them."""
         self.hash.update(repr(things).encode())
 
     def visit(self, thing: Any) -> None:

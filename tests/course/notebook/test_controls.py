@@ -128,16 +128,16 @@ def test_controls_without_a_default() -> None:
     assert not logarithmic.continuous_update
 
 
+WRONG: list[Any] = [(4, 0), (2, 2), (0, 4, 0), (0,), (0, 4, 1, 2), (0, "4"), [], "text", np.array([0, 4])]
+
+
 @pytest.mark.parametrize(
     ("controls", "message"),
     [
         ({"y": (0, 1)}, "control .*'x'.*'y'"),
         ({"x": (5, 9)}, "x .*5 to 9.* 2$"),
         ({"x": [1, 3]}, "x .*1, 3.* 2$"),
-        *(
-            ({"x": allowed}, f"x .*low < high .*{re.escape(repr(allowed))}")
-            for allowed in ((4, 0), (2, 2), (0, 4, 0), (0,), (0, 4, 1, 2), (0, "4"), [], "text", np.array([0, 4]))
-        ),
+        *(({"x": allowed}, f"x .*low < high .*{re.escape(repr(allowed))}") for allowed in WRONG),
     ],
 )
 def test_wrong_controls_are_named(controls: dict[str, Any], message: str) -> None:

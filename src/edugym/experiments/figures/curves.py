@@ -12,8 +12,7 @@ from edugym.experiments.figures.style import (
     dress,
     format_steps,
     own_axes,
-    plot_line,
-    stroke,
+    plot_with_band,
 )
 from edugym.experiments.results.statistics import by_point
 from edugym.experiments.results.tables import Results
@@ -76,10 +75,8 @@ class Curves(NamedTuple):
         ax = own_axes(ax)
         for i, method in enumerate(self.results.methods if self.methods is None else self.methods):
             curves = self.points(method)
-            steps = curves.index.to_numpy()
-            mean, low, high = by_point(curves.to_numpy(float), share=self.share and self.smooth is None).T
-            plot_line(ax, i, steps, mean, method)
-            ax.fill_between(steps, low, high, color=stroke(i).color, alpha=0.16, linewidth=0)
+            intervals = by_point(curves.to_numpy(float), share=self.share and self.smooth is None)
+            plot_with_band(ax, i, curves.index.to_numpy(), intervals, method)
         if self.optimum is not None:
             ax.axhline(self.optimum, label="optimum", **REFERENCE)
         if self.soft_optimum is not None:

@@ -71,10 +71,17 @@ def own_axes(ax: "Axes | None") -> "Axes":
     return pyplot.subplots(figsize=(5.2, 3.6), layout="constrained")[1]
 
 
-def plot_line(ax: "Axes", index: int, x: Reals, values: Reals, label: str) -> None:
+def plot_line(ax: "Axes", index: int, x: Reals, values: Reals, label: str, **look: Any) -> None:
     """Draw the line of the method with this index."""
     color, linestyle = stroke(index)
-    ax.plot(x, values, color=color, linestyle=linestyle, linewidth=1.6, label=label)
+    ax.plot(x, values, color=color, linestyle=linestyle, linewidth=1.6, label=label, **look)
+
+
+def plot_with_band(ax: "Axes", index: int, x: Reals, intervals: Reals, label: str, **look: Any) -> None:
+    """Draw the line of the method with this index through estimates, with intervals (from `by_point`) as a band."""
+    estimate, low, high = intervals.T
+    plot_line(ax, index, x, estimate, label, **look)
+    ax.fill_between(x, low, high, color=stroke(index).color, alpha=0.16, linewidth=0)
 
 
 def add_legend(ax: "Axes") -> None:

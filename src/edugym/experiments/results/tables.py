@@ -179,16 +179,14 @@ class Results:
         one_of("column", column, ["return", "training_return"])
         if self.table.empty:
             return np.empty(0)
-        final = self.final(method)
-        curves = self.curves(method, column).reindex(columns=range(len(final)))
+        curves = self._complete_curves(method, column)
         values = curves.to_numpy(float)  # shape (n_points, n_repetitions)
         if column == "return":
-            averages = np.trapezoid(values, curves.index.to_numpy(float), axis=0) / self._planned(method, "n_steps")
-        else:
-            episodes = self.curves(method, "episodes").reindex(columns=range(len(final))).to_numpy(float)
-            with np.errstate(invalid="ignore"):  # 0 / 0 is NaN: no episode ended
-                averages = np.nansum(values * episodes, axis=0) / np.nansum(episodes, axis=0)
-        return np.where(np.isnan(final), np.nan, averages)
+            return np.trapezoid(values, curves.index.to_numpy(float), axis=0) / self._planned(method, "n_steps")
+        episodes = self._complete_curves(method, "episodes").to_numpy(float)
+        with np.errstate(invalid="ignore"):  # 0 / 0 is NaN: no episode ended, or the run is not complete
+            average: Reals = np.nansum(values * episodes, axis=0) / np.nansum(episodes, axis=0)
+        return average
 
     def mean(self, method: str, column: str = "return", over: Period = "end") -> Interval:
         """Return the mean of a method over its complete runs, with its interval.
@@ -285,9 +283,9 @@ class Results:
             raise ValueError(f"{path} is not a table of results: it has no column {missing[0]!r}")
         for column in (*WHOLE, "complete"):
             values = pandas.to_numeric(table[column], errors="coerce").to_numpy(float)
-            fits = np.isin(values, (0, 1)) if column == "complete" else values % 1 == 0
-            if not fits.all():
-                needed = "True or False" if column == "complete" else "whole numbers"
+            is_flag = column == "complete"
+            if not (np.isin(values, (0, 1)) if is_flag else values % 1 == 0).all():
+                needed = "True or False" if is_flag else "whole numbers"
                 raise ValueError(f"{path} is not a table of results: its column {column!r} must hold {needed}")
         return cls(with_types(table))
 
