@@ -1,15 +1,16 @@
 """Ctrl-C, the stop button of a notebook, and every other signal that Python code handles, while long work runs.
 
-Everything that takes long runs inside `with Work() as work`. A signal is then answered within a fifth of a second:
+Long work runs inside `with Work() as work`, which guards it: a signal is answered within a fifth of a second.
 
-* In plain Python its handler runs at once, as ever. Where something swallows the `KeyboardInterrupt` (Python ignores
-  errors in `__del__` and in weakref callbacks), it is raised again.
-* While machine code runs (`work.hold()`), the handler waits until `work.stopped()` is asked, between two chunks. When
-  machine code returns a tuple, Numba does not expect an error, and a handler that raises would crash the process.
+* In plain Python its handler runs at once, as without a guard. Python ignores errors in `__del__` and in weakref
+  callbacks; a `KeyboardInterrupt` that is lost there is raised again.
+* While machine code runs (`work.hold`), signals are deferred until the work asks (`work.stopped`), between two calls.
+  Numba does not expect an error where machine code returns a tuple: a handler that raised there would crash the
+  process.
 * A long loop of machine code asks from time to time (`asked_to_stop`), and ends by raising `Stopped`.
-* While runs are under way in other threads and processes (`work.ordering()`), Ctrl-C orders them to stop, so that they
-  return what is done. After `PATIENCE` seconds, or with a second Ctrl-C, nobody waits for those that have not stopped,
-  and `Stopped` is raised in the threads among them that run Python. Those that run machine code ask by themselves.
+* While runs are under way in other threads and processes (`work.ordering`), Ctrl-C sets a flag on which they stop and
+  return what is done. After `PATIENCE` seconds, or with a second Ctrl-C, nobody waits for those that go on, and
+  `Stopped` is raised in the threads among them that run Python. Those that run machine code ask by themselves.
 
 What cannot be interrupted at all, such as LLVM or the import of a library, runs in a thread (`interruptibly`).
 """
@@ -59,21 +60,21 @@ class Interrupted(KeyboardInterrupt):
 
 
 class Stopped(KeyboardInterrupt):
-    """The order to stop came while `interruptibly` waited, or in a long loop of machine code."""
+    """Raised where work is to stop: while `interruptibly` waits, or in a long loop of machine code."""
 
 
 class Stop:
-    """The order to stop, for runs in this process and in others on this machine, which see a file appear."""
+    """A flag to stop, for runs in this process and in others on this machine, which see a file appear."""
 
     def __init__(self, event: threading.Event, folder: str) -> None:
-        """Take an event that orders it as well, and a folder that other processes see."""
+        """Take an event that sets the flag as well, and a folder that other processes see."""
         self._event: threading.Event | None = event
         self._file = Path(folder) / "stop"
         self._is_set = False
         self.process = os.getpid()
 
     def set(self) -> None:
-        """Order every run to stop."""
+        """Tell every run to stop."""
         self._is_set = True  # first, so that no new run is handed out when one has seen the file
         self._file.touch()
 
@@ -91,17 +92,18 @@ class Stop:
 
 
 class Work:
-    """A stretch of work during which signals are answered as this module says.
+    """Guards work against signals, which are answered as this module says while its block runs.
 
-    Works may be nested. Outside the main thread, which alone handles signals, a work only passes on the order to stop.
+    Guards may be nested. Python handles signals in the main thread alone; in others a guard only passes on that work is
+    to stop.
 
     Attributes:
-        ordered: whether Ctrl-C has ordered runs to stop.
+        ordered: whether Ctrl-C has told runs to stop.
         loop: the line of the student's loop that was under way in machine code when it was stopped; else 0.
     """
 
     def __init__(self, stop: Any = None) -> None:
-        """Take an event that also ends the work when it is set, or None."""
+        """Take an event, or a flag, that also ends the work when it is set; or None."""
         self.ordered = False
         self.loop = 0
         self._stop = stop
@@ -157,12 +159,12 @@ class Work:
             raise self._error from None
 
     def hold(self, machine_code: bool) -> None:
-        """Say whether machine code is to run. While it does, signals wait until `stopped` is asked."""
+        """Say whether machine code is to run. While it does, signals are deferred until `stopped` is asked."""
         self._machine_code = machine_code
         self._held = machine_code
 
     def stopped(self) -> bool:
-        """Return whether to stop, after every handler that waits has run.
+        """Return whether to stop, after the handlers of all deferred signals have run.
 
         Raises:
             KeyboardInterrupt: after Ctrl-C. Other signals raise what their handlers raise.
@@ -172,7 +174,7 @@ class Work:
 
     @contextmanager
     def ordering(self, stop: Callable[[], None]) -> Iterator[None]:
-        """Let the next Ctrl-C call `stop`, and raise nothing unless the block goes on for `PATIENCE` seconds."""
+        """Let the next Ctrl-C call `stop`, and raise an error only if the block goes on for `PATIENCE` seconds."""
         self._order = stop
         try:
             yield
@@ -207,12 +209,12 @@ class Work:
             raise
 
     def _insist(self) -> None:
-        """Press Ctrl-C again where the order to stop was not enough, and end the threads that go on."""
+        """Press Ctrl-C again if the block of `ordering` goes on, and end the threads that do."""
         with self._lock:
             if self._order is not None:
                 _press_ctrl_c()
         with _ending:
-            for work in list(_in_threads):  # other works may begin meanwhile
+            for work in list(_in_threads):  # others may begin meanwhile
                 if work._stop.is_set() and not work._machine_code:
                     _raise_stopped(_in_threads.pop(work))
 
@@ -228,8 +230,8 @@ class Work:
             _press_ctrl_c()
 
 
-_current = threading.local()  # its `work` is the innermost one of a thread
-_in_threads: dict[Work, int] = {}  # the works of other threads than the main one, and the numbers of these
+_current = threading.local()  # its `work` is the innermost guard of a thread
+_in_threads: dict[Work, int] = {}  # the guards of other threads than the main one, and the numbers of these
 _ending = threading.Lock()
 
 
@@ -270,9 +272,9 @@ def _later(seconds: float, press: Callable[[], None]) -> None:
 
 @contextmanager
 def held(machine_code: bool = True) -> Iterator[None]:
-    """Let signals wait while machine code runs in this block, if a work is under way in this thread.
+    """Defer signals while machine code runs in this block, if its thread is guarded.
 
-    They wait until the work asks `stopped` or ends: an error that a handler raises is none of the machine code's.
+    They are deferred until the guard is asked or ends: machine code cannot raise the error of a handler.
 
     Args:
         machine_code: whether the block runs machine code. If not, its signals are answered at once, as in plain Python.
@@ -292,7 +294,7 @@ def held(machine_code: bool = True) -> Iterator[None]:
 
 
 def asked_to_stop(line: int) -> bool:
-    """Return whether machine code, which calls this, is to raise `Stopped`. The work raises then what a handler did.
+    """Return whether machine code, which calls this, is to raise `Stopped`. The guard then raises a handler's error.
 
     Args:
         line: of the student's loop that calls it; 0 for a loop of the package.
@@ -310,12 +312,12 @@ def asked_to_stop(line: int) -> bool:
 
 
 def interruptibly(function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
-    """Call a function in a thread, and wait for it such that a signal handler or an order to stop ends the waiting.
+    """Call a function in another thread, and wait for it; a signal or a flag to stop ends the wait.
 
     The function itself goes on in its thread to its end, which the process waits for before it ends.
 
     Raises:
-        Stopped: the work of this thread was ordered to stop.
+        Stopped: this thread is to stop.
     """
     done = threading.Event()
     returned: list[T] = []
@@ -341,6 +343,6 @@ def interruptibly(function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -
 
 @contextmanager
 def ordered_by(event: threading.Event) -> Iterator[Stop]:
-    """Yield the order to stop, which is also given when the event is set, in a form that other processes see."""
+    """Yield a flag to stop that other processes see, and that is also set when the event is."""
     with tempfile.TemporaryDirectory(prefix="edugym-", ignore_cleanup_errors=True) as folder:
         yield Stop(event, folder)
