@@ -11,7 +11,7 @@ import pytest
 
 from benchmarks import solving
 from benchmarks.__main__ import solving_table
-from benchmarks.solving import OURS, TASKS, THEIRS, Solved, clock, times_to_solve
+from benchmarks.solving import OURS, TASKS, THEIRS, Solved, clock
 
 ROOT = Path(__file__).parents[1]
 
@@ -73,36 +73,6 @@ def test_times_to_solve() -> None:
     nothing = Solved(TASKS[0], {OURS: [None], THEIRS: [3.0]})
     assert (nothing.ratio, nothing.times) == (None, {THEIRS: (3, 3, 3)})
     assert len(list(solving_table(nothing))) == 3
-
-
-def test_the_first_evaluation_that_reaches_the_threshold_counts(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Its time; seed 1 never reaches it. Both have their turn with each seed, after one that does not count."""
-    turns = []
-
-    def contender(name: str) -> Any:
-        def train(n_steps: int, seed: int) -> Any:
-            turns.append((name, n_steps, seed))
-            if n_steps > 1:
-                stamps.extend([0.1, 0.2, 0.3, 0.4])
-            return SimpleNamespace(returns=[0.0, 0.9, 0.96, 0.1] if seed == 0 else [0.94] * 4)
-
-        return lambda task: train
-
-    class Stamps:
-        def __enter__(self) -> list[float]:
-            stamps.clear()
-            return stamps
-
-        def __exit__(self, *_: object) -> None:
-            pass
-
-    stamps: list[float] = []
-    monkeypatch.setattr(solving, "clock", Stamps)
-    monkeypatch.setattr(solving, "our_ppo", contender("ours"))
-    monkeypatch.setattr(solving, "their_ppo", contender("theirs"))
-    assert times_to_solve(TASKS[0], 2).seconds == {OURS: [0.3, None], THEIRS: [0.3, None]}
-    n = TASKS[0].n_steps
-    assert turns == [("ours", 1, 0), ("theirs", 1, 0), *((name, n, k) for k in (0, 1) for name in ("ours", "theirs"))]
 
 
 @pytest.mark.slow

@@ -61,6 +61,12 @@ def test_what_is_done_comes_back(tmp_path: Path) -> None:
     assert sorted(results.complete_agents("Q")) == [0, 1]
     assert not results.complete
     assert results.share("Q", at_least=0).n == 2
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    with pytest.raises(Interrupted, match="0 of 3 runs are complete, 1 are unfinished") as raised:
+        repeat("Boulder", {"Q": stopping(1, interrupt)}, 200, repetitions=3, jobs=1)  # before the first step
+    results = raised.value.partial
+    assert (results.methods, results.complete, results.complete_agents("Q")) == (["Q"], False, {})
+    assert results.share("Q", at_least=1).n == results.mean("Q").n == 0
     assert not path.exists()
 
 
@@ -120,18 +126,6 @@ def test_runs_that_end_while_the_main_thread_waits_are_kept(monkeypatch: pytest.
     monkeypatch.setattr(repeating, "train", None)  # nothing is trained again
     again = repeat("Boulder", {"Q": QLearning.create}, 200, repetitions=2, jobs=2, checkpoints=tmp_path)
     assert again.table.equals(interrupted.value.partial.table)
-
-
-def test_before_the_first_step() -> None:
-    """Nothing is done yet, and that comes back: results without a row."""
-    with pytest.raises(Interrupted, match=r"0 of 3 runs are complete, 1 are unfinished$") as raised:
-        repeat("Boulder", {"Q": stopping(1, interrupt)}, 200, repetitions=3, jobs=1)
-    results = raised.value.partial
-    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
-    assert results.methods == ["Q"]
-    assert not results.complete
-    assert results.share("Q", at_least=1).n == results.mean("Q").n == 0
-    assert results.complete_agents("Q") == {}
 
 
 def test_an_event_stops_too() -> None:

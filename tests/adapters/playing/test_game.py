@@ -1,6 +1,8 @@
-"""Games: their actions, their score and their pictures."""
+"""Games: their actions, their score, their pictures and their luck."""
 
+import io
 import os
+from collections.abc import Callable
 from types import SimpleNamespace
 from typing import Any
 
@@ -9,11 +11,12 @@ import pytest
 from gymnasium import spaces
 from gymnasium.error import ResetNeeded
 
-from edugym.adapters.keys import keys_of, named_actions
-from edugym.adapters.playing import Game
+from edugym.adapters.keys import named_actions
+from edugym.adapters.playing import Game, play, play_episode
 from edugym.adapters.playing.game import TERMINATED, TRUNCATED, made
-from edugym.adapters.registration import ENVIRONMENTS
+from edugym_course import notebook
 from tests.adapters.playing.tasks import Still, Walk
+from tests.course.notebook.widgets import texts
 
 
 def test_the_score_of_a_game() -> None:
@@ -56,36 +59,6 @@ def test_a_game_keeps_its_last_finished_episode() -> None:
     game.step("right")
     assert game.replay() is finished
     assert len(finished) == 3
-
-
-def test_seeds_repeat_a_game() -> None:
-    """The same seed gives the same balls, in the second episode too; the second is another than the first."""
-
-    def balls(seed: int | None) -> list[str]:
-        game = Game("Golf", seed=seed)
-        places = []
-        for _ in range(2):
-            game.step("drive")
-            env: Any = game.environment.unwrapped
-            places.append(str(env.state))
-            game.reset()
-        return places
-
-    assert balls(3) == balls(3)
-    assert len({*balls(3), *balls(4), *balls(None), *balls(None)}) == 8
-
-
-@pytest.mark.parametrize("name", [entry.name for entry in ENVIRONMENTS])
-def test_every_environment_can_be_played(name: str) -> None:
-    """The actions of all environments have different keys, stand for valid actions, and are shown as a scene."""
-    game = Game(name)
-    assert len(keys_of(list(game.actions))) == len(game.actions) >= 2
-    for action, value in game.actions.items():
-        assert game.environment.action_space.contains(value)
-        game.reset(seed=1)
-        game.step(action)
-        assert game.line().startswith(f"step 1: {action}, ")
-    assert game._repr_svg_() is not None
 
 
 def test_environments_of_gymnasium_can_be_played() -> None:
@@ -191,3 +164,30 @@ def test_actions_without_a_name() -> None:
     assert score == "step 1: action -1 0.333, reward 0, total 0"
     assert observation.startswith("observation -0.28")
     assert [len(Game(Still(spaces.Discrete(n))).actions) for n in (10_000, 10_001, 10**9)] == [10_000, 0, 0]
+
+
+def on_the_screen(**options: Any) -> str:
+    """What is written before the first key."""
+    screen = io.StringIO()
+    play("MemoryCorridor", keyboard=io.StringIO(), screen=screen, **options)
+    return screen.getvalue()
+
+
+@pytest.mark.parametrize(
+    "start",
+    [
+        lambda **options: Game("MemoryCorridor", **options).line(),
+        lambda **options: play_episode("MemoryCorridor", [], **options)[0].line,
+        lambda **options: notebook.frames("MemoryCorridor", [], **options).frames[0].line,
+        lambda **options: texts(notebook.play("MemoryCorridor", **options).widget)[1],
+        on_the_screen,
+    ],
+    ids=["game", "episode", "film", "buttons", "screen"],
+)
+def test_a_seed_repeats_the_start(start: Callable[..., str]) -> None:
+    """The same of thirty doors is right with the same seed, and another with another."""
+    first, again = ([start(seed=seed, num_doors=30) for seed in range(4)] for _ in "ab")
+    assert all("observation" in told for told in first)
+    assert len({Game("MemoryCorridor", seed=None, num_doors=30).line() for _ in range(9)}) > 1
+    assert first == again
+    assert len(set(first)) > 1

@@ -116,6 +116,8 @@ def test_every_environment_in_a_window(name: str, typist: tuple[list[Any], list[
     keys += [(pygame.K_0, "0")] * 3
     game = play(name, render="human", screen=io.StringIO(), seed=0)
     first, *_ = game.actions
+    assert all(game.environment.action_space.contains(value) for value in game.actions.values())
+    assert game._repr_svg_() is not None
     below = " ".join(texts(shown[0]))
     assert all(f"[{key}] {action}" in below for key, action in keys_of(list(game.actions)).items())
     assert f"[0] {first}" in below

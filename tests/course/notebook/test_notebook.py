@@ -67,21 +67,6 @@ def test_playing_blind() -> None:
         play("Boulder", blind=no_boolean)
 
 
-def test_playing_without_the_widget() -> None:
-    """A game can be played by code, before it gets its buttons and after."""
-    game = Game("Boulder", height=3)
-    game.step("grip 0")
-    panel = play(game)
-    assert panel.game is game
-    assert texts(panel.widget)[1].startswith("step 1: grip 0")
-    panel.step(1)
-    assert texts(panel.widget)[1].startswith("step 2: grip 1")
-    panel.reset()
-    assert texts(panel.widget)[1].startswith("start")
-    with pytest.raises(ValueError, match="action must be one of 'grip 0', 'grip 1', but is 'grip 2'"):
-        panel.step("grip 2")
-
-
 def test_what_stands_where_no_kernel_runs() -> None:
     """Beside the widget the notebook stores a picture with the score, whatever the environment draws."""
     panel = play("Boulder", height=3)
