@@ -41,7 +41,7 @@ app = typer.Typer(no_args_is_help=True, add_completion=False, pretty_exceptions_
 
 
 def _path(text: str) -> Path:
-    """Return the path that is written in an option; an empty one would silently mean the current folder."""
+    """The path that is written in an option; an empty one would silently mean the current folder."""
     if not text:
         raise typer.BadParameter("the path is empty; the current folder is written '.'")
     return Path(text)

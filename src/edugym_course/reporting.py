@@ -17,7 +17,7 @@ from edugym_course.report import Report
 
 
 def for_mdp(make: Callable[[Any], Any]) -> Callable[[Any], Any]:
-    """Return a function that makes an agent for an environment, from one that makes it for the MDP in it."""
+    """A function that makes an agent for an environment, from one that makes it for the MDP in it."""
     return partial(_make_for_mdp, make)
 
 
@@ -66,7 +66,7 @@ class How(NamedTuple):
     folder: Path | None
 
     def __call__(self, name: str | None = None, **other: Any) -> dict[str, Any]:
-        """Return the arguments for one experiment.
+        """The arguments for one experiment.
 
         Args:
             name: the name under which its results are saved.
@@ -82,7 +82,7 @@ class How(NamedTuple):
 
 
 def reporting(measure: Callable[[How], tuple[Any, ...]], judge: Callable[..., Report], repetitions: int) -> Reporter:
-    """Return the function `report` of a lesson.
+    """The function `report` of a lesson.
 
     Args:
         measure: runs all experiments, and returns their results.

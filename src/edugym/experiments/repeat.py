@@ -182,7 +182,7 @@ def _experiment(
     seed: int,
     training: dict[str, Any],
 ) -> Experiment:
-    """Return what to do."""
+    """What to do."""
     if not isinstance(agents, Mapping):
         raise ValueError(f"agents must be a dictionary of agents by their labels, but is {in_short(agents)}")
     for label in agents:
@@ -199,7 +199,7 @@ def _experiment(
 
 
 def _maker(label: str, agent: Any) -> Maker:
-    """Return a function that makes an agent for one run, which shares nothing with those of other runs."""
+    """A function that makes an agent for one run, which shares nothing with those of other runs."""
     needed = f"agents[{label!r}] must be an agent or a function that makes one for an environment, but is"
     if isinstance(agent, type):
         made = f"{agent.__name__}.create" if hasattr(agent, "create") else f"{agent.__name__}(...)"
@@ -229,7 +229,7 @@ def _maker(label: str, agent: Any) -> Maker:
 def _configuration(
     task: Task, makers: dict[str, Maker], first: Planned, arguments: dict[str, Any]
 ) -> dict[str, dict[str, Any]]:
-    """Return what the results say about each method: task, agent, arguments, versions."""
+    """What the results say about each method: task, agent, arguments, versions."""
     settings = {**task.settings, **arguments, "versions": versions()}
     settings.pop("layout_seed", None)  # each row has its own
     environment = task.make(first.repetition.layout_seed)
@@ -243,7 +243,7 @@ def _checkpoints(
     agents: Mapping[str, Any],
     training: dict[str, Any],
 ) -> Checkpoints:
-    """Return where finished runs are kept: in the folder, or else beside the file; nowhere if that is a device."""
+    """Where finished runs are kept: in the folder, or else beside the file; nowhere if that is a device."""
     if folder is None and save_to is not None and (Path(save_to).is_file() or not Path(save_to).exists()):
         folder = f"{os.fspath(save_to)}.unfinished"
     store = Checkpoints(None if folder is None else Path(folder))
@@ -333,7 +333,7 @@ def _do(
 
 
 def _collected(experiment: Experiment, runs: Runs) -> Results:
-    """Return the table of the runs, and their agents."""
+    """The table of the runs, and their agents."""
     import pandas
 
     fixed_layout = experiment.task.settings.get("layout_seed")

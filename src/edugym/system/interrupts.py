@@ -55,7 +55,7 @@ class Interrupted(KeyboardInterrupt):
         return self._collect()
 
     def _render_traceback_(self) -> list[str]:
-        """Return what a notebook shows in place of a traceback."""
+        """What a notebook shows in place of a traceback."""
         return [f"Interrupted: {self}"]
 
 
@@ -79,7 +79,7 @@ class Stop:
         self._file.touch()
 
     def is_set(self) -> bool:
-        """Return whether to stop."""
+        """Whether to stop."""
         if self._event is None:
             return self._file.exists()
         if self._event.is_set() and not self._is_set:
@@ -87,7 +87,7 @@ class Stop:
         return self._is_set
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return what another process gets: the name of the file."""
+        """What another process gets: the name of the file."""
         return {**self.__dict__, "_event": None}
 
 
@@ -164,7 +164,7 @@ class Work:
         self._held = machine_code
 
     def stopped(self) -> bool:
-        """Return whether to stop, after the handlers of all deferred signals have run.
+        """Whether to stop, after the handlers of all deferred signals have run.
 
         Raises:
             KeyboardInterrupt: after Ctrl-C. Other signals raise what their handlers raise.
@@ -294,7 +294,7 @@ def held(machine_code: bool = True) -> Iterator[None]:
 
 
 def asked_to_stop(line: int) -> bool:
-    """Return whether machine code, which calls this, is to raise `Stopped`. The guard then raises a handler's error.
+    """Whether machine code, which calls this, is to raise `Stopped`. The guard then raises a handler's error.
 
     Args:
         line: of the student's loop that calls it; 0 for a loop of the package.
@@ -343,6 +343,6 @@ def interruptibly(function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -
 
 @contextmanager
 def ordered_by(event: threading.Event) -> Iterator[Stop]:
-    """Yield a flag to stop that other processes see, and that is also set when the event is."""
+    """A flag to stop that other processes see, and that is also set when the event is."""
     with tempfile.TemporaryDirectory(prefix="edugym-", ignore_cleanup_errors=True) as folder:
         yield Stop(event, folder)

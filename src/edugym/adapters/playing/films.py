@@ -43,7 +43,7 @@ def play_episode(
 
 
 def _policy(actor: Any, env: gymnasium.Env[Any, Any], rng: Random) -> Callable[[Any, int], Any]:
-    """Return a function that chooses an action from the observation and the number of the step, or None to stop."""
+    """A function that chooses an action from the observation and the number of the step, or None to stop."""
     if hasattr(actor, "act"):
         choose = getattr(actor, "greedy", actor.act)
         table: Any = tabular(env) if getattr(actor, "tabular", True) else env

@@ -93,7 +93,7 @@ class Curves(NamedTuple):
         return ax
 
     def points(self, method: str) -> "pandas.DataFrame":
-        """Return the curves of a method, smoothed: one row a step, one column a repetition."""
+        """The curves of a method, smoothed: one row a step, one column a repetition."""
         curves = self.results.curves(method, self.column)
         if self.smooth is None:
             return curves

@@ -53,12 +53,12 @@ SOFT_REFERENCE: Mapping[str, Any] = MappingProxyType({**REFERENCE, "linestyle": 
 
 
 def stroke(index: int) -> Stroke:
-    """Return the stroke of the method with this index; after the last stroke the first comes again."""
+    """The stroke of the method with this index; after the last stroke the first comes again."""
     return STROKES[index % len(STROKES)]
 
 
 def own_axes(ax: "Axes | None") -> "Axes":
-    """Return the axes to draw on: those given, or new ones in a figure of their own.
+    """The axes to draw on: those given, or new ones in a figure of their own.
 
     Raises:
         gymnasium.error.DependencyNotInstalled: Matplotlib is missing.
@@ -129,7 +129,7 @@ def save_figure(figure: "Figure | Axes", path: str | os.PathLike[str]) -> tuple[
 
 
 def to_bytes(figure: "Figure", kind: str, dpi: int = 160) -> bytes:
-    """Return the contents of a file with the figure; `kind` is "png" or "svg", `dpi` the pixels per inch of a PNG."""
+    """The contents of a file with the figure; `kind` is "png" or "svg", `dpi` the pixels per inch of a PNG."""
     import matplotlib
 
     # Without these settings an SVG file contains the date, and random names for its parts.

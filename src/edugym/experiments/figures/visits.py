@@ -68,7 +68,7 @@ class VisitMap(NamedTuple):
         return ax
 
     def counts(self) -> Reals:
-        """Return the visits as an array, after a check."""
+        """The visits as an array, after a check."""
         counts = np.asarray(self.visits, float)
         if counts.ndim != 2 or not (counts >= 0).all():
             raise ValueError(
