@@ -84,10 +84,10 @@ def play(
 ) -> None:
     """Play an environment with the keyboard; the keys are shown on the screen."""
     from edugym.adapters import playing
-    from edugym.adapters.playing.game import made
+    from edugym.adapters.playing.game import playable
 
     try:
-        env = made(environment, "ansi", _parameters(parameters or []))
+        env = playable(environment, "ansi", _parameters(parameters or []))
         game = playing.Game(env, seed=seed)
     except (OSError, TypeError, ValueError) as error:
         raise typer.BadParameter(str(error)) from error

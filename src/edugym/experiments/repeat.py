@@ -150,7 +150,7 @@ def repeat(
             store = _checkpoints(checkpoints, save_to, experiment.task, agents, training)
             if not stop.is_set():
                 runs |= store.found(plan)
-            _do_all(experiment, training, runs, store, jobs, progress, stop, work)
+            _run_all(experiment, training, runs, store, jobs, progress, stop, work)
             if work.ordered:
                 raise KeyboardInterrupt
             results = _collected(experiment, runs)
@@ -160,16 +160,16 @@ def repeat(
                     store.remove()
     except KeyboardInterrupt:
         kept = "; the same call goes on from there" if save_to or checkpoints else ""
-        raise Interrupted(_so_far(plan, runs) + kept, lambda: _collected(experiment, runs)) from None
+        raise Interrupted(_progress_in_words(plan, runs) + kept, lambda: _collected(experiment, runs)) from None
     except Exception as error:
         end_at_students_line(error)
         raise
     if not results.complete and not stopped_before:
-        warnings.warn(f"stopped: {_so_far(plan, runs)}", stacklevel=2)
+        warnings.warn(f"stopped: {_progress_in_words(plan, runs)}", stacklevel=2)
     return results
 
 
-def _so_far(plan: list[Planned], runs: Runs) -> str:
+def _progress_in_words(plan: list[Planned], runs: Runs) -> str:
     complete = sum(run.complete for run in runs.values())
     return f"{complete} of {len(plan)} runs are complete, {len(runs) - complete} are unfinished"
 
@@ -252,7 +252,7 @@ def _checkpoints(
     return store
 
 
-def _do_all(
+def _run_all(
     experiment: Experiment,
     training: dict[str, Any],
     runs: Runs,
@@ -277,7 +277,7 @@ def _do_all(
     with ordered_by(event) as stop, progress_bar(total, "steps", shown=progress) as bar:
         bar.update(len(runs) * training["n_steps"])
         calls = (
-            joblib.delayed(_do)(planned, experiment.task, experiment.makers[planned.method], training, stop, done)
+            joblib.delayed(_run_one)(planned, experiment.task, experiment.makers[planned.method], training, stop, done)
             for planned in to_do
             if not stop.is_set()
         )
@@ -309,7 +309,7 @@ def _do_all(
             raise error
 
 
-def _do(
+def _run_one(
     planned: Planned, task: Task, maker: Maker, training: dict[str, Any], stop: Stop, done: Runs
 ) -> tuple[Planned, Run | Exception]:
     """Do one run of one method; return an error rather than raise it, so that its traceback shows no joblib.

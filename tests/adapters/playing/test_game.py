@@ -13,7 +13,7 @@ from gymnasium.error import ResetNeeded
 
 from edugym.adapters.keys import named_actions
 from edugym.adapters.playing import Game, play, play_episode
-from edugym.adapters.playing.game import TERMINATED, TRUNCATED, made
+from edugym.adapters.playing.game import TERMINATED, TRUNCATED, playable
 from edugym_course import notebook
 from tests.adapters.playing.tasks import Still, Walk
 from tests.course.notebook.widgets import texts
@@ -91,7 +91,7 @@ def test_pixels_without_a_screen(
     if screen:
         monkeypatch.setenv(screen, ":0")
     monkeypatch.setattr("edugym.adapters.playing.game.sys", SimpleNamespace(platform=system))
-    made("CliffWalking-v1", "ansi", {})
+    playable("CliffWalking-v1", "ansi", {})
     assert os.environ.get("SDL_VIDEODRIVER") == driver
 
 

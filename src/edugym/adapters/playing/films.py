@@ -7,7 +7,7 @@ from typing import Any
 import gymnasium
 import numpy as np
 
-from edugym.adapters.playing.game import Frame, Game, made
+from edugym.adapters.playing.game import Frame, Game, playable
 from edugym.adapters.tabular_observation import tabular
 from edugym.checks.parameters import whole_number
 from edugym.mdp.protocol import Random
@@ -31,7 +31,7 @@ def play_episode(
         ValueError: as for `Game`; or `max_steps` is not 1 or more; or the observations do not fit the agent's table.
     """
     whole_number("max_steps", max_steps, 1)
-    env = made(environment, "rgb_array", parameters)
+    env = playable(environment, "rgb_array", parameters)
     choose = _policy(actor, env, np.random.default_rng([seed, 1]))
     game = Game(env, seed=seed)
     for step in range(max_steps):

@@ -76,7 +76,7 @@ class Game:
         self, environment: Any, *, seed: int | None = 0, picture: str = "rgb_array", **parameters: Any
     ) -> None:
         """See the class."""
-        self.environment = made(environment, picture, parameters)
+        self.environment = playable(environment, picture, parameters)
         self.actions = named_actions(self.environment)
         self.returns: list[float] = []
         self._last_episode: list[Frame] = []
@@ -162,7 +162,7 @@ class Game:
         return frame.with_caption()._repr_svg_() if isinstance(frame.picture, Scene) else None
 
 
-def made(environment: Any, picture: str, parameters: dict[str, Any]) -> gymnasium.Env[Any, Any]:
+def playable(environment: Any, picture: str, parameters: dict[str, Any]) -> gymnasium.Env[Any, Any]:
     """The Gymnasium environment to play; the arguments are those of `Game`."""
     one_of("picture", picture, ["rgb_array", "ansi"])
     if not isinstance(environment, str):
