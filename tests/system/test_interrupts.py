@@ -17,13 +17,13 @@ from edugym.system import interrupts
 from edugym.system.interrupts import (
     PATIENCE,
     Interrupted,
-    Stop,
+    SignalGuard,
+    StopFlag,
     Stopped,
-    Work,
     asked_to_stop,
-    held,
-    interruptibly,
-    ordered_by,
+    call_interruptibly,
+    deferring_signals,
+    stop_flag,
 )
 
 
@@ -47,23 +47,23 @@ def test_signals_wait_while_machine_code_runs(came: list[int]) -> None:
     before = signal.signal(signal.SIGTERM, lambda number, frame: came.append(number))
     sent = [signal.SIGTERM, signal.SIGINT, signal.SIGINT, signal.SIGTERM]
     try:
-        with Work() as work:
-            with held():
-                assert not work.stopped()
+        with SignalGuard() as guard:
+            with deferring_signals():
+                assert not guard.should_stop()
                 for number in sent:
                     signal.raise_signal(number)
                 assert came == []
-                with held(machine_code=False):
+                with deferring_signals(machine_code=False):
                     assert came == sent
                     ctrl_c()
                     assert len(came) == 5
                 ctrl_c()
                 assert len(came) == 5
-            work.stopped()
+            guard.should_stop()
             assert len(came) == 6
             ctrl_c()
             assert len(came) == 7
-        with held():
+        with deferring_signals():
             ctrl_c()
             assert len(came) == 8
     finally:
@@ -75,8 +75,8 @@ def test_it_comes_at_the_end_at_the_latest(came: list[int]) -> None:
     """It is not lost, even if the work fails; the error on the way tells more than a Ctrl-C that was swallowed."""
 
     def fail(waits: bool) -> None:
-        with Work() as work:
-            work.hold(machine_code=waits)
+        with SignalGuard() as guard:
+            guard.defer(machine_code=waits)
             with contextlib.suppress(KeyboardInterrupt):
                 ctrl_c()
             raise OSError("on the way")
@@ -92,8 +92,8 @@ def test_a_work_in_a_work(came: list[int]) -> None:
     """The inner one has no order of its own; after its end the outer one is asked, and its handler is in place."""
     stop = threading.Event()
     stop.set()
-    with Work(stop) as outer:
-        with Work():
+    with SignalGuard(stop) as outer:
+        with SignalGuard():
             assert not asked_to_stop(3)
         assert asked_to_stop(4)
         assert outer.loop == 4
@@ -121,15 +121,15 @@ def alarm() -> Iterator[None]:
 def test_what_a_handler_raises_waits_for_the_end_of_the_loop() -> None:
     """Machine code hears that it is to stop; the error comes when the work ends. It orders no run to stop."""
     ordered: list[bool] = []
-    with contextlib.suppress(Late), Work() as work:
-        work.hold(machine_code=True)
+    with contextlib.suppress(Late), SignalGuard() as guard:
+        guard.defer(machine_code=True)
         signal.raise_signal(signal.SIGALRM)
         assert asked_to_stop(7)
         ordered.append(False)
-    assert (work.loop, ordered.pop()) == (7, False)
-    with pytest.raises(Late), Work() as work, work.ordering(lambda: ordered.append(True)):
+    assert (guard.loop, ordered.pop()) == (7, False)
+    with pytest.raises(Late), SignalGuard() as guard, guard.on_ctrl_c(lambda: ordered.append(True)):
         signal.raise_signal(signal.SIGALRM)
-    assert (ordered, work.ordered) == ([], False)
+    assert (ordered, guard.stop_ordered) == ([], False)
 
 
 def test_other_errors_that_python_ignores_are_told_as_before(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -141,7 +141,7 @@ def test_other_errors_that_python_ignores_are_told_as_before(monkeypatch: pytest
 
     told: list[Any] = []
     monkeypatch.setattr(sys, "unraisablehook", lambda unraisable: told.append(unraisable.exc_type))
-    with Work():
+    with SignalGuard():
         Failing()
     assert told == [Late]
 
@@ -154,22 +154,22 @@ class Careless:
         ctrl_c()
 
 
-def ignored_by_python(work: Work) -> None:
+def ignored_by_python(guard: SignalGuard) -> None:
     """An error in `__del__`: what comes after it is interrupted."""
     Careless()
     threading.Event().wait(10)
     raise AssertionError
 
 
-def ignored_by_a_student(work: Work) -> None:
+def ignored_by_a_student(guard: SignalGuard) -> None:
     """An `except` that is too wide."""
     with contextlib.suppress(BaseException):
         ctrl_c()
-    work.stopped()
+    guard.should_stop()
     raise AssertionError
 
 
-def ignored_at_the_end(work: Work) -> None:
+def ignored_at_the_end(guard: SignalGuard) -> None:
     """The same, just before the work ends."""
     with contextlib.suppress(BaseException):
         ctrl_c()
@@ -177,12 +177,12 @@ def ignored_at_the_end(work: Work) -> None:
 
 @pytest.mark.parametrize("ignored", [ignored_by_python, ignored_by_a_student, ignored_at_the_end])
 @pytest.mark.usefixtures("interrupting")
-def test_what_is_swallowed_is_raised_again(ignored: Callable[[Work], None]) -> None:
+def test_what_is_swallowed_is_raised_again(ignored: Callable[[SignalGuard], None]) -> None:
     """No Ctrl-C is lost."""
 
     def work() -> None:
-        with Work() as work:
-            ignored(work)
+        with SignalGuard() as guard:
+            ignored(guard)
 
     with pytest.raises(KeyboardInterrupt):
         work()
@@ -199,13 +199,13 @@ def test_an_order_first_and_then_an_interrupt() -> None:
     """What does not follow the order is interrupted without a second Ctrl-C."""
     ordered: list[bool] = []
 
-    def work(seconds: float) -> Work:
-        with Work() as work, work.ordering(lambda: ordered.append(True)):
+    def work(seconds: float) -> SignalGuard:
+        with SignalGuard() as guard, guard.on_ctrl_c(lambda: ordered.append(True)):
             ctrl_c()
             threading.Event().wait(seconds)
-        return work
+        return guard
 
-    assert work(0).ordered
+    assert work(0).stop_ordered
     assert ordered == [True]
     assert not threading.Event().wait(2 * PATIENCE)  # and nobody insists once they have stopped
     begun = time.monotonic()
@@ -217,18 +217,18 @@ def test_an_order_first_and_then_an_interrupt() -> None:
 @pytest.mark.usefixtures("interrupting")
 def test_what_cannot_be_interrupted_is_waited_for_interruptibly() -> None:
     """Results and errors come through, and Ctrl-C or an order to stop ends the waiting."""
-    assert interruptibly(divmod, 7, 2) == (3, 1)
-    assert interruptibly(threading.current_thread).name == "edugym-current_thread"  # as a debugger shows it
+    assert call_interruptibly(divmod, 7, 2) == (3, 1)
+    assert call_interruptibly(threading.current_thread).name == "edugym-current_thread"  # as a debugger shows it
     with pytest.raises(ZeroDivisionError):
-        interruptibly(divmod, 7, 0)
-    assert not interruptibly(threading.Event().wait, 0.05)
-    with Work():
-        assert not interruptibly(threading.Event().wait, 0.05)
+        call_interruptibly(divmod, 7, 0)
+    assert not call_interruptibly(threading.Event().wait, 0.05)
+    with SignalGuard():
+        assert not call_interruptibly(threading.Event().wait, 0.05)
     go_on, stop = threading.Event(), threading.Event()
 
     def work() -> None:
-        with Work(stop):
-            interruptibly(go_on.wait)
+        with SignalGuard(stop):
+            call_interruptibly(go_on.wait)
 
     timer = threading.Timer(0.05, ctrl_c)
     timer.start()
@@ -254,14 +254,14 @@ def test_a_notebook_shows_one_line() -> None:
 @pytest.mark.parametrize("entering", [True, False])
 def test_ctrl_c_while_handlers_take_turns(entering: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     """It waits until all are in place; where it ends the work before its block, all is as it was, too."""
-    put, work, pressed = signal.signal, Work(), list[int]()
+    put, guard, pressed = signal.signal, SignalGuard(), list[int]()
 
     def press(number: int, handler: Any) -> Any:
-        if not entering and handler != work._arrive:
+        if not entering and handler != guard._arrive:
             signal.raise_signal(signal.SIGINT)
             pressed.append(number)
         before = put(number, handler)
-        if entering and number == signal.SIGINT and handler == work._arrive:
+        if entering and number == signal.SIGINT and handler == guard._arrive:
             signal.raise_signal(signal.SIGINT)
         return before
 
@@ -270,7 +270,7 @@ def test_ctrl_c_while_handlers_take_turns(entering: bool, monkeypatch: pytest.Mo
     before = [signal.getsignal(number) for number in numbers], sys.unraisablehook
     monkeypatch.setattr(signal, "signal", press)
     try:
-        with pytest.raises(KeyboardInterrupt), work:
+        with pytest.raises(KeyboardInterrupt), guard:
             assert not entering
         after = [signal.getsignal(number) for number in numbers], sys.unraisablehook
     finally:
@@ -278,7 +278,7 @@ def test_ctrl_c_while_handlers_take_turns(entering: bool, monkeypatch: pytest.Mo
             put(number, handler)
         put(signal.SIGALRM, alarm)
     assert after == before
-    assert getattr(interrupts._current, "work", None) is None
+    assert getattr(interrupts._current, "guard", None) is None
 
 
 def test_a_thread_that_does_not_stop_is_ended() -> None:
@@ -289,7 +289,7 @@ def test_a_thread_that_does_not_stop_is_ended() -> None:
 
     def run(name: str) -> None:
         try:
-            with Work(orders[name]):
+            with SignalGuard(orders[name]):
                 while not end.is_set():
                     time.sleep(0.001)
             ended[name] = "end"
@@ -301,7 +301,7 @@ def test_a_thread_that_does_not_stop_is_ended() -> None:
         thread.start()
     while len(interrupts._in_threads) < 2:
         time.sleep(0.001)
-    Work()._insist()
+    SignalGuard()._insist()
     threads[0].join(10)
     assert ended == {"ordered": "stopped"}
     end.set()
@@ -317,18 +317,18 @@ def test_a_thread_in_machine_code_asks_itself() -> None:
     ended = list[str]()
 
     def run() -> None:
-        with Work(order) as work:
-            work.hold(True)
+        with SignalGuard(order) as guard:
+            guard.defer(True)
             end.wait(10)
-            with held(False), held():
+            with deferring_signals(False), deferring_signals():
                 pass
-            ended.append("stopped" if work.stopped() else "went on")
+            ended.append("stopped" if guard.should_stop() else "went on")
 
     thread = threading.Thread(target=run)
     thread.start()
-    while not any(work._machine_code for work in interrupts._in_threads):
+    while not any(guard._machine_code for guard in interrupts._in_threads):
         time.sleep(0.001)
-    Work()._insist()
+    SignalGuard()._insist()
     end.set()
     thread.join(10)
     assert ended == ["stopped"]
@@ -338,8 +338,8 @@ def test_a_thread_in_machine_code_asks_itself() -> None:
 def test_the_order_to_stop(by_event: bool) -> None:
     """Given by itself or by the event, and seen in other processes, which get a copy; its folder does not stay."""
     event = threading.Event()
-    with ordered_by(event) as stop:
-        copy: Stop = pickle.loads(pickle.dumps(stop))
+    with stop_flag(event) as stop:
+        copy: StopFlag = pickle.loads(pickle.dumps(stop))
         folder = Path(stop._file).parent
         assert (stop.is_set(), copy.is_set(), copy.process) == (False, False, os.getpid())
         (event if by_event else stop).set()

@@ -21,7 +21,7 @@ from edugym.experiments.fingerprints import versions
 from edugym.experiments.results.tables import MEASURED, Results, with_types
 from edugym.system.extras import require
 from edugym.system.files import check_writable
-from edugym.system.interrupts import Interrupted, Stop, Work, interruptibly, ordered_by
+from edugym.system.interrupts import Interrupted, SignalGuard, StopFlag, call_interruptibly, stop_flag
 from edugym.training.contract import METHODS
 from edugym.training.progress import progress_bar
 from edugym.training.run import Run
@@ -144,14 +144,14 @@ def repeat(
     plan = experiment.plan
     stopped_before, runs = stop.is_set(), Runs()
     try:
-        with Work() as work:
+        with SignalGuard() as guard:
             for library in ("joblib", "pandas"):  # Ctrl-C during an import would leave half a library
-                interruptibly(importlib.import_module, library)
+                call_interruptibly(importlib.import_module, library)
             store = _checkpoints(checkpoints, save_to, experiment.task, agents, training)
             if not stop.is_set():
                 runs |= store.found(plan)
-            _run_all(experiment, training, runs, store, jobs, progress, stop, work)
-            if work.ordered:
+            _run_all(experiment, training, runs, store, jobs, progress, stop, guard)
+            if guard.stop_ordered:
                 raise KeyboardInterrupt
             results = _collected(experiment, runs)
             if save_to is not None and results.complete:
@@ -260,7 +260,7 @@ def _run_all(
     jobs: int | None,
     progress: bool,
     event: threading.Event,
-    work: Work,
+    guard: SignalGuard,
 ) -> None:
     """Do every run of the plan that is not among `runs` yet, and add it there and to the checkpoints."""
     import joblib
@@ -274,7 +274,7 @@ def _run_all(
         if run.complete:
             store.save(planned, run)
 
-    with ordered_by(event) as stop, progress_bar(total, "steps", shown=progress) as bar:
+    with stop_flag(event) as stop, progress_bar(total, "steps", shown=progress) as bar:
         bar.update(len(runs) * training["n_steps"])
         calls = (
             joblib.delayed(_run_one)(planned, experiment.task, experiment.makers[planned.method], training, stop, done)
@@ -289,7 +289,7 @@ def _run_all(
         error: Exception | None = None
         outcomes: Any = None
         try:
-            with work.ordering(stop.set):
+            with guard.on_ctrl_c(stop.set):
                 outcomes = parallel(calls)
                 for planned, run in outcomes:
                     if isinstance(run, Exception):
@@ -310,7 +310,7 @@ def _run_all(
 
 
 def _run_one(
-    planned: Planned, task: Task, maker: Maker, training: dict[str, Any], stop: Stop, done: Runs
+    planned: Planned, task: Task, maker: Maker, training: dict[str, Any], stop: StopFlag, done: Runs
 ) -> tuple[Planned, Run | Exception]:
     """Do one run of one method; return an error rather than raise it, so that its traceback shows no joblib.
 

@@ -1,18 +1,17 @@
 """Ctrl-C, the stop button of a notebook, and every other signal that Python code handles, while long work runs.
 
-Long work runs inside `with Work() as work`, which guards it: a signal is answered within a fifth of a second.
+Long work runs inside `with SignalGuard() as guard`, which guards it: a signal is answered within a fifth of a second.
 
 * In plain Python its handler runs at once, as without a guard. Python ignores errors in `__del__` and in weakref
   callbacks; a `KeyboardInterrupt` that is lost there is raised again.
-* While machine code runs (`work.hold`), signals are deferred until the work asks (`work.stopped`), between two calls.
-  Numba does not expect an error where machine code returns a tuple: a handler that raised there would crash the
-  process.
+* While machine code runs (`guard.defer`), signals are deferred until somebody asks `guard.should_stop`, between two
+  calls. Numba expects no error where machine code returns a tuple: a handler that raised there would crash the process.
 * A long loop of machine code asks from time to time (`asked_to_stop`), and ends by raising `Stopped`.
-* While runs are under way in other threads and processes (`work.ordering`), Ctrl-C sets a flag on which they stop and
+* While runs are under way in other threads and processes (`guard.on_ctrl_c`), Ctrl-C sets a flag on which they stop and
   return what is done. After `PATIENCE` seconds, or with a second Ctrl-C, nobody waits for those that go on, and
   `Stopped` is raised in the threads among them that run Python. Those that run machine code ask by themselves.
 
-What cannot be interrupted at all, such as LLVM or the import of a library, runs in a thread (`interruptibly`).
+What cannot be interrupted at all, such as LLVM or the import of a library, runs in a thread (`call_interruptibly`).
 """
 
 import _thread
@@ -60,10 +59,10 @@ class Interrupted(KeyboardInterrupt):
 
 
 class Stopped(KeyboardInterrupt):
-    """Raised where work is to stop: while `interruptibly` waits, or in a long loop of machine code."""
+    """Raised where work is to stop: while `call_interruptibly` waits, or in a long loop of machine code."""
 
 
-class Stop:
+class StopFlag:
     """A flag to stop, for runs in this process and in others on this machine, which see a file appear."""
 
     def __init__(self, event: threading.Event, folder: str) -> None:
@@ -91,23 +90,23 @@ class Stop:
         return {**self.__dict__, "_event": None}
 
 
-class Work:
+class SignalGuard:
     """Guards work against signals, which are answered as this module says while its block runs.
 
     Guards may be nested. Python handles signals in the main thread alone; in others a guard only passes on that work is
     to stop.
 
     Attributes:
-        ordered: whether Ctrl-C has told runs to stop.
+        stop_ordered: whether Ctrl-C has told runs to stop.
         loop: the line of the student's loop that was under way in machine code when it was stopped; else 0.
     """
 
     def __init__(self, stop: Any = None) -> None:
         """Take an event, or a flag, that also ends the work when it is set; or None."""
-        self.ordered = False
+        self.stop_ordered = False
         self.loop = 0
         self._stop = stop
-        self._around: Work | None = getattr(_current, "work", None)
+        self._around: SignalGuard | None = getattr(_current, "guard", None)
         self._held = False
         self._machine_code = False
         self._handlers: dict[int, Callable[[int, Any], Any]] = {}
@@ -117,9 +116,9 @@ class Work:
         self._order: Callable[[], None] | None = None
         self._lock = threading.Lock()
 
-    def __enter__(self) -> "Work":
+    def __enter__(self) -> "SignalGuard":
         """Take the place of every signal handler that is a Python function."""
-        _current.work = self
+        _current.guard = self
         if threading.current_thread() is threading.main_thread():
             self._held = True  # until all are in place
             for number in signal.valid_signals():
@@ -141,7 +140,7 @@ class Work:
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, traceback: Any) -> None:
         """Put the handlers back, and call those that still wait."""
-        _current.work = self._around
+        _current.guard = self._around
         if self._stop is not None and not self._handlers:
             with _ending:
                 ended = _in_threads.pop(self, None) is None
@@ -158,12 +157,12 @@ class Work:
         if self._error is not None:
             raise self._error from None
 
-    def hold(self, machine_code: bool) -> None:
-        """Say whether machine code is to run. While it does, signals are deferred until `stopped` is asked."""
+    def defer(self, machine_code: bool) -> None:
+        """Say whether machine code is to run. While it does, signals are deferred until `should_stop` is asked."""
         self._machine_code = machine_code
         self._held = machine_code
 
-    def stopped(self) -> bool:
+    def should_stop(self) -> bool:
         """Whether to stop, after the handlers of all deferred signals have run.
 
         Raises:
@@ -173,7 +172,7 @@ class Work:
         return self._stop is not None and bool(self._stop.is_set())
 
     @contextmanager
-    def ordering(self, stop: Callable[[], None]) -> Iterator[None]:
+    def on_ctrl_c(self, stop: Callable[[], None]) -> Iterator[None]:
         """Let the next Ctrl-C call `stop`, and raise an error only if the block goes on for `PATIENCE` seconds."""
         self._order = stop
         try:
@@ -197,8 +196,8 @@ class Work:
 
     def _handle(self, number: int, frame: Any) -> None:
         # A signal may come anywhere, also where a lock is held or another one is handled: nothing here takes a lock.
-        if number == signal.SIGINT and self._order is not None and not self.ordered:
-            self.ordered = True
+        if number == signal.SIGINT and self._order is not None and not self.stop_ordered:
+            self.stop_ordered = True
             self._order()
             _later(PATIENCE, self._insist)
             return
@@ -209,14 +208,14 @@ class Work:
             raise
 
     def _insist(self) -> None:
-        """Press Ctrl-C again if the block of `ordering` goes on, and end the threads that do."""
+        """Press Ctrl-C again if the block of `on_ctrl_c` goes on, and end the threads that do."""
         with self._lock:
             if self._order is not None:
                 _press_ctrl_c()
         with _ending:
-            for work in list(_in_threads):  # others may begin meanwhile
-                if work._stop.is_set() and not work._machine_code:
-                    _raise_stopped(_in_threads.pop(work))
+            for guard in list(_in_threads):  # others may begin meanwhile
+                if guard._stop.is_set() and not guard._machine_code:
+                    _raise_stopped(_in_threads.pop(guard))
 
     def _swallowed(self, unraisable: Any) -> None:
         """Press Ctrl-C again where Python ignored it."""
@@ -230,8 +229,8 @@ class Work:
             _press_ctrl_c()
 
 
-_current = threading.local()  # its `work` is the innermost guard of a thread
-_in_threads: dict[Work, int] = {}  # the guards of other threads than the main one, and the numbers of these
+_current = threading.local()  # its `guard` is the innermost guard of a thread
+_in_threads: dict[SignalGuard, int] = {}  # the guards of other threads than the main one, and the numbers of these
 _ending = threading.Lock()
 
 
@@ -271,7 +270,7 @@ def _later(seconds: float, press: Callable[[], None]) -> None:
 
 
 @contextmanager
-def held(machine_code: bool = True) -> Iterator[None]:
+def deferring_signals(machine_code: bool = True) -> Iterator[None]:
     """Defer signals while machine code runs in this block, if its thread is guarded.
 
     They are deferred until the guard is asked or ends: machine code cannot raise the error of a handler.
@@ -279,18 +278,18 @@ def held(machine_code: bool = True) -> Iterator[None]:
     Args:
         machine_code: whether the block runs machine code. If not, its signals are answered at once, as in plain Python.
     """
-    work: Work | None = getattr(_current, "work", None)
-    if work is None:
+    guard: SignalGuard | None = getattr(_current, "guard", None)
+    if guard is None:
         yield
         return
-    before = work._machine_code
-    work.hold(machine_code)
+    before = guard._machine_code
+    guard.defer(machine_code)
     try:
         if not machine_code:
-            work.stopped()  # answers the signals that came before the block
+            guard.should_stop()  # answers the signals that came before the block
         yield
     finally:
-        work.hold(before)
+        guard.defer(before)
 
 
 def asked_to_stop(line: int) -> bool:
@@ -299,19 +298,19 @@ def asked_to_stop(line: int) -> bool:
     Args:
         line: of the student's loop that calls it; 0 for a loop of the package.
     """
-    work: Work | None = getattr(_current, "work", None)
-    if work is None:
+    guard: SignalGuard | None = getattr(_current, "guard", None)
+    if guard is None:
         return False
     try:
-        stops = work.stopped()
+        stops = guard.should_stop()
     except BaseException as error:  # it cannot pass through machine code
-        stops, work._error = True, error
+        stops, guard._error = True, error
     if stops:
-        work.loop = line
+        guard.loop = line
     return stops
 
 
-def interruptibly(function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
+def call_interruptibly(function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
     """Call a function in another thread, and wait for it; a signal or a flag to stop ends the wait.
 
     The function itself goes on in its thread to its end, which the process waits for before it ends.
@@ -323,7 +322,7 @@ def interruptibly(function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -
     returned: list[T] = []
     raised: list[BaseException] = []
 
-    def work() -> None:
+    def call() -> None:
         try:
             returned.append(function(*args, **kwargs))
         except BaseException as error:
@@ -331,10 +330,10 @@ def interruptibly(function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -
         finally:
             done.set()
 
-    threading.Thread(target=work, name=f"edugym-{getattr(function, '__name__', 'work')}").start()
-    current: Work | None = getattr(_current, "work", None)
+    threading.Thread(target=call, name=f"edugym-{getattr(function, '__name__', 'work')}").start()
+    current: SignalGuard | None = getattr(_current, "guard", None)
     while not done.wait(0.02):  # on Windows waiting cannot be interrupted, so it is never for long
-        if current is not None and current.stopped():
+        if current is not None and current.should_stop():
             raise Stopped
     if raised:
         raise raised.pop()
@@ -342,7 +341,7 @@ def interruptibly(function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -
 
 
 @contextmanager
-def ordered_by(event: threading.Event) -> Iterator[Stop]:
+def stop_flag(event: threading.Event) -> Iterator[StopFlag]:
     """A flag to stop that other processes see, and that is also set when the event is."""
     with tempfile.TemporaryDirectory(prefix="edugym-", ignore_cleanup_errors=True) as folder:
-        yield Stop(event, folder)
+        yield StopFlag(event, folder)

@@ -20,7 +20,7 @@ from edugym.checks.mdps import CHECKED_STEPS, checked_mdp, is_own, require_task
 from edugym.checks.values import own_copy
 from edugym.compiled.execution import executable
 from edugym.mdp.protocol import coerced
-from edugym.system.interrupts import held
+from edugym.system.interrupts import deferring_signals
 from edugym.training import gymnasium_loops, loops
 from edugym.training.checked_env import checked_env
 from edugym.training.checking import before_training, checked_agent, doubts
@@ -158,7 +158,7 @@ class MDPTrainer:
         together = compiled and hasattr(self.agent, "greedy")
         n_episodes = min(at_most, max(1, MOST_STEPS // self._evaluation_limit)) if together else 1
         evaluation = self._evaluation(n_episodes)
-        with held(machine_code=compiled):
+        with deferring_signals(machine_code=compiled):
             if compiled:
                 self._play(n_episodes, *evaluation)
             elif self._has_played:
