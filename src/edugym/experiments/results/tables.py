@@ -182,10 +182,11 @@ class Results:
         curves = self._complete_curves(method, column)
         values = curves.to_numpy(float)  # shape (n_points, n_repetitions)
         if column == "return":
-            return np.trapezoid(values, curves.index.to_numpy(float), axis=0) / self._planned(method, "n_steps")
+            average: Reals = np.trapezoid(values, curves.index, axis=0) / self._planned(method, "n_steps")
+            return average
         episodes = self._complete_curves(method, "episodes").to_numpy(float)
         with np.errstate(invalid="ignore"):  # 0 / 0 is NaN: no episode ended, or the run is not complete
-            average: Reals = np.nansum(values * episodes, axis=0) / np.nansum(episodes, axis=0)
+            average = np.nansum(values * episodes, axis=0) / np.nansum(episodes, axis=0)
         return average
 
     def mean(self, method: str, column: str = "return", over: Period = "end") -> Interval:
