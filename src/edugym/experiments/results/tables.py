@@ -181,13 +181,14 @@ class Results:
             return np.empty(0)
         curves = self._complete_curves(method, column)
         values = curves.to_numpy(float)  # shape (n_points, n_repetitions)
+        averages: Reals
         if column == "return":
-            average: Reals = np.trapezoid(values, curves.index, axis=0) / self._planned(method, "n_steps")
-            return average
-        episodes = self._complete_curves(method, "episodes").to_numpy(float)
-        with np.errstate(invalid="ignore"):  # 0 / 0 is NaN: no episode ended, or the run is not complete
-            average = np.nansum(values * episodes, axis=0) / np.nansum(episodes, axis=0)
-        return average
+            averages = np.trapezoid(values, curves.index, axis=0) / self._planned(method, "n_steps")
+        else:
+            episodes = self._complete_curves(method, "episodes").to_numpy(float)
+            with np.errstate(invalid="ignore"):  # 0 / 0 is NaN: no episode ended, or the run is not complete
+                averages = np.nansum(values * episodes, axis=0) / np.nansum(episodes, axis=0)
+        return averages
 
     def mean(self, method: str, column: str = "return", over: Period = "end") -> Interval:
         """The mean of a method over its complete runs, with its interval.
