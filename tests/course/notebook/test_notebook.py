@@ -154,34 +154,8 @@ def test_listings_are_the_code_that_runs() -> None:
 
 CELLS = [
     """
-from typing import NamedTuple
-
 import matplotlib.pyplot as plt
-from gymnasium import spaces
-
 from edugym_course.notebook import play, sliders
-
-
-class Walk(NamedTuple):
-    action_names = ("left", "right")
-    observation_space = spaces.Discrete(5)
-    action_space = spaces.Discrete(2)
-
-    def initial(self, rng):
-        return 2
-
-    def transition(self, state, action, rng):
-        return state + 2 * action - 1
-
-    def reward(self, state, action, next_state, rng):
-        return 1.0
-
-    def terminal(self, state):
-        return state in (0, 4)
-
-    def observation(self, state, rng):
-        return state
-
 
 def curve(slope=1.0):
     figure, axes = plt.subplots()
@@ -195,11 +169,11 @@ def broken(x=1):
         raise RuntimeError("three is too much")
     return "well"
 """,
-    "game = play(Walk())\ngame.actions['right'].click()\ngame",
+    "game = play('Golf', stochasticity_level=0.0)\ngame.actions['drive'].click()\ngame",
     "panel = sliders(curve, slope=(0.0, 2.0))\npanel.controls['slope'].value = 2.0\npanel",
     "failing = sliders(broken, x=(1, 5))\nfailing.controls['x'].value = 3\nfailing.controls['x'].value = 4\nfailing",
     "failing.controls['x'].value = 3",
-    "game.step('right')\ngame.actions['right'].click()",
+    "game.step('chip')\ngame.actions['chip'].click()",
 ]
 
 
@@ -213,7 +187,7 @@ def test_widgets_in_a_kernel() -> None:
     _, played, explored, failed, *last = notebook.cells
 
     [output] = played.outputs
-    assert "step 1: right" in output.data["image/svg+xml"]
+    assert "step 1: drive" in output.data["image/svg+xml"]
     printed, result = explored.outputs
     assert printed.text == "the slope is 1.0\n"  # by the first call, in the cell; the second printed into the widget
     assert set(result.data) == {WIDGET, "text/plain", "image/png"}
