@@ -12,7 +12,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from gymnasium.error import DependencyNotInstalled
 from rich.console import Console
 from typer.testing import CliRunner, Result
 
@@ -209,17 +208,6 @@ def test_output_that_fails(
             commands.run()
         assert os.fstat(output.fileno()).st_rdev == os.stat(os.devnull).st_rdev  # Python's own last flush is lost
     assert ended.value.code == ends
-
-
-def test_a_missing_library_is_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
-    """No traceback."""
-
-    def missing() -> None:
-        raise DependencyNotInstalled("typing is not installed")
-
-    monkeypatch.setattr(commands, "app", missing)
-    with pytest.raises(SystemExit, match=r"^edugym: typing is not installed$"):
-        commands.run()
 
 
 def test_ctrl_c_in_a_command(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:

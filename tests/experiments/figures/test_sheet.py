@@ -15,7 +15,7 @@ from matplotlib import pyplot
 from PIL import Image
 
 from edugym import Results
-from edugym.experiments.figures import Curves, Lines, Sheet, VisitMap, save_figure
+from edugym.experiments.figures import Curves, Sheet, VisitMap, save_figure
 from edugym.experiments.figures.panel import ALONE, Place
 from edugym.experiments.figures.sheet import in_pairs
 from edugym.experiments.figures.style import PANEL_SIZE
@@ -43,17 +43,6 @@ def test_panels_are_in_their_places() -> None:
     assert all(ax.get_legend() is None for ax in panels)
     assert {ax.images[0].norm.vmax for ax in panels[2:]} == {50.0}
     assert len(drawn.axes) == 5  # one scale of colours
-
-
-def test_the_legend_does_not_run_out_of_the_figure() -> None:
-    """Many labels take several rows, also above a single panel."""
-    x = np.arange(3.0)
-    panel = Lines(x, {f"a method with a long name, {i}": x for i in range(7)}, "climbs")
-    drawn = Sheet("figure", [[panel]]).draw()
-    drawn.draw_without_rendering()
-    box = drawn.legends[0].get_window_extent()
-    assert box.x0 >= 0
-    assert box.x1 <= drawn.bbox.x1
 
 
 def test_empty_results_leave_empty_axes() -> None:
