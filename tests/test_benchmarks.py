@@ -4,14 +4,13 @@ import json
 import subprocess
 import sys
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
 from benchmarks import solving
 from benchmarks.__main__ import solving_table
-from benchmarks.solving import OURS, TASKS, THEIRS, Solved, clock
+from benchmarks.solving import OURS, TASKS, THEIRS, Solved
 
 ROOT = Path(__file__).parents[1]
 
@@ -73,27 +72,6 @@ def test_times_to_solve() -> None:
     nothing = Solved(TASKS[0], {OURS: [None], THEIRS: [3.0]})
     assert (nothing.ratio, nothing.times) == (None, {THEIRS: (3, 3, 3)})
     assert len(list(solving_table(nothing))) == 3
-
-
-@pytest.mark.slow
-def test_evaluations_are_not_counted(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Two seconds pass before each point, and ten while it is measured."""
-    pytest.importorskip("stable_baselines3")
-    from edugym.deep.curves import Curve
-
-    now = [0.0]
-
-    def wait(seconds: float) -> None:
-        now[0] += seconds
-
-    monkeypatch.setattr(solving, "time", SimpleNamespace(perf_counter=lambda: now[0]))
-    monkeypatch.setattr(Curve, "measure", lambda curve, steps: wait(10))
-    curve = Curve("Catch", {}, lambda: lambda observations, first: None, 1, 1, 0)
-    with clock() as stamps:
-        for steps in range(3):
-            wait(2)
-            curve.measure(steps)
-    assert stamps == [2, 4, 6]
 
 
 @pytest.mark.slow

@@ -177,7 +177,8 @@ if __name__ == "__main__":
     agents = {{"Q": make if environment == "Boulder" else make_announced}}
     with joblib.parallel_config(backend=backend, n_jobs=jobs), warnings.catch_warnings(record=True) as warned:
         warnings.simplefilter("always")
-        repeat(environment, agents, 100, max_steps=100, repetitions=4, jobs=None)  # every worker has worked
+        first = 200_000 if environment == "Boulder" else 100  # every worker has worked, and what it needs is compiled
+        repeat(environment, agents, first, max_steps=100, repetitions=4, jobs=None)
         os.write(1, b"ready\\n")
         try:
             repeat(environment, agents, {HOURS}, evaluate_every=every, max_steps=100, repetitions=runs, jobs=None)
@@ -217,7 +218,7 @@ def test_ctrl_c_in_the_middle(tmp_path: Path, environment: str, backend: str, jo
             begun = min(jobs, runs)
             assert child.stdout.readline() == "ready\n"
             if environment == "Boulder":  # machine code announces nothing
-                threading.Event().wait(10)
+                threading.Event().wait(2)
             else:
                 assert {child.stdout.readline() for _ in range(begun)} == {"learning\n"}
             os.killpg(child.pid, signal.SIGINT)  # as a terminal does: to all its processes

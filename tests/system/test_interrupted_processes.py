@@ -104,7 +104,7 @@ environment = gymnasium.make(env_id)
 agent = QLearning.create(environment, initial_value=1.0)
 if how == "interpreted":
     trainers.executable = lambda loop, *arguments, **options: loop
-train(environment, agent, 6_000)  # what has to be compiled is compiled
+train(environment, agent, 200_000 if how in ("compiled", "alarm") else 100)  # what has to be compiled is compiled
 number = signal.SIGINT
 if how == "alarm":
     number = signal.SIGALRM

@@ -64,7 +64,8 @@ def share(mdp: Any, path: str | Path) -> Path:
     check_mdp(mdp)
     parts = _Parts()
     value = parts.text_of(mdp, "the MDP")
-    code = "\n".join(sorted(parts.imports | {"import gymnasium", "import edugym"}, key=_import_order))
+    imports = sorted(parts.imports | {"import gymnasium", "import edugym"})
+    code = "\n".join(sorted(imports, key=lambda line: line.startswith("from")))
     code += "".join(f"\n\n\n{text}" for text in parts.definitions.values())
     text = TEXT.format(name=type(mdp).__name__, file=path.name, code=code.strip(), value=value)
     _try(text, type(mdp).__name__)
@@ -310,8 +311,3 @@ def _cells() -> Iterator[str]:
             with contextlib.suppress(SyntaxError):  # lines with % are no Python
                 ast.parse("".join(entry[2]))
                 yield file
-
-
-def _import_order(line: str) -> tuple[bool, str]:
-    """Sort `import ...` before `from ... import ...`."""
-    return line.startswith("from"), line

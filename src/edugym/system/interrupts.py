@@ -107,7 +107,7 @@ class SignalGuard:
         self.loop = 0
         self._stop = stop
         self._around: SignalGuard | None = getattr(_current, "guard", None)
-        self._held = False
+        self._deferring = False
         self._machine_code = False
         self._handlers: dict[int, Callable[[int, Any], Any]] = {}
         self._pending: list[tuple[int, Any]] = []
@@ -120,15 +120,15 @@ class SignalGuard:
         """Take the place of every signal handler that is a Python function."""
         _current.guard = self
         if threading.current_thread() is threading.main_thread():
-            self._held = True  # until all are in place
+            self._deferring = True  # until all are in place
             for number in signal.valid_signals():
                 handler = signal.getsignal(number)
                 if callable(handler):
                     self._handlers[number] = handler
-                    signal.signal(number, self._arrive)
+                    signal.signal(number, self._receive)
             self._hook = sys.unraisablehook
             sys.unraisablehook = self._swallowed
-            self._held = False
+            self._deferring = False
             try:
                 self._deliver()
             except BaseException as error:  # then the block does not begin, and Python does not end it
@@ -146,7 +146,7 @@ class SignalGuard:
                 ended = _in_threads.pop(self, None) is None
             if ended:
                 _receive_stopped()
-        self._held = True
+        self._deferring = True
         if self._handlers:
             sys.unraisablehook = self._hook
         for number, handler in sorted(self._handlers.items(), key=lambda item: item[0] == signal.SIGINT):
@@ -160,7 +160,7 @@ class SignalGuard:
     def defer(self, machine_code: bool) -> None:
         """Say whether machine code is to run. While it does, signals are deferred until `should_stop` is asked."""
         self._machine_code = machine_code
-        self._held = machine_code
+        self._deferring = machine_code
 
     def should_stop(self) -> bool:
         """Whether to stop, after the handlers of all deferred signals have run.
@@ -181,8 +181,8 @@ class SignalGuard:
             with self._lock:
                 self._order = None
 
-    def _arrive(self, number: int, frame: Any) -> None:
-        if self._held:
+    def _receive(self, number: int, frame: Any) -> None:
+        if self._deferring:
             self._pending.append((number, frame))
         else:
             self._handle(number, frame)

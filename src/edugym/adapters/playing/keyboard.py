@@ -214,7 +214,8 @@ def _single_keys(terminal: int) -> Iterator[None]:
         signal.signal(number, signal.SIG_DFL)
         signal.raise_signal(number)
 
-    ending = (signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT) if _in_main_thread() else ()
+    in_main_thread = threading.current_thread() is threading.main_thread()
+    ending = (signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT) if in_main_thread else ()
     handled = [number for number in ending if signal.getsignal(number) is signal.SIG_DFL]
     for number in handled:
         signal.signal(number, end)
@@ -225,10 +226,6 @@ def _single_keys(terminal: int) -> Iterator[None]:
         restore()
         for number in handled:
             signal.signal(number, signal.SIG_DFL)
-
-
-def _in_main_thread() -> bool:
-    return threading.current_thread() is threading.main_thread()
 
 
 def unix_keys(file_descriptor: int) -> Iterator[str]:
