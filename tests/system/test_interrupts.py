@@ -282,56 +282,36 @@ def test_ctrl_c_while_handlers_take_turns(entering: bool, monkeypatch: pytest.Mo
 
 
 def test_a_thread_that_does_not_stop_is_ended() -> None:
-    """If it was ordered to; another goes on, and nothing is left of either."""
-    orders = {"ordered": threading.Event(), "free": threading.Event()}
-    orders["ordered"].set()
+    """If it is to stop and runs Python: machine code asks itself, and another one goes on. Nothing is left of any."""
+    orders = {name: threading.Event() for name in ("python", "machine code", "free")}
     end, ended = threading.Event(), dict[str, str]()
 
     def run(name: str) -> None:
         try:
-            with SignalGuard(orders[name]):
+            with SignalGuard(orders[name]) as guard:
+                guard.defer(name == "machine code")
+                if name != "free":
+                    orders[name].set()
                 while not end.is_set():
                     time.sleep(0.001)
-            ended[name] = "end"
+                with deferring_signals(False), deferring_signals():
+                    pass
+                ended[name] = "asked" if guard.should_stop() else "went on"
         except Stopped:
             ended[name] = "stopped"
 
-    threads = [threading.Thread(target=run, args=(name,), daemon=True) for name in orders]
-    for thread in threads:
+    threads = {name: threading.Thread(target=run, args=(name,), daemon=True) for name in orders}
+    for thread in threads.values():
         thread.start()
-    while len(interrupts._in_threads) < 2:
+    while not (orders["python"].is_set() and orders["machine code"].is_set() and len(interrupts._in_threads) == 3):
         time.sleep(0.001)
     SignalGuard()._insist()
-    threads[0].join(10)
-    assert ended == {"ordered": "stopped"}
+    threads["python"].join(10)
     end.set()
-    threads[1].join(10)
-    assert ended == {"ordered": "stopped", "free": "end"}
+    for thread in threads.values():
+        thread.join(10)
+    assert ended == {"python": "stopped", "machine code": "asked", "free": "went on"}
     assert interrupts._in_threads == {}
-
-
-def test_a_thread_in_machine_code_asks_itself() -> None:
-    """So it is not ended by force, which its callbacks would report as an error."""
-    order, end = threading.Event(), threading.Event()
-    order.set()
-    ended = list[str]()
-
-    def run() -> None:
-        with SignalGuard(order) as guard:
-            guard.defer(True)
-            end.wait(10)
-            with deferring_signals(False), deferring_signals():
-                pass
-            ended.append("stopped" if guard.should_stop() else "went on")
-
-    thread = threading.Thread(target=run)
-    thread.start()
-    while not any(guard._machine_code for guard in interrupts._in_threads):
-        time.sleep(0.001)
-    SignalGuard()._insist()
-    end.set()
-    thread.join(10)
-    assert ended == ["stopped"]
 
 
 @pytest.mark.parametrize("by_event", [False, True])
