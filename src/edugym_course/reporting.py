@@ -52,8 +52,8 @@ class Reporter(Protocol):
         """
 
 
-class How(NamedTuple):
-    """How the experiments of a lesson are run: the arguments of `edugym.experiments.repeat` that all of them share.
+class SharedArguments(NamedTuple):
+    """The arguments of `edugym.experiments.repeat` that all experiments of a lesson share.
 
     A lesson writes `compare(..., **how())`, or `compare(..., **how("name"))` to save the results as `name.csv`.
 
@@ -81,7 +81,9 @@ class How(NamedTuple):
         return int(self.shared["repetitions"])
 
 
-def reporting(measure: Callable[[How], tuple[Any, ...]], judge: Callable[..., Report], repetitions: int) -> Reporter:
+def reporting(
+    measure: Callable[[SharedArguments], tuple[Any, ...]], judge: Callable[..., Report], repetitions: int
+) -> Reporter:
     """The function `report` of a lesson.
 
     Args:
@@ -102,7 +104,7 @@ def reporting(measure: Callable[[How], tuple[Any, ...]], judge: Callable[..., Re
     ) -> Report:
         stop = stop or threading.Event()  # one event ends all experiments
         shared = {"repetitions": repetitions, "seed": seed, "jobs": jobs, "progress": progress, "stop": stop}
-        measured = measure(How(shared | {"checkpoints": folder and folder / CHECKPOINTS}, folder))
+        measured = measure(SharedArguments(shared | {"checkpoints": folder and folder / CHECKPOINTS}, folder))
         return Report([], []) if stop.is_set() else judge(*measured)
 
     return report

@@ -8,13 +8,13 @@ from typing import Any
 
 from edugym.experiments.checkpoints import CHECKPOINTS
 from edugym_course.report import Report, Section, markdown
-from edugym_course.reporting import How, for_mdp, reporting
+from edugym_course.reporting import SharedArguments, for_mdp, reporting
 
 
 def test_how_an_experiment_is_run() -> None:
     """What all share, the file of one, and what replaces either."""
     shared = {"repetitions": "7", "seed": 3}
-    how, nowhere = How(shared, Path("folder")), How(shared, None)
+    how, nowhere = SharedArguments(shared, Path("folder")), SharedArguments(shared, None)
     assert how() == nowhere("name") == shared
     assert how("name") == shared | {"save_to": Path("folder/name.csv")}
     assert how("name", seed=4, save_to=None, jobs=1) == {"repetitions": "7", "seed": 4, "save_to": None, "jobs": 1}
@@ -23,9 +23,9 @@ def test_how_an_experiment_is_run() -> None:
 
 def test_a_report_is_measured_and_judged() -> None:
     """With the caller's arguments; after an interruption nothing is judged."""
-    asked: list[How] = []
+    asked: list[SharedArguments] = []
 
-    def measure(how: How) -> tuple[Any, ...]:
+    def measure(how: SharedArguments) -> tuple[Any, ...]:
         asked.append(how)
         return 1, 2
 
@@ -38,10 +38,11 @@ def test_a_report_is_measured_and_judged() -> None:
     assert report(repetitions=4, seed=5, jobs=6, progress=True, stop=stop, folder=Path("here")) == report()
     default, given, _ = asked
     assert isinstance(default.shared.pop("stop"), threading.Event)
-    assert default == How({"repetitions": 30, "seed": 0, "jobs": -1, "progress": False, "checkpoints": None}, None)
+    shared = {"repetitions": 30, "seed": 0, "jobs": -1, "progress": False, "checkpoints": None}
+    assert default == SharedArguments(shared, None)
     assert given.shared.pop("stop") is stop
     assert given.shared.pop("checkpoints") == Path("here") / CHECKPOINTS
-    assert given == How({"repetitions": 4, "seed": 5, "jobs": 6, "progress": True}, Path("here"))
+    assert given == SharedArguments({"repetitions": 4, "seed": 5, "jobs": 6, "progress": True}, Path("here"))
     stop.set()
     assert report(stop=stop) == Report([], [])
     assert inspect.signature(report).parameters["repetitions"].default == 30

@@ -9,9 +9,9 @@ from edugym.experiments.figures.style import (
     REFERENCE,
     SOFT_REFERENCE,
     add_legend,
+    axes_or_new,
     dress,
     format_steps,
-    own_axes,
     plot_with_band,
 )
 from edugym.experiments.results.statistics import by_point
@@ -72,7 +72,7 @@ class Curves(NamedTuple):
         if not isinstance(self.results, Results):
             what = in_short(self.results)
             raise ValueError(f"results must be Results, as repeat gives or Results.load reads them, but is {what}")
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         for i, method in enumerate(self.results.methods if self.methods is None else self.methods):
             curves = self.points(method)
             intervals = by_point(curves.to_numpy(float), share=self.share and self.smooth is None)

@@ -57,7 +57,7 @@ def stroke(index: int) -> Stroke:
     return STROKES[index % len(STROKES)]
 
 
-def own_axes(ax: "Axes | None") -> "Axes":
+def axes_or_new(ax: "Axes | None") -> "Axes":
     """The axes to draw on: those given, or new ones in a figure of their own.
 
     Raises:
