@@ -97,7 +97,7 @@ def test_a_work_in_a_work(came: list[int]) -> None:
             assert not asked_to_stop(3)
         assert asked_to_stop(4)
         assert outer.loop == 4
-        assert signal.getsignal(signal.SIGINT) == outer._receive
+        assert signal.getsignal(signal.SIGINT) == outer._arrive
     assert not asked_to_stop(5)
 
 
@@ -257,11 +257,11 @@ def test_ctrl_c_while_handlers_take_turns(entering: bool, monkeypatch: pytest.Mo
     put, guard, pressed = signal.signal, SignalGuard(), list[int]()
 
     def press(number: int, handler: Any) -> Any:
-        if not entering and handler != guard._receive:
+        if not entering and handler != guard._arrive:
             signal.raise_signal(signal.SIGINT)
             pressed.append(number)
         before = put(number, handler)
-        if entering and number == signal.SIGINT and handler == guard._receive:
+        if entering and number == signal.SIGINT and handler == guard._arrive:
             signal.raise_signal(signal.SIGINT)
         return before
 

@@ -150,7 +150,7 @@ def repeat(
             store = _checkpoints(checkpoints, save_to, experiment.task, agents, training)
             if not stop.is_set():
                 runs |= store.found(plan)
-            _run_all(experiment, training, runs, store, jobs, progress, stop, guard)
+            _do_all(experiment, training, runs, store, jobs, progress, stop, guard)
             if guard.stop_ordered:
                 raise KeyboardInterrupt
             results = _collected(experiment, runs)
@@ -160,16 +160,16 @@ def repeat(
                     store.remove()
     except KeyboardInterrupt:
         kept = "; the same call goes on from there" if save_to or checkpoints else ""
-        raise Interrupted(_progress_in_words(plan, runs) + kept, lambda: _collected(experiment, runs)) from None
+        raise Interrupted(_so_far(plan, runs) + kept, lambda: _collected(experiment, runs)) from None
     except Exception as error:
         end_at_students_line(error)
         raise
     if not results.complete and not stopped_before:
-        warnings.warn(f"stopped: {_progress_in_words(plan, runs)}", stacklevel=2)
+        warnings.warn(f"stopped: {_so_far(plan, runs)}", stacklevel=2)
     return results
 
 
-def _progress_in_words(plan: list[Planned], runs: Runs) -> str:
+def _so_far(plan: list[Planned], runs: Runs) -> str:
     complete = sum(run.complete for run in runs.values())
     return f"{complete} of {len(plan)} runs are complete, {len(runs) - complete} are unfinished"
 
@@ -252,7 +252,7 @@ def _checkpoints(
     return store
 
 
-def _run_all(
+def _do_all(
     experiment: Experiment,
     training: dict[str, Any],
     runs: Runs,
@@ -277,7 +277,7 @@ def _run_all(
     with stop_flag(event) as stop, progress_bar(total, "steps", shown=progress) as bar:
         bar.update(len(runs) * training["n_steps"])
         calls = (
-            joblib.delayed(_run_one)(planned, experiment.task, experiment.makers[planned.method], training, stop, done)
+            joblib.delayed(_do)(planned, experiment.task, experiment.makers[planned.method], training, stop, done)
             for planned in to_do
             if not stop.is_set()
         )
@@ -309,7 +309,7 @@ def _run_all(
             raise error
 
 
-def _run_one(
+def _do(
     planned: Planned, task: Task, maker: Maker, training: dict[str, Any], stop: StopFlag, done: Runs
 ) -> tuple[Planned, Run | Exception]:
     """Do one run of one method; return an error rather than raise it, so that its traceback shows no joblib.

@@ -125,7 +125,7 @@ class SignalGuard:
                 handler = signal.getsignal(number)
                 if callable(handler):
                     self._handlers[number] = handler
-                    signal.signal(number, self._receive)
+                    signal.signal(number, self._arrive)
             self._hook = sys.unraisablehook
             sys.unraisablehook = self._swallowed
             self._deferring = False
@@ -181,7 +181,7 @@ class SignalGuard:
             with self._lock:
                 self._order = None
 
-    def _receive(self, number: int, frame: Any) -> None:
+    def _arrive(self, number: int, frame: Any) -> None:
         if self._deferring:
             self._pending.append((number, frame))
         else:
