@@ -13,9 +13,9 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from edugym.system.interrupts import Work
+from edugym.system.interrupts import SignalGuard
 
-with Work():  # Python ignores a Ctrl-C that comes at certain moments of an import
+with SignalGuard():  # Python ignores a Ctrl-C that comes at certain moments of an import
     from edugym._old_names import install
     from edugym.adapters.registration import in_snake_case, register_environments
 
@@ -47,7 +47,7 @@ def __getattr__(name: str) -> Any:
     if home is None:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     if home not in sys.modules:
-        with Work():
+        with SignalGuard():
             importlib.import_module(home)
     return getattr(importlib.import_module(home), name)
 

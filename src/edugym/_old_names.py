@@ -101,7 +101,8 @@ class Moved(ModuleType):
         if name.startswith("__") and name != "__all__":
             raise AttributeError(name)
         module = importlib.import_module(self._new)
-        if isinstance(getattr(module, name, None), ModuleType):
+        found = getattr(module, name, None)
+        if isinstance(found, ModuleType) and found.__name__ == f"{self._new}.{name}":
             return importlib.import_module(f"{self.__name__}.{name}")
         if hasattr(module, name):
             return getattr(module, name)

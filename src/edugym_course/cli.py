@@ -3,13 +3,13 @@
 import os
 import sys
 
-from edugym.system.interrupts import INTERRUPTED, Work
+from edugym.system.interrupts import INTERRUPTED, SignalGuard
 
 
 def main() -> None:
     """Run the command; Ctrl-C ends it without a traceback, also while its modules are imported."""
     try:
-        with Work():
+        with SignalGuard():
             from edugym_course.commands import run
     except KeyboardInterrupt:
         print("edugym: interrupted", file=sys.stderr, flush=True)

@@ -17,7 +17,7 @@ from edugym.experiments.repeat import MOST_JOBS
 from edugym.experiments.results.claims import Claim
 from edugym.system.extras import require
 from edugym.system.files import check_writable, write_whole
-from edugym.system.interrupts import INTERRUPTED, Work, interruptibly
+from edugym.system.interrupts import INTERRUPTED, SignalGuard, call_interruptibly
 from edugym_course.lessons import lesson_names, load_experiments
 from edugym_course.report import Report, Section, markdown
 
@@ -41,7 +41,7 @@ app = typer.Typer(no_args_is_help=True, add_completion=False, pretty_exceptions_
 
 
 def _path(text: str) -> Path:
-    """Return the path that is written in an option; an empty one would silently mean the current folder."""
+    """The path that is written in an option; an empty one would silently mean the current folder."""
     if not text:
         raise typer.BadParameter("the path is empty; the current folder is written '.'")
     return Path(text)
@@ -84,10 +84,10 @@ def play(
 ) -> None:
     """Play an environment with the keyboard; the keys are shown on the screen."""
     from edugym.adapters import playing
-    from edugym.adapters.playing.game import made
+    from edugym.adapters.playing.game import playable
 
     try:
-        env = made(environment, "ansi", _parameters(parameters or []))
+        env = playable(environment, "ansi", _parameters(parameters or []))
         game = playing.Game(env, seed=seed)
     except (OSError, TypeError, ValueError) as error:
         raise typer.BadParameter(str(error)) from error
@@ -164,15 +164,15 @@ def reproduce(
     how: dict[str, Any] = {"seed": seed, "jobs": jobs, "progress": sys.stderr.isatty()}
     how |= {} if repetitions is None else {"repetitions": repetitions}
     try:
-        with Work() as work:
-            hold = [_reproduce(name, output / name, how, work) for name in chosen]
+        with SignalGuard() as guard:
+            hold = [_reproduce(name, output / name, how, guard) for name in chosen]
     except KeyboardInterrupt:
         typer.echo(f"edugym: interrupted; what is done is kept in {output}, and the same command goes on", err=True)
         raise typer.Exit(INTERRUPTED) from None
     raise typer.Exit(0 if all(hold) else 1)
 
 
-def _reproduce(lesson: str, folder: Path, how: dict[str, Any], work: Work) -> bool:
+def _reproduce(lesson: str, folder: Path, how: dict[str, Any], guard: SignalGuard) -> bool:
     """Run the experiments of one lesson, and return whether all claims hold.
 
     Everything is written into a folder beside `folder`, and moved there when it is complete: an unfinished rerun leaves
@@ -184,18 +184,18 @@ def _reproduce(lesson: str, folder: Path, how: dict[str, Any], work: Work) -> bo
     unfinished = folder.with_name(f"{folder.name}.unfinished")
     unfinished.mkdir(exist_ok=True)
     _clear(unfinished, keep=CHECKPOINTS)
-    experiments = interruptibly(load_experiments, lesson)
+    experiments = call_interruptibly(load_experiments, lesson)
     with warnings.catch_warnings(record=True) as warned:
         warnings.simplefilter("always")
         report = experiments.report(**how, folder=unfinished)
     for warning in warned:
         typer.echo(f"edugym: {warning.message}", err=True)
-    plotting = interruptibly(importlib.import_module, "edugym.experiments.figures")
+    plotting = call_interruptibly(importlib.import_module, "edugym.experiments.figures")
     for figure in report.figures:
-        work.stopped()
+        guard.should_stop()
         plotting.save_figure(figure.draw(), unfinished / figure.name)
     _write_claims(report, unfinished / CLAIMS)
-    work.stopped()
+    guard.should_stop()
     (folder / CLAIMS).unlink(missing_ok=True)
     for path in sorted(unfinished.iterdir(), key=lambda path: (path.name == CLAIMS, path.name)):
         if path.name != CHECKPOINTS:
@@ -239,7 +239,7 @@ def _write_report(output: Path) -> None:
         if (folder / CLAIMS).exists():
             table = pandas.read_csv(folder / CLAIMS)
             claims = [dict(zip(table.columns, row, strict=True)) for row in table.itertuples(index=False)]
-            about = interruptibly(load_experiments, name).__doc__ or name
+            about = call_interruptibly(load_experiments, name).__doc__ or name
             sections.append(Section(name, about, claims, sorted(folder.glob("*.svg"))))
     write_whole(output / REPORT, markdown(sections, output).encode())
 

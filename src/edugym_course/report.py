@@ -44,7 +44,7 @@ class Section(NamedTuple):
 
 
 def markdown(sections: Sequence[Section], folder: Path) -> str:
-    """Return a report of several lessons in Markdown: an overview, then the claims and figures of each lesson.
+    """A report of several lessons in Markdown: an overview, then the claims and figures of each lesson.
 
     Args:
         sections: the lessons.

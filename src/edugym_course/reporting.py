@@ -17,7 +17,7 @@ from edugym_course.report import Report
 
 
 def for_mdp(make: Callable[[Any], Any]) -> Callable[[Any], Any]:
-    """Return a function that makes an agent for an environment, from one that makes it for the MDP in it."""
+    """A function that makes an agent for an environment, from one that makes it for the MDP in it."""
     return partial(_make_for_mdp, make)
 
 
@@ -52,8 +52,8 @@ class Reporter(Protocol):
         """
 
 
-class How(NamedTuple):
-    """How the experiments of a lesson are run: the arguments of `edugym.experiments.repeat` that all of them share.
+class SharedArguments(NamedTuple):
+    """The arguments of `edugym.experiments.repeat` that all experiments of a lesson share.
 
     A lesson writes `compare(..., **how())`, or `compare(..., **how("name"))` to save the results as `name.csv`.
 
@@ -66,7 +66,7 @@ class How(NamedTuple):
     folder: Path | None
 
     def __call__(self, name: str | None = None, **other: Any) -> dict[str, Any]:
-        """Return the arguments for one experiment.
+        """The arguments for one experiment.
 
         Args:
             name: the name under which its results are saved.
@@ -81,8 +81,10 @@ class How(NamedTuple):
         return int(self.shared["repetitions"])
 
 
-def reporting(measure: Callable[[How], tuple[Any, ...]], judge: Callable[..., Report], repetitions: int) -> Reporter:
-    """Return the function `report` of a lesson.
+def reporting(
+    measure: Callable[[SharedArguments], tuple[Any, ...]], judge: Callable[..., Report], repetitions: int
+) -> Reporter:
+    """The function `report` of a lesson.
 
     Args:
         measure: runs all experiments, and returns their results.
@@ -102,7 +104,7 @@ def reporting(measure: Callable[[How], tuple[Any, ...]], judge: Callable[..., Re
     ) -> Report:
         stop = stop or threading.Event()  # one event ends all experiments
         shared = {"repetitions": repetitions, "seed": seed, "jobs": jobs, "progress": progress, "stop": stop}
-        measured = measure(How(shared | {"checkpoints": folder and folder / CHECKPOINTS}, folder))
+        measured = measure(SharedArguments(shared | {"checkpoints": folder and folder / CHECKPOINTS}, folder))
         return Report([], []) if stop.is_set() else judge(*measured)
 
     return report

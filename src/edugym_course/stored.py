@@ -43,11 +43,11 @@ class Stored(NamedTuple):
         return _source(f"{LESSONS}.{self.module}").with_suffix(".csv")
 
     def load(self) -> Results:
-        """Return the stored results; they have no agents."""
+        """The stored results; they have no agents."""
         return Results.load(self.path)
 
     def code(self) -> str:
-        """Return a hash of the code that determines the results.
+        """A hash of the code that determines the results.
 
         Imports, docstrings, comments, pictures (`scene`) and functions that judge the results do not count; the last
         have names in `_claims`.
@@ -70,7 +70,7 @@ class Stored(NamedTuple):
 
 
 def _source(module: str) -> Path:
-    """Return the file of a module, without importing it."""
+    """The file of a module, without importing it."""
     spec = importlib.util.find_spec(module)
     if spec is None or spec.origin is None:
         raise ValueError(f"there is no module {module}")
@@ -78,7 +78,7 @@ def _source(module: str) -> Path:
 
 
 def _what_determines(path: Path) -> str:
-    """Return the code of a file without imports, docstrings, pictures, and what judges the results."""
+    """The code of a file without imports, docstrings, pictures, and what judges the results."""
     tree = ast.parse(path.read_text(encoding="utf-8"))
     tree.body = [statement for statement in tree.body if not _only_judges(statement)]
     for node in ast.walk(tree):
@@ -97,7 +97,7 @@ def _only_judges(statement: ast.stmt) -> bool:
 
 
 def stored_in(module: str) -> Stored:
-    """Return what a module of the lessons, such as "memory.recurrent", stores.
+    """What a module of the lessons, such as "memory.recurrent", stores.
 
     Raises:
         ValueError: there is no such module, or it stores nothing.

@@ -4,109 +4,48 @@ import errno
 import inspect
 import io
 import os
+import re
+import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from gymnasium.error import DependencyNotInstalled
 from rich.console import Console
+from typer.testing import CliRunner, Result
 
 from edugym.adapters import playing
 from edugym.adapters.registration import in_course_order
-from edugym.experiments.checkpoints import CHECKPOINTS
-from edugym.experiments.results.claims import Below, Claim, Within
-from edugym.experiments.results.statistics import Interval
 from edugym_course import commands
 from edugym_course.lab import server
-from edugym_course.report import Report
-from tests.course.test_cli import run
-
-CLAIM = Claim("Fails seldom", "share of failures", Interval(0.25, 0.125, 0.5, 9), Below(0.75), "by design")
-FILE = """\
-statement,quantity,expected,reason,estimate,low,high,n,holds
-Fails seldom,share of failures,< 0.75,by design,0.25,0.125,0.5,9,True
-"""
-TABLE = """\
-made_up
-claim measured, with 95 % interval expected holds
-─
-Fails seldom 0.25 [0.125, 0.5] < 0.75 yes
-by design share of failures
-"""
-
-NARROW = """\
-made_up
-
-            measur…
-            with 95
-            %
- claim      interv…   expected      holds
- ────────────────────────────────────────
- Fails      0.25      < 0.75        yes
- seldom     [0.125,
- by         0.5]
- design     share
-            of
-            failur…
-
- Another    0.25      0.3 to 1.25   NO
- one        [0.125,
-            0.5]
-            share
-            of
-            failur…
-
-"""
 
 
-@pytest.fixture
-def asked(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
-    """What a made-up lesson is asked for, one dictionary a command; it warns, saves a file and makes one claim."""
-    calls: list[dict[str, Any]] = []
-
-    def report(**how: Any) -> Report:
-        import warnings
-
-        calls.append(how)
-        for _ in range(2):
-            warnings.warn("a slow one", stacklevel=1)
-        (how["folder"] / "runs.csv").write_text(f"{len(calls)}")
-        (how["folder"] / CHECKPOINTS).mkdir(exist_ok=True)
-        return Report([CLAIM], [])
-
-    monkeypatch.setattr(commands, "load_experiments", lambda name: SimpleNamespace(report=report, __doc__="About."))
-    monkeypatch.setattr(commands, "lesson_names", lambda: ["made_up"])
-    return calls
+def run(*arguments: str, keys: str = "") -> Result:
+    """The command in this process, on a wide terminal."""
+    return CliRunner(env={"COLUMNS": "200"}).invoke(commands.app, arguments, input=keys)
 
 
-def in_words(text: str) -> list[str]:
-    """Lines with single blanks and single rules, without those that are empty."""
-    lines = (" ".join(line.replace("─", " ─ ").split()) for line in text.splitlines())
-    return ["─" if line.startswith("─") else line for line in lines if line]
-
-
-def test_the_list_is_in_the_order_of_the_course() -> None:
-    """A line with the heads, then one or more for each environment, which begins with its id."""
-    lines = run("list").output.splitlines()
-    assert lines[0].split("  ")[0] == "id"
-    assert lines[0].split() == ["id", "challenge", "parameters", "(default)"]
-    ids = [line.split()[0] for line in lines[1:] if line and not line.startswith(" ")]
-    assert ids == [entry.id for entry in in_course_order()]
-    assert "action_scale (0.2094)" in run("list").output  # π / 15, rounded
-
-
-def test_each_column_of_the_list_has_what_its_head_says(monkeypatch: pytest.MonkeyPatch) -> None:
-    """In a terminal so wide that every environment takes one line."""
+def test_the_list(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A line for each environment in the order of the course: its id, its challenge, and all defaults."""
     monkeypatch.setattr(commands, "Console", lambda: Console(width=1000))
     first, *lines = run("list").output.splitlines()
-    starts = [first.index(head) for head in ("challenge", "parameters (default)")]
+    starts = [first.index(head) for head in ("challenge", "parameters")]
     for line, entry in zip(lines, in_course_order(), strict=True):
-        assert line[: starts[0]].strip() == entry.id
-        assert line[starts[0] : starts[1]].strip() == entry.challenge
-        assert line[starts[1] :].startswith(f"{next(iter(inspect.signature(entry.load()).parameters))} (")
+        assert [line[: starts[0]].strip(), line[starts[0] : starts[1]].strip()] == [entry.id, entry.challenge]
+        parameters = inspect.signature(entry.load()).parameters
+        assert [part.partition(" (")[0] for part in line[starts[1] :].strip().split(", ")] == [
+            name for name in parameters if name != "render_mode"
+        ]
+    assert "action_scale (0.2094)" in "".join(lines)  # π / 15, rounded
+
+
+def test_without_a_command_there_is_help() -> None:
+    """What there is to do, and nothing about completion in shells."""
+    said = run().output
+    assert all(command in said for command in ("list", "play", "reproduce", "lab"))
+    assert "completion" not in said
+    assert not commands.app.pretty_exceptions_enable  # a traceback without the values of all variables
 
 
 @pytest.mark.parametrize(
@@ -119,11 +58,11 @@ def test_values_are_read_as_python_where_they_can_be(text: str, value: Any) -> N
     assert (type(read), read) == (type(value), value)
 
 
-@pytest.mark.parametrize("text", ["height", "=3", "1x=3", "a b=3"])
-def test_a_parameter_is_a_name_and_a_value(text: str) -> None:
-    """The message shows the form, and what came."""
-    with pytest.raises(ValueError, match=f"^a parameter is written name=value, but not '{text}'$"):
-        commands._parameters([text])
+@pytest.mark.parametrize("texts", [["height"], ["=3"], ["1x=3"], ["a b=3"], ["height=3", "height=4"]])
+def test_a_parameter_is_a_name_and_a_value(texts: list[str]) -> None:
+    """Once; the message shows what came."""
+    with pytest.raises(ValueError, match="height .*twice" if len(texts) > 1 else f"name=value.*'{texts[0]}'"):
+        commands._parameters(texts)
     assert commands._parameters(["a=b=c", "d=1"]) == {"a": "b=c", "d": 1}
 
 
@@ -148,164 +87,83 @@ def test_play_hands_everything_on(monkeypatch: pytest.MonkeyPatch) -> None:
     ]
 
 
-def test_reproduce_by_default(asked: list[dict[str, Any]], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """In the folder `results`, with the seed 0 and all cores; what the experiments save is beside the claims."""
-    monkeypatch.chdir(tmp_path)
-    said = run("reproduce", "made_up")
-    assert said.exit_code == 0
-    assert asked == [{"seed": 0, "jobs": -1, "progress": False, "folder": Path("results/made_up.unfinished")}]
-    folder = tmp_path / "results" / "made_up"
-    assert sorted(path.name for path in folder.iterdir()) == ["claims.csv", "runs.csv"]
-    assert (folder / "claims.csv").read_text() == FILE
-    *table, written = in_words(said.stdout)
-    assert table == TABLE.splitlines()
-    assert written == "Figures and data are in results/made_up, and a report in results/report.md."
-    assert said.stderr == "edugym: a slow one\n" * 2
-
-
-def test_the_claims_are_written_last(
-    asked: list[dict[str, Any]], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Where claims are, everything beside them is theirs: old ones go before anything else comes."""
-    folder = tmp_path / "deep" / "made_up"
-    arguments = ("reproduce", "made_up", "--output", str(folder.parent))
-    assert run(*arguments).exit_code == 0
-    seen: list[tuple[str, bool]] = []
-
-    def watched(path: Path, contents: bytes) -> Path:
-        seen.append((path.name, (folder / commands.CLAIMS).exists()))
-        path.write_bytes(contents)
-        return path
-
-    monkeypatch.setattr(commands, "write_whole", watched)
-    run(*arguments)
-    assert seen == [("claims.csv", True), ("runs.csv", False), ("claims.csv", False), ("report.md", True)]
-    assert (folder / "runs.csv").read_text() == "2"
-
-
-def test_one_lesson_that_fails_is_enough(
-    asked: list[dict[str, Any]], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """The others run all the same, before and after it."""
-    claims = iter([CLAIM, CLAIM._replace(expected=Below(0.25)), CLAIM])
-    monkeypatch.setattr(
-        commands,
-        "load_experiments",
-        lambda name: SimpleNamespace(report=lambda **_: Report([next(claims)], []), __doc__=name),
-    )
-    monkeypatch.setattr(commands, "lesson_names", lambda: ["one", "two", "three"])
-    assert run("reproduce", "--output", str(tmp_path)).exit_code == 1
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["one", "report.md", "three", "two"]
-
-
-def test_what_an_unfinished_command_left_goes(tmp_path: Path) -> None:
-    """Files, folders and links; the finished runs stay, and so does what a link leads to."""
-    folder, other = tmp_path / "unfinished", tmp_path / "other"
-    for path in (folder / CHECKPOINTS, folder / "a folder" / "in it", other):
-        path.mkdir(parents=True)
-        (path / "file").touch()
-    (folder / "a link").symlink_to(other)
-    (folder / "a file").touch()
-    commands._clear(folder, keep=CHECKPOINTS)
-    assert sorted(tmp_path.rglob("*")) == [
-        other,
-        other / "file",
-        folder,
-        folder / CHECKPOINTS,
-        folder / CHECKPOINTS / "file",
-    ]
-
-
-def test_the_table_of_claims_on_a_narrow_terminal(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    """What is expected and whether it holds stay in one line; the name is above its left end."""
-    monkeypatch.setattr(commands, "Console", lambda: Console(width=42))
-    other = CLAIM._replace(statement="Another one", expected=Within(0.3, 1.25), reason="")
-    commands._print_claims("made_up", [CLAIM, other])
-    assert [line.rstrip() for line in capsys.readouterr().out.splitlines()] == NARROW.splitlines()
-
-
-def test_the_colours_of_a_claim() -> None:
-    """Green or red for whether it holds; grey for the reason, if there is one, and for what was measured."""
-    measured = "0.25 [0.125, 0.5]\n[dim]share of failures[/dim]"
-    assert commands._row(CLAIM) == (
-        "Fails seldom\n[dim]by design[/dim]", measured, "< 0.75", "[green]yes[/green]"
-    )  # fmt: skip
-    fails = commands._row(CLAIM._replace(expected=Below(0.3), reason=""))
-    assert fails == ("Fails seldom", measured, "< 0.3", "[bold red]NO[/bold red]")
-
-
-def test_what_is_wrong_is_named_with_its_argument(
-    asked: list[dict[str, Any]], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """As it is written on the command line."""
-    monkeypatch.setattr(server, "serve", lambda folder, options: None)
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "file").touch()
-    for arguments, hint in (
-        (("reproduce", "explore"), "LESSON"),
-        (("reproduce", "--jobs", "0"), "--jobs"),
-        (("reproduce", "--output", str(tmp_path / "file")), "--output"),
-        (("lab", "a", "b"), "DIRECTORY"),
-        (("lab", str(tmp_path / "file")), "DIRECTORY"),
-    ):
-        refused = run(*arguments)
-        assert refused.exit_code == 2
-        assert f"Invalid value for {hint}:" in refused.stderr
-    assert asked == []
+def test_playing() -> None:
+    """Parameters are numbers, texts and truth values; keys come as lines."""
+    played = run("play", "Boulder", "--set", "height=2", "--set", "n_grips=3", "--seed", "1", keys="0\n1\nq\n")
+    assert (played.exit_code, played.output.count("[2] grip 2")) == (0, 3)
+    assert "step 2: grip 1" in played.output
+    lake = run("play", "FrozenLake-v1", "--set", "is_slippery=False", "--set", "map_name=8x8", keys="2\n")
+    assert lake.output.count("observation 1,") == 2
+    assert run("play", "Tamagotchi", "--set", "tau=inf").exit_code == 0
 
 
 @pytest.mark.parametrize(
-    ("arguments", "right", "wrong"),
+    ("line", "names"),
     [
-        (("reproduce", "made_up", "--repetitions"), 2, 1),
-        (("reproduce", "made_up", "--seed"), 0, -1),
-        (("reproduce", "made_up", "--jobs"), -1, -2),
-        (("reproduce", "made_up", "--jobs"), 1_000, 1_001),
-        (("lab", "--port"), 0, -1),
-        (("lab", "--port"), 65_535, 65_536),
-        (("play", "Boulder", "--seed"), 0, -1),
+        ("play Bolder", "Bolder"),
+        ("play Boulder --set seed=3", "'seed'"),
+        ("play Boulder --set height={[]:1}", "height must be"),
+        ("play Boulder --set height=low", "height must be"),
+        ("play Boulder --set heigth=2", "heigth"),
+        ("play Boulder --set height", "name=value"),
+        ("play Boulder --set height=3 --set height=4", "twice"),
+        ("play Tamagotchi --set tau=nan", "tau must be"),
+        ("play Boulder --gif /proc/x.gif", "/proc/x.gif"),
+        ("play Boulder --gif boulder.mp4", ".gif"),
+        ("play Boulder --gif=", "path is empty"),
+        ("play Boulder --render svg", "ansi"),
+        ("play Boulder --seed -1", "'--seed'"),
+        ("play missing.py", "No such file"),
+        ("reproduce explore", "LESSON: 'explore' is none of: loop, exploration"),
+        ("reproduce loop --repetitions 1", "'--repetitions'"),
+        ("reproduce loop --seed -1", "'--seed'"),
+        ("reproduce loop --jobs 0", "--jobs: 0"),
+        ("reproduce loop --jobs -2", "'--jobs'"),
+        ("reproduce loop --jobs 1001", "'--jobs'"),
+        ("reproduce loop --output=", "path is empty"),
+        ("reproduce loop --output file", "--output: cannot write to file"),
+        ("reproduce loop --colour", "--colour"),
+        ("lab a b", "DIRECTORY: one folder is enough, but there are a, b"),
+        ("lab file", "DIRECTORY: cannot write to file"),
+        ("lab file/in/it", "DIRECTORY: cannot write to file/in/it"),
+        ("lab --port -1", "'--port'"),
+        ("lab --port 65536", "'--port'"),
     ],
 )
-@pytest.mark.usefixtures("asked")
-def test_the_first_and_last_number_that_will_do(
-    arguments: tuple[str, ...], right: int, wrong: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """The next one will not, and the message names its option."""
+def test_bad_usage_is_status_2(line: str, names: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """And names what is wrong, with its argument, before anything is computed or written."""
+    monkeypatch.setattr(server, "serve", lambda folder, options: pytest.fail("started"))
+    monkeypatch.setattr(commands, "load_experiments", lambda name: pytest.fail("begun"))
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(server, "serve", lambda folder, options: None)
-    monkeypatch.setattr(server, "prepare", lambda folder: [])
-    monkeypatch.setattr(playing, "play", lambda *one, **how: None)
-    assert run(*arguments, str(right)).exit_code == 0
-    refused = run(*arguments, str(wrong))
+    Path("file").touch()
+    refused = run(*line.split())
     assert refused.exit_code == 2
-    assert f"Invalid value for '{arguments[-1]}'" in refused.stderr
+    assert names in refused.stderr
+    assert os.listdir() == ["file"]
 
 
-def test_an_interruption_is_no_output(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    """It is said where errors are."""
-
-    def press(name: str) -> None:
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr(commands, "load_experiments", press)
-    said = run("reproduce", "loop", "--output", str(tmp_path))
-    assert (said.exit_code, said.stdout) == (130, "")
-    assert said.stderr == (f"edugym: interrupted; what is done is kept in {tmp_path}, and the same command goes on\n")
-
-
-def test_lab_says_what_it_did(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    """One line for each lesson with a newer version, and where the lessons are."""
+@pytest.mark.parametrize(
+    ("line", "options"),
+    [
+        ("lab", ("edugym-lessons", [])),
+        ("lab --ServerApp.ip=0.0.0.0 elsewhere", ("elsewhere", ["--ServerApp.ip=0.0.0.0"])),
+        ("lab --no-browser --port 65535", ("edugym-lessons", ["--no-browser", "--port=65535"])),
+        ("lab --port 0", ("edugym-lessons", ["--port=0"])),
+    ],
+)
+def test_lab_hands_everything_on(
+    line: str, options: tuple[str, list[str]], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Options of JupyterLab go to JupyterLab; a line for each lesson with a newer version, and where all are."""
+    served: list[Any] = []
     monkeypatch.setattr(server, "prepare", lambda folder: ["one is new", "two is new"])
-    monkeypatch.setattr(server, "serve", lambda folder, options: None)
-    said = run("lab", str(tmp_path))
-    assert said.stdout.splitlines() == [
-        "edugym: one is new",
-        "edugym: two is new",
-        f"The lessons are in {tmp_path}. Ctrl-C here ends JupyterLab.",
-    ]
-    assert "the path is empty" in run("lab", "").stderr
+    monkeypatch.setattr(server, "serve", lambda folder, options: served.append((str(folder), options)))
+    monkeypatch.chdir(tmp_path)
+    said = run(*line.split())
+    assert (said.exit_code, served) == (0, [options])
+    *new, where = said.stdout.splitlines()
+    assert new == ["edugym: one is new", "edugym: two is new"]
+    assert str(tmp_path / options[0]) in where
 
 
 class Full(io.StringIO):
@@ -325,23 +183,18 @@ class Full(io.StringIO):
         raise self.error
 
 
+NO_SPACE = OSError(errno.ENOSPC, "No space left")
+
+
 @pytest.mark.parametrize(
     ("app", "error", "ends"),
     [
-        (lambda: None, OSError(errno.ENOSPC, "No space left"), "edugym: cannot write the output: No space left"),
-        (
-            lambda: None,
-            OSError(errno.EIO, "Input/output error", "a.csv"),
-            "edugym: [Errno 5] Input/output error: 'a.csv'",
-        ),
-        (
-            lambda: None,
-            OSError("cannot write to a.csv: it is a folder"),
-            "edugym: cannot write to a.csv: it is a folder",
-        ),
+        (lambda: None, NO_SPACE, "edugym: cannot write the output: No space left"),
+        (lambda: None, OSError(errno.EIO, "broken", "a.csv"), "edugym: [Errno 5] broken: 'a.csv'"),
+        (lambda: None, OSError("cannot write to a.csv: it is"), "edugym: cannot write to a.csv: it is"),
         (lambda: None, BrokenPipeError(errno.EPIPE, "Broken pipe"), 1),
-        (lambda: sys.exit(2), OSError(errno.ENOSPC, "No space left"), 2),
-        (lambda: sys.exit(0), OSError(errno.ENOSPC, "No space left"), "edugym: cannot write the output: No space left"),
+        (lambda: sys.exit(2), NO_SPACE, 2),
+        (lambda: sys.exit(0), NO_SPACE, "edugym: cannot write the output: No space left"),
     ],
 )
 def test_output_that_fails(
@@ -357,17 +210,55 @@ def test_output_that_fails(
     assert ended.value.code == ends
 
 
-def test_a_missing_library_is_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
-    """No traceback."""
+def test_ctrl_c_in_a_command(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    """Typer alone would end with the status and no word, and Python would wait for threads that still compile."""
 
-    def missing() -> None:
-        raise DependencyNotInstalled("typing is not installed")
+    class AtOnce(Exception):
+        pass
 
-    monkeypatch.setattr(commands, "app", missing)
-    with pytest.raises(SystemExit, match=r"^edugym: typing is not installed$"):
+    def press() -> list[str]:
+        raise KeyboardInterrupt
+
+    def end_at_once(status: int) -> None:
+        raise AtOnce(status)
+
+    monkeypatch.setattr("edugym_course.commands.lesson_names", press)
+    monkeypatch.setattr(sys, "argv", ["edugym", "reproduce"])
+    monkeypatch.setattr(os, "_exit", end_at_once)
+    with pytest.raises(AtOnce, match="130"):
         commands.run()
+    assert capsys.readouterr().err == "edugym: interrupted\n"
 
 
-def test_a_mistake_of_the_package_has_a_plain_traceback() -> None:
-    """Without the values of all variables, among them whole tables."""
-    assert not commands.app.pretty_exceptions_enable
+PRESSED_WHILE_IMPORTING = """
+import signal, sys
+
+class Interrupting:
+    def find_spec(self, name, *_):
+        if name == "typer":
+            signal.raise_signal(signal.SIGINT)
+
+sys.meta_path.insert(0, Interrupting())
+signal.signal(signal.SIGINT, signal.default_int_handler)
+"""
+MAIN = "from edugym_course.cli import main; sys.argv = ['edugym', *sys.argv[1:]]; main()"
+
+
+@pytest.mark.parametrize(
+    ("code", "status", "says"),
+    [
+        (PRESSED_WHILE_IMPORTING + MAIN, 130, r"edugym: interrupted\n"),
+        ("import sys; sys.modules['typer'] = None; import edugym_course.commands", 1, "edugym: typer .*experiments.*"),
+        ("import sys; sys.modules['ipywidgets'] = None; import edugym_course.notebook", 1, "Traceback.*notebook.*"),
+        (f"import sys; sys.modules['jupyterlab'] = None; {MAIN}", 1, "edugym: jupyterlab .*lab.*"),
+    ],
+    ids=["interrupted", "typer", "ipywidgets", "jupyterlab"],
+)
+def test_a_start_that_fails(code: str, status: int, says: str, tmp_path: Path) -> None:
+    """One line, no traceback (but in a notebook, which shows one anyway), and nothing is written."""
+    done = subprocess.run([sys.executable, "-c", code, "lab"], capture_output=True, text=True, cwd=tmp_path)
+    assert done.returncode == status
+    assert re.fullmatch(says, done.stderr, re.DOTALL)
+    assert "pip install" in done.stderr.splitlines()[-1] or status == 130
+    assert done.stderr.count("\n") == 1 or "notebook" in done.stderr
+    assert os.listdir(tmp_path) == []

@@ -1,4 +1,4 @@
-"""The form of a lesson's experiments."""
+"""The form of a lesson's experiments, and the report on all lessons."""
 
 import inspect
 import threading
@@ -7,14 +7,14 @@ from types import SimpleNamespace
 from typing import Any
 
 from edugym.experiments.checkpoints import CHECKPOINTS
-from edugym_course.report import Report
-from edugym_course.reporting import How, for_mdp, reporting
+from edugym_course.report import Report, Section, markdown
+from edugym_course.reporting import SharedArguments, for_mdp, reporting
 
 
 def test_how_an_experiment_is_run() -> None:
     """What all share, the file of one, and what replaces either."""
     shared = {"repetitions": "7", "seed": 3}
-    how, nowhere = How(shared, Path("folder")), How(shared, None)
+    how, nowhere = SharedArguments(shared, Path("folder")), SharedArguments(shared, None)
     assert how() == nowhere("name") == shared
     assert how("name") == shared | {"save_to": Path("folder/name.csv")}
     assert how("name", seed=4, save_to=None, jobs=1) == {"repetitions": "7", "seed": 4, "save_to": None, "jobs": 1}
@@ -23,9 +23,9 @@ def test_how_an_experiment_is_run() -> None:
 
 def test_a_report_is_measured_and_judged() -> None:
     """With the caller's arguments; after an interruption nothing is judged."""
-    asked: list[How] = []
+    asked: list[SharedArguments] = []
 
-    def measure(how: How) -> tuple[Any, ...]:
+    def measure(how: SharedArguments) -> tuple[Any, ...]:
         asked.append(how)
         return 1, 2
 
@@ -38,10 +38,11 @@ def test_a_report_is_measured_and_judged() -> None:
     assert report(repetitions=4, seed=5, jobs=6, progress=True, stop=stop, folder=Path("here")) == report()
     default, given, _ = asked
     assert isinstance(default.shared.pop("stop"), threading.Event)
-    assert default == How({"repetitions": 30, "seed": 0, "jobs": -1, "progress": False, "checkpoints": None}, None)
+    shared = {"repetitions": 30, "seed": 0, "jobs": -1, "progress": False, "checkpoints": None}
+    assert default == SharedArguments(shared, None)
     assert given.shared.pop("stop") is stop
     assert given.shared.pop("checkpoints") == Path("here") / CHECKPOINTS
-    assert given == How({"repetitions": 4, "seed": 5, "jobs": 6, "progress": True}, Path("here"))
+    assert given == SharedArguments({"repetitions": 4, "seed": 5, "jobs": 6, "progress": True}, Path("here"))
     stop.set()
     assert report(stop=stop) == Report([], [])
     assert inspect.signature(report).parameters["repetitions"].default == 30
@@ -51,3 +52,52 @@ def test_an_agent_for_the_mdp_of_an_environment() -> None:
     """Wrappers are passed over."""
     environment = SimpleNamespace(unwrapped=SimpleNamespace(mdp="the MDP"))
     assert for_mdp(lambda mdp: ("agent", mdp))(environment) == ("agent", "the MDP")
+
+
+FIRST: dict[str, Any] = {
+    "statement": "A | B", "quantity": "share", "expected": "> 0.5", "reason": "why", "estimate": 0.75, "low": 0.625,
+    "high": 0.875, "n": 12.0, "holds": True,
+}  # fmt: skip
+SECOND = FIRST | {"statement": "C", "reason": float("nan"), "n": 0.0, "holds": False}
+REPORT = r"""# What the experiments show
+
+| lesson | claims that hold |
+| --- | --- |
+| [one](#one) | 1 of 2 |
+| [two](#two) | 0 of 0 |
+
+<a id="one"></a>
+
+## One.
+
+Rest of
+it.
+
+| claim | measured, with 95 % interval | expected | holds |
+| --- | --- | --- | --- |
+| A \| B — why | 0.75 [0.625, 0.875]: share | > 0.5 | yes |
+| C | not measured: share | > 0.5 | **NO** |
+
+![b](one/b.svg)
+
+![a](one/a.svg)
+
+<a id="two"></a>
+
+## Two.
+
+| claim | measured, with 95 % interval | expected | holds |
+| --- | --- | --- | --- |
+"""
+
+
+def test_a_report() -> None:
+    """An overview, then for each lesson what was done, its claims and its figures, in the order in which they came."""
+    folder = Path("results")
+    sections = [
+        Section(
+            "one", "One.\n\n    Rest of\n    it.\n    ", [FIRST, SECOND], [folder / "one/b.svg", folder / "one/a.svg"]
+        ),
+        Section("two", "Two.", [], []),
+    ]
+    assert markdown(sections, folder) == REPORT

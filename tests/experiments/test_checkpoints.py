@@ -17,7 +17,6 @@ from edugym import EpsilonGreedy, QLearning, Results, repeat
 from edugym.experiments import checkpoints
 from edugym.experiments import repeat as repeating
 from edugym.system.files import write_whole
-from edugym.system.interrupts import Interrupted
 from edugym.training.run import Run
 from edugym.training.train import train
 
@@ -56,13 +55,9 @@ def test_finished_runs_are_not_computed_again(tmp_path: Path, trained: list[int]
     pd.testing.assert_frame_equal(first.table, again.table)
     for repetition, agent in first.agents["Q"].items():
         assert np.array_equal(agent.Q, again.agents["Q"][repetition].Q)
-
-
-def test_a_longer_experiment_goes_on(tmp_path: Path, trained: list[int]) -> None:
-    """The first repetitions are those of the shorter one."""
-    small(tmp_path)
-    small(tmp_path, repetitions=5)
-    assert len(trained) == 5
+    assert small(tmp_path, repetitions=5, save_to=tmp_path.with_name("results.csv")).complete
+    assert len(trained) == 5  # a longer experiment begins with the shorter one
+    assert len(list(tmp_path.iterdir())) == 5  # a folder of one's own stays
 
 
 @pytest.mark.parametrize(
@@ -98,28 +93,6 @@ def test_a_complete_experiment_removes_its_own_runs_only(tmp_path: Path, trained
     assert not folder.exists()
 
 
-def test_a_folder_of_ones_own_is_used_and_left(tmp_path: Path) -> None:
-    """Nothing is kept beside the file then."""
-    assert small(tmp_path / "runs", save_to=tmp_path / "results.csv").complete
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["results.csv", "results.csv.json", "runs"]
-    assert len(list((tmp_path / "runs").iterdir())) == 3
-
-
-@pytest.mark.parametrize(("where", "is_kept"), [(None, False), ("save_to", True), ("checkpoints", True)])
-def test_an_interruption_says_whether_runs_are_kept(
-    where: str | None, is_kept: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Beside the file, or in a folder."""
-
-    def press(*_: Any) -> None:
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr(repeating, "_do_all", press)
-    with pytest.raises(Interrupted, match="0 of 3 runs are complete") as caught:
-        small(None, **({} if where is None else {where: tmp_path / "kept"}))
-    assert str(caught.value).endswith("the same call goes on from there") == is_kept
-
-
 def test_a_damaged_file_is_computed_again(tmp_path: Path, trained: list[int]) -> None:
     """Cut off, emptied, or with another number in a table."""
     whole = small(tmp_path)
@@ -141,49 +114,46 @@ def test_a_folder_that_cannot_be_made_is_said_before_the_first_run(tmp_path: Pat
     assert trained == []
 
 
-def test_an_agent_that_cannot_be_kept_is_said(tmp_path: Path) -> None:
-    """Once, and the results are complete all the same."""
+def local_class(task: Any) -> Any:
+    """An agent of a class that no other process finds."""
 
     class Local(QLearning):
-        """A class that no other process finds."""
+        """Made here."""
 
         __slots__ = ()
 
-    def make(task: Any) -> Any:
-        return Local(*QLearning.create(task))
-
-    with pytest.warns(UserWarning, match="finished runs of 'Q' cannot be kept on the disk") as said:
-        assert small(tmp_path, agents={"Q": make}).complete
-    assert len(said) == 1
-    assert list(tmp_path.iterdir()) == []
-    with pytest.warns(UserWarning, match="finished runs of 'Q' cannot be kept on the disk"):
-        small(None, agents={"Q": make}, save_to=tmp_path / "results.csv")
-    assert sorted(file.name for file in tmp_path.iterdir()) == ["results.csv", "results.csv.json"]
+    return Local(*QLearning.create(task))
 
 
-def test_what_cannot_be_taken_apart_is_said(tmp_path: Path) -> None:
-    """The function that makes an agent holds a lock, which cannot be told from another one."""
+def with_a_lock() -> Any:
+    """A function that holds what cannot be told from another one."""
     lock = threading.Lock()
 
     def make(task: Any) -> Any:
         with lock:
             return QLearning.create(task)
 
-    with pytest.warns(UserWarning, match=r"runs of 'Q' cannot be kept on the disk, so an .* loses them: .*lock"):
-        assert small(tmp_path, agents={"Q": make}).complete
-    assert list(tmp_path.iterdir()) == []
-    assert small(None, agents={"Q": make}).complete, "nothing was to be kept, so there is nothing to say"
+    return make
 
 
-@pytest.mark.parametrize("older", [False, True])
-def test_a_full_disk_loses_no_finished_run(
-    older: bool, tmp_path: Path, trained: list[int], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """The error says so, and the same call goes on when there is room, also where there is an older file."""
+@pytest.mark.parametrize("make", [local_class, with_a_lock()])
+def test_what_cannot_be_kept_is_said(make: Any, tmp_path: Path) -> None:
+    """Once, and the results are complete all the same; where nothing was to be kept, there is nothing to say."""
+    for folder, path in ((tmp_path / "runs", None), (None, tmp_path / "results.csv")):
+        with pytest.warns(UserWarning, match="runs of 'Q' cannot be kept .*(lock|local)") as said:
+            assert small(folder, agents={"Q": make}, save_to=path).complete
+        assert len(said) == 1
+    assert not any((tmp_path / "runs").glob("*"))
+    assert not (tmp_path / "results.csv.unfinished").exists()
+    assert small(None, agents={"Q": make}).complete
+
+
+def test_a_full_disk_loses_no_finished_run(tmp_path: Path, trained: list[int], monkeypatch: pytest.MonkeyPatch) -> None:
+    """The error says so, and the same call goes on when there is room; an older file stays until then."""
     path = tmp_path / "results.csv"
-    if older:
-        small(None, save_to=path, seed=1)
-        trained.clear()
+    small(None, save_to=path, seed=1)
+    older = path.read_bytes()
+    trained.clear()
 
     def write(file: Path, contents: bytes) -> Path:
         if len(trained) == 2:
@@ -193,7 +163,7 @@ def test_a_full_disk_loses_no_finished_run(
     monkeypatch.setattr(checkpoints, "write_whole", write)
     with pytest.raises(OSError, match="no space left"):
         small(None, save_to=path)
-    assert path.exists() == older
+    assert path.read_bytes() == older
     assert len(trained) == 2
     assert len(list(Path(f"{path}.unfinished").iterdir())) == 1
     monkeypatch.undo()
@@ -201,7 +171,7 @@ def test_a_full_disk_loses_no_finished_run(
     assert sorted(file.name for file in tmp_path.iterdir()) == ["results.csv", "results.csv.json"]
 
 
-def test_a_device_is_written_to_and_nothing_is_kept_beside_it(tmp_path: Path) -> None:
+def test_nothing_is_kept_beside_a_device(tmp_path: Path) -> None:
     """A pipe gets the whole table as one file."""
     pipe = tmp_path / "pipe"
     os.mkfifo(pipe)

@@ -16,7 +16,7 @@ from edugym.mdp.protocol import Random
 from tests.experiments.experiments import same, small
 
 
-@pytest.mark.parametrize("n_steps", [2_000, 6_000])
+@pytest.mark.parametrize("n_steps", [500, pytest.param(6_000, marks=pytest.mark.slow)])
 def test_jobs_change_nothing(n_steps: int) -> None:
     """One at a time, three at a time, or as many as may be asked for; interpreted and compiled."""
     one = small(n_steps, jobs=1)
@@ -24,6 +24,7 @@ def test_jobs_change_nothing(n_steps: int) -> None:
     assert same(one, small(n_steps, jobs=MOST_JOBS))
 
 
+@pytest.mark.slow
 def test_runs_share_no_array_of_a_wrapper() -> None:
     """`Discretised` writes what it observes into one array; several runs at a time each have their own."""
     task = Discretised.create(DiscreteActions.create(Trashbot.create(), 3), [1, 1, 8, 8, 1, 1, 3])

@@ -16,7 +16,7 @@ from gymnasium.error import DependencyNotInstalled
 from edugym import QLearning, Results, repeat
 from edugym.adapters.playing.keyboard import play
 from edugym.experiments.figures.sheet import Sheet
-from edugym.experiments.figures.style import own_axes
+from edugym.experiments.figures.style import axes_or_new
 from edugym.experiments.results.statistics import mean_interval, proportion_interval
 from edugym.rendering.gif import to_gif
 from edugym.system.packages import own_folders
@@ -99,7 +99,7 @@ def test_an_extra_brings_what_it_is_named_for() -> None:
         ("scipy", "experiments", lambda path: proportion_interval(1, 2)),
         ("scipy", "experiments", lambda path: from_the_tee(0.1)),
         ("matplotlib", "plot", lambda path: Sheet("empty", []).draw()),
-        ("matplotlib", "plot", lambda path: own_axes(None)),
+        ("matplotlib", "plot", lambda path: axes_or_new(None)),
         ("PIL", "plot", lambda path: to_gif([np.zeros((2, 2, 3), np.uint8)], path)),
         ("PIL", "plot", lambda path: play("Boulder", gif=path)),
         ("sb3_contrib", "deep", lambda path: _class("RecurrentPPO")),

@@ -2,113 +2,29 @@
 
 import contextlib
 import os
-import re
+import pickle
 import signal
-import subprocess
 import sys
 import threading
+import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-from edugym.system.interrupts import Interrupted, Stopped, Work, asked_to_stop, held, interruptibly
-
-SCRIPT = """
-import os, signal, sys, threading
-import gymnasium
-from edugym import QLearning, train
-from edugym.system.interrupts import Interrupted
-from edugym.training import trainers
-
-class Timeout(Exception):
-    pass
-
-def expire(number, frame):
-    raise Timeout
-
-how, env_id = sys.argv[1:]
-signal.signal(signal.SIGINT, signal.default_int_handler)
-environment = gymnasium.make(env_id)
-agent = QLearning.create(environment, initial_value=1.0)
-if how == "interpreted":
-    trainers.executable = lambda loop, *arguments, **options: loop
-train(environment, agent, 6_000)  # what has to be compiled is compiled
-number = signal.SIGINT
-if how == "alarm":
-    number = signal.SIGALRM
-    signal.signal(number, expire)
-threading.Timer(0.5, lambda: os.kill(os.getpid(), number)).start()
-try:
-    train(environment, agent, 10**13, evaluate_every=20_000, stop=threading.Event())
-except Interrupted as interrupted:
-    run = interrupted.partial
-    print(interrupted)
-    print(run.complete, len(run.steps) == len(run.returns) == len(run.episodes), run.steps[0], run.agent.Q is agent.Q)
-except Timeout:
-    print("timeout")
-print((agent.Q != 1.0).any())
-"""
-
-
-@pytest.mark.parametrize(
-    ("how", "env_id"),
-    [
-        ("compiled", "edugym/Boulder-v0"),
-        ("compiled", "edugym/Golf-v0"),
-        ("compiled", "edugym/MemoryCorridor-v0"),
-        ("alarm", "edugym/Golf-v0"),
-        ("interpreted", "edugym/Boulder-v0"),
-        ("gymnasium", "FrozenLake-v1"),
-    ],
+from edugym.system import interrupts
+from edugym.system.interrupts import (
+    PATIENCE,
+    Interrupted,
+    SignalGuard,
+    StopFlag,
+    Stopped,
+    asked_to_stop,
+    call_interruptibly,
+    deferring_signals,
+    stop_flag,
 )
-def test_a_signal_ends_a_run(how: str, env_id: str, tmp_path: Path) -> None:
-    """What is done is kept, and the interpreter goes on; a handler of another signal raises its own error.
-
-    States that are numbers, NamedTuples, and hold arrays: the latter two crash where the signal is not waited for.
-    """
-    script = tmp_path / "script.py"
-    script.write_text(SCRIPT)
-    done = subprocess.run(
-        [sys.executable, script, how, env_id], capture_output=True, text=True, timeout=120, check=False
-    )
-    assert done.stderr == ""
-    *said, learned = done.stdout.splitlines()
-    if how == "alarm":
-        assert said == ["timeout"]
-    else:
-        assert re.fullmatch(r"after \d+ of 10000000000000 steps; the agent keeps what it has learned", said[0])
-        assert said[1] == "False True 0 True"
-    assert learned == "True"
-
-
-IMPORTS = """
-import signal, sys
-
-forgets = 0
-
-def press(frame, event, argument):
-    global forgets
-    code = frame.f_code
-    if event == "call" and code.co_name == "cb" and "importlib" in code.co_filename and "edugym.agents" in sys.modules:
-        forgets += 1
-        if forgets == int(sys.argv[1]):
-            sys.setprofile(None)
-            signal.raise_signal(signal.SIGINT)
-
-signal.signal(signal.SIGINT, signal.default_int_handler)
-sys.setprofile(press)
-from edugym import DQN
-print("all is imported after", forgets)
-"""
-
-
-@pytest.mark.parametrize("moment", [1, 2, 3])
-def test_python_ignores_it_while_it_imports(moment: int) -> None:
-    """Python ignores an error when it forgets the lock of an imported module: it is raised again."""
-    ended = subprocess.run([sys.executable, "-c", IMPORTS, str(moment)], capture_output=True, text=True, check=False)
-    assert ended.returncode != 0, ended.stdout
-    assert ended.stderr.splitlines()[-1] == "KeyboardInterrupt"
 
 
 @pytest.fixture
@@ -125,70 +41,109 @@ def ctrl_c() -> None:
     os.kill(os.getpid(), signal.SIGINT)
 
 
-def test_it_waits_while_machine_code_runs(came: list[int]) -> None:
-    """Twice pressed, it comes twice; afterwards all is as before."""
-    handler = signal.getsignal(signal.SIGINT)
-    with Work() as work:
-        work.hold(machine_code=True)
-        assert not work.stopped()
-        ctrl_c()
-        ctrl_c()
-        assert came == []
-        work.stopped()
-        assert came == [signal.SIGINT] * 2
-    assert signal.getsignal(signal.SIGINT) is handler
-    assert came == [signal.SIGINT] * 2
-
-
-def test_signals_that_wait_come_in_their_order(came: list[int]) -> None:
-    """The first one first, of whatever kind."""
+def test_signals_wait_while_machine_code_runs(came: list[int]) -> None:
+    """And come in their order when the work is asked; in plain Python inside it, and afterwards, they come at once."""
+    handlers = signal.getsignal(signal.SIGINT), sys.unraisablehook
     before = signal.signal(signal.SIGTERM, lambda number, frame: came.append(number))
-    sent = [signal.SIGTERM, signal.SIGINT, signal.SIGINT, signal.SIGTERM, signal.SIGINT]
+    sent = [signal.SIGTERM, signal.SIGINT, signal.SIGINT, signal.SIGTERM]
     try:
-        with Work() as work:
-            work.hold(machine_code=True)
-            for number in sent:
-                os.kill(os.getpid(), number)
-            assert came == []
-            work.stopped()
-            assert came == sent
+        with SignalGuard() as guard:
+            with deferring_signals():
+                assert not guard.should_stop()
+                for number in sent:
+                    signal.raise_signal(number)
+                assert came == []
+                with deferring_signals(machine_code=False):
+                    assert came == sent
+                    ctrl_c()
+                    assert len(came) == 5
+                ctrl_c()
+                assert len(came) == 5
+            guard.should_stop()
+            assert len(came) == 6
+            ctrl_c()
+            assert len(came) == 7
+        with deferring_signals():
+            ctrl_c()
+            assert len(came) == 8
     finally:
         signal.signal(signal.SIGTERM, before)
+    assert (signal.getsignal(signal.SIGINT), sys.unraisablehook) == handlers
 
 
 def test_it_comes_at_the_end_at_the_latest(came: list[int]) -> None:
-    """It is not lost, even if the work fails."""
+    """It is not lost, even if the work fails; the error on the way tells more than a Ctrl-C that was swallowed."""
 
-    def fail() -> None:
-        with Work() as work:
-            work.hold(machine_code=True)
-            ctrl_c()
+    def fail(waits: bool) -> None:
+        with SignalGuard() as guard:
+            guard.defer(machine_code=waits)
+            with contextlib.suppress(KeyboardInterrupt):
+                ctrl_c()
             raise OSError("on the way")
 
-    with pytest.raises(OSError, match="on the way"):
-        fail()
+    for kind in (signal.default_int_handler, signal.getsignal(signal.SIGINT)):
+        signal.signal(signal.SIGINT, kind)
+        with pytest.raises(OSError, match="on the way"):
+            fail(waits=kind is not signal.default_int_handler)
     assert came == [signal.SIGINT]
 
 
-def test_it_waits_for_a_block_of_machine_code(came: list[int]) -> None:
-    """Inside a work it comes when the work looks; without one nothing waits."""
-    with Work() as work:
-        with held():
-            ctrl_c()
-        assert came == []
-        work.stopped()
-        assert came == [signal.SIGINT]
-    with held():
-        ctrl_c()
-        assert came == [signal.SIGINT] * 2
+def test_a_work_in_a_work(came: list[int]) -> None:
+    """The inner one has no order of its own; after its end the outer one is asked, and its handler is in place."""
+    stop = threading.Event()
+    stop.set()
+    with SignalGuard(stop) as outer:
+        with SignalGuard():
+            assert not asked_to_stop(3)
+        assert asked_to_stop(4)
+        assert outer.loop == 4
+        assert signal.getsignal(signal.SIGINT) == outer._arrive
+    assert not asked_to_stop(5)
 
 
-def test_it_comes_at_once_in_python(came: list[int]) -> None:
-    """As without a work."""
-    with Work() as work:
-        work.hold(machine_code=False)
-        ctrl_c()
-        assert came == [signal.SIGINT]
+class Late(Exception):
+    """What a handler of a student's own raises."""
+
+
+@pytest.fixture
+def alarm() -> Iterator[None]:
+    """A signal whose handler raises an error of its own."""
+
+    def expire(number: int, frame: Any) -> None:
+        raise Late
+
+    before = signal.signal(signal.SIGALRM, expire)
+    yield
+    signal.signal(signal.SIGALRM, before)
+
+
+@pytest.mark.usefixtures("alarm")
+def test_what_a_handler_raises_waits_for_the_end_of_the_loop() -> None:
+    """Machine code hears that it is to stop; the error comes when the work ends. It orders no run to stop."""
+    ordered: list[bool] = []
+    with contextlib.suppress(Late), SignalGuard() as guard:
+        guard.defer(machine_code=True)
+        signal.raise_signal(signal.SIGALRM)
+        assert asked_to_stop(7)
+        ordered.append(False)
+    assert (guard.loop, ordered.pop()) == (7, False)
+    with pytest.raises(Late), SignalGuard() as guard, guard.on_ctrl_c(lambda: ordered.append(True)):
+        signal.raise_signal(signal.SIGALRM)
+    assert (ordered, guard.stop_ordered) == ([], False)
+
+
+def test_other_errors_that_python_ignores_are_told_as_before(monkeypatch: pytest.MonkeyPatch) -> None:
+    """By the hook that was there."""
+
+    class Failing:
+        def __del__(self) -> None:
+            raise Late
+
+    told: list[Any] = []
+    monkeypatch.setattr(sys, "unraisablehook", lambda unraisable: told.append(unraisable.exc_type))
+    with SignalGuard():
+        Failing()
+    assert told == [Late]
 
 
 class Careless:
@@ -199,22 +154,22 @@ class Careless:
         ctrl_c()
 
 
-def ignored_by_python(work: Work) -> None:
+def ignored_by_python(guard: SignalGuard) -> None:
     """An error in `__del__`: what comes after it is interrupted."""
     Careless()
     threading.Event().wait(10)
     raise AssertionError
 
 
-def ignored_by_a_student(work: Work) -> None:
+def ignored_by_a_student(guard: SignalGuard) -> None:
     """An `except` that is too wide."""
     with contextlib.suppress(BaseException):
         ctrl_c()
-    work.stopped()
+    guard.should_stop()
     raise AssertionError
 
 
-def ignored_at_the_end(work: Work) -> None:
+def ignored_at_the_end(guard: SignalGuard) -> None:
     """The same, just before the work ends."""
     with contextlib.suppress(BaseException):
         ctrl_c()
@@ -222,12 +177,12 @@ def ignored_at_the_end(work: Work) -> None:
 
 @pytest.mark.parametrize("ignored", [ignored_by_python, ignored_by_a_student, ignored_at_the_end])
 @pytest.mark.usefixtures("interrupting")
-def test_what_is_swallowed_is_raised_again(ignored: Callable[[Work], None]) -> None:
+def test_what_is_swallowed_is_raised_again(ignored: Callable[[SignalGuard], None]) -> None:
     """No Ctrl-C is lost."""
 
     def work() -> None:
-        with Work() as work:
-            ignored(work)
+        with SignalGuard() as guard:
+            ignored(guard)
 
     with pytest.raises(KeyboardInterrupt):
         work()
@@ -244,48 +199,36 @@ def test_an_order_first_and_then_an_interrupt() -> None:
     """What does not follow the order is interrupted without a second Ctrl-C."""
     ordered: list[bool] = []
 
-    def work(seconds: float) -> Work:
-        with Work() as work, work.ordering(lambda: ordered.append(True)):
+    def work(seconds: float) -> SignalGuard:
+        with SignalGuard() as guard, guard.on_ctrl_c(lambda: ordered.append(True)):
             ctrl_c()
             threading.Event().wait(seconds)
-        return work
+        return guard
 
-    assert work(0).ordered
+    assert work(0).stop_ordered
     assert ordered == [True]
+    assert not threading.Event().wait(2 * PATIENCE)  # and nobody insists once they have stopped
+    begun = time.monotonic()
     with pytest.raises(KeyboardInterrupt):
         work(10)
-
-
-def test_other_threads_have_nothing_to_do_with_it(came: list[int]) -> None:
-    """Only the main thread may change what Ctrl-C does."""
-    seen = []
-
-    def work() -> None:
-        with Work() as work:
-            work.stopped()
-            seen.append(signal.getsignal(signal.SIGINT))
-
-    thread = threading.Thread(target=work)
-    thread.start()
-    thread.join()
-    assert seen == [signal.getsignal(signal.SIGINT)]
+    assert time.monotonic() - begun >= PATIENCE
 
 
 @pytest.mark.usefixtures("interrupting")
 def test_what_cannot_be_interrupted_is_waited_for_interruptibly() -> None:
     """Results and errors come through, and Ctrl-C or an order to stop ends the waiting."""
-    assert interruptibly(divmod, 7, 2) == (3, 1)
-    assert interruptibly(threading.current_thread).name == "edugym-current_thread"  # as a debugger shows it
+    assert call_interruptibly(divmod, 7, 2) == (3, 1)
+    assert call_interruptibly(threading.current_thread).name == "edugym-current_thread"  # as a debugger shows it
     with pytest.raises(ZeroDivisionError):
-        interruptibly(divmod, 7, 0)
-    assert not interruptibly(threading.Event().wait, 0.05)
-    with Work():
-        assert not interruptibly(threading.Event().wait, 0.05)
+        call_interruptibly(divmod, 7, 0)
+    assert not call_interruptibly(threading.Event().wait, 0.05)
+    with SignalGuard():
+        assert not call_interruptibly(threading.Event().wait, 0.05)
     go_on, stop = threading.Event(), threading.Event()
 
     def work() -> None:
-        with Work(stop):
-            interruptibly(go_on.wait)
+        with SignalGuard(stop):
+            call_interruptibly(go_on.wait)
 
     timer = threading.Timer(0.05, ctrl_c)
     timer.start()
@@ -300,21 +243,93 @@ def test_what_cannot_be_interrupted_is_waited_for_interruptibly() -> None:
         timer.join()
 
 
-def test_only_the_loop_that_was_stopped_is_named() -> None:
-    """A loop that asked and went on to its end has nothing to do with a later Ctrl-C."""
-    stop = threading.Event()
-    with Work(stop) as work:
-        assert not asked_to_stop(7)
-        assert work.loop == 0
-        stop.set()
-        assert asked_to_stop(8)
-        assert work.loop == 8
-    assert not asked_to_stop(9)
-
-
 def test_a_notebook_shows_one_line() -> None:
     """In place of a traceback; what is done is collected when somebody asks."""
     numbers = iter((5, 6))
     interrupted = Interrupted("after 3 of 7 steps", lambda: next(numbers))
     assert interrupted._render_traceback_() == ["Interrupted: after 3 of 7 steps"]
     assert (interrupted.partial, interrupted.partial, next(numbers)) == (5, 5, 6)
+
+
+@pytest.mark.parametrize("entering", [True, False])
+def test_ctrl_c_while_handlers_take_turns(entering: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It waits until all are in place; where it ends the work before its block, all is as it was, too."""
+    put, guard, pressed = signal.signal, SignalGuard(), list[int]()
+
+    def press(number: int, handler: Any) -> Any:
+        if not entering and handler != guard._arrive:
+            signal.raise_signal(signal.SIGINT)
+            pressed.append(number)
+        before = put(number, handler)
+        if entering and number == signal.SIGINT and handler == guard._arrive:
+            signal.raise_signal(signal.SIGINT)
+        return before
+
+    numbers = signal.SIGINT, signal.SIGALRM
+    alarm = put(signal.SIGALRM, lambda number, frame: None)
+    before = [signal.getsignal(number) for number in numbers], sys.unraisablehook
+    monkeypatch.setattr(signal, "signal", press)
+    try:
+        with pytest.raises(KeyboardInterrupt), guard:
+            assert not entering
+        after = [signal.getsignal(number) for number in numbers], sys.unraisablehook
+    finally:
+        for number, handler in zip(numbers, before[0], strict=True):
+            put(number, handler)
+        put(signal.SIGALRM, alarm)
+    assert after == before
+    assert getattr(interrupts._current, "guard", None) is None
+
+
+def test_a_thread_that_does_not_stop_is_ended() -> None:
+    """If it is to stop and runs Python: machine code asks itself, and another one goes on. Nothing is left of any."""
+    orders = {name: threading.Event() for name in ("python", "machine code", "free")}
+    end, ended = threading.Event(), dict[str, str]()
+
+    def run(name: str) -> None:
+        try:
+            with SignalGuard(orders[name]) as guard:
+                guard.defer(name == "machine code")
+                if name != "free":
+                    orders[name].set()
+                while not end.is_set():
+                    time.sleep(0.001)
+                with deferring_signals(False), deferring_signals():
+                    pass
+                ended[name] = "asked" if guard.should_stop() else "went on"
+        except Stopped:
+            ended[name] = "stopped"
+
+    threads = {name: threading.Thread(target=run, args=(name,), daemon=True) for name in orders}
+    for thread in threads.values():
+        thread.start()
+    while not (orders["python"].is_set() and orders["machine code"].is_set() and len(interrupts._in_threads) == 3):
+        time.sleep(0.001)
+    SignalGuard()._insist()
+    threads["python"].join(10)
+    end.set()
+    for thread in threads.values():
+        thread.join(10)
+    assert ended == {"python": "stopped", "machine code": "asked", "free": "went on"}
+    assert interrupts._in_threads == {}
+
+
+@pytest.mark.parametrize("by_event", [False, True])
+def test_the_order_to_stop(by_event: bool) -> None:
+    """Given by itself or by the event, and seen in other processes, which get a copy; its folder does not stay."""
+    event = threading.Event()
+    with stop_flag(event) as stop:
+        copy: StopFlag = pickle.loads(pickle.dumps(stop))
+        folder = Path(stop._file).parent
+        assert (stop.is_set(), copy.is_set(), copy.process) == (False, False, os.getpid())
+        (event if by_event else stop).set()
+        assert (stop.is_set(), copy.is_set(), event.is_set()) == (True, True, by_event)
+    assert not folder.exists()
+    assert stop.is_set()  # as a run asks that goes on while nobody waits for it
+
+
+def test_where_no_signal_can_be_sent_to_a_thread(came: list[int], monkeypatch: pytest.MonkeyPatch) -> None:
+    """As on Windows."""
+    monkeypatch.delattr(signal, "pthread_kill")
+    interrupts._press_ctrl_c()
+    assert came == [signal.SIGINT]

@@ -12,7 +12,7 @@ import edugym
 from edugym import QLearning
 from edugym.compiled import execution
 from edugym.mdp.protocol import Random, Reals
-from edugym.system.interrupts import Interrupted, Work
+from edugym.system.interrupts import Interrupted, SignalGuard
 from edugym.training import trainers
 from tests.training.tasks import Ring
 
@@ -98,8 +98,8 @@ def test_ctrl_c_ends_the_interpreter_where_machine_code_failed(given_up: bool, m
     run = execution._guarded(fails, presses, code, (lambda *_: None) if given_up else presses)
 
     def work() -> None:
-        with Work() as work:
-            work.hold(machine_code=True)
+        with SignalGuard() as guard:
+            guard.defer(machine_code=True)
             for _ in range(1 + given_up):
                 run(1)
 

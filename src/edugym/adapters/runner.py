@@ -14,7 +14,7 @@ from edugym.adapters.copies import STATE_LOST, Batch
 from edugym.checks.mdps import checked_mdp
 from edugym.compiled.code import Code
 from edugym.compiled.execution import executable
-from edugym.system.interrupts import Work
+from edugym.system.interrupts import SignalGuard
 
 Loop = Callable[..., int]
 REHEARSED = 100  # copies
@@ -94,8 +94,8 @@ class Runner:
             return self._once(fast, self._mdp, rng, batch, arguments)
         kept = self._kept(rng, batch)
         done = STATE_LOST
-        with Work() as work:
-            work.hold(machine_code=True)
+        with SignalGuard() as guard:
+            guard.defer(machine_code=True)
             try:
                 done = fast(self._n, self._mdp, rng, *arguments, self.states, batch)
                 if done != STATE_LOST and np.isfinite(batch.rewards).all():

@@ -64,7 +64,8 @@ def share(mdp: Any, path: str | Path) -> Path:
     check_mdp(mdp)
     parts = _Parts()
     value = parts.text_of(mdp, "the MDP")
-    code = "\n".join(sorted(parts.imports | {"import gymnasium", "import edugym"}, key=_import_order))
+    imports = sorted(parts.imports | {"import gymnasium", "import edugym"})
+    code = "\n".join(sorted(imports, key=lambda line: line.startswith("from")))
     code += "".join(f"\n\n\n{text}" for text in parts.definitions.values())
     text = TEXT.format(name=type(mdp).__name__, file=path.name, code=code.strip(), value=value)
     _try(text, type(mdp).__name__)
@@ -137,7 +138,7 @@ class _Parts:
         self._under_way: set[str] = set()
 
     def text_of(self, value: Any, what: str) -> str:
-        """Return a value as Python, and collect what that needs.
+        """Write a value as Python, and collect what that needs.
 
         Raises:
             ValueError: the value cannot be written.
@@ -199,7 +200,7 @@ _NOTHING = object()
 
 
 def _home(name: str, value: Any) -> tuple[str, str] | None:
-    """Return the installed module from which a value can be imported, and its name there; None for one's own."""
+    """The installed module from which a value can be imported, and its name there; None for one's own."""
     parts = (getattr(value, "__module__", None) or "").split(".")
     original = getattr(value, "__name__", name)
     for k in range(1, len(parts) + 1):  # gymnasium.spaces before gymnasium.spaces.discrete
@@ -211,7 +212,7 @@ def _home(name: str, value: Any) -> tuple[str, str] | None:
 
 
 def _names(text: str) -> list[str]:
-    """Return the names that code takes from outside, in order; Python's own included, such as `max`."""
+    """The names that code takes from outside, in order; Python's own included, such as `max`."""
     outside = {*_from_outside(symtable.symtable(text, "<shared>", "exec"))}
     nodes = (node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Name))
     names = dict.fromkeys(node.id for node in nodes)
@@ -219,7 +220,7 @@ def _names(text: str) -> list[str]:
 
 
 def _from_outside(table: symtable.SymbolTable) -> Iterator[str]:
-    """Yield the names that are not local to a scope or to one around it, and that of the class or function itself."""
+    """The names that are not local to a scope or to one around it, and that of the class or function itself."""
     is_whole = table.get_type() == "module"
     for symbol in table.get_symbols():
         if is_whole or symbol.is_global():
@@ -229,7 +230,7 @@ def _from_outside(table: symtable.SymbolTable) -> Iterator[str]:
 
 
 def _meaning(name: str, user: Any) -> Any:
-    """Return what a name stands for where a class or function was defined; `_NOTHING` for a local variable."""
+    """What a name stands for where a class or function was defined; `_NOTHING` for a local variable."""
     for function in _functions(user):
         if name in function.__globals__:
             return function.__globals__[name]
@@ -238,7 +239,7 @@ def _meaning(name: str, user: Any) -> Any:
 
 
 def _functions(value: Any) -> Iterator[FunctionType]:
-    """Yield a function, or those of a class that were written in it (and not made by `NamedTuple`)."""
+    """A function, or those of a class that were written in it (and not made by `NamedTuple`)."""
     if isinstance(value, FunctionType):
         yield value
         return
@@ -246,7 +247,7 @@ def _functions(value: Any) -> Iterator[FunctionType]:
 
 
 def _written(member: Any, kind: Any) -> FunctionType | None:
-    """Return the function of a member of a class, if it is one of the student's."""
+    """The function of a member of a class, if it is one of the student's."""
     inside = getattr(member, "fget", None) or getattr(member, "__func__", None) or member
     return inside if isinstance(inside, FunctionType) and inside.__module__ == kind.__module__ else None
 
@@ -266,7 +267,7 @@ def _check_whole(value: type | FunctionType, text: str) -> None:
 
 
 def source_of(value: Any) -> str:
-    """Return the source of a class or function, also of one that was written in a notebook.
+    """The source of a class or function, also of one that was written in a notebook.
 
     Raises:
         ValueError: it has none.
@@ -280,7 +281,7 @@ def source_of(value: Any) -> str:
 
 
 def _class_source(kind: type) -> str:
-    """Return the source of a class: the lines, in the file of its methods, of the class that has them."""
+    """The source of a class: the lines, in the file of its methods, of the class that has them."""
     functions = (one for one in _functions(kind) if one.__qualname__.startswith(f"{kind.__qualname__}."))
     codes = [function.__code__ for function in functions]  # and not one from elsewhere, as of `reward = other`
     for file in [codes[0].co_filename] if codes else _cells():
@@ -294,7 +295,7 @@ def _class_source(kind: type) -> str:
 
 
 def _has_fields(node: ast.ClassDef, kind: type) -> bool:
-    """Return whether the lines of a class without methods declare the fields that it has.
+    """Whether the lines of a class without methods declare the fields that it has.
 
     An older cell may have been run again, so that the last cell with the name is not the one that counts.
     """
@@ -304,14 +305,9 @@ def _has_fields(node: ast.ClassDef, kind: type) -> bool:
 
 
 def _cells() -> Iterator[str]:
-    """Yield the files of a notebook's cells, the last one that was run first."""
+    """The files of a notebook's cells, the last one that was run first."""
     for file, entry in reversed([*linecache.cache.items()]):
         if len(entry) > 2 and ("ipykernel" in file or file.startswith("<")):
             with contextlib.suppress(SyntaxError):  # lines with % are no Python
                 ast.parse("".join(entry[2]))
                 yield file
-
-
-def _import_order(line: str) -> tuple[bool, str]:
-    """Sort `import ...` before `from ... import ...`."""
-    return line.startswith("from"), line

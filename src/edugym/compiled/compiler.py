@@ -26,7 +26,7 @@ from edugym.compiled.bridge import building, take_scipy_for_granted, teach
 from edugym.compiled.code import Code, code_of
 from edugym.compiled.disk import SEAL, cache_directory, is_whole, new_folder, publish, remove, seal
 from edugym.compiled.reasons import reason
-from edugym.system.interrupts import interruptibly
+from edugym.system.interrupts import call_interruptibly
 
 Function = Callable[..., Any]
 
@@ -158,7 +158,7 @@ def _made(numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) ->
     machine code that returns no value of the class serves both.
     """
     if _found(loop, signature, code) is None:
-        interruptibly(_make, numba, loop, signature, code)
+        call_interruptibly(_make, numba, loop, signature, code)
     made = _found(loop, signature, code)
     if isinstance(made, CompilationError):
         raise CompilationError(str(made))
@@ -323,7 +323,7 @@ def _reason(error: Exception, code: Code) -> str:
 @cache
 def _numba() -> Any:
     """Numba, with its knowledge of NamedTuple methods; imported when it is first needed."""
-    return interruptibly(_load_numba)
+    return call_interruptibly(_load_numba)
 
 
 def _load_numba() -> Any:

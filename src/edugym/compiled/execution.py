@@ -21,7 +21,7 @@ from edugym.compiled.code import LIBRARIES, Code, code_of, is_foreign
 from edugym.compiled.compiler import CompilationError, NoCompiler, check_compiler, compiled, is_built, is_on_disk
 from edugym.compiled.copies import Snapshot, copied, difference
 from edugym.compiled.subset import refusal
-from edugym.system.interrupts import Stopped, held
+from edugym.system.interrupts import Stopped, deferring_signals
 from edugym.system.packages import OURS
 
 Loop = Callable[..., Any]
@@ -98,7 +98,7 @@ def _machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, rehearsed:
     fast = compiled(loop, rehearsed, *arguments, code=code)
     shadow = copied(arguments)
     try:
-        with held():
+        with deferring_signals():
             shadowed = fast(rehearsed, *shadow)
     except Exception as error:
         raise CompilationError(_surprise(error)) from error
@@ -136,7 +136,7 @@ def _guarded(fast: Loop, loop: Loop, code: Code, replay: Loop) -> Loop:
             fast = loop
             _warn_once(code, arguments, f"{changed} changes during the run: what changes should be a field")
         if fast is loop:
-            with held(machine_code=False):
+            with deferring_signals(machine_code=False):
                 return loop(*arguments)
         began = time.perf_counter()
         before.take(arguments, large=spent >= COPYING * cost)
@@ -154,7 +154,7 @@ def _guarded(fast: Loop, loop: Loop, code: Code, replay: Loop) -> Loop:
             spent += time.perf_counter() - taken
             return result
         before.put_back()
-        with held(machine_code=False):
+        with deferring_signals(machine_code=False):
             result = replay(*arguments)  # where this is an error for Python as well, it is raised here, and alone
         if not before.is_whole:  # it has begun with other tables, and its result is not that of Python
             raise RuntimeError(

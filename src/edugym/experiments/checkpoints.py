@@ -42,7 +42,7 @@ class Checkpoints:
             _cannot_keep(method, error)
 
     def found(self, plan: list[Planned]) -> dict[Planned, Run]:
-        """Return those runs of the plan that are there."""
+        """Those runs of the plan that are there."""
         loaded = ((planned, self._load(planned)) for planned in plan)
         return {planned: run for planned, run in loaded if run is not None}
 

@@ -63,14 +63,14 @@ class Planned(NamedTuple):
 
 
 def planned_runs(methods: list[str], repetitions: int, seed: int) -> list[Planned]:
-    """Return all runs in order; the seeds of the repetitions are independent streams from one number."""
+    """All runs in order; the seeds of the repetitions are independent streams from one number."""
     children = np.random.SeedSequence(seed).spawn(repetitions)
     seeds = [Repetition(i, *map(int, child.generate_state(2))) for i, child in enumerate(children)]
     return [Planned(method, repetition) for repetition in seeds for method in methods]
 
 
 def task(environment: Any, parameters: Mapping[str, Any] | None = None) -> Task:
-    """Return the task that `environment` means.
+    """The task that `environment` means.
 
     Args:
         environment: the name of an environment of this package ("Boulder"), an id that Gymnasium knows, an MDP, a
@@ -106,7 +106,7 @@ def task(environment: Any, parameters: Mapping[str, Any] | None = None) -> Task:
 
 
 def _by_layout(function: Callable[..., Any]) -> Callable[[int], Any]:
-    """Return a function that makes the environment for a `layout_seed`, passed by name where there is that parameter.
+    """A function that makes the environment for a `layout_seed`, passed by name where there is that parameter.
 
     Raises:
         ValueError: the function does not take one argument.
@@ -130,7 +130,7 @@ def _by_layout(function: Callable[..., Any]) -> Callable[[int], Any]:
 
 
 def _settings(environment: Any) -> dict[str, Setting]:
-    """Return the name and parameters of an environment."""
+    """The name and parameters of an environment."""
     if not isinstance(environment, gymnasium.Env):
         return described(environment, "environment")
     name = environment.spec.id if environment.spec else type(environment.unwrapped).__name__
@@ -138,7 +138,7 @@ def _settings(environment: Any) -> dict[str, Setting]:
 
 
 def _registered(name: str, parameters: dict[str, Any]) -> Task:
-    """Return a task that is made anew for every repetition."""
+    """A task that is made anew for every repetition."""
     spec, allowed = specification(name, parameters)
     given = {**spec.kwargs, **parameters}
     has_layout = "layout_seed" in allowed and "layout_seed" not in given
@@ -157,12 +157,12 @@ def _registered(name: str, parameters: dict[str, Any]) -> Task:
 
 
 def _named(parameters: dict[str, Any]) -> dict[str, Setting]:
-    """Return parameters by the names of their columns; None says nothing."""
+    """Parameters by the names of their columns; None says nothing."""
     return {f"environment.{key}": plain(value) for key, value in parameters.items() if value is not None}
 
 
 def described(value: Any, name: str) -> dict[str, Setting]:
-    """Return the settings of an MDP or agent: `{"agent": "QLearning", "agent.learning_rate": 0.1, ...}`.
+    """The settings of an MDP or agent: `{"agent": "QLearning", "agent.learning_rate": 0.1, ...}`.
 
     The fields of a NamedTuple are described in turn, each value once, without arrays of zeros, which are empty tables.
     Of other objects, the public attributes that are numbers, texts or booleans are described. A `VisitRecorder` is
@@ -193,7 +193,7 @@ def described(value: Any, name: str) -> dict[str, Setting]:
 
 
 def plain(value: Any) -> Setting:
-    """Return a setting as a number or a text; of a long array, its shape and what it is filled with."""
+    """A setting as a number or a text; of a long array, its shape and what it is filled with."""
     if isinstance(value, np.generic):
         value = value.item()
     if isinstance(value, bool | int | float | str):

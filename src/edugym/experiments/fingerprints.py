@@ -23,7 +23,7 @@ from edugym.system.packages import OURS, is_installed, own_folders
 
 
 def fingerprint(*values: Any) -> str:
-    """Return a hash that two processes agree on exactly if their values and the code of these are the same.
+    """A hash that two processes agree on exactly if their values and the code of these are the same.
 
     Code of libraries counts by its version, that of this package by all of its files, and every other function or class
     by its byte code, its constants and whatever it reaches in turn.
@@ -31,29 +31,30 @@ def fingerprint(*values: Any) -> str:
     Raises:
         Exception: a value cannot be taken apart, such as an open file (what is raised depends on its class).
     """
-    walk = _Walk()
-    walk.add(platform.machine(), versions(), _own_code())
+    hasher = _Hasher()
+    hasher.add(platform.machine(), versions(), _own_code())
     for value in values:
-        walk.visit(value)
-    return walk.hash.hexdigest()[:32]
+        hasher.visit(value)
+    return hasher.hash.hexdigest()[:32]
 
 
 def versions(*more: str) -> str:
-    """Return the versions of what the numbers depend on: these packages, and `more` of those that are installed."""
+    """The versions of what the numbers depend on: these packages, and `more` of those that are installed."""
     packages = ("edugym", "numpy", "numba", "gymnasium", *more)
     found = [f"{package} {_version(package)}" for package in packages if _version(package)]
     return ", ".join([f"python {platform.python_version()}", *found])
 
 
-class _Walk:
-    """A walk through values, which hashes each part once."""
+class _Hasher:
+    """Hashes values and all that they reach, each object once."""
 
     def __init__(self) -> None:
         self.hash = hashlib.sha256()
         self._seen: dict[int, int] = {}
-        self._kept: list[Any] = []  # ids stay unique while the objects live
+        self._kept: list[Any] = []  # while an object lives, no other one has its id
 
     def add(self, *things: Any) -> None:
+        """Hash values that are told apart by how Python writes them."""
         self.hash.update(repr(things).encode())
 
     def visit(self, thing: Any) -> None:
@@ -179,7 +180,7 @@ class _Walk:
 
 
 def _imported(code: CodeType, package: str) -> set[str]:
-    """Return the names of what a function imports when it is called, without what follows the first dot."""
+    """The names of what a function imports when it is called, without what follows the first dot."""
     lines = [line for line in dis.get_instructions(code) if line.opname != "EXTENDED_ARG"]
     found = {
         (package if lines[k - 2].argval else line.argval).partition(".")[0]
@@ -190,7 +191,7 @@ def _imported(code: CodeType, package: str) -> set[str]:
 
 
 def _tops(tree: ast.AST) -> set[str]:
-    """Return the names of what a file imports, without what follows the first dot; its own package counts already."""
+    """The names of what a file imports, without what follows the first dot; its own package counts already."""
     names: list[str] = []
     for part in ast.walk(tree):
         if isinstance(part, ast.Import):
@@ -201,7 +202,7 @@ def _tops(tree: ast.AST) -> set[str]:
 
 
 def _places(top: str) -> list[Path]:
-    """Return the file of a module, or the folders of a package; none of what is built into Python or missing."""
+    """The file of a module, or the folders of a package; none of what is built into Python or missing."""
     try:
         spec = importlib.util.find_spec(top)
     except (ImportError, ValueError):
@@ -263,7 +264,7 @@ def _version(package: str) -> str:
 
 @cache
 def _own_code() -> str:
-    """Return a hash of all of EduGym's own files."""
+    """A hash of all of EduGym's own files."""
     digest = hashlib.sha256()
     for folder in own_folders():
         for path in sorted(folder.rglob("*.py")):

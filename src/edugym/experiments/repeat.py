@@ -22,7 +22,7 @@ from edugym.experiments.fingerprints import versions
 from edugym.experiments.results.tables import MEASURED, Results, with_types
 from edugym.system.extras import require
 from edugym.system.files import check_writable
-from edugym.system.interrupts import Interrupted, Stop, Work, interruptibly, ordered_by
+from edugym.system.interrupts import Interrupted, SignalGuard, StopFlag, call_interruptibly, stop_flag
 from edugym.training.progress import progress_bar
 from edugym.training.run import Run
 from edugym.training.train import check_stop, train
@@ -144,14 +144,14 @@ def repeat(
     plan = experiment.plan
     stopped_before, runs = stop.is_set(), Runs()
     try:
-        with Work() as work:
+        with SignalGuard() as guard:
             for library in ("joblib", "pandas"):  # Ctrl-C during an import would leave half a library
-                interruptibly(importlib.import_module, library)
+                call_interruptibly(importlib.import_module, library)
             store = _checkpoints(checkpoints, save_to, experiment.task, agents, training)
             if not stop.is_set():
                 runs |= store.found(plan)
-            _do_all(experiment, training, runs, store, jobs, progress, stop, work)
-            if work.ordered:
+            _do_all(experiment, training, runs, store, jobs, progress, stop, guard)
+            if guard.stop_ordered:
                 raise KeyboardInterrupt
             results = _collected(experiment, runs)
             if save_to is not None and results.complete:
@@ -182,7 +182,7 @@ def _experiment(
     seed: int,
     training: dict[str, Any],
 ) -> Experiment:
-    """Return what to do."""
+    """What to do."""
     if not isinstance(agents, Mapping):
         raise ValueError(f"agents must be a dictionary of agents by their labels, but is {in_short(agents)}")
     for label in agents:
@@ -199,7 +199,7 @@ def _experiment(
 
 
 def _maker(label: str, agent: Any) -> Maker:
-    """Return a function that makes an agent for one run, which shares nothing with those of other runs."""
+    """A function that makes an agent for one run, which shares nothing with those of other runs."""
     needed = f"agents[{label!r}] must be an agent or a function that makes one for an environment, but is"
     if isinstance(agent, type):
         made = f"{agent.__name__}.create" if hasattr(agent, "create") else f"{agent.__name__}(...)"
@@ -229,7 +229,7 @@ def _maker(label: str, agent: Any) -> Maker:
 def _configuration(
     task: Task, makers: dict[str, Maker], first: Planned, arguments: dict[str, Any]
 ) -> dict[str, dict[str, Any]]:
-    """Return what the results say about each method: task, agent, arguments, versions."""
+    """What the results say about each method: task, agent, arguments, versions."""
     settings = {**task.settings, **arguments, "versions": versions()}
     settings.pop("layout_seed", None)  # each row has its own
     environment = task.make(first.repetition.layout_seed)
@@ -243,7 +243,7 @@ def _checkpoints(
     agents: Mapping[str, Any],
     training: dict[str, Any],
 ) -> Checkpoints:
-    """Return where finished runs are kept: in the folder, or else beside the file; nowhere if that is a device."""
+    """Where finished runs are kept: in the folder, or else beside the file; nowhere if that is a device."""
     if folder is None and save_to is not None and (Path(save_to).is_file() or not Path(save_to).exists()):
         folder = f"{os.fspath(save_to)}.unfinished"
     store = Checkpoints(None if folder is None else Path(folder))
@@ -260,7 +260,7 @@ def _do_all(
     jobs: int | None,
     progress: bool,
     event: threading.Event,
-    work: Work,
+    guard: SignalGuard,
 ) -> None:
     """Do every run of the plan that is not among `runs` yet, and add it there and to the checkpoints."""
     import joblib
@@ -274,7 +274,7 @@ def _do_all(
         if run.complete:
             store.save(planned, run)
 
-    with ordered_by(event) as stop, progress_bar(total, "steps", shown=progress) as bar:
+    with stop_flag(event) as stop, progress_bar(total, "steps", shown=progress) as bar:
         bar.update(len(runs) * training["n_steps"])
         calls = (
             joblib.delayed(_do)(planned, experiment.task, experiment.makers[planned.method], training, stop, done)
@@ -289,7 +289,7 @@ def _do_all(
         error: Exception | None = None
         outcomes: Any = None
         try:
-            with work.ordering(stop.set):
+            with guard.on_ctrl_c(stop.set):
                 outcomes = parallel(calls)
                 for planned, run in outcomes:
                     if isinstance(run, Exception):
@@ -310,7 +310,7 @@ def _do_all(
 
 
 def _do(
-    planned: Planned, task: Task, maker: Maker, training: dict[str, Any], stop: Stop, done: Runs
+    planned: Planned, task: Task, maker: Maker, training: dict[str, Any], stop: StopFlag, done: Runs
 ) -> tuple[Planned, Run | Exception]:
     """Do one run of one method; return an error rather than raise it, so that its traceback shows no joblib.
 
@@ -333,7 +333,7 @@ def _do(
 
 
 def _collected(experiment: Experiment, runs: Runs) -> Results:
-    """Return the table of the runs, and their agents."""
+    """The table of the runs, and their agents."""
     import pandas
 
     fixed_layout = experiment.task.settings.get("layout_seed")

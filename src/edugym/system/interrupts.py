@@ -1,17 +1,17 @@
 """Ctrl-C, the stop button of a notebook, and every other signal that Python code handles, while long work runs.
 
-Everything that takes long runs inside `with Work() as work`. A signal is then answered within a fifth of a second:
+Long work runs inside `with SignalGuard() as guard`, which guards it: a signal is answered within a fifth of a second.
 
-* In plain Python its handler runs at once, as ever. Where something swallows the `KeyboardInterrupt` (Python ignores
-  errors in `__del__` and in weakref callbacks), it is raised again.
-* While machine code runs (`work.hold()`), the handler waits until `work.stopped()` is asked, between two chunks. When
-  machine code returns a tuple, Numba does not expect an error, and a handler that raises would crash the process.
+* In plain Python its handler runs at once, as without a guard. Python ignores errors in `__del__` and in weakref
+  callbacks; a `KeyboardInterrupt` that is lost there is raised again.
+* While machine code runs (`guard.defer`), signals are deferred until somebody asks `guard.should_stop`, between two
+  calls. Numba expects no error where machine code returns a tuple: a handler that raised there would crash the process.
 * A long loop of machine code asks from time to time (`asked_to_stop`), and ends by raising `Stopped`.
-* While runs are under way in other threads and processes (`work.ordering()`), Ctrl-C orders them to stop, so that they
-  return what is done. After `PATIENCE` seconds, or with a second Ctrl-C, nobody waits for those that have not stopped,
-  and `Stopped` is raised in the threads among them that run Python. Those that run machine code ask by themselves.
+* While runs are under way in other threads and processes (`guard.on_ctrl_c`), Ctrl-C sets a flag on which they stop and
+  return what is done. After `PATIENCE` seconds, or with a second Ctrl-C, nobody waits for those that go on, and
+  `Stopped` is raised in the threads among them that run Python. Those that run machine code ask by themselves.
 
-What cannot be interrupted at all, such as LLVM or the import of a library, runs in a thread (`interruptibly`).
+What cannot be interrupted at all, such as LLVM or the import of a library, runs in a thread (`call_interruptibly`).
 """
 
 import _thread
@@ -54,31 +54,31 @@ class Interrupted(KeyboardInterrupt):
         return self._collect()
 
     def _render_traceback_(self) -> list[str]:
-        """Return what a notebook shows in place of a traceback."""
+        """What a notebook shows in place of a traceback."""
         return [f"Interrupted: {self}"]
 
 
 class Stopped(KeyboardInterrupt):
-    """The order to stop came while `interruptibly` waited, or in a long loop of machine code."""
+    """Raised where work is to stop: while `call_interruptibly` waits, or in a long loop of machine code."""
 
 
-class Stop:
-    """The order to stop, for runs in this process and in others on this machine, which see a file appear."""
+class StopFlag:
+    """A flag to stop, for runs in this process and in others on this machine, which see a file appear."""
 
     def __init__(self, event: threading.Event, folder: str) -> None:
-        """Take an event that orders it as well, and a folder that other processes see."""
+        """Take an event that sets the flag as well, and a folder that other processes see."""
         self._event: threading.Event | None = event
         self._file = Path(folder) / "stop"
         self._is_set = False
         self.process = os.getpid()
 
     def set(self) -> None:
-        """Order every run to stop."""
+        """Tell every run to stop."""
         self._is_set = True  # first, so that no new run is handed out when one has seen the file
         self._file.touch()
 
     def is_set(self) -> bool:
-        """Return whether to stop."""
+        """Whether to stop."""
         if self._event is None:
             return self._file.exists()
         if self._event.is_set() and not self._is_set:
@@ -86,27 +86,28 @@ class Stop:
         return self._is_set
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return what another process gets: the name of the file."""
+        """What another process gets: the name of the file."""
         return {**self.__dict__, "_event": None}
 
 
-class Work:
-    """A stretch of work during which signals are answered as this module says.
+class SignalGuard:
+    """Guards work against signals, which are answered as this module says while its block runs.
 
-    Works may be nested. Outside the main thread, which alone handles signals, a work only passes on the order to stop.
+    Guards may be nested. Python handles signals in the main thread alone; in others a guard only passes on that work is
+    to stop.
 
     Attributes:
-        ordered: whether Ctrl-C has ordered runs to stop.
+        stop_ordered: whether Ctrl-C has told runs to stop.
         loop: the line of the student's loop that was under way in machine code when it was stopped; else 0.
     """
 
     def __init__(self, stop: Any = None) -> None:
-        """Take an event that also ends the work when it is set, or None."""
-        self.ordered = False
+        """Take an event, or a flag, that also ends the work when it is set; or None."""
+        self.stop_ordered = False
         self.loop = 0
         self._stop = stop
-        self._around: Work | None = getattr(_current, "work", None)
-        self._held = False
+        self._around: SignalGuard | None = getattr(_current, "guard", None)
+        self._deferring = False
         self._machine_code = False
         self._handlers: dict[int, Callable[[int, Any], Any]] = {}
         self._pending: list[tuple[int, Any]] = []
@@ -115,11 +116,11 @@ class Work:
         self._order: Callable[[], None] | None = None
         self._lock = threading.Lock()
 
-    def __enter__(self) -> "Work":
+    def __enter__(self) -> "SignalGuard":
         """Take the place of every signal handler that is a Python function."""
-        _current.work = self
+        _current.guard = self
         if threading.current_thread() is threading.main_thread():
-            self._held = True  # until all are in place
+            self._deferring = True  # until all are in place
             for number in signal.valid_signals():
                 handler = signal.getsignal(number)
                 if callable(handler):
@@ -127,7 +128,7 @@ class Work:
                     signal.signal(number, self._arrive)
             self._hook = sys.unraisablehook
             sys.unraisablehook = self._swallowed
-            self._held = False
+            self._deferring = False
             try:
                 self._deliver()
             except BaseException as error:  # then the block does not begin, and Python does not end it
@@ -139,13 +140,13 @@ class Work:
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, traceback: Any) -> None:
         """Put the handlers back, and call those that still wait."""
-        _current.work = self._around
+        _current.guard = self._around
         if self._stop is not None and not self._handlers:
             with _ending:
                 ended = _in_threads.pop(self, None) is None
             if ended:
                 _receive_stopped()
-        self._held = True
+        self._deferring = True
         if self._handlers:
             sys.unraisablehook = self._hook
         for number, handler in sorted(self._handlers.items(), key=lambda item: item[0] == signal.SIGINT):
@@ -156,13 +157,13 @@ class Work:
         if self._error is not None:
             raise self._error from None
 
-    def hold(self, machine_code: bool) -> None:
-        """Say whether machine code is to run. While it does, signals wait until `stopped` is asked."""
+    def defer(self, machine_code: bool) -> None:
+        """Say whether machine code is to run. While it does, signals are deferred until `should_stop` is asked."""
         self._machine_code = machine_code
-        self._held = machine_code
+        self._deferring = machine_code
 
-    def stopped(self) -> bool:
-        """Return whether to stop, after every handler that waits has run.
+    def should_stop(self) -> bool:
+        """Whether to stop, after the handlers of all deferred signals have run.
 
         Raises:
             KeyboardInterrupt: after Ctrl-C. Other signals raise what their handlers raise.
@@ -171,8 +172,8 @@ class Work:
         return self._stop is not None and bool(self._stop.is_set())
 
     @contextmanager
-    def ordering(self, stop: Callable[[], None]) -> Iterator[None]:
-        """Let the next Ctrl-C call `stop`, and raise nothing unless the block goes on for `PATIENCE` seconds."""
+    def on_ctrl_c(self, stop: Callable[[], None]) -> Iterator[None]:
+        """Let the next Ctrl-C call `stop`, and raise an error only if the block goes on for `PATIENCE` seconds."""
         self._order = stop
         try:
             yield
@@ -181,7 +182,7 @@ class Work:
                 self._order = None
 
     def _arrive(self, number: int, frame: Any) -> None:
-        if self._held:
+        if self._deferring:
             self._pending.append((number, frame))
         else:
             self._handle(number, frame)
@@ -195,8 +196,8 @@ class Work:
 
     def _handle(self, number: int, frame: Any) -> None:
         # A signal may come anywhere, also where a lock is held or another one is handled: nothing here takes a lock.
-        if number == signal.SIGINT and self._order is not None and not self.ordered:
-            self.ordered = True
+        if number == signal.SIGINT and self._order is not None and not self.stop_ordered:
+            self.stop_ordered = True
             self._order()
             _later(PATIENCE, self._insist)
             return
@@ -207,14 +208,14 @@ class Work:
             raise
 
     def _insist(self) -> None:
-        """Press Ctrl-C again where the order to stop was not enough, and end the threads that go on."""
+        """Press Ctrl-C again if the block of `on_ctrl_c` goes on, and end the threads that do."""
         with self._lock:
             if self._order is not None:
                 _press_ctrl_c()
         with _ending:
-            for work in list(_in_threads):  # other works may begin meanwhile
-                if work._stop.is_set() and not work._machine_code:
-                    _raise_stopped(_in_threads.pop(work))
+            for guard in list(_in_threads):  # others may begin meanwhile
+                if guard._stop.is_set() and not guard._machine_code:
+                    _raise_stopped(_in_threads.pop(guard))
 
     def _swallowed(self, unraisable: Any) -> None:
         """Press Ctrl-C again where Python ignored it."""
@@ -228,8 +229,8 @@ class Work:
             _press_ctrl_c()
 
 
-_current = threading.local()  # its `work` is the innermost one of a thread
-_in_threads: dict[Work, int] = {}  # the works of other threads than the main one, and the numbers of these
+_current = threading.local()  # its `guard` is the innermost guard of a thread
+_in_threads: dict[SignalGuard, int] = {}  # the guards of other threads than the main one, and the numbers of these
 _ending = threading.Lock()
 
 
@@ -269,59 +270,59 @@ def _later(seconds: float, press: Callable[[], None]) -> None:
 
 
 @contextmanager
-def held(machine_code: bool = True) -> Iterator[None]:
-    """Let signals wait while machine code runs in this block, if a work is under way in this thread.
+def deferring_signals(machine_code: bool = True) -> Iterator[None]:
+    """Defer signals while machine code runs in this block, if its thread is guarded.
 
-    They wait until the work asks `stopped` or ends: an error that a handler raises is none of the machine code's.
+    They are deferred until the guard is asked or ends: machine code cannot raise the error of a handler.
 
     Args:
         machine_code: whether the block runs machine code. If not, its signals are answered at once, as in plain Python.
     """
-    work: Work | None = getattr(_current, "work", None)
-    if work is None:
+    guard: SignalGuard | None = getattr(_current, "guard", None)
+    if guard is None:
         yield
         return
-    before = work._machine_code
-    work.hold(machine_code)
+    before = guard._machine_code
+    guard.defer(machine_code)
     try:
         if not machine_code:
-            work.stopped()  # answers the signals that came before the block
+            guard.should_stop()  # answers the signals that came before the block
         yield
     finally:
-        work.hold(before)
+        guard.defer(before)
 
 
 def asked_to_stop(line: int) -> bool:
-    """Return whether machine code, which calls this, is to raise `Stopped`. The work raises then what a handler did.
+    """Whether machine code, which calls this, is to raise `Stopped`. The guard then raises a handler's error.
 
     Args:
         line: of the student's loop that calls it; 0 for a loop of the package.
     """
-    work: Work | None = getattr(_current, "work", None)
-    if work is None:
+    guard: SignalGuard | None = getattr(_current, "guard", None)
+    if guard is None:
         return False
     try:
-        stops = work.stopped()
+        stops = guard.should_stop()
     except BaseException as error:  # it cannot pass through machine code
-        stops, work._error = True, error
+        stops, guard._error = True, error
     if stops:
-        work.loop = line
+        guard.loop = line
     return stops
 
 
-def interruptibly(function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
-    """Call a function in a thread, and wait for it such that a signal handler or an order to stop ends the waiting.
+def call_interruptibly(function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
+    """Call a function in another thread, and wait for it; a signal or a flag to stop ends the wait.
 
     The function itself goes on in its thread to its end, which the process waits for before it ends.
 
     Raises:
-        Stopped: the work of this thread was ordered to stop.
+        Stopped: this thread is to stop.
     """
     done = threading.Event()
     returned: list[T] = []
     raised: list[BaseException] = []
 
-    def work() -> None:
+    def call() -> None:
         try:
             returned.append(function(*args, **kwargs))
         except BaseException as error:
@@ -329,10 +330,10 @@ def interruptibly(function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -
         finally:
             done.set()
 
-    threading.Thread(target=work, name=f"edugym-{getattr(function, '__name__', 'work')}").start()
-    current: Work | None = getattr(_current, "work", None)
+    threading.Thread(target=call, name=f"edugym-{getattr(function, '__name__', 'work')}").start()
+    current: SignalGuard | None = getattr(_current, "guard", None)
     while not done.wait(0.02):  # on Windows waiting cannot be interrupted, so it is never for long
-        if current is not None and current.stopped():
+        if current is not None and current.should_stop():
             raise Stopped
     if raised:
         raise raised.pop()
@@ -340,7 +341,7 @@ def interruptibly(function: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -
 
 
 @contextmanager
-def ordered_by(event: threading.Event) -> Iterator[Stop]:
-    """Yield the order to stop, which is also given when the event is set, in a form that other processes see."""
+def stop_flag(event: threading.Event) -> Iterator[StopFlag]:
+    """A flag to stop that other processes see, and that is also set when the event is."""
     with tempfile.TemporaryDirectory(prefix="edugym-", ignore_cleanup_errors=True) as folder:
-        yield Stop(event, folder)
+        yield StopFlag(event, folder)

@@ -11,7 +11,7 @@ import numpy as np
 from edugym.checks.parameters import in_short, number_of_steps, whole_number
 from edugym.checks.tracebacks import end_at_students_line
 from edugym.mdp.protocol import Integers, Reals
-from edugym.system.interrupts import Interrupted, Stopped, Work
+from edugym.system.interrupts import Interrupted, SignalGuard, Stopped
 from edugym.training.progress import progress_bar
 from edugym.training.run import Run
 from edugym.training.trainers import Trainer, trainer
@@ -77,19 +77,19 @@ def train(
     check_stop(stop)
     began, done, curve, interrupted = time.perf_counter(), 0, _Curve(), False
     try:
-        with Work(stop) as work, progress_bar(n_steps, "steps", shown=progress) as bar:
+        with SignalGuard(stop) as guard, progress_bar(n_steps, "steps", shown=progress) as bar:
             expected = 0 if stop is not None and stop.is_set() else n_steps  # no steps to come: do not compile
             training = trainer(environment, agent, seed, max_steps, expected)
             agent = training.agent
-            curve.measure(done, training, evaluation_episodes, work.stopped)
-            while done < n_steps and not work.stopped():
+            curve.measure(done, training, evaluation_episodes, guard.should_stop)
+            while done < n_steps and not guard.should_stop():
                 # A call of `training.learn` lasts about 0.02 s. While it runs machine code, Ctrl-C waits for its end. A
                 # run can begin interpreted and become compiled, so we look at `is_compiled` before each call.
-                work.hold(training.is_compiled)
+                guard.defer(training.is_compiled)
                 steps = training.learn(at_most=min(n_steps - done, every - done % every))
                 done += steps
                 if done % every == 0 or done == n_steps:
-                    curve.measure(done, training, evaluation_episodes, work.stopped)
+                    curve.measure(done, training, evaluation_episodes, guard.should_stop)
                 bar.update(steps)
     except Stopped:
         pass
@@ -103,7 +103,7 @@ def train(
         for warning in training.warnings(run):
             warnings.warn(warning, stacklevel=2)
     if interrupted:
-        where = f", in the loop at line {work.loop} of your code" if work.loop else ""
+        where = f", in the loop at line {guard.loop} of your code" if guard.loop else ""
         raise Interrupted(f"after {done} of {n_steps} steps{where}; the agent keeps what it has learned", lambda: run)
     return run
 

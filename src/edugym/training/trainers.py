@@ -23,7 +23,7 @@ from edugym.checks.values import deep_copy
 from edugym.compiled.execution import executable
 from edugym.mdp.guards import GUARDS, guarded
 from edugym.mdp.task import Task, task_of
-from edugym.system.interrupts import held
+from edugym.system.interrupts import deferring_signals
 from edugym.training import gymnasium_loops, loops
 from edugym.training.loops import Log
 from edugym.training.machine_agent import MachineAgent
@@ -156,7 +156,7 @@ class MDPTrainer:
         together = compiled and self._contract.has_greedy
         n_episodes = min(at_most, max(1, MOST_STEPS // self._evaluation_limit)) if together else 1
         evaluation = self._evaluation(n_episodes)
-        with held(machine_code=compiled):
+        with deferring_signals(machine_code=compiled):
             if compiled:
                 self._play(n_episodes, *evaluation)
             elif self._has_played:

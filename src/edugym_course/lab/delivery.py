@@ -46,14 +46,14 @@ def deliver(contents: str, path: Path) -> Path:
 
 
 def places(path: Path) -> Iterator[Path]:
-    """Return the places for versions of a file: its own path, then others beside it, without end."""
+    """The places for versions of a file: its own path, then others beside it, without end."""
     yield path
     yield path.with_stem(f"{path.stem}_new_version")
     yield from (path.with_stem(f"{path.stem}_new_version_{number}") for number in count(2))
 
 
 def versions(path: Path) -> list[Path]:
-    """Return the versions of a file that exist, the student's first and the newest last."""
+    """The versions of a file that exist, the student's first and the newest last."""
     found: list[Path] = []
     for place in places(path):
         if not os.path.lexists(place):
@@ -63,7 +63,7 @@ def versions(path: Path) -> list[Path]:
 
 
 def fingerprint(contents: str) -> str:
-    """Return the fingerprint of a text. That of a notebook depends on its cells only: running it changes nothing."""
+    """The fingerprint of a text. That of a notebook depends on its cells only: running it changes nothing."""
     try:
         cells = [[cell["cell_type"], "".join(cell["source"])] for cell in json.loads(contents)["cells"]]
     except (ValueError, TypeError, KeyError):
@@ -72,7 +72,7 @@ def fingerprint(contents: str) -> str:
 
 
 def _fingerprint_of(path: Path) -> str:
-    """Return the fingerprint of a file; "" for a folder, or for what is not text: neither came from us."""
+    """The fingerprint of a file; "" for a folder, or for what is not text: neither came from us."""
     try:
         return fingerprint(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -80,6 +80,6 @@ def _fingerprint_of(path: Path) -> str:
 
 
 def _delivered(path: Path) -> set[str]:
-    """Return the fingerprints of all files that were ever put at this path."""
+    """The fingerprints of all files that were ever put at this path."""
     lines = read_lines(path.parent / DELIVERED)
     return {mark for mark, _, name in (line.partition(" ") for line in lines) if name == path.name}

@@ -41,7 +41,7 @@ class Lesson(NamedTuple):
         return sum("check" in cell["metadata"].get("tags", []) for cell in self.cells)
 
     def part(self, label: str) -> str:
-        """Return the text after a bold label of the first cell, such as "Time", in one line; "" if there is none."""
+        """The text after a bold label of the first cell, such as "Time", in one line; "" if there is none."""
         found = re.search(rf"\*\*{label}\.\*\*(.*?)(?=\*\*[A-Z]|\n\n|\Z)", self._opening(), flags=re.DOTALL)
         return " ".join(found[1].split()) if found else ""
 
@@ -50,7 +50,7 @@ class Lesson(NamedTuple):
 
 
 def student_lessons() -> list[Lesson]:
-    """Return all lessons in the order of the course."""
+    """All lessons in the order of the course."""
     folder = PACKAGED if PACKAGED.is_dir() else CHECKOUT
     texts = {path.stem: path.read_text(encoding="utf-8") for path in sorted(folder.glob("[0-9]*_*.ipynb"))}
     return [Lesson(name, text, json.loads(text)["cells"]) for name, text in texts.items()]

@@ -25,6 +25,6 @@ def record_passed(lesson: str, exercise: int) -> None:
 
 
 def _folder_of_the_lab() -> Path | None:
-    """Return the student's folder around the present folder, in which Jupyter starts the kernel of a notebook."""
+    """The student's folder around the present folder, in which Jupyter starts the kernel of a notebook."""
     here = Path.cwd()
     return next((folder for folder in (here, *here.parents) if (folder / DELIVERED).is_file()), None)

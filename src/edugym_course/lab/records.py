@@ -17,7 +17,7 @@ PASSED = HIDDEN / "passed.txt"
 
 
 def read_lines(record: Path) -> list[str]:
-    """Return the lines of a record; none if it does not exist or is damaged."""
+    """The lines of a record; none if it does not exist or is damaged."""
     try:
         return record.read_text(encoding="utf-8").splitlines()
     except (OSError, ValueError):
@@ -36,11 +36,11 @@ def append_line(record: Path, line: str) -> None:
 
 
 def passed(folder: Path, lesson: str) -> set[int]:
-    """Return the numbers of the exercises of a lesson that were solved in a student's folder."""
+    """The numbers of the exercises of a lesson that were solved in a student's folder."""
     entries = (line.partition(" ") for line in read_lines(folder / PASSED))
     return {int(number) for name, _, number in entries if name == without_number(lesson) and number.isdecimal()}
 
 
 def without_number(lesson: str) -> str:
-    """Return the name of a lesson without its number: "exploration" for "01_exploration"."""
+    """The name of a lesson without its number: "exploration" for "01_exploration"."""
     return re.sub(r"^\d+_", "", lesson)

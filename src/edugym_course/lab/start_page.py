@@ -45,7 +45,7 @@ def write_start_page(folder: Path) -> Path:
 
 
 def row(lesson: Lesson, folder: Path) -> str:
-    """Return the row of a lesson in the table."""
+    """The row of a lesson in the table."""
     file = f"{lesson.name}.ipynb"
     later = [f"([{place.stem}]({place.name}))" for place in versions(folder / file)[1:]]
     done = len(passed(folder, lesson.name) & set(range(1, lesson.exercises + 1)))
@@ -60,7 +60,7 @@ def row(lesson: Lesson, folder: Path) -> str:
 
 
 def picture(lesson: Lesson) -> str:
-    """Return the picture of the environment of a lesson as Markdown; "" for a lesson without one."""
+    """The picture of the environment of a lesson as Markdown; "" for a lesson without one."""
     for entry in ENVIRONMENTS:
         if entry.lesson == lesson.number:
             env = MDPEnv(make_mdp(entry.name))

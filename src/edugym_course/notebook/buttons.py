@@ -76,7 +76,7 @@ class Buttons(NotebookWidget):
         return self.blind and not self.game.over
 
     def still(self) -> dict[str, str]:
-        """Return the present picture and score."""
+        """The present picture and score."""
         if self.is_hidden:
             return {"text/html": f"{HIDDEN}<br>{text_html(self.game.line())}"}
         frame = self.game.frame()

@@ -33,7 +33,7 @@ class Shown(NamedTuple):
     description: str
 
     def html(self) -> str:
-        """Return it as an HTML element."""
+        """It as an HTML element."""
         if self.mime_type == "image/png":
             return png_html(base64.b64decode(self.data), self.description)
         return self.data
@@ -69,7 +69,7 @@ class Sliders(NotebookWidget):
         self._status.value = "Done."
 
     def still(self) -> dict[str, str]:
-        """Return the latest result of the function."""
+        """The latest result of the function."""
         return {self._shown.mime_type: self._shown.data}
 
 
@@ -107,7 +107,7 @@ def sliders(function: Callable[..., Any], /, **controls: Any) -> Sliders:
 
 
 def control(name: str, allowed: Any, default: Any, label_width: int) -> Any:
-    """Return the widget for a parameter (see `sliders`); it starts from `default` unless that is None."""
+    """The widget for a parameter (see `sliders`); it starts from `default` unless that is None."""
     label = {
         "description": name.replace("_", " "),
         "style": {"description_width": f"{label_width}ch"},
@@ -164,7 +164,7 @@ def call(function: Callable[..., Any], arguments: dict[str, Any]) -> Shown:
 
 
 def figure_of(result: Any) -> "Figure | None":
-    """Return the figure in a result, or the figure of its axes; None if the result is something else."""
+    """The figure in a result, or the figure of its axes; None if the result is something else."""
     first = np.ravel(result)[0] if isinstance(result, np.ndarray) and result.size > 0 else result
     while isinstance(first, list | tuple) and first:
         first = first[0]

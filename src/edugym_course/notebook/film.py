@@ -47,7 +47,7 @@ class Film(NotebookWidget):
         self._line.value = text_html(frame.line)
 
     def still(self) -> dict[str, str]:
-        """Return a few frames side by side, from the first to the last."""
+        """A few frames side by side, from the first to the last."""
         last = len(self.frames) - 1
         chosen = [self.frames[k] for k in sorted({round(last * k / (STRIP - 1)) for k in range(STRIP)})]
         if isinstance(chosen[0].picture, Scene):
@@ -56,7 +56,7 @@ class Film(NotebookWidget):
 
 
 def side_by_side(scenes: Sequence[Scene]) -> str:
-    """Return one SVG picture of several scenes, from left to right, as wide as the page allows."""
+    """One SVG picture of several scenes, from left to right, as wide as the page allows."""
     lefts = [0, *accumulate(scene.size_in_pixels()[0] for scene in scenes)]
     height = max(scene.size_in_pixels()[1] for scene in scenes)
     pictures = [to_svg(scene).replace("<svg ", f'<svg x="{x}" ', 1) for x, scene in zip(lefts, scenes, strict=False)]

@@ -17,7 +17,7 @@ class Listing(NamedTuple):
     code: str
 
     def __repr__(self) -> str:
-        """Return the lines, for front ends without highlighting."""
+        """The lines, for front ends without highlighting."""
         return self.code
 
     def _repr_markdown_(self) -> str:
@@ -46,7 +46,7 @@ def source(subject: Any, *names: str) -> Listing:
 
 
 def _code(part: Any) -> str:
-    """Return the lines of a class or function with its decorators, from the left margin."""
+    """The lines of a class or function with its decorators, from the left margin."""
     for inside in ("fget", "__func__", "func", "py_func"):  # of properties, class methods, cached ones, compiled code
         part = getattr(part, inside, None) or part
     try:

@@ -69,7 +69,7 @@ class Prediction(NotebookWidget):
         return Comparison(self.answer, value, self.unit, explanation)
 
     def still(self) -> dict[str, str]:
-        """Return the question, and the options if there are some."""
+        """The question, and the options if there are some."""
         options = "" if self.options is None else " ".join(f"({chr(97 + k)}) {o}" for k, o in enumerate(self.options))
         return {"text/html": text_html(f"Your prediction. {self.question}\n{options}".strip())}
 
@@ -82,7 +82,7 @@ class Comparison:
         self._parts = answer, value, unit, explanation
 
     def __repr__(self) -> str:
-        """Return both and the explanation, in words."""
+        """Both and the explanation, in words."""
         answer, value, unit, explanation = self._parts
         seen = f"Measured: {_written(value, unit)}."
         if answer is None:
@@ -93,12 +93,12 @@ class Comparison:
         return " ".join(filter(None, (f"You predicted {_written(answer, unit)}.", seen, explanation)))
 
     def _repr_html_(self) -> str:
-        """Return the same for a notebook."""
+        """The same for a notebook."""
         return f"<p>{text_html(repr(self))}</p>"
 
 
 def _written(value: Any, unit: str) -> str:
-    """Return a number with its unit; in place of a unit there may be a remark in brackets, such as "(from 0 to 1)"."""
+    """A number with its unit; in place of a unit there may be a remark in brackets, such as "(from 0 to 1)"."""
     unit = "" if unit.startswith("(") else unit
     return f"{float(value):.3g} {unit}".strip() if not isinstance(value, str) else value
 

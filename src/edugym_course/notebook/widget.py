@@ -33,11 +33,11 @@ class NotebookWidget:
         self.widget = ipywidgets.VBox([*rows, self.messages])
 
     def still(self) -> dict[str, str]:
-        """Return the present picture, by MIME type."""
+        """The present picture, by MIME type."""
         raise NotImplementedError
 
     def calling(self, action: Callable[[], None]) -> Callable[[Any], None]:
-        """Return a callback for a widget that calls `action`."""
+        """A callback for a widget that calls `action`."""
 
         def callback(event: Any) -> None:
             self.messages.clear_output()
@@ -47,13 +47,13 @@ class NotebookWidget:
         return callback
 
     def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
-        """Return what Jupyter stores in the notebook; the front end shows the richest form that it can."""
+        """What Jupyter stores in the notebook; the front end shows the richest form that it can."""
         view = {"version_major": 2, "version_minor": 0, "model_id": self.widget.model_id}
         return {WIDGET: view, "text/plain": "Run this cell to get the controls."} | self.still()
 
 
 def picture_html(picture: Picture) -> str:
-    """Return a picture of an environment for an HTML widget."""
+    """A picture of an environment for an HTML widget."""
     if isinstance(picture, Scene):
         return to_svg(picture)
     if isinstance(picture, str):
@@ -63,7 +63,7 @@ def picture_html(picture: Picture) -> str:
 
 
 def png_of(pixels: np.ndarray[Any, np.dtype[np.uint8]]) -> bytes:
-    """Return pixels of shape (height, width, 3) as the contents of a PNG file."""
+    """Pixels of shape (height, width, 3) as the contents of a PNG file."""
     from PIL import Image
 
     buffer = io.BytesIO()
@@ -72,11 +72,11 @@ def png_of(pixels: np.ndarray[Any, np.dtype[np.uint8]]) -> bytes:
 
 
 def png_html(png: bytes, description: str) -> str:
-    """Return a PNG file as an HTML element; the description is for readers who cannot see it."""
+    """A PNG file as an HTML element; the description is for readers who cannot see it."""
     data = base64.b64encode(png).decode()
     return f'<img alt="{html.escape(description)}" src="data:image/png;base64,{data}" style="max-width: 100%">'
 
 
 def text_html(text: str) -> str:
-    """Return lines of text for an HTML widget."""
+    """Lines of text for an HTML widget."""
     return html.escape(text).replace("\n", "<br>")

@@ -95,16 +95,6 @@ def test_agents_make_an_episode() -> None:
     assert len(set(map(tuple, episodes[0]))) > 1
 
 
-def test_a_seed_repeats_the_luck_of_an_episode() -> None:
-    """The same balls fly with the same seed, and others with another."""
-    first, again, other = (
-        [frame.line for frame in play_episode("Golf", ["drive"] * 5, seed=seed, stochasticity_level=1.0)]
-        for seed in (1, 1, 2)
-    )
-    assert first == again
-    assert first != other
-
-
 def test_captions_stand_below_the_picture() -> None:
     """The picture is in the middle of paper, what its edge cut off stays hidden, and long lines fit."""
     shapes: list[Shape] = [

@@ -1,7 +1,8 @@
-"""Games: their actions, their score and their pictures."""
+"""Games: their actions, their score, their pictures and their luck."""
 
 import io
 import os
+from collections.abc import Callable
 from types import SimpleNamespace
 from typing import Any
 
@@ -10,11 +11,12 @@ import pytest
 from gymnasium import spaces
 from gymnasium.error import ResetNeeded
 
-from edugym.adapters.keys import keys_of, named_actions
-from edugym.adapters.playing import Game, play
-from edugym.adapters.playing.game import TERMINATED, TRUNCATED, made
-from edugym.adapters.registration import ENVIRONMENTS
+from edugym.adapters.keys import named_actions
+from edugym.adapters.playing import Game, play, play_episode
+from edugym.adapters.playing.game import TERMINATED, TRUNCATED, playable
+from edugym_course import notebook
 from tests.adapters.playing.tasks import Still, Walk
+from tests.course.notebook.widgets import texts
 
 
 def test_the_score_of_a_game() -> None:
@@ -37,8 +39,13 @@ def test_the_score_of_a_game() -> None:
         game.step(action)
     assert game.line() == f"step 4: right, observation 2, reward 0, total 0\n{TRUNCATED}"
     assert game.history() == "Episodes finished: 2. Totals: 1.5, 0. Mean: 0.75."
-    with pytest.raises(ValueError, match="action must be one of 'left', 'right', but is 'up'"):
+    with pytest.raises(ValueError, match=r"action .*'left', 'right'.*'up'"):
         game.step("up")
+    game.returns = [0.0, 1.0, *[0.5] * 10]  # the last ten are shown, the mean is over all
+    assert game.history() == f"Episodes finished: 12. Totals: ..., {', '.join(['0.5'] * 10)}. Mean: 0.5."
+    game.returns.pop()
+    game.returns.pop()
+    assert "..." not in game.history()
 
 
 def test_a_game_keeps_its_last_finished_episode() -> None:
@@ -52,49 +59,6 @@ def test_a_game_keeps_its_last_finished_episode() -> None:
     game.step("right")
     assert game.replay() is finished
     assert len(finished) == 3
-
-
-def test_a_long_history_is_shortened() -> None:
-    """The last ten returns are shown, the mean is over all."""
-    game = Game("Boulder", height=1, max_steps=1)
-    for episode in range(12):
-        assert ("..." in game.history()) == (episode > 10)
-        game.step("grip 0" if episode < 6 else "grip 1")
-        game.reset()
-    first, second = (f"{value:g}" for value in (game.returns[0], game.returns[6]))
-    assert {first, second} == {"0", "1"}
-    last_ten = ", ".join([first] * 4 + [second] * 6)
-    assert game.history() == f"Episodes finished: 12. Totals: ..., {last_ten}. Mean: 0.5."
-
-
-def test_seeds_repeat_a_game() -> None:
-    """The same seed gives the same balls, in the second episode too; the second is another than the first."""
-
-    def balls(seed: int | None) -> list[str]:
-        game = Game("Golf", seed=seed)
-        places = []
-        for _ in range(2):
-            game.step("drive")
-            env: Any = game.environment.unwrapped
-            places.append(str(env.state))
-            game.reset()
-        return places
-
-    assert balls(3) == balls(3)
-    assert len({*balls(3), *balls(4), *balls(None), *balls(None)}) == 8
-
-
-@pytest.mark.parametrize("name", [entry.name for entry in ENVIRONMENTS])
-def test_every_environment_can_be_played(name: str) -> None:
-    """The actions of all environments have different keys, stand for valid actions, and are shown as a scene."""
-    game = Game(name)
-    assert len(keys_of(list(game.actions))) == len(game.actions) >= 2
-    for action, value in game.actions.items():
-        assert game.environment.action_space.contains(value)
-        game.reset(seed=1)
-        game.step(action)
-        assert game.line().startswith(f"step 1: {action}, ")
-    assert game._repr_svg_() is not None
 
 
 def test_environments_of_gymnasium_can_be_played() -> None:
@@ -127,22 +91,26 @@ def test_pixels_without_a_screen(
     if screen:
         monkeypatch.setenv(screen, ":0")
     monkeypatch.setattr("edugym.adapters.playing.game.sys", SimpleNamespace(platform=system))
-    made("CliffWalking-v1", "ansi", {})
+    playable("CliffWalking-v1", "ansi", {})
     assert os.environ.get("SDL_VIDEODRIVER") == driver
 
 
-def test_what_cannot_be_played_is_named() -> None:
-    """An environment that does not exist, parameters that it does not have or that are wrong, and where they belong."""
-    with pytest.raises(ValueError, match=r"environment must be one of Boulder, .*Bolder.* doesn't exist"):
-        Game("Bolder")
-    with pytest.raises(ValueError, match="Boulder has no parameter 'heigth'; it has height, n_grips, "):
-        Game("Boulder", heigth=3)
-    with pytest.raises(ValueError, match="height must be from 1 to 1000000, but is 0"):
-        Game("Boulder", height=0)
-    with pytest.raises(ValueError, match=r"go with the name of an environment, but are \['height', 'n_grips'\]"):
-        Game(Walk(), n_grips=2, height=3)
-    with pytest.raises(ValueError, match="picture must be one of"):
-        Game("Boulder", picture="human")
+@pytest.mark.parametrize(
+    ("environment", "parameters", "names"),
+    [
+        ("Bolder", {}, "environment .*Boulder, .*Bolder"),
+        ("Boulder", {"heigth": 3}, "Boulder .*'heigth'; it has height, n_grips, "),
+        ("Boulder", {"height": 0}, "height .* 0$"),
+        (Walk(), {"n_grips": 2, "height": 3}, r"environment.*\['height', 'n_grips'\]"),
+        ("Boulder", {"picture": "human"}, "picture .*'human'"),
+        (Still(spaces.Box(-np.inf, 1, (2,))), {}, "named_actions"),
+        (Still(spaces.Text(3)), {}, "named_actions"),
+    ],
+)
+def test_what_cannot_be_played_is_named(environment: Any, parameters: dict[str, Any], names: str) -> None:
+    """An environment that does not exist, parameters that it does not have, and actions that nobody can name."""
+    with pytest.raises(ValueError, match=names):
+        Game(environment, **parameters)
 
 
 @pytest.mark.parametrize(
@@ -163,13 +131,6 @@ def test_actions_without_names(space: spaces.Space[Any], actions: dict[str, Any]
         name: np.ravel(action).tolist() for name, action in actions.items()
     }
     assert all(space.contains(action) for action in named.values())
-
-
-@pytest.mark.parametrize("space", [spaces.Box(-np.inf, 1, (2,)), spaces.Text(3)])
-def test_actions_that_nobody_can_name(space: spaces.Space[Any]) -> None:
-    """Endless and other actions need an environment that names them."""
-    with pytest.raises(ValueError, match="give the environment a method named_actions"):
-        named_actions(Still(space))
 
 
 @pytest.mark.parametrize(
@@ -195,20 +156,38 @@ def test_only_short_observations_are_written_out(observation: Any, line: str) ->
     assert Game(Still(spaces.Discrete(2), observation)).line() == line
 
 
-def test_actions_without_a_name_are_written_out() -> None:
-    """As the observations are."""
+def test_actions_without_a_name() -> None:
+    """Are written out as the observations are; very many have none."""
     game = Game("Trashbot")
     game.step(np.array([-1, 1 / 3], np.float32))
     score, observation = game.line().splitlines()
     assert score == "step 1: action -1 0.333, reward 0, total 0"
     assert observation.startswith("observation -0.28")
+    assert [len(Game(Still(spaces.Discrete(n))).actions) for n in (10_000, 10_001, 10**9)] == [10_000, 0, 0]
 
 
-def test_very_many_actions_have_no_names() -> None:
-    """An environment with a billion actions can be shown, though not played with keys."""
-    many = Still(spaces.Discrete(10**9))
-    assert Game(many).actions == {}
-    assert Game(Still(spaces.Discrete(10_001))).actions == {}
-    assert len(Game(Still(spaces.Discrete(10_000))).actions) == 10_000
-    with pytest.raises(ValueError, match="too many actions to be played with keys"):
-        play(many, keyboard=io.StringIO(), screen=io.StringIO())
+def on_the_screen(**options: Any) -> str:
+    """What is written before the first key."""
+    screen = io.StringIO()
+    play("MemoryCorridor", keyboard=io.StringIO(), screen=screen, **options)
+    return screen.getvalue()
+
+
+@pytest.mark.parametrize(
+    "start",
+    [
+        lambda **options: Game("MemoryCorridor", **options).line(),
+        lambda **options: play_episode("MemoryCorridor", [], **options)[0].line,
+        lambda **options: notebook.frames("MemoryCorridor", [], **options).frames[0].line,
+        lambda **options: texts(notebook.play("MemoryCorridor", **options).widget)[1],
+        on_the_screen,
+    ],
+    ids=["game", "episode", "film", "buttons", "screen"],
+)
+def test_a_seed_repeats_the_start(start: Callable[..., str]) -> None:
+    """The same of thirty doors is right with the same seed, and another with another."""
+    first, again = ([start(seed=seed, num_doors=30) for seed in range(4)] for _ in "ab")
+    assert all("observation" in told for told in first)
+    assert len({Game("MemoryCorridor", seed=None, num_doors=30).line() for _ in range(9)}) > 1
+    assert first == again
+    assert len(set(first)) > 1

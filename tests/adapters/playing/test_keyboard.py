@@ -14,16 +14,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from gymnasium.error import DependencyNotInstalled
+from gymnasium.spaces import Discrete
 from PIL import Image
-from typer.testing import CliRunner, Result
 
 from edugym.adapters.keys import keys_of
 from edugym.adapters.playing import play
 from edugym.adapters.playing.game import TERMINATED
 from edugym.adapters.playing.keyboard import CLEAR, key_presses, windows_keys
-from edugym_course.commands import app
-from tests.adapters.playing.tasks import Walk
+from tests.adapters.playing.tasks import Still, Walk
 
 
 def lines_of(keys: list[str], **options: Any) -> list[str]:
@@ -48,13 +46,8 @@ def test_play_through_a_pipe() -> None:
     assert lines.count(TERMINATED) == 2
     assert lines[-1] == "Episodes finished: 1. Totals: 1.5. Mean: 1.5."
     assert not any("\x1b" in line for line in lines)
-
-
-def test_quitting_ends_the_game() -> None:
-    """Nothing is read after q."""
-    lines = lines_of(["q", "1"])
+    lines = lines_of(["q", "1"])  # nothing is read after q
     assert sum(line.startswith(("start", "step")) for line in lines) == 2  # once on the screen, once at the end
-    assert lines[-1] == "No episode finished yet."
 
 
 def test_interrupts_end_the_game_with_its_score(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -165,85 +158,58 @@ def test_play_in_a_terminal() -> None:
     assert terminal.end() == 0
 
 
-def test_a_keyboard_that_is_not_the_standard_input() -> None:
-    """The terminal, opened by its name, is left as it was too."""
-    terminal = Terminal("from edugym.adapters.playing import play; play('Supermarket', keyboard=open('/dev/tty'))")
-    terminal.type("", until="[q] quit")
-    terminal.type("q", until="No episode finished yet.")
-    assert terminal.end() == 0
-
-
-@pytest.mark.parametrize("key", ["\x03", "\x04"])
-def test_ctrl_c_and_ctrl_d_leave_the_terminal_as_it_was(key: str) -> None:
-    """The score is shown, there is no traceback, and the exit status is 0."""
-    terminal = Terminal(GAME)
-    terminal.type("", until="[q] quit")
-    terminal.type("1", until="step 1: down")
-    last = terminal.type(key, until="No episode finished yet.")
-    assert "step 1: down" in last
-    assert "Traceback" not in last
-    assert terminal.end() == 0
-
-
-def test_ctrl_c_ends_a_game_that_does_not_receive_its_signal() -> None:
-    """Another thread may receive it, or it comes just before the wait for a key: both leave that wait alone."""
-    other = "import threading, time; threading.Thread(target=time.sleep, args=(600,), daemon=True).start()"
-    terminal = Terminal(f"{other}; signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT]); {GAME}")
-    terminal.type("", until="[q] quit")
-    time.sleep(0.5)  # until it waits
-    terminal.type("\x03", until="No episode finished yet.")
-    assert terminal.end() == 0
-
-
-@pytest.mark.parametrize("ending", [signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT])
-def test_signals_leave_the_terminal_as_it_was(ending: signal.Signals) -> None:
-    """And end the program as they end any other."""
-    terminal = Terminal(f"import resource; resource.setrlimit(resource.RLIMIT_CORE, (0, 0)); {GAME}")
-    terminal.type("", until="[q] quit")
-    assert termios.tcgetattr(terminal.slave) != terminal.before
-    terminal.process.send_signal(ending)
-    assert terminal.end() == -ending
-
-
-def test_signals_that_the_program_handles_are_left_to_it() -> None:
-    """Such as the hang-up that `nohup` lets it ignore; and after the game all are as before."""
-    code = """
+SHOWN, DONE = ("", "[q] quit"), "No episode finished yet."
+OTHER_THREAD = "import threading, time; threading.Thread(target=time.sleep, args=(600,), daemon=True).start()"
+BLOCKED = "signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])"
+OWN_HANDLERS = f"""
 import os
 signal.signal(signal.SIGHUP, signal.SIG_IGN)
 signal.signal(signal.SIGTERM, lambda *_: os.write(1, b"in its own way"))  # `print` might come within another one
-from edugym.adapters.playing import play; play('Supermarket')
+{GAME}
 assert signal.getsignal(signal.SIGQUIT) is signal.SIG_DFL
 """
+WALK = GAME.replace("'Supermarket'", "Walk()")
+FAILING = "from tests.adapters.playing.tasks import Walk; Walk.reward = lambda *_: 1 / 0"
+NO_CORE = "import resource; resource.setrlimit(resource.RLIMIT_CORE, (0, 0))"
+Dialogue = list[tuple[str, str] | signal.Signals]
+ENDS: dict[str, tuple[str, Dialogue, int]] = {
+    "killed": (GAME, [SHOWN, signal.SIGTERM], -signal.SIGTERM),
+    "hung up": (GAME, [SHOWN, signal.SIGHUP], -signal.SIGHUP),
+    "Ctrl-\\": (f"{NO_CORE}; {GAME}", [SHOWN, signal.SIGQUIT], -signal.SIGQUIT),
+    "Ctrl-C": (GAME, [SHOWN, ("1", "step 1: down"), ("\x03", DONE)], 0),
+    "Ctrl-D": (GAME, [SHOWN, ("1", "step 1: down"), ("\x04", DONE)], 0),
+    "Ctrl-C that another thread receives": (f"{OTHER_THREAD}; {BLOCKED}; {GAME}", [SHOWN, ("\x03", DONE)], 0),
+    "own handlers": (
+        OWN_HANDLERS, [SHOWN, signal.SIGHUP, signal.SIGTERM, ("", "in its own way"), ("q", DONE)], 0
+    ),
+    "an error": (f"{FAILING}; {WALK}", [SHOWN, ("1", "ZeroDivisionError")], 1),
+    "outside the main thread": (
+        f"import threading\nthreading.Thread(target=lambda: exec({GAME!r})).start()", [SHOWN, ("q", DONE)], 0
+    ),
+}  # fmt: skip
+"""What the program does, what happens to it, and its exit status."""
+
+
+@pytest.mark.parametrize("name", [pytest.param(name, marks=[pytest.mark.slow] * (name != "killed")) for name in ENDS])
+def test_every_end_leaves_the_terminal_as_it_was(name: str) -> None:
+    """And the program ends as any other."""
+    code, dialogue, status = ENDS[name]
     terminal = Terminal(code)
-    terminal.type("", until="[q] quit")
-    terminal.process.send_signal(signal.SIGHUP)
-    terminal.process.send_signal(signal.SIGTERM)
-    terminal.type("", until="in its own way")
-    terminal.type("q", until="No episode finished yet.")
-    assert terminal.end() == 0
+    for event in dialogue:
+        if isinstance(event, tuple):
+            terminal.type(*event)
+            assert name == "an error" or "Traceback" not in terminal.written
+        else:
+            assert termios.tcgetattr(terminal.slave) != terminal.before
+            terminal.process.send_signal(event)
+    assert terminal.end() == status
 
 
-def test_an_error_leaves_the_terminal_as_it_was() -> None:
-    """An error of the environment is shown as it is."""
-    imports = "from tests.adapters.playing.tasks import Walk; from edugym.adapters.playing import play"
-    terminal = Terminal(f"{imports}; Walk.reward = lambda *_: 1 / 0; play(Walk())")
-    terminal.type("", until="[q] quit")
-    terminal.type("1", until="ZeroDivisionError")
-    assert terminal.end() == 1
-
-
-def test_a_game_can_be_played_outside_the_main_thread() -> None:
-    """Where Python does not let it handle signals."""
-    terminal = Terminal(f"import threading\nthread = threading.Thread(target=lambda: exec({GAME!r}))\nthread.start()")
-    terminal.type("", until="[q] quit")
-    terminal.type("q", until="No episode finished yet.")
-    assert terminal.end() == 0
-
-
+@pytest.mark.slow
 def test_a_terminal_that_goes_away_ends_the_program() -> None:
     """Closing its window hangs up."""
     terminal = Terminal(GAME)
-    terminal.type("", until="[q] quit")
+    terminal.type(*SHOWN)
     os.close(terminal.slave)
     os.close(terminal.master)
     assert terminal.process.wait(60) == -signal.SIGHUP
@@ -259,11 +225,16 @@ def command(arguments: str) -> subprocess.CompletedProcess[str]:
 @pytest.mark.parametrize(
     ("line", "status", "output", "error"),
     [
-        ("EDUGYM play Boulder <&-", 0, "No episode finished yet.\n", ""),
         ("yes 0 | (EDUGYM play Boulder; echo $? >&2) | head -1", 0, "\n", "1\n"),
-        ("EDUGYM play Boulder </dev/null >&-", 2, "", "standard output is closed"),
-        ("EDUGYM play Boulder </dev/null >/dev/full", 2, "", "No space left on device"),
-        ("EDUGYM list >/dev/full", 1, "", "No space left on device\n"),
+        *(
+            pytest.param(*case, marks=pytest.mark.slow)
+            for case in (
+                ("EDUGYM play Boulder <&-", 0, "No episode finished yet.\n", ""),
+                ("EDUGYM play Boulder </dev/null >&-", 2, "", "standard output"),
+                ("EDUGYM play Boulder </dev/null >/dev/full", 2, "", "No space left on device"),
+                ("EDUGYM list >/dev/full", 1, "", "No space left on device\n"),
+            )
+        ),
     ],
 )
 def test_inputs_and_outputs_that_end(line: str, status: int, output: str, error: str) -> None:
@@ -320,20 +291,26 @@ def test_lines_are_keys_where_there_is_no_terminal() -> None:
         assert list(presses) == ["1", "go out", "", "q"]
 
 
-def test_what_play_refuses(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A picture that there is not, before anybody has played in vain."""
-    with pytest.raises(ValueError, match="render must be one of 'ansi', 'human', but is 'svg'"):
-        play(Walk(), render="svg")
-    with pytest.raises(ValueError, match="need an environment that has a scene"):
-        play("CliffWalking-v1", gif=tmp_path / "cliff.gif", keyboard=io.StringIO())
-    with pytest.raises(ValueError, match=r"must be a file that ends in \.gif, but is '.*walk\.png'"):
-        play(Walk(), gif=tmp_path / "walk.png", keyboard=io.StringIO())
-    (tmp_path / "folder.gif").mkdir()
-    with pytest.raises(OSError, match=r"cannot write to .*folder\.gif: it is a folder"):
-        play(Walk(), gif=tmp_path / "folder.gif", keyboard=io.StringIO())
-    monkeypatch.setattr("edugym.system.extras.find_spec", lambda library: None)
-    with pytest.raises(DependencyNotInstalled, match="PIL is not installed"):
-        play(Walk(), gif=tmp_path / "walk.gif", keyboard=io.StringIO())
+@pytest.mark.parametrize(
+    ("environment", "options", "error", "names"),
+    [
+        (Walk(), {"render": "svg"}, ValueError, "render .*'ansi', 'human'.*'svg'"),
+        (Still(Discrete(10_001)), {}, ValueError, "too many actions"),
+        ("CliffWalking-v1", {"gif": "cliff.gif"}, ValueError, "has a scene.*CliffWalking"),
+        (Walk(), {"gif": "walk.png"}, ValueError, r"\.gif.*walk\.png"),
+        (Walk(), {"gif": "folder.gif"}, OSError, r"folder\.gif"),
+    ],
+)
+def test_what_play_refuses(
+    environment: Any, options: Any, error: type[Exception], names: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Before anybody has played in vain."""
+    monkeypatch.chdir(tmp_path)
+    Path("folder.gif").mkdir()
+    screen = io.StringIO()
+    with pytest.raises(error, match=names):
+        play(environment, keyboard=io.StringIO(), screen=screen, **options)
+    assert screen.getvalue() == ""
 
 
 def test_the_last_episode_as_a_gif(tmp_path: Path) -> None:
@@ -344,37 +321,3 @@ def test_the_last_episode_as_a_gif(tmp_path: Path) -> None:
     with Image.open(path) as image:
         assert getattr(image, "n_frames", 1) == 3
         assert image.info["loop"] == 0
-
-
-def test_the_command() -> None:
-    """Parameters are read from the command line; what is wrong is a usage error, not a traceback."""
-
-    def run(*arguments: str, keys: str = "") -> Result:
-        return CliRunner().invoke(app, ["play", *arguments], input=keys)
-
-    played = run("Boulder", "--set", "height=2", "--set", "n_grips=3", "--seed", "1", keys="0\n1\nq\n")
-    assert (played.exit_code, played.output.count("[2] grip 2")) == (0, 3)
-    assert "step 2: grip 1" in played.output
-    assert (
-        run("FrozenLake-v1", "--set", "is_slippery=False", "--set", "map_name=8x8", keys="2\n").output.count(
-            "observation 1,"
-        )
-        == 2
-    )
-    assert run("Tamagotchi", "--set", "tau=inf").exit_code == 0
-    wrong = {
-        ("Bolder",): "doesn't exist",
-        ("Boulder", "--set", "seed=3"): "has no parameter 'seed'",
-        ("Boulder", "--set", "height={[]:1}"): "must be a whole number",
-        ("Tamagotchi", "--set", "tau=nan"): "tau must be",
-        ("Boulder", "--set", "heigth=2"): "heigth",
-        ("Boulder", "--set", "height"): "name=value",
-        ("Boulder", "--set", "height=low"): "must be a whole number",
-        ("Boulder", "--gif", "/proc/x.gif"): "cannot write to",
-        ("Boulder", "--gif", "boulder.mp4"): "ends in .gif",
-        ("Boulder", "--render", "svg"): "ansi",
-    }
-    for arguments, message in wrong.items():
-        refused = run(*arguments)
-        assert refused.exit_code == 2
-        assert message in refused.output

@@ -8,8 +8,9 @@ import pygame
 import pytest
 
 from edugym.adapters.keys import keys_of
-from edugym.adapters.playing import play
+from edugym.adapters.playing import Game, play
 from edugym.adapters.playing.game import TERMINATED
+from edugym.adapters.playing.keyboard import LINE_LENGTH, SPACE, InWindow
 from edugym.adapters.registration import ENVIRONMENTS
 from edugym.rendering.scene import Scene, Text
 from edugym.rendering.window import Window
@@ -115,6 +116,8 @@ def test_every_environment_in_a_window(name: str, typist: tuple[list[Any], list[
     keys += [(pygame.K_0, "0")] * 3
     game = play(name, render="human", screen=io.StringIO(), seed=0)
     first, *_ = game.actions
+    assert all(game.environment.action_space.contains(value) for value in game.actions.values())
+    assert game._repr_svg_() is not None
     below = " ".join(texts(shown[0]))
     assert all(f"[{key}] {action}" in below for key, action in keys_of(list(game.actions)).items())
     assert f"[0] {first}" in below
@@ -122,3 +125,35 @@ def test_every_environment_in_a_window(name: str, typist: tuple[list[Any], list[
     assert any(text.startswith(f"step 1: {first}, ") for text in texts(shown[1]))
     assert len(shown) == 4
     assert len({(scene.width, scene.height) for scene in shown}) == 1
+
+
+class Shown:
+    """In place of a window: what is shown in it."""
+
+    def __init__(self) -> None:
+        """Nothing yet."""
+        self.scenes: list[tuple[Scene, float]] = []
+
+    def show(self, scene: Scene, frames_per_second: float) -> None:
+        """Keep it."""
+        self.scenes.append((scene, frames_per_second))
+
+    def texts(self) -> list[str]:
+        """The lines below the picture that was shown last."""
+        return [shape.content for shape in self.scenes[-1][0].shapes if isinstance(shape, Text)]
+
+
+def test_choices_in_lines_that_fit() -> None:
+    """As many as fit stand beside each other; the window does not shrink when there are fewer; nothing waits."""
+    window: Any = Shown()
+    display, game = InWindow(window), Game("Boulder", height=3)
+    left, right = "x" * 30, "y" * (LINE_LENGTH - 30 - len(SPACE))
+    display.show(game, left, right, "[r] new", "[q] quit")
+    assert window.texts()[-2:] == [left + SPACE + right, f"[r] new{SPACE}[q] quit"]
+    size, pause = window.scenes[-1][0].size_in_pixels(), window.scenes[-1][1]
+    assert pause == float("inf")
+    display.show(game, left, f"{right}y")
+    assert window.texts()[-2:] == [left, f"{right}y"]
+    display.show(game, "[q] quit")
+    assert window.texts()[-2:] == ["[q] quit", ""]
+    assert window.scenes[-1][0].size_in_pixels() == size

@@ -76,7 +76,7 @@ def running_lab(folder: Path, theme: str = "JupyterLab Light", first: str = "") 
             yield Lab(address, theme, process)
         finally:
             process.terminate()
-            process.wait(30)
+            process.wait(PATIENCE)
 
 
 def _answers(address: str) -> bool:

@@ -1,5 +1,6 @@
 """The start page, and the record of solved exercises that it shows."""
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -11,7 +12,7 @@ from edugym_course.lab import lessons
 from edugym_course.lab.progress import record_passed
 from edugym_course.lab.records import PASSED, passed
 from edugym_course.lab.server import prepare
-from edugym_course.lab.start_page import START_PAGE
+from edugym_course.lab.start_page import START_PAGE, write_start_page
 from tests.course.lab.conftest import notebook
 
 
@@ -21,14 +22,6 @@ def folder(tmp_path: Path, shipped: Path, monkeypatch: pytest.MonkeyPatch) -> Pa
     prepare(tmp_path / "mine")
     monkeypatch.chdir(tmp_path / "mine")
     return tmp_path / "mine"
-
-
-def test_it_says_what_a_lesson_is_about(folder: Path) -> None:
-    """Title, challenge, time, and the picture of its environment, in one row of a table."""
-    text = (folder / START_PAGE).read_text()
-    assert "**1. [Doubling: two](01_doubling.ipynb)**<br>Small \\| numbers.<br>**Time.** 1 minute." in text
-    assert "![Boulder](data:image/svg+xml;base64," in text
-    assert "0 of 1 solved |" in text
 
 
 def test_it_shows_what_is_done(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -42,6 +35,13 @@ def test_it_shows_what_is_done(folder: Path, monkeypatch: pytest.MonkeyPatch) ->
     assert len((folder / PASSED).read_text().splitlines()) == 2
     assert "1 of 1 solved ✓" in (folder / START_PAGE).read_text()
     assert [path.name for path in folder.glob("*.md")] == [START_PAGE]
+    (folder / PASSED).unlink()
+    (folder / PASSED).mkdir()
+    record_passed("doubling", 1)  # a record that cannot be written is no error: the check has passed all the same
+    monkeypatch.chdir(folder.parent)
+    before = sorted(folder.parent.rglob("*"))
+    record_passed("doubling", 2)  # a notebook on Colab, or under nbgrader, leaves no file
+    assert sorted(folder.parent.rglob("*")) == before
 
 
 def test_a_check_that_passes_is_recorded(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -52,7 +52,7 @@ def test_a_check_that_passes_is_recorded(folder: Path, capsys: pytest.CaptureFix
             raise WrongAnswer("twice one is two")
         return "two"
 
-    exercise_1.__module__ = "edugym.exercises.doubling"
+    exercise_1.__module__ = "edugym_course.lessons.doubling.exercises"
     with pytest.raises(WrongAnswer):
         check(exercise_1, 3)
     assert passed(folder, "doubling") == set()
@@ -61,34 +61,26 @@ def test_a_check_that_passes_is_recorded(folder: Path, capsys: pytest.CaptureFix
     assert "1 of 1 solved ✓" in (folder / START_PAGE).read_text()
 
 
-def test_nothing_is_recorded_elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A notebook on Colab, or under nbgrader, leaves no file."""
-    monkeypatch.chdir(tmp_path)
-    record_passed("doubling", 1)
-    assert list(tmp_path.iterdir()) == []
-
-
-def test_a_record_that_cannot_be_written_is_no_error(folder: Path) -> None:
-    """The check has passed all the same."""
-    (folder / PASSED).mkdir()
-    record_passed("doubling", 1)
-
-
 def test_new_versions_are_told_and_linked(folder: Path, shipped: Path) -> None:
     """One sentence for each lesson that has been changed."""
+    text = (folder / START_PAGE).read_text()
+    assert "**1. [Doubling: two](01_doubling.ipynb)**<br>Small \\| numbers.<br>**Time.** 1 minute." in text
+    assert "0 of 1 solved |" in text
     assert prepare(folder) == []
     (folder / "01_doubling.ipynb").write_text("mine")
     (shipped / "01_doubling.ipynb").write_text(notebook("2 + 2"))
-    assert prepare(folder) == [
-        "01_doubling.ipynb has your changes and stays as it is; the new version is in 01_doubling_new_version.ipynb"
-    ]
+    [said] = prepare(folder)
+    assert "01_doubling.ipynb" in said
+    assert "01_doubling_new_version.ipynb" in said
     assert "([01_doubling_new_version](01_doubling_new_version.ipynb))" in (folder / START_PAGE).read_text()
 
 
-def test_every_lesson_of_the_course_can_be_shown() -> None:
+def test_every_lesson_of_the_course_can_be_shown(tmp_path: Path) -> None:
     """All have a title, a challenge, a time, knowledge that is needed, and exercises."""
     found = lessons.student_lessons()
-    assert found
+    text = write_start_page(tmp_path).read_text()
+    assert re.findall(r"\*\*(\d+)\. \[", text) == [str(lesson.number) for lesson in found]
+    assert len(found) > 9
     for lesson in found:
         assert lesson.title
         assert lesson.exercises >= 2

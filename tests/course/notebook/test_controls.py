@@ -2,6 +2,7 @@
 
 import base64
 import io
+import re
 from collections.abc import Callable, Iterator
 from types import SimpleNamespace
 from typing import Any
@@ -40,9 +41,12 @@ def curve(slope: float = 1.0, points: int = 3, colour: str = "red", dashed: bool
 def test_exploring_with_sliders() -> None:
     """The function is called once at first and once for each change, with what the controls say."""
     calls: list[dict[str, Any]] = []
+    status = ""
 
     def recorded(slope: float = 1.0, points: int = 3, colour: str = "red", dashed: bool = False) -> Any:
         calls.append({"slope": slope, "points": points, "colour": colour, "dashed": dashed})
+        nonlocal status
+        status = texts(panel.widget)[0] if len(calls) > 1 else ""
         return curve(slope, points, colour, dashed)
 
     panel = sliders(recorded, slope=(0.0, 2.0, 0.5), points=(2, 6, 2), colour=["blue", "red"], dashed=True)
@@ -55,7 +59,7 @@ def test_exploring_with_sliders() -> None:
         first[name] = value
         assert calls[-1] == first
     assert len(calls) == 5
-    assert texts(panel.widget)[0] == "Done."
+    assert texts(panel.widget)[0] != status
     assert texts(panel.widget)[1].startswith('<img alt="slope 1.5"')
     png = base64.b64decode(panel.still()["image/png"])
     with Image.open(io.BytesIO(png)) as image:
@@ -63,49 +67,31 @@ def test_exploring_with_sliders() -> None:
         assert image.width > 100
 
 
-def test_the_status_says_that_the_function_is_running() -> None:
-    """And afterwards that it is not any more."""
-    status: list[str] = []
-
-    def watched(x: int = 1) -> str:
-        status.append(texts(panels[0].widget)[0] if panels else "first")
-        return f"x is {x}"
-
-    panels: list[Any] = []
-    panels.append(sliders(watched, x=(1, 3)))
-    panels[0].controls["x"].value = 2
-    assert status == ["first", "Computing ..."]
-    assert texts(panels[0].widget) == ["Done.", "<pre>x is 2</pre>"]
-
-
 @pytest.mark.parametrize(
     ("allowed", "kind", "value"),
     [
         ((0, 4), ipywidgets.IntSlider, 2),
+        ((0, 2), ipywidgets.IntSlider, 2),
+        ((2, 4), ipywidgets.IntSlider, 2),
+        ((-1, 1), ipywidgets.IntSlider, 0),
+        ([1, 0], ipywidgets.SelectionSlider, 0),
+        (["a", ""], ipywidgets.Dropdown, ""),
+        (True, ipywidgets.Checkbox, False),
         ((0, 4.0), ipywidgets.FloatSlider, 2.0),
         ((0, 4, 2), ipywidgets.IntSlider, 2),
         ([1, 2, 5], ipywidgets.SelectionSlider, 2),
         (range(4), ipywidgets.SelectionSlider, 2),
         ([2, "two"], ipywidgets.Dropdown, 2),
         ([2, True], ipywidgets.Dropdown, 2),
-        (True, ipywidgets.Checkbox, True),
     ],
 )
 def test_kinds_of_controls(allowed: Any, kind: type[Any], value: Any) -> None:
-    """Each starts from the function's default, and counts only when it is let go."""
-    control = sliders(lambda x=2: None, x=allowed).controls["x"]
+    """Each starts from the function's default, also from one that is empty, and counts only when it is let go."""
+    control = sliders(lambda x=value: None, x=allowed).controls["x"]
     assert type(control) is kind
     assert control.value == value
     assert control.description == "x"
     assert not getattr(control, "continuous_update", False)
-
-
-@pytest.mark.parametrize(
-    ("default", "allowed"), [(0, (-2, 2)), (0.0, (-1.0, 1.0)), (0, [1, 0]), ("", ["a", ""]), (False, True)]
-)
-def test_a_default_that_is_zero_or_empty(default: Any, allowed: Any) -> None:
-    """It is a default all the same."""
-    assert sliders(lambda x=default: None, x=allowed).controls["x"].value == default
 
 
 def test_ends_steps_and_labels() -> None:
@@ -118,9 +104,12 @@ def test_ends_steps_and_labels() -> None:
     controls = sliders(function, **ranges, kind=["a", "b"]).controls
     of_sliders = [(slider.min, slider.max, slider.step) for slider in map(controls.get, ranges) if slider is not None]
     assert of_sliders == [(0, 2, 0.02), (1, 9, 1), (0, 8, 2), (1, 3, 0.5)]
+    digits = [control.readout_format for control in controls.values() if hasattr(control, "readout_format")]
+    assert digits == [".2f", "d", "d", ".1f"]
+    tiny: Any = sliders(lambda x=0.0: None, x=(0.0, 1.0, 1e-9)).controls["x"]
+    assert tiny.readout_format == ".6f"
     assert [control.description for control in controls.values()] == ["learning rate", "x", "y", "z", "kind"]
     assert {control.style.description_width for control in controls.values()} == {"13ch"}
-    assert {control.layout.width for control in controls.values()} == {"420px"}
     assert (controls["kind"].options, controls["kind"].value) == (("a", "b"), "b")
     assert sliders(lambda x=3: None, x=range(1, 7, 2)).controls["x"].options == (1, 3, 5)
 
@@ -139,28 +128,16 @@ def test_controls_without_a_default() -> None:
     assert not logarithmic.continuous_update
 
 
-@pytest.mark.parametrize(("step", "digits"), [(0.5, ".1f"), (0.25, ".2f"), (0.001, ".3f"), (1e-9, ".6f"), (2.0, ".0f")])
-def test_sliders_show_as_many_digits_as_they_have(step: float, digits: str) -> None:
-    """Not two for all."""
-    control = sliders(lambda x=0.0: None, x=(0.0, 4.0, step)).controls["x"]
-    assert control.readout_format == digits
+WRONG: list[Any] = [(4, 0), (2, 2), (0, 4, 0), (0,), (0, 4, 1, 2), (0, "4"), [], "text", np.array([0, 4])]
 
 
 @pytest.mark.parametrize(
     ("controls", "message"),
     [
-        ({"y": (0, 1)}, "control must be one of 'x', but is 'y'"),
-        ({"x": (5, 9)}, "x must be from 5 to 9, but the default of the function is 2"),
-        ({"x": [1, 3]}, "x must be one of 1, 3, but is 2"),
-        ({"x": (4, 0)}, r"x must be \(low, high\) or .* but is \(4, 0\)"),
-        ({"x": (0, 4, 0)}, r"x must be \(low, high\) or .* but is \(0, 4, 0\)"),
-        ({"x": []}, r"x must be \(low, high\) or .* but is \[\]"),
-        ({"x": (0,)}, r"x must be \(low, high\) or .* but is \(0,\)"),
-        ({"x": (0, 4, 1, 2)}, r"x must be \(low, high\) or .* but is \(0, 4, 1, 2\)"),
-        ({"x": (0, "4")}, r"x must be \(low, high\) or .* but is \(0, '4'\)"),
-        ({"x": "text"}, r"x must be \(low, high\) or .* but is 'text'"),
-        ({"x": (2, 2)}, r"x must be \(low, high\) or .* with low < high .* but is \(2, 2\)"),
-        ({"x": np.array([0, 4])}, r"x must be \(low, high\) or .* but is array\(\[0, 4\]\)"),
+        ({"y": (0, 1)}, "control .*'x'.*'y'"),
+        ({"x": (5, 9)}, "x .*5 to 9.* 2$"),
+        ({"x": [1, 3]}, "x .*1, 3.* 2$"),
+        *(({"x": allowed}, f"x .*low < high .*{re.escape(repr(allowed))}") for allowed in WRONG),
     ],
 )
 def test_wrong_controls_are_named(controls: dict[str, Any], message: str) -> None:
@@ -233,12 +210,6 @@ def test_what_functions_return(function: Callable[..., Any], mime_type: str, dat
     assert (result.data == "") == (data == "")
 
 
-def test_a_picture_is_a_png_whatever_the_reader_saves() -> None:
-    """Their setting of Matplotlib is for their own files."""
-    with plt.rc_context({"savefig.format": "svg"}):
-        assert call(curve, {}).data.startswith("iVBOR")
-
-
 def test_figures_of_others_stay_open() -> None:
     """Only what the function made is closed, also when it fails."""
     own = plt.figure()
@@ -252,36 +223,3 @@ def test_figures_of_others_stay_open() -> None:
         call(failing, {})
     assert plt.get_fignums() == [own.number]
     plt.close(own)
-
-
-def test_a_first_call_that_fails_fails_in_the_cell() -> None:
-    """Then there is no widget that could show the error."""
-
-    def failing(x: int = 1) -> None:
-        raise RuntimeError("no")
-
-    with pytest.raises(RuntimeError, match="no"):
-        sliders(failing, x=(1, 2))
-
-
-@pytest.mark.parametrize("allowed", [(2, 5), (0, 2)])
-def test_a_default_may_be_at_an_end(allowed: tuple[int, int]) -> None:
-    """The slider starts there."""
-
-    def doubled(x: int = 2) -> str:
-        return str(2 * x)
-
-    control = sliders(doubled, x=allowed).controls["x"]
-    assert (control.value, control.min, control.max) == (2, *allowed)
-
-
-def test_a_figure_is_cut_to_what_is_drawn() -> None:
-    """Empty margins take room from the cell."""
-
-    def small() -> Figure:
-        figure = Figure(figsize=(6, 6), dpi=50)
-        figure.add_axes((0.4, 0.4, 0.2, 0.2))
-        return figure
-
-    width, height = Image.open(io.BytesIO(base64.b64decode(call(small, {}).data))).size
-    assert max(width, height) < 150

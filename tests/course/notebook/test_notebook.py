@@ -15,7 +15,9 @@ from edugym.adapters.playing import Game, play_episode
 from edugym.adapters.registration import make_mdp
 from edugym.agents.q_learning import QLearning
 from edugym.agents.tables import greedy_action
+from edugym.rendering.scene import Scene
 from edugym_course.notebook import frames, play, source
+from edugym_course.notebook.film import side_by_side
 from edugym_course.notebook.widget import WIDGET
 from tests.course.notebook.widgets import texts
 
@@ -44,14 +46,6 @@ def test_playing_with_buttons() -> None:
     assert panel.new_episode.button_style == ""
 
 
-def test_the_seed_of_a_game_with_buttons() -> None:
-    """It is that of `Game`; without one it is 0, and other seeds begin other games."""
-    begun = [play("Catch", seed=seed).game.observation.tolist() for seed in range(8)]
-    assert begun == [Game("Catch", seed=seed).observation.tolist() for seed in range(8)]
-    assert play("Catch").game.observation.tolist() == begun[0]
-    assert any(board != begun[0] for board in begun)
-
-
 def test_playing_blind() -> None:
     """The picture comes with the end of the episode, and goes with the next one; the observation is always there."""
     panel = play("Boulder", height=1, blind=True)
@@ -73,27 +67,12 @@ def test_playing_blind() -> None:
         play("Boulder", blind=no_boolean)
 
 
-def test_playing_without_the_widget() -> None:
-    """A game can be played by code, before it gets its buttons and after."""
-    game = Game("Boulder", height=3)
-    game.step("grip 0")
-    panel = play(game)
-    assert panel.game is game
-    assert texts(panel.widget)[1].startswith("step 1: grip 0")
-    panel.step(1)
-    assert texts(panel.widget)[1].startswith("step 2: grip 1")
-    panel.reset()
-    assert texts(panel.widget)[1].startswith("start")
-    with pytest.raises(ValueError, match="action must be one of 'grip 0', 'grip 1', but is 'grip 2'"):
-        panel.step("grip 2")
-
-
 def test_what_stands_where_no_kernel_runs() -> None:
     """Beside the widget the notebook stores a picture with the score, whatever the environment draws."""
     panel = play("Boulder", height=3)
     panel.actions["grip 1"].click()
     bundle = panel._repr_mimebundle_()
-    assert bundle[WIDGET]["model_id"] == panel.widget.model_id
+    assert bundle[WIDGET] == {"version_major": 2, "version_minor": 0, "model_id": panel.widget.model_id}
     assert "step 1: grip 1" in "".join(ElementTree.fromstring(bundle["image/svg+xml"]).itertext())
     assert " at 0x" not in bundle["text/plain"]
     pixels = play("CliffWalking-v1").still()["text/html"]
@@ -143,6 +122,9 @@ def test_a_film_without_its_widget() -> None:
     widths = [float(picture.get("width", "")) for picture in inner]
     assert lefts == [0, *np.cumsum(widths)[:-1]]
     assert still.get("viewBox") == f"0 0 {sum(widths):.0f} {inner[0].get('height')}"
+    page: Any = ElementTree.fromstring(side_by_side([Scene(20, 10, ()), Scene(10, 20, ())]))
+    assert page.attrib["viewBox"] == "0 0 720 480"  # as high as the highest
+    assert len(ElementTree.fromstring(frames("Golf", []).still()["image/svg+xml"])) == 1
     short = frames("Boulder", [0])
     assert len(ElementTree.fromstring(short.still()["image/svg+xml"])) == 2
     assert frames("CliffWalking-v1", [0, 0]).still()["text/html"].count("<img ") == 3
@@ -172,34 +154,8 @@ def test_listings_are_the_code_that_runs() -> None:
 
 CELLS = [
     """
-from typing import NamedTuple
-
 import matplotlib.pyplot as plt
-from gymnasium import spaces
-
 from edugym_course.notebook import play, sliders
-
-
-class Walk(NamedTuple):
-    action_names = ("left", "right")
-    observation_space = spaces.Discrete(5)
-    action_space = spaces.Discrete(2)
-
-    def initial(self, rng):
-        return 2
-
-    def transition(self, state, action, rng):
-        return state + 2 * action - 1
-
-    def reward(self, state, action, next_state, rng):
-        return 1.0
-
-    def terminal(self, state):
-        return state in (0, 4)
-
-    def observation(self, state, rng):
-        return state
-
 
 def curve(slope=1.0):
     figure, axes = plt.subplots()
@@ -213,11 +169,11 @@ def broken(x=1):
         raise RuntimeError("three is too much")
     return "well"
 """,
-    "game = play(Walk())\ngame.actions['right'].click()\ngame",
+    "game = play('Golf', stochasticity_level=0.0)\ngame.actions['drive'].click()\ngame",
     "panel = sliders(curve, slope=(0.0, 2.0))\npanel.controls['slope'].value = 2.0\npanel",
     "failing = sliders(broken, x=(1, 5))\nfailing.controls['x'].value = 3\nfailing.controls['x'].value = 4\nfailing",
     "failing.controls['x'].value = 3",
-    "game.step('right')\ngame.actions['right'].click()",
+    "game.step('chip')\ngame.actions['chip'].click()",
 ]
 
 
@@ -231,7 +187,7 @@ def test_widgets_in_a_kernel() -> None:
     _, played, explored, failed, *last = notebook.cells
 
     [output] = played.outputs
-    assert "step 1: right" in output.data["image/svg+xml"]
+    assert "step 1: drive" in output.data["image/svg+xml"]
     printed, result = explored.outputs
     assert printed.text == "the slope is 1.0\n"  # by the first call, in the cell; the second printed into the widget
     assert set(result.data) == {WIDGET, "text/plain", "image/png"}

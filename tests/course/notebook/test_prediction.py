@@ -1,5 +1,6 @@
 """Predictions: asked, answered, and shown beside what was measured."""
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -41,28 +42,6 @@ def test_a_number(typed: str, number: float | None) -> None:
     assert shown.endswith("It slips.")
 
 
-def test_a_percentage_of_a_share() -> None:
-    """Where a number from 0 to 1 is asked for, 30% is 0.3."""
-    prediction = predict("What share of the runs?", unit="(from 0 to 1)")
-    answer(prediction, "30%")
-    assert prediction.answer == 0.3
-    answer(prediction, "0.3")
-    assert prediction.answer == 0.3
-    answer(prediction, "30%")
-    assert "You predicted 0.3. Measured: 0.25." in repr(prediction.measured(0.25))
-
-
-def test_options() -> None:
-    """One is chosen; the comparison says whether it is the one that was measured."""
-    prediction = predict("Which is higher?", ["novelty", "Go-Explore"])
-    assert "You made no prediction" in repr(prediction.measured("novelty"))
-    answer(prediction, "novelty")
-    assert repr(prediction.measured("novelty")) == "Measured: novelty, as you predicted."
-    assert repr(prediction.measured("Go-Explore")) == "Measured: Go-Explore, you predicted: novelty."
-    with pytest.raises(ValueError, match="value must be one of 'novelty', 'Go-Explore', but is 'Q'"):
-        prediction.measured("Q")
-
-
 def test_it_shows_the_question() -> None:
     """With the widget, and where no kernel runs; texts are no markup."""
     prediction = predict("Is a < b?", ["yes", "no"])
@@ -72,40 +51,45 @@ def test_it_shows_the_question() -> None:
     assert "&lt;" in predict("a", ["a < b", "c"]).measured("a < b")._repr_html_()
 
 
-def test_every_word() -> None:
-    """Of the question, the field, the comparison, and what stands where no kernel runs."""
-    prediction: Any = predict("How high?", unit="grips")
-    assert texts(prediction.widget)[0] == "<b>Your prediction.</b> How high?"
-    assert (prediction._field.placeholder, prediction._field.description) == ("a number", "grips")
-    assert prediction.still() == {"text/html": "Your prediction. How high?"}
-    unanswered = "Measured: 41.3 grips. (You made no prediction; the next one is worth a try.) It slips."
-    assert repr(prediction.measured(41.26, "It slips.")) == unanswered
-    answer(prediction, "40")
-    assert repr(prediction.measured(41.26, "It slips.")) == "You predicted 40 grips. Measured: 41.3 grips. It slips."
-    assert prediction.measured(41.26)._repr_html_() == "<p>You predicted 40 grips. Measured: 41.3 grips.</p>"
-    choice: Any = predict("Which?", ["a", "b", "c"])
-    assert choice.still() == {"text/html": "Your prediction. Which?<br>(a) a (b) b (c) c"}
-    assert (choice._field.options, choice._field.value) == (("a", "b", "c"), None)
-    answer(choice, "c")
-    assert repr(choice.measured("b", "By luck.")) == "Measured: b, you predicted: c. By luck."
+def test_a_percentage_of_a_share() -> None:
+    """Where a number from 0 to 1 is asked for, 30% is 0.3; what stands in brackets is no unit."""
+    prediction = predict("What share of the runs?", unit="(from 0 to 1)")
+    for typed in ("30%", "0.3"):
+        answer(prediction, typed)
+        assert prediction.answer == 0.3
+    assert "You predicted 0.3. Measured: 0.25." in repr(prediction.measured(0.25))
 
 
-@pytest.mark.parametrize("question", ["", 3, None])
-def test_a_question_must_be_a_text(question: Any) -> None:
-    """Or the error says what it is."""
-    with pytest.raises(ValueError, match="question must be a text, but is"):
-        predict(question)
+def test_options() -> None:
+    """One is chosen; the comparison says whether it is the one that was measured."""
+    prediction: Any = predict("Which?", ["a", "b", "c"])
+    assert (prediction._field.options, prediction._field.value) == (("a", "b", "c"), None)
+    unanswered = repr(prediction.measured("a", "By luck."))
+    answer(prediction, "a")
+    right, wrong = (repr(prediction.measured(value, "By luck.")) for value in "ab")
+    assert len({unanswered, right, wrong}) == 3
+    for said, measured in ((unanswered, "a"), (right, "a"), (wrong, "b")):
+        assert f"Measured: {measured}" in said
+        assert said.endswith("By luck.")
+    assert "predicted: a" in wrong
 
 
-@pytest.mark.parametrize("options", [["one"], ["same", "same"], "yes", [1, 2], ["one", 2], []])
-def test_options_must_differ(options: Any) -> None:
-    """Two or more different texts."""
-    with pytest.raises(ValueError, match="options must be two or more different texts, but are"):
-        predict("Which?", options)
-
-
-@pytest.mark.parametrize("value", ["forty", None, True])
-def test_what_was_measured_must_be_a_number(value: Any) -> None:
-    """A lesson that measures something else has made a mistake."""
-    with pytest.raises(ValueError, match="value must be a number, but is"):
-        predict("How high?").measured(value)
+@pytest.mark.parametrize(
+    ("call", "names"),
+    [
+        *((lambda question=question: predict(question), f"question .*{question!r}") for question in ("", 3, None)),
+        *(
+            (lambda options=options: predict("Which?", options), "options .*two or more different")
+            for options in (["one"], ["same", "same"], "yes", [1, 2], ["one", 2], [])
+        ),
+        *(
+            (lambda value=value: predict("How high?").measured(value), f"value .*{value}")
+            for value in ("x", None, True)
+        ),
+        (lambda: predict("Which?", ["a", "b"]).measured("Q"), "value .*'a', 'b'.*'Q'"),
+    ],
+)
+def test_what_is_refused(call: Callable[[], Any], names: str) -> None:
+    """With its name and value: no question, options that do not differ, and what was not measured."""
+    with pytest.raises(ValueError, match=names):
+        call()

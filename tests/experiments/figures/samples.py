@@ -1,9 +1,10 @@
 """Data and helpers that the tests of figures share."""
 
-from functools import partial
+from functools import cache, partial
 
 import matplotlib as mpl
 import numpy as np
+import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -15,11 +16,16 @@ mpl.use("agg")
 
 def made_results(repetitions: int = 4) -> Results:
     """Return two methods with returns made by hand: 0 or 1 of "A", and numbers of "B"."""
-    agents = {label: partial(QLearning.create) for label in "AB"}
-    table = repeat("Boulder", agents, 300, repetitions=repetitions, evaluate_every=100, jobs=1).table
+    table = _trained(repetitions).copy()
     ones = (table["repetition"] * 100 < table["step"]).astype(float)
     table["return"] = ones.where(table["method"] == "A", 10.0 + table["repetition"] + table["step"] / 100)
     return Results(table)
+
+
+@cache
+def _trained(repetitions: int) -> pd.DataFrame:
+    agents = {label: partial(QLearning.create) for label in "AB"}
+    return repeat("Boulder", agents, 300, repetitions=repetitions, evaluate_every=100, jobs=1).table
 
 
 def new_axes() -> Axes:

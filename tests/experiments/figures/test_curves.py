@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 
 from edugym import Results
 from edugym.experiments.figures import Curves
-from edugym.experiments.figures.style import STROKES
+from edugym.experiments.figures.curves import LABELS, SHARE_LABEL
 from edugym.experiments.results.statistics import mean_interval, proportion_interval
 from tests.experiments.figures.samples import figure_of, heights, made_results, new_axes, points
 
@@ -44,13 +44,6 @@ def test_shares_have_wilsons_band() -> None:
     assert high == pytest.approx([proportion_interval(k, 4).high for k in range(4)])
 
 
-def test_a_single_run_has_no_band() -> None:
-    """One repetition says nothing about others."""
-    ax = Curves(made_results(repetitions=1)).draw(new_axes())
-    assert not np.isnan(heights(ax.lines[0])).any()
-    assert all(len(collection.get_paths()) == 0 for collection in ax.collections)
-
-
 def test_smoothing_looks_back() -> None:
     """Each point averages itself and the points before it."""
     assert heights(Curves(made_results(), methods=["B"], smooth=3).draw(new_axes()).lines[0]) == [11.5, 12, 12.5, 13.5]
@@ -63,8 +56,9 @@ def test_smoothed_training_returns_weigh_episodes() -> None:
     table = made_results(repetitions=1).table
     table["training_return"] = table["step"].map({0: np.nan, 100: 1.0, 200: np.nan, 300: 5.0})
     table["episodes"] = table["step"].map({0: 0, 100: 3, 200: 0, 300: 1})
-    curves = Curves(Results(table), column="training_return", methods=["A"], smooth=4)
-    assert heights(curves.draw(new_axes()).lines[0])[1:] == [1.0, 1.0, 2.0]
+    ax = Curves(Results(table), column="training_return", methods=["A"], smooth=4).draw(new_axes())
+    assert heights(ax.lines[0])[1:] == [1.0, 1.0, 2.0]
+    assert len(ax.collections[0].get_paths()) == 0  # one repetition says nothing about others: it has no band
 
 
 def test_smoothing_leaves_out_what_is_missing() -> None:
@@ -75,64 +69,39 @@ def test_smoothing_leaves_out_what_is_missing() -> None:
     assert curves[0].tolist() == pytest.approx([3.0, 3.0, np.nan, 5.0], nan_ok=True)
 
 
-def test_the_soft_optimum_by_another_name() -> None:
-    """Where "ε-soft" is not explained yet."""
-    ax = Curves(made_results(), soft_optimum=18.0, soft_label="best that slips").draw(new_axes())
-    assert ax.lines[-1].get_label() == "best that slips"
-
-
-def test_optima_are_dashed_lines() -> None:
-    """Both are in the legend, whose ground hides lines that would run through its text."""
-    ax = Curves(made_results(), optimum=20.0, soft_optimum=18.0).draw(new_axes())
-    assert {line.get_label(): heights(line)[0] for line in ax.lines[2:]} == {"optimum": 20, "best ε-soft policy": 18}
-    assert all(line.get_linestyle() != "-" for line in ax.lines[2:])
-    legend = ax.get_legend()
-    assert legend is not None
-    assert [text.get_text() for text in legend.get_texts()] == ["A", "B", "optimum", "best ε-soft policy"]
-    assert legend.get_frame().get_alpha() == 1.0
-    assert legend.get_frame_on()
-
-
-def test_optima_of_zero_are_drawn() -> None:
+def test_optima_are_lines_to_compare_with() -> None:
     """Zero is a best value like any other."""
-    ax = Curves(made_results(), optimum=0.0, soft_optimum=0.0, y_label="").draw(new_axes())
-    assert [line.get_label() for line in ax.lines[2:]] == ["optimum", "best ε-soft policy"]
-    assert ax.get_ylabel() == ""
+    for best in (20.0, 0.0):
+        ax = Curves(made_results(2), optimum=best, soft_optimum=best, soft_label="soft").draw(new_axes())
+        assert {line.get_label(): heights(line) for line in ax.lines[2:]} == {"optimum": [best] * 2, "soft": [best] * 2}
 
 
-def test_labels_describe_the_column() -> None:
-    """A share is not called a return, and returns while exploring say so, unless the panel has its own label."""
-    ax = Curves(made_results()).draw(new_axes())
-    assert (ax.get_xlabel(), ax.get_ylabel()) == ("training steps", "return (greedy)")
-    figure_of(ax).draw_without_rendering()
-    assert "100" in [label.get_text() for label in ax.get_xticklabels()]
-    share = Curves(made_results(), methods=["A"], share=True)
-    assert share.draw(new_axes()).get_ylabel() == "share of runs with return 1 (greedy)"
-    training = Curves(made_results(), "On-line", column="training_return")
-    assert training.draw(new_axes()).get_ylabel() == "return (while exploring)"
-    ax = training._replace(y_label="reward").draw(new_axes())
-    assert (ax.get_ylabel(), ax.get_title()) == ("reward", "On-line")
-
-
-def test_methods_keep_their_strokes() -> None:
-    """The order of the methods gives the colours."""
-    ax = Curves(made_results()).draw(new_axes())
-    assert [line.get_color() for line in ax.lines] == [STROKES[0].color, STROKES[1].color]
-    assert len({stroke.color for stroke in STROKES}) == len(STROKES)
-
-
-def test_a_range_of_the_y_axis() -> None:
-    """It cuts off what is beyond."""
-    assert Curves(made_results(), y_range=(-4.0, 1.5)).draw(new_axes()).get_ylim() == (-4.0, 1.5)
+def test_curves_show_what_was_asked_for() -> None:
+    """The column, the methods in their order, the labels, and a part of the y axis."""
+    results = made_results(2)
+    default = Curves(results, "Title")
+    ax = default.draw(new_axes())
+    assert (ax.get_title(), ax.get_xlabel(), ax.get_xlim()) == ("Title", "training steps", (0, 300))
+    labels = {default._replace(column=column).draw(new_axes()).get_ylabel() for column in LABELS}
+    assert labels == set(LABELS.values())
+    share = Curves(results, methods=["A"], share=True)
+    assert share.draw(new_axes()).get_ylabel() == SHARE_LABEL
+    results.table["training_return"] = results.table["return"]
+    assert share._replace(column="training_return").draw(new_axes()).get_ylabel() == LABELS["training_return"]
+    other = default._replace(column="episodes", methods=["B", "A"], y_label="", y_range=(-4.0, 1.5)).draw(new_axes())
+    assert (other.get_ylabel(), other.get_ylim()) == ("", (-4.0, 1.5))
+    assert [line.get_label() for line in other.lines] == ["B", "A"]
+    smooth = Curves(results, methods=["A"], share=True, smooth=2)  # what is smoothed is no share
+    assert heights(smooth.draw(new_axes()).lines[0])[:3] == [0, 0.25, 0.75]
 
 
 def test_unknown_names_are_refused() -> None:
     """Of methods and of columns."""
-    with pytest.raises(ValueError, match="method must be one of 'A', 'B', but is 'C'"):
+    with pytest.raises(ValueError, match=r"method .*'A', 'B'.*'C'"):
         Curves(made_results(), methods=["C"]).draw(new_axes())
-    with pytest.raises(ValueError, match="column must be one of"):
+    with pytest.raises(ValueError, match=r"column .*'seed'"):
         Curves(made_results(), column="seed").draw(new_axes())
-    with pytest.raises(ValueError, match=r"results must be Results, as repeat gives .*, but is 'results.csv'$"):
+    with pytest.raises(ValueError, match=r"results .*'results.csv'$"):
         Curves("results.csv").draw(new_axes())  # type: ignore[arg-type]
 
 

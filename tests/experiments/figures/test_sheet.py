@@ -1,14 +1,24 @@
 """Sheets: figures of several panels."""
 
-from typing import TYPE_CHECKING, NamedTuple
+import math
+import os
+import subprocess
+import sys
+from io import BytesIO
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import matplotlib as mpl
 import numpy as np
+import pytest
 from matplotlib import pyplot
+from PIL import Image
 
 from edugym import Results
-from edugym.experiments.figures import Curves, Lines, Sheet, VisitMap
+from edugym.experiments.figures import Curves, Sheet, VisitMap, save_figure
 from edugym.experiments.figures.panel import ALONE, Place
+from edugym.experiments.figures.sheet import in_pairs
+from edugym.experiments.figures.style import PANEL_SIZE
 from tests.experiments.figures.samples import made_results
 
 if TYPE_CHECKING:
@@ -35,33 +45,6 @@ def test_panels_are_in_their_places() -> None:
     assert len(drawn.axes) == 5  # one scale of colours
 
 
-def test_a_sheet_takes_any_panel() -> None:
-    """A new kind of panel needs no change elsewhere."""
-
-    class Dot(NamedTuple):
-        title: str
-
-        def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-            assert ax is not None
-            ax.plot([1], [2], "o", label="dot")
-            return ax
-
-    drawn = Sheet("dots", [[Dot("one"), Dot("two")]]).draw()
-    assert [len(ax.lines) for ax in drawn.axes] == [1, 1]
-    assert [text.get_text() for text in drawn.legends[0].get_texts()] == ["dot"]
-
-
-def test_the_legend_does_not_run_out_of_the_figure() -> None:
-    """Many labels take several rows, also above a single panel."""
-    x = np.arange(3.0)
-    panel = Lines(x, {f"a method with a long name, {i}": x for i in range(7)}, "climbs")
-    drawn = Sheet("figure", [[panel]]).draw()
-    drawn.draw_without_rendering()
-    box = drawn.legends[0].get_window_extent()
-    assert box.x0 >= 0
-    assert box.x1 <= drawn.bbox.x1
-
-
 def test_empty_results_leave_empty_axes() -> None:
     """As after an interruption before the first run."""
     empty = Results(made_results().table.iloc[:0], {"A": {}})
@@ -73,7 +56,82 @@ def test_empty_results_leave_empty_axes() -> None:
 def test_a_sheet_shows_itself_in_a_notebook() -> None:
     """As a picture, and in few words elsewhere; nothing global changes."""
     before = dict(mpl.rcParams)
-    assert two_rows()._repr_png_().startswith(b"\x89PNG")
-    assert repr(two_rows()) == "<Sheet 'figure': left, right, small, large>"
+    width, height = Image.open(BytesIO(two_rows()._repr_png_())).size
+    assert width > height > 300
+    assert "left, right, small, large" in repr(two_rows())
     assert dict(mpl.rcParams) == before
     assert pyplot.get_fignums() == []
+
+
+class Labelled:
+    """A panel with some labels."""
+
+    title = "labelled"
+
+    def __init__(self, n: int, y_label: str = "y") -> None:
+        """With so many labels."""
+        self.n, self.y_label = n, y_label
+
+    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
+        """Draw lines without points."""
+        assert ax is not None
+        for k in range(self.n):
+            ax.plot([], [], label=f"{9 - k}")
+        ax.set(ylabel=self.y_label, xlabel=f"last: {place.last}")
+        return ax
+
+
+@pytest.mark.parametrize(("columns", "labels", "in_a_row"), [(1, 0, 0), (1, 3, 2), (2, 3, 3), (3, 6, 5)])
+def test_the_size_of_a_sheet(columns: int, labels: int, in_a_row: int) -> None:
+    """It grows with its panels, and with the lines of its legend, in which a label takes two inches."""
+    rows: Any = [[Labelled(labels) for _ in range(columns)]] * 2
+    drawn: Any = Sheet("sheet", rows).draw()
+    width, height = drawn.get_size_inches()
+    assert width == pytest.approx(max(columns, 1.4) * PANEL_SIZE[0])
+    assert height == pytest.approx(2 * PANEL_SIZE[1] + 0.25 * math.ceil(labels / in_a_row if in_a_row else 0))
+    assert [legend._ncols for legend in drawn.legends] == [in_a_row] * bool(labels)
+    assert [ax.get_xlabel() for ax in drawn.axes] == [f"last: {k == columns - 1}" for k in range(columns)] * 2
+    assert not labels or [text.get_text() for text in drawn.legends[0].get_texts()] == [
+        f"{9 - k}" for k in range(labels)
+    ]
+
+
+def test_a_label_of_the_y_axis_is_left_out_only_where_it_is_the_same() -> None:
+    """As that of the first panel of its row."""
+    rows: Any = [[Labelled(0, "a"), Labelled(0, "b"), Labelled(0, "a")], [Labelled(0, "a")]]
+    drawn = Sheet("sheet", rows).draw()
+    assert [ax.get_ylabel() for ax in drawn.axes if ax.axison] == ["a", "b", "", "a"]
+    assert [ax.axison for ax in drawn.axes] == [True] * 4 + [False] * 2
+
+
+def test_panels_in_pairs() -> None:
+    """Two in a row, the last one by itself if their number is odd."""
+    panels: Any = [Labelled(k) for k in range(5)]
+    assert in_pairs("name", panels) == Sheet("name", [panels[:2], panels[2:4], panels[4:]])
+
+
+SAVE = """
+import sys
+import numpy as np
+from edugym.experiments.figures import Sheet, VisitMap, save_figure
+
+save_figure(Sheet("map", [[VisitMap(np.arange(6.0).reshape(2, 3), 10)]]).draw(), sys.argv[1])
+"""
+
+
+def test_the_same_figure_is_the_same_file(tmp_path: Path) -> None:
+    """In another process too: there is no date and no random name in it. Axes stand for their figure."""
+    map_of_six = Sheet("map", [[VisitMap(np.arange(6.0).reshape(2, 3), 10)]])
+    for name in ("one", "two"):
+        assert save_figure(map_of_six.draw().axes[0], tmp_path / f"{name}.x") == (
+            tmp_path / f"{name}.png",
+            tmp_path / f"{name}.svg",
+        )
+    environment = {**os.environ, "PYTHONHASHSEED": "1", "SOURCE_DATE_EPOCH": "1"}
+    subprocess.run([sys.executable, "-c", SAVE, str(tmp_path / "two.pdf")], check=True, env=environment)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["one.png", "one.svg", "two.png", "two.svg"]
+    for ending in ("png", "svg"):
+        assert (tmp_path / f"one.{ending}").read_bytes() == (tmp_path / f"two.{ending}").read_bytes()
+    with Image.open(tmp_path / "one.png") as picture:
+        assert (picture.format, picture.size) == ("PNG", (806, 464))  # 160 pixels for each of 5.04 and 2.9 inches
+    assert "<svg" in (tmp_path / "one.svg").read_text()

@@ -8,7 +8,7 @@ import gymnasium
 import numpy as np
 
 from edugym.adapters.fitting import tabular
-from edugym.adapters.playing.game import Frame, Game, made
+from edugym.adapters.playing.game import Frame, Game, playable
 from edugym.checks.parameters import whole_number
 from edugym.mdp.protocol import Random
 from edugym.system.files import check_writable
@@ -31,7 +31,7 @@ def play_episode(
         ValueError: as for `Game`; or `max_steps` is not 1 or more; or the observations do not fit the agent's table.
     """
     whole_number("max_steps", max_steps, 1)
-    env = made(environment, "rgb_array", parameters)
+    env = playable(environment, "rgb_array", parameters)
     choose = _policy(actor, env, np.random.default_rng([seed, 1]))
     game = Game(env, seed=seed)
     for step in range(max_steps):
@@ -43,7 +43,7 @@ def play_episode(
 
 
 def _policy(actor: Any, env: gymnasium.Env[Any, Any], rng: Random) -> Callable[[Any, int], Any]:
-    """Return a function that chooses an action from the observation and the number of the step, or None to stop."""
+    """A function that chooses an action from the observation and the number of the step, or None to stop."""
     if hasattr(actor, "act"):
         choose = getattr(actor, "greedy", actor.act)
         table: Any = tabular(env) if getattr(actor, "tabular", True) else env

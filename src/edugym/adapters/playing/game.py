@@ -37,7 +37,7 @@ class Frame(NamedTuple):
     line: str
 
     def with_caption(self, *more: str) -> Scene:
-        """Return the picture with the score and more lines below it.
+        """The picture with the score and more lines below it.
 
         Raises:
             ValueError: the picture is not a scene.
@@ -76,7 +76,7 @@ class Game:
         self, environment: Any, *, seed: int | None = 0, picture: str = "rgb_array", **parameters: Any
     ) -> None:
         """See the class."""
-        self.environment = made(environment, picture, parameters)
+        self.environment = playable(environment, picture, parameters)
         self.actions = named_actions(self.environment)
         self.returns: list[float] = []
         self._last_episode: list[Frame] = []
@@ -123,14 +123,14 @@ class Game:
             self._last_episode = self.frames
 
     def line(self) -> str:
-        """Return the score: the last step, its reward, and the total so far; then a long observation, and the end."""
+        """The score: the last step, its reward, and the total so far; then a long observation, and the end."""
         seen, own_line = _in_words(self.observation)
         parts = (self._happened, "" if own_line else seen, self._reward, f"total {self._return:.4g}")
         lines = (", ".join(filter(None, parts)), seen if own_line else "", self._end)
         return "\n".join(filter(None, lines))
 
     def history(self) -> str:
-        """Return a line about the finished episodes: their number, the last ten totals, and the mean of all."""
+        """A line about the finished episodes: their number, the last ten totals, and the mean of all."""
         if not self.returns:
             return "No episode finished yet."
         last = ", ".join(f"{value:.4g}" for value in self.returns[-10:])
@@ -138,7 +138,7 @@ class Game:
         return f"Episodes finished: {len(self.returns)}. Totals: {more}{last}. Mean: {np.mean(self.returns):.3g}."
 
     def picture(self) -> Picture:
-        """Return the present picture: the scene, or else the pixels or characters, or else the observation as text."""
+        """The present picture: the scene, or else the pixels or characters, or else the observation as text."""
         unwrapped: Any = self.environment.unwrapped
         if hasattr(unwrapped, "scene"):
             scene: Scene = unwrapped.scene()
@@ -149,11 +149,11 @@ class Game:
         return f"observation {self.observation!r}"
 
     def frame(self) -> Frame:
-        """Return the present picture with the present score."""
+        """The present picture with the present score."""
         return Frame(self.picture(), self.line())
 
     def replay(self) -> list[Frame]:
-        """Return the last finished episode, or the unfinished one if there is none."""
+        """The last finished episode, or the unfinished one if there is none."""
         return self._last_episode or self.frames
 
     def _repr_svg_(self) -> str | None:
@@ -162,8 +162,8 @@ class Game:
         return frame.with_caption()._repr_svg_() if isinstance(frame.picture, Scene) else None
 
 
-def made(environment: Any, picture: str, parameters: dict[str, Any]) -> gymnasium.Env[Any, Any]:
-    """Return the Gymnasium environment to play; the arguments are those of `Game`."""
+def playable(environment: Any, picture: str, parameters: dict[str, Any]) -> gymnasium.Env[Any, Any]:
+    """The Gymnasium environment to play; the arguments are those of `Game`."""
     one_of("picture", picture, ["rgb_array", "ansi"])
     if not isinstance(environment, str):
         if parameters:
@@ -181,7 +181,7 @@ def made(environment: Any, picture: str, parameters: dict[str, Any]) -> gymnasiu
 
 
 def _in_words(observation: Any) -> tuple[str, bool]:
-    """Return an observation of a few numbers as text, else "", and whether it needs a line of its own."""
+    """An observation of a few numbers as text, else "", and whether it needs a line of its own."""
     parts = observation if isinstance(observation, tuple) else (observation,)
     arrays = [np.ravel(part) for part in parts if isinstance(part, int | np.number | np.ndarray)]
     numbers = [number for array in arrays for number in array[: SHOWN + 1]]

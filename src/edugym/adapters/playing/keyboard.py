@@ -214,7 +214,8 @@ def _single_keys(terminal: int) -> Iterator[None]:
         signal.signal(number, signal.SIG_DFL)
         signal.raise_signal(number)
 
-    ending = (signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT) if _in_main_thread() else ()
+    in_main_thread = threading.current_thread() is threading.main_thread()
+    ending = (signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT) if in_main_thread else ()
     handled = [number for number in ending if signal.getsignal(number) is signal.SIG_DFL]
     for number in handled:
         signal.signal(number, end)
@@ -227,12 +228,8 @@ def _single_keys(terminal: int) -> Iterator[None]:
             signal.signal(number, signal.SIG_DFL)
 
 
-def _in_main_thread() -> bool:
-    return threading.current_thread() is threading.main_thread()
-
-
 def unix_keys(file_descriptor: int) -> Iterator[str]:
-    """Yield the keys of a terminal until Ctrl-D or until it closes; "" for a key without a character."""
+    """The keys of a terminal until Ctrl-D or until it closes; "" for a key without a character."""
     sequences = re.compile(r"\x1b[\[O]([A-D])|\x1b\[[0-9;]*[A-Za-z~]|\x1bO[A-Z]|(.)", flags=re.DOTALL)
     with suppress(OSError):
         while typed := _read(file_descriptor).decode(errors="replace"):
@@ -254,7 +251,7 @@ def _read(file_descriptor: int) -> bytes:
 
 
 def windows_keys(next_character: Callable[[], str]) -> Iterator[str]:
-    """Yield the keys of a Windows console until Ctrl-D or Ctrl-Z; Ctrl-C interrupts."""
+    """The keys of a Windows console until Ctrl-D or Ctrl-Z; Ctrl-C interrupts."""
     while (key := next_character()) not in ("\x04", "\x1a"):
         if key == "\x03":
             raise KeyboardInterrupt

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from edugym.experiments.figures.panel import ALONE, Place
-from edugym.experiments.figures.style import REFERENCE, SOFT_REFERENCE, add_legend, dress, own_axes, plot_line, stroke
+from edugym.experiments.figures.style import REFERENCE, SOFT_REFERENCE, add_legend, axes_or_new, dress, plot_with_band
 from edugym.experiments.results.statistics import by_point
 from edugym.mdp.protocol import Reals
 
@@ -39,12 +39,9 @@ class Against(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the lines on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         for i, (method, rows) in enumerate(self.measured.items()):
-            mean, low, high = by_point(np.array(rows)).T
-            plot_line(ax, i, np.array(self.x), mean, method)
-            ax.lines[-1].set(marker="o", markersize=3)
-            ax.fill_between(self.x, low, high, color=stroke(i).color, alpha=0.16, linewidth=0)
+            plot_with_band(ax, i, np.array(self.x), by_point(np.array(rows)), method, marker="o", markersize=3)
         for (label, line), look in zip(self.theory.items(), cycle((REFERENCE, SOFT_REFERENCE)), strict=False):
             ax.plot(self.x, line, label=label, **look)
         if self.log:

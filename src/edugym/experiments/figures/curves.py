@@ -9,11 +9,10 @@ from edugym.experiments.figures.style import (
     REFERENCE,
     SOFT_REFERENCE,
     add_legend,
+    axes_or_new,
     dress,
     format_steps,
-    own_axes,
-    plot_line,
-    stroke,
+    plot_with_band,
 )
 from edugym.experiments.results.statistics import by_point
 from edugym.experiments.results.tables import Results
@@ -73,13 +72,11 @@ class Curves(NamedTuple):
         if not isinstance(self.results, Results):
             what = in_short(self.results)
             raise ValueError(f"results must be Results, as repeat gives or Results.load reads them, but is {what}")
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         for i, method in enumerate(self.results.methods if self.methods is None else self.methods):
             curves = self.points(method)
-            steps = curves.index.to_numpy()
-            mean, low, high = by_point(curves.to_numpy(float), share=self.share and self.smooth is None).T
-            plot_line(ax, i, steps, mean, method)
-            ax.fill_between(steps, low, high, color=stroke(i).color, alpha=0.16, linewidth=0)
+            intervals = by_point(curves.to_numpy(float), share=self.share and self.smooth is None)
+            plot_with_band(ax, i, curves.index.to_numpy(), intervals, method)
         if self.optimum is not None:
             ax.axhline(self.optimum, label="optimum", **REFERENCE)
         if self.soft_optimum is not None:
@@ -96,7 +93,7 @@ class Curves(NamedTuple):
         return ax
 
     def points(self, method: str) -> "pandas.DataFrame":
-        """Return the curves of a method, smoothed: one row a step, one column a repetition."""
+        """The curves of a method, smoothed: one row a step, one column a repetition."""
         curves = self.results.curves(method, self.column)
         if self.smooth is None:
             return curves

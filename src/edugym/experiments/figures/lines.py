@@ -5,7 +5,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
 from edugym.experiments.figures.panel import ALONE, Place
-from edugym.experiments.figures.style import REFERENCE, add_legend, dress, own_axes, plot_line
+from edugym.experiments.figures.style import REFERENCE, add_legend, axes_or_new, dress, plot_line
 from edugym.mdp.protocol import Reals
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ class Lines(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the lines on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         for i, (method, line) in enumerate(self.lines.items()):
             plot_line(ax, i, self.x, line, method)
         for label, line in self.theory.items():

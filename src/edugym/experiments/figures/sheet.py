@@ -64,14 +64,14 @@ class Sheet(NamedTuple):
         return figure
 
     def __repr__(self) -> str:
-        """Return the name and the titles; the panels themselves hold whole tables."""
+        """The name and the titles; the panels themselves hold whole tables."""
         return f"<Sheet {self.name!r}: {', '.join(panel.title for row in self.rows for panel in row)}>"
 
     def _repr_png_(self) -> bytes:
-        """Return the picture for a notebook."""
+        """The picture for a notebook."""
         return to_bytes(self.draw(), "png", dpi=SCREEN_DPI)
 
 
 def in_pairs(name: str, panels: Sequence[Panel]) -> Sheet:
-    """Return a sheet with two panels in a row, so that it can be read on a narrow page."""
+    """A sheet with two panels in a row, so that it can be read on a narrow page."""
     return Sheet(name, [panels[first : first + 2] for first in range(0, len(panels), 2)])

@@ -53,12 +53,12 @@ SOFT_REFERENCE: Mapping[str, Any] = MappingProxyType({**REFERENCE, "linestyle": 
 
 
 def stroke(index: int) -> Stroke:
-    """Return the stroke of the method with this index; after the last stroke the first comes again."""
+    """The stroke of the method with this index; after the last stroke the first comes again."""
     return STROKES[index % len(STROKES)]
 
 
-def own_axes(ax: "Axes | None") -> "Axes":
-    """Return the axes to draw on: those given, or new ones in a figure of their own.
+def axes_or_new(ax: "Axes | None") -> "Axes":
+    """The axes to draw on: those given, or new ones in a figure of their own.
 
     Raises:
         gymnasium.error.DependencyNotInstalled: Matplotlib is missing.
@@ -71,10 +71,17 @@ def own_axes(ax: "Axes | None") -> "Axes":
     return pyplot.subplots(figsize=(5.2, 3.6), layout="constrained")[1]
 
 
-def plot_line(ax: "Axes", index: int, x: Reals, values: Reals, label: str) -> None:
+def plot_line(ax: "Axes", index: int, x: Reals, values: Reals, label: str, **look: Any) -> None:
     """Draw the line of the method with this index."""
     color, linestyle = stroke(index)
-    ax.plot(x, values, color=color, linestyle=linestyle, linewidth=1.6, label=label)
+    ax.plot(x, values, color=color, linestyle=linestyle, linewidth=1.6, label=label, **look)
+
+
+def plot_with_band(ax: "Axes", index: int, x: Reals, intervals: Reals, label: str, **look: Any) -> None:
+    """Draw the line of the method with this index through estimates, with intervals (from `by_point`) as a band."""
+    estimate, low, high = intervals.T
+    plot_line(ax, index, x, estimate, label, **look)
+    ax.fill_between(x, low, high, color=stroke(index).color, alpha=0.16, linewidth=0)
 
 
 def add_legend(ax: "Axes") -> None:
@@ -122,7 +129,7 @@ def save_figure(figure: "Figure | Axes", path: str | os.PathLike[str]) -> tuple[
 
 
 def to_bytes(figure: "Figure", kind: str, dpi: int = 160) -> bytes:
-    """Return the contents of a file with the figure; `kind` is "png" or "svg", `dpi` the pixels per inch of a PNG."""
+    """The contents of a file with the figure; `kind` is "png" or "svg", `dpi` the pixels per inch of a PNG."""
     import matplotlib
 
     # Without these settings an SVG file contains the date, and random names for its parts.

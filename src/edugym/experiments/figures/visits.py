@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from edugym.experiments.figures.panel import ALONE, Place
-from edugym.experiments.figures.style import dress, format_steps, own_axes
+from edugym.experiments.figures.style import axes_or_new, dress, format_steps
 from edugym.mdp.protocol import Reals
 
 if TYPE_CHECKING:
@@ -47,7 +47,7 @@ class VisitMap(NamedTuple):
         top = max(1.0, *(panel.counts().max() for panel in maps or [self]))
         # A map that is compared with others must not stretch its own scale; one by itself shows all that it has.
         bottom = top / 10**DECADES if len(maps) > 1 else counts[counts > 0].min(initial=top / 10)
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         n_intervals, n_states = counts.shape
         picture = ax.imshow(
             np.ma.masked_equal(counts.T, 0),
@@ -68,7 +68,7 @@ class VisitMap(NamedTuple):
         return ax
 
     def counts(self) -> Reals:
-        """Return the visits as an array, after a check."""
+        """The visits as an array, after a check."""
         counts = np.asarray(self.visits, float)
         if counts.ndim != 2 or not (counts >= 0).all():
             raise ValueError(

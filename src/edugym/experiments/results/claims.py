@@ -67,7 +67,7 @@ Expectation: TypeAlias = Above | Below | Within
 
 
 def beginning(name: str) -> str:
-    """Return the name of an algorithm with a capital first letter, for the start of a sentence."""
+    """The name of an algorithm with a capital first letter, for the start of a sentence."""
     return f"{name[:1].upper()}{name[1:]}"
 
 

@@ -63,7 +63,7 @@ def in_short(number: float) -> str:
 
 
 def mean_interval(values: ArrayLike, confidence: float = CONFIDENCE) -> Interval:
-    """Return the mean of independent values, with Student's t interval.
+    """The mean of independent values, with Student's t interval.
 
     Args:
         values: shape (n,): one value of each repetition; NaN means no value.
@@ -89,7 +89,7 @@ def mean_interval(values: ArrayLike, confidence: float = CONFIDENCE) -> Interval
 
 
 def proportion_interval(successes: int, n: int, confidence: float = CONFIDENCE) -> Interval:
-    """Return the share of successes in independent trials, with Wilson's interval.
+    """The share of successes in independent trials, with Wilson's interval.
 
     Args:
         successes: the number of trials that succeeded, from 0 to `n`.
@@ -115,7 +115,7 @@ def proportion_interval(successes: int, n: int, confidence: float = CONFIDENCE) 
 
 
 def share_interval(values: ArrayLike, confidence: float = CONFIDENCE) -> Interval:
-    """Return the share of ones among values that are 0 or 1, with Wilson's interval.
+    """The share of ones among values that are 0 or 1, with Wilson's interval.
 
     Args:
         values: shape (n,): 1 for a success and 0 for a failure; NaN means no value.
@@ -132,7 +132,7 @@ def share_interval(values: ArrayLike, confidence: float = CONFIDENCE) -> Interva
 
 
 def paired_difference(first: ArrayLike, second: ArrayLike, confidence: float = CONFIDENCE) -> Interval:
-    """Return the mean of `first` minus `second` within each repetition, with Student's t interval.
+    """The mean of `first` minus `second` within each repetition, with Student's t interval.
 
     Args:
         first: shape (n,): one value of each repetition of a method; NaN means no value.
@@ -149,7 +149,7 @@ def paired_difference(first: ArrayLike, second: ArrayLike, confidence: float = C
 
 
 def by_point(values: Reals, *, share: bool = False) -> Reals:
-    """Return the interval at each point of a learning curve.
+    """The interval at each point of a learning curve.
 
     Args:
         values: shape (n_points, n_repetitions); NaN where a repetition has no value.

@@ -71,12 +71,12 @@ class Results:
         return len(done) > 0 and len(done) == int(self.table["runs"].iloc[0])
 
     def complete_agents(self, method: str) -> dict[int, Any]:
-        """Return the agents of the complete runs of a method, by repetition."""
+        """The agents of the complete runs of a method, by repetition."""
         final = self.final(method)
         return {i: agent for i, agent in self.agents[method].items() if not np.isnan(final[i])}
 
     def curves(self, method: str, column: str = "return") -> "pandas.DataFrame":
-        """Return the learning curves of a method: one row a step, one column a repetition, NaN after an interruption.
+        """The learning curves of a method: one row a step, one column a repetition, NaN after an interruption.
 
         Args:
             method: one of `methods`.
@@ -91,7 +91,7 @@ class Results:
         return rows.pivot(index="step", columns="repetition", values=column)
 
     def final(self, method: str, column: str = "return") -> Reals:
-        """Return the last value of every complete run of a method.
+        """The last value of every complete run of a method.
 
         Args:
             method: one of `methods`.
@@ -111,12 +111,12 @@ class Results:
         return last
 
     def _planned(self, method: str, what: str) -> int:
-        """Return the steps or repetitions of the experiment of a method: joined results come from several."""
+        """The steps or repetitions of the experiment of a method: joined results come from several."""
         rows = self.table[self.table["method"] == method]
         return int((self.table if rows.empty else rows)[what].iloc[0])
 
     def at(self, method: str, step: int, column: str = "return") -> Reals:
-        """Return the value of every complete run of a method after a number of training steps.
+        """The value of every complete run of a method after a number of training steps.
 
         Args:
             method: one of `methods`.
@@ -138,7 +138,7 @@ class Results:
         return values
 
     def late(self, method: str, points: int = 5, column: str = "return") -> Reals:
-        """Return the mean of the last points of the learning curve of every complete run of a method.
+        """The mean of the last points of the learning curve of every complete run of a method.
 
         Args:
             method: one of `methods`.
@@ -156,14 +156,14 @@ class Results:
         return values
 
     def _complete_curves(self, method: str, column: str = "return") -> "pandas.DataFrame":
-        """Return the learning curves of a method with a column for every repetition; NaN in those not complete."""
+        """The learning curves of a method with a column for every repetition; NaN in those not complete."""
         final = self.final(method)
         curves = self.curves(method, column).reindex(columns=range(len(final)))
         curves.loc[:, np.isnan(final)] = np.nan
         return curves
 
     def average(self, method: str, column: str = "return") -> Reals:
-        """Return the average over training of every complete run of a method: how well it did while it learned.
+        """The average over training of every complete run of a method: how well it did while it learned.
 
         Args:
             method: one of `methods`.
@@ -179,19 +179,19 @@ class Results:
         one_of("column", column, ["return", "training_return"])
         if self.table.empty:
             return np.empty(0)
-        final = self.final(method)
-        curves = self.curves(method, column).reindex(columns=range(len(final)))
+        curves = self._complete_curves(method, column)
         values = curves.to_numpy(float)  # shape (n_points, n_repetitions)
+        averages: Reals
         if column == "return":
-            averages = np.trapezoid(values, curves.index.to_numpy(float), axis=0) / self._planned(method, "n_steps")
+            averages = np.trapezoid(values, curves.index, axis=0) / self._planned(method, "n_steps")
         else:
-            episodes = self.curves(method, "episodes").reindex(columns=range(len(final))).to_numpy(float)
-            with np.errstate(invalid="ignore"):  # 0 / 0 is NaN: no episode ended
+            episodes = self._complete_curves(method, "episodes").to_numpy(float)
+            with np.errstate(invalid="ignore"):  # 0 / 0 is NaN: no episode ended, or the run is not complete
                 averages = np.nansum(values * episodes, axis=0) / np.nansum(episodes, axis=0)
-        return np.where(np.isnan(final), np.nan, averages)
+        return averages
 
     def mean(self, method: str, column: str = "return", over: Period = "end") -> Interval:
-        """Return the mean of a method over its complete runs, with its interval.
+        """The mean of a method over its complete runs, with its interval.
 
         Args:
             method: one of `methods`.
@@ -204,21 +204,21 @@ class Results:
         return mean_interval(self._values(method, column, over))
 
     def share(self, method: str, at_least: float, column: str = "return", over: Period = "end") -> Interval:
-        """Return the share of complete runs with a value of `at_least` this much; other arguments as in `mean`."""
+        """The share of complete runs with a value of `at_least` this much; other arguments as in `mean`."""
         values = self._values(method, column, over)
         return share_interval(values[~np.isnan(values)] >= at_least)
 
     def difference(self, method: str, other: str, column: str = "return", over: Period = "end") -> Interval:
-        """Return the mean of `method` minus `other`, paired by repetition; other arguments as in `mean`."""
+        """The mean of `method` minus `other`, paired by repetition; other arguments as in `mean`."""
         return paired_difference(self._values(method, column, over), self._values(other, column, over))
 
     def _values(self, method: str, column: str, over: Period) -> Reals:
-        """Return one value of each complete run."""
+        """One value of each complete run."""
         one_of("over", over, ["end", "training"])
         return self.final(method, column) if over == "end" else self.average(method, column)
 
     def renamed(self, label: str) -> "Results":
-        """Return the results of a single method under another label."""
+        """The results of a single method under another label."""
         agents = [*self.agents.values()]
         return Results(self.table.assign(method=label), {label: agents[0]} if agents else {})
 
@@ -285,15 +285,15 @@ class Results:
             raise ValueError(f"{path} is not a table of results: it has no column {missing[0]!r}")
         for column in (*WHOLE, "complete"):
             values = pandas.to_numeric(table[column], errors="coerce").to_numpy(float)
-            fits = np.isin(values, (0, 1)) if column == "complete" else values % 1 == 0
-            if not fits.all():
-                needed = "True or False" if column == "complete" else "whole numbers"
+            is_flag = column == "complete"
+            if not (np.isin(values, (0, 1)) if is_flag else values % 1 == 0).all():
+                needed = "True or False" if is_flag else "whole numbers"
                 raise ValueError(f"{path} is not a table of results: its column {column!r} must hold {needed}")
         return cls(with_types(table))
 
 
 def _beside(path: str | os.PathLike[str]) -> Path:
-    """Return the path of the JSON file that belongs to a CSV file."""
+    """The path of the JSON file that belongs to a CSV file."""
     return Path(f"{os.fspath(path)}.json")
 
 
@@ -314,7 +314,7 @@ def _csv(table: "pandas.DataFrame") -> bytes:
 
 
 def _plain(value: Any) -> Any:
-    """Return a number, text or boolean as JSON can hold it, and None for no value."""
+    """A number, text or boolean as JSON can hold it, and None for no value."""
     plain = value.item() if isinstance(value, np.generic) else value
     return plain if isinstance(plain, bool | int | float | str) and plain == plain else None
 
@@ -341,7 +341,7 @@ def joined(parts: Iterable[Results]) -> Results:
 
 
 def with_types(table: "pandas.DataFrame") -> "pandas.DataFrame":
-    """Return the table with settled column types, so that saving and loading gives the same table.
+    """The table with settled column types, so that saving and loading gives the same table.
 
     Measured columns get NumPy's types. Columns of the configuration get pandas' types that allow gaps, since a method
     may lack a setting.

@@ -73,7 +73,7 @@ from edugym_course.lessons.continuous_actions.release import (
     value,
 )
 from edugym_course.report import Report
-from edugym_course.reporting import How, reporting
+from edugym_course.reporting import SharedArguments, reporting
 
 __all__ = [
     "ACTIONS",
@@ -135,7 +135,7 @@ GOAL = 3.5
 """The return that says that the box is delivered well: the speed of learning is the steps to it."""
 
 
-def measure(how: How) -> tuple[Any, ...]:
+def measure(how: SharedArguments) -> tuple[Any, ...]:
     """Run the experiments."""
     wide = joined([*(learn_bins(n, **how(f"bins_{n}")) for n in BINS), learn_continuous(**how("continuous"))])
     narrow = joined(

@@ -9,7 +9,7 @@ import numpy as np
 from edugym.envs.trashbot.geometry import REACH
 from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.panel import ALONE, Place
-from edugym.experiments.figures.style import REFERENCE, SOFT_REFERENCE, add_legend, dress, own_axes, stroke
+from edugym.experiments.figures.style import REFERENCE, SOFT_REFERENCE, add_legend, axes_or_new, dress, stroke
 from edugym.mdp.protocol import Reals
 from edugym.rendering.palette import INK
 from edugym_course.lessons.continuous_actions.exact import best_return, deliveries, room
@@ -85,7 +85,7 @@ class Places(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the rows on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         free = room(self.width)
         rows = [*self.bins, None]
         for y, n in enumerate(rows):
@@ -125,7 +125,7 @@ class BestReturns(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the points on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         best = [best_return(n, self.width) for n in self.bins]
         ax.plot(self.bins, best, color="#b0b0b0", linewidth=1, zorder=1)
         for n, top in zip(self.bins, best, strict=True):
@@ -156,7 +156,7 @@ class Landscape(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the reward as a line, and each policy as a filled curve, on `ax`, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         actions = np.linspace(*self.ends, 801)
         ax.plot(actions, self.pays(actions), label="reward", color=INK, linewidth=1.3)
         n = max(len(self.policies) - 1, 1)
@@ -187,7 +187,7 @@ class Slope(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the curve and two lines with the slopes on `ax`, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         means = np.linspace(-2.5, 2.5, 101)
         ax.plot(means, [value(m, self.spread) for m in means], color="#8a6d3b", linewidth=1.8, label="J(μ)")
         here, exact = value(self.mean, self.spread), slopes(self.mean, self.spread)[0]
@@ -218,7 +218,7 @@ class Noise(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw a line for each policy on `ax`, with a dot at b = J, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         z = np.linspace(-6.0, 6.0, 4_001)
         weights = density(z, 0.0, 1.0) * (z[1] - z[0])
         baselines = np.linspace(-2.0, 6.0, 81)
@@ -261,7 +261,7 @@ class Climbs(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw a line for each label on `ax`, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         for number, (label, runs) in zip(self.strokes, self.climbed.items(), strict=False):
             n = len(runs.values) // 40 or 1
             blocks = runs.values[: len(runs.values) // n * n].reshape(-1, n, runs.values.shape[1]).mean(axis=1)
@@ -293,7 +293,7 @@ class Map(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the map on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         ends = (-REACH, REACH, -REACH, REACH)
         ax.imshow(self.values, origin="lower", extent=ends, cmap="viridis", vmin=0.0, vmax=4.0, aspect="equal")
         ax.plot(*np.transpose(self.way), color="white", linewidth=2.4)

@@ -59,7 +59,7 @@ from edugym_course.lessons.depth.methods import (
 from edugym_course.lessons.depth.off_policy import off_policy_sheet, uncorrected, weighted_deviation
 from edugym_course.lessons.depth.targets import DAYS, DISCOUNT, EPSILON, noise_share, target_claims
 from edugym_course.report import Report
-from edugym_course.reporting import How, reporting
+from edugym_course.reporting import SharedArguments, reporting
 
 __all__ = [
     "BY_DEPTH",
@@ -125,7 +125,7 @@ def difference_where_both_pass(results: Results, method: str, other: str) -> Int
     return paired_difference(returns[0][both], returns[1][both])
 
 
-def measure(how: How) -> tuple[Any, ...]:
+def measure(how: SharedArguments) -> tuple[Any, ...]:
     """Run the experiments."""
     by_sigma = {
         sigma: compare(sigma=sigma, depths=DEPTHS if sigma == 0.2 else DEPTHS[:2], **how(f"sigma_{sigma:g}"))

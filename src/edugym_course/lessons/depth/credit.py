@@ -9,7 +9,7 @@ import numpy as np
 from edugym.envs.study import EXAM_REWARD
 from edugym.experiments.figures.panel import ALONE, Place
 from edugym.experiments.figures.sheet import Sheet
-from edugym.experiments.figures.style import dress, own_axes
+from edugym.experiments.figures.style import axes_or_new, dress
 from edugym.mdp.protocol import Reals
 from edugym_course.lessons.depth.methods import LEARNING_RATE, label, maker
 from edugym_course.lessons.depth.targets import DAYS
@@ -55,7 +55,7 @@ class CreditMap(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the map on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         episodes, days = self.values.shape[0] - 1, self.values.shape[1]
         picture = ax.imshow(
             self.values.T,

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from edugym.experiments.figures.panel import ALONE, Place
-from edugym.experiments.figures.style import REFERENCE, add_legend, dress, own_axes, stroke
+from edugym.experiments.figures.style import REFERENCE, add_legend, axes_or_new, dress, stroke
 from edugym.mdp.protocol import Reals
 
 if TYPE_CHECKING:
@@ -39,7 +39,7 @@ class Series(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the lines on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         if self.zero:
             ax.axhline(0.0, **REFERENCE)
         for i, (name, line) in enumerate(self.lines.items(), start=self.first):
@@ -66,7 +66,7 @@ class Parts(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the bars on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         bottom: Reals = np.zeros(0)
         for colour, (name, part) in zip(PART_COLOURS, self.parts.items(), strict=False):
             bottom = bottom if len(bottom) else np.zeros(len(part))

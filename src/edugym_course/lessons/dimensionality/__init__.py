@@ -81,7 +81,7 @@ from edugym_course.lessons.dimensionality.sizes import different_boards, n_weigh
 from edugym_course.lessons.dimensionality.tasks import COLUMNS, ROWS, TRAINED, WITHHELD, catch
 from edugym_course.lessons.dimensionality.triad import w_to_2w
 from edugym_course.report import Report
-from edugym_course.reporting import How, reporting
+from edugym_course.reporting import SharedArguments, reporting
 
 __all__ = [
     "COLUMN",
@@ -157,7 +157,7 @@ REPETITIONS = 10
 RANDOM_PLAY = -0.6
 
 
-def measure(how: How) -> tuple[Any, ...]:
+def measure(how: SharedArguments) -> tuple[Any, ...]:
     """Run the experiments."""
     plain = {
         POSITIONS: learn(catch("vectorised"), POSITIONS, **how("positions")),

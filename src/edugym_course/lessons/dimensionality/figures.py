@@ -11,7 +11,7 @@ from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.lines import Lines
 from edugym.experiments.figures.panel import ALONE, Place
 from edugym.experiments.figures.sheet import Sheet
-from edugym.experiments.figures.style import REFERENCE, Stroke, add_legend, dress, own_axes, stroke
+from edugym.experiments.figures.style import REFERENCE, Stroke, add_legend, axes_or_new, dress, stroke
 from edugym.experiments.results.statistics import mean_interval
 from edugym.experiments.results.tables import Results
 from edugym.mdp.protocol import Reals
@@ -150,7 +150,7 @@ class Dots(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw both on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         for row, (by_column, look) in enumerate(zip(self.tests.values(), looks_of(self.tests), strict=True)):
             for at, columns, filled in ((row - 0.14, TRAINED, True), (row + 0.14, WITHHELD, False)):
                 found = mean_interval(by_column[[*columns]].mean(axis=0))
@@ -189,7 +189,7 @@ class PolicyMap(NamedTuple):
         """Draw the arrows on `ax`, by default in a new figure, and return the axes."""
         from matplotlib.patches import Rectangle
 
-        ax, rng = own_axes(ax), np.random.default_rng(0)
+        ax, rng = axes_or_new(ax), np.random.default_rng(0)
         for ball in range(COLUMNS):
             for paddle in range(COLUMNS):
                 state = Fall(ball, self.ball_y, paddle)

@@ -70,7 +70,7 @@ from edugym_course.lessons.exploration.methods import (
 )
 from edugym_course.lessons.exploration.stalling import frontier_lines, right_grips, stalling_claims, watch_frontier
 from edugym_course.report import Report
-from edugym_course.reporting import How, reporting
+from edugym_course.reporting import SharedArguments, reporting
 
 __all__ = [
     "BONUS",
@@ -132,7 +132,7 @@ def without_epsilon(height: int, **how: Any) -> Results:
     return compare(height, methods={NOVELTY: greedy}, **how)
 
 
-def measure(how: How) -> tuple[Any, ...]:
+def measure(how: SharedArguments) -> tuple[Any, ...]:
     """Run the experiments."""
     highest = HEIGHTS[-1]
     by_height = {height: compare(height, **how(f"height_{height}")) for height in HEIGHTS}

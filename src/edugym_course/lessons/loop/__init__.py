@@ -59,7 +59,7 @@ from edugym_course.lessons.loop.methods import (
     play_at_random,
 )
 from edugym_course.report import Report
-from edugym_course.reporting import How, reporting
+from edugym_course.reporting import SharedArguments, reporting
 
 __all__ = [
     "BAGS",
@@ -109,7 +109,7 @@ def warm_up() -> None:
     agent_after(80)
 
 
-def measure(how: How) -> tuple[Any, ...]:
+def measure(how: SharedArguments) -> tuple[Any, ...]:
     """Run the experiments."""
     return (play_and_learn(**how("loop")),)
 

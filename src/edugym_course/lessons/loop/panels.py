@@ -7,7 +7,7 @@ import numpy as np
 from edugym.adapters.registration import make_environment
 from edugym.envs.supermarket import Supermarket
 from edugym.experiments.figures.panel import ALONE, Place
-from edugym.experiments.figures.style import add_legend, dress, own_axes, plot_line
+from edugym.experiments.figures.style import add_legend, axes_or_new, dress, plot_line
 from edugym.mdp.protocol import Reals
 from edugym.rendering.palette import INK
 from edugym.rendering.pixels import to_pixels
@@ -40,7 +40,7 @@ class ValueMap(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the map on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         floor = FloorMap(self.Q, self.title, self.items, highest=self.highest)
         floor.draw(ax, place._replace(last=self.bar))
         y, x, dy, dx = np.array(self.arrows(), float).reshape(-1, 4).T
@@ -84,7 +84,7 @@ class RewardBars(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the bars on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         steps = np.arange(float(len(self.rewards)))
         ax.bar(
             steps,
@@ -117,7 +117,7 @@ class Picture(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the picture on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         env: Any = make_environment(self.environment)
         env.reset(seed=0)
         ax.imshow(to_pixels(env.unwrapped.scene()))

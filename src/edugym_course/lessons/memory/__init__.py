@@ -59,7 +59,7 @@ from edugym_course.lessons.memory.windows import (
     window_law,
 )
 from edugym_course.report import Report
-from edugym_course.reporting import How, reporting
+from edugym_course.reporting import SharedArguments, reporting
 
 __all__ = [
     "DISCOUNT",
@@ -113,7 +113,7 @@ LENGTHS = (1, 2, 3, 4, 5, 6)
 """The corridors for which the needed window is computed."""
 
 
-def measure(how: How) -> tuple[Any, ...]:
+def measure(how: SharedArguments) -> tuple[Any, ...]:
     """Run the experiments."""
     one = learn(1, **how("frames_1"))
     frames = joined([one, *(learn(k, **how(f"frames_{k}")) for k in FRAMES[1:])])

@@ -10,7 +10,7 @@ from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.lines import Lines
 from edugym.experiments.figures.panel import ALONE, Place
 from edugym.experiments.figures.sheet import Sheet
-from edugym.experiments.figures.style import REFERENCE, SOFT_REFERENCE, add_legend, dress, own_axes, stroke
+from edugym.experiments.figures.style import REFERENCE, SOFT_REFERENCE, add_legend, axes_or_new, dress, stroke
 from edugym.experiments.results.statistics import Interval, mean_interval
 from edugym.experiments.results.tables import Results
 from edugym.mdp.protocol import Reals
@@ -104,7 +104,7 @@ class Walk(NamedTuple):
         """Draw the cells on `ax`, by default in a new figure, and return the axes."""
         from matplotlib.patches import Polygon
 
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         steps = [(length, p) for length in range(1, len(self.doors) + 1) for p in range(length)]
         for t, (length, p) in enumerate(steps[: self.step + 1]):
             marked = p == length - 1
@@ -244,7 +244,7 @@ class WithLaws(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw lines and circles on `ax`, by default in a new figure, and return the axes."""
-        ax = self.lines.draw(own_axes(ax), place)
+        ax = self.lines.draw(axes_or_new(ax), place)
         for i, law in enumerate(self.laws):
             ax.plot(self.lines.x, law, "o", color=INK, fillstyle="none", markersize=7, label="" if i else "the laws")
         if place.alone:
@@ -288,7 +288,7 @@ class Worth(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw lines and points on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         ax.step(
             [*self.ks, self.ks[-1] + 0.6],
             [*self.sure, self.sure[-1]],

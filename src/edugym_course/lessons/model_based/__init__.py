@@ -90,7 +90,7 @@ from edugym_course.lessons.model_based.plans import (
     used_and_seen,
 )
 from edugym_course.report import Report
-from edugym_course.reporting import How, reporting
+from edugym_course.reporting import SharedArguments, reporting
 
 __all__ = [
     "DECAYING",
@@ -166,7 +166,7 @@ def difference(one: Results, method: str, other: Results, compared: str) -> Inte
     return paired_difference(returns[:shared], others[:shared])
 
 
-def measure(how: How) -> tuple[Any, ...]:
+def measure(how: SharedArguments) -> tuple[Any, ...]:
     """Run the experiments."""
     learned = compare(LEARNED, **how("learned"))
     more = {"repetitions": 5 * how.repetitions // 3}  # final returns differ much from run to run

@@ -12,7 +12,7 @@ from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.lines import Lines
 from edugym.experiments.figures.panel import ALONE, Place
 from edugym.experiments.figures.sheet import Sheet
-from edugym.experiments.figures.style import REFERENCE, Stroke, add_legend, dress, own_axes, stroke
+from edugym.experiments.figures.style import REFERENCE, Stroke, add_legend, axes_or_new, dress, stroke
 from edugym.experiments.results.statistics import mean_interval
 from edugym.experiments.results.tables import Results
 from edugym.mdp.protocol import Integers, Reals
@@ -182,7 +182,7 @@ class Clock(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the curves on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         for method, look in strokes_of(self.results.methods).items():
             ax.plot(*self.mean(method), linewidth=1.6, label=method, **look)
         ax.axhline(OPTIMUM, label="optimum", **REFERENCE)
@@ -207,7 +207,7 @@ class Knowledge(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw both on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         looks = strokes_of(self.measured)
         for row, (method, both) in enumerate(self.measured.items()):
             policy, seen = (mean_interval(values) for values in both)

@@ -12,7 +12,7 @@ from edugym.exact.value_iteration import best_values
 from edugym.exact.values import sweeps
 from edugym.experiments.figures.panel import ALONE, Place
 from edugym.experiments.figures.sheet import Sheet, in_pairs
-from edugym.experiments.figures.style import own_axes
+from edugym.experiments.figures.style import axes_or_new
 from edugym.mdp.protocol import Reals
 from edugym.rendering.palette import BLUE, BRICK, GREEN, INK, PAPER, RED
 from edugym_course.lessons.model_based.methods import DISCOUNT, exact_model
@@ -58,7 +58,7 @@ class FloorMap(NamedTuple):
         """Draw the map on `ax`, by default in a new figure, and return the axes."""
         from matplotlib.colors import LinearSegmentedColormap, ListedColormap
 
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         shop = Supermarket.create()
         values = self.values()
         colours = LinearSegmentedColormap.from_list("worth", [PAPER, "#8ecfc9", "#0072b2"])

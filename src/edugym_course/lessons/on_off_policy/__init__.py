@@ -62,7 +62,7 @@ from edugym_course.lessons.on_off_policy.methods import (
     stopping_places,
 )
 from edugym_course.report import Report
-from edugym_course.reporting import How, reporting
+from edugym_course.reporting import SharedArguments, reporting
 
 __all__ = [
     "DISCOUNT",
@@ -109,7 +109,7 @@ EDGE_WALK, SECOND_ROW = -13.0, -15.0
 """The returns of the shortest walk on CliffWalking, which is along the edge, and of one that keeps a row more away."""
 
 
-def measure(how: How) -> tuple[Any, ...]:
+def measure(how: SharedArguments) -> tuple[Any, ...]:
     """Run the experiments."""
     return (
         compare(**how("edge")),

@@ -13,7 +13,7 @@ from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.lines import Lines
 from edugym.experiments.figures.panel import ALONE, Place
 from edugym.experiments.figures.sheet import Sheet
-from edugym.experiments.figures.style import SOFT_REFERENCE, add_legend, dress, own_axes, stroke
+from edugym.experiments.figures.style import SOFT_REFERENCE, add_legend, axes_or_new, dress, stroke
 from edugym.experiments.results.tables import Results
 from edugym.mdp.protocol import Reals
 from edugym.rendering.palette import INK
@@ -63,7 +63,7 @@ class Paths(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw cells and paths on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         rows, columns = self.danger.shape
         ax.imshow(self.danger, cmap="Reds", vmin=0, vmax=2 * self.most, origin="upper" if self.down else "lower")
         ax.set_aspect("equal" if self.down else "auto")
@@ -130,7 +130,7 @@ class Switch(Lines):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the lines on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         ax.axvline(self.change, label=f"the change, ε = {self.change:.3f}", **SOFT_REFERENCE)
         super().draw(ax, place)
         ax.lines[-1].set_zorder(3)  # the best one lies on the other two

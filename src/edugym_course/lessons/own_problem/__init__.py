@@ -43,7 +43,7 @@ from edugym_course.lessons.own_problem.morning import (
 )
 from edugym_course.lessons.own_problem.races import count_matters, shaped_policies
 from edugym_course.report import Report
-from edugym_course.reporting import How, reporting
+from edugym_course.reporting import SharedArguments, reporting
 
 __all__ = [
     "BEST_GUESS",
@@ -104,7 +104,7 @@ def first_stall(negative_reward: float) -> tuple[float, int]:
     return values.start, int(values.Q[model.row((0, 0))].argmax()) - 1
 
 
-def measure(how: How) -> tuple[Any, ...]:
+def measure(how: SharedArguments) -> tuple[Any, ...]:
     """Run the experiments."""
     returns = as_meant(REWARDS, Morning(), BUDGETS, **how(repetitions=how.repetitions))
     return learn(Morning(), **how("agents")), returns

@@ -10,7 +10,7 @@ from edugym.exact.values import Values
 from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.panel import ALONE, Place
 from edugym.experiments.figures.sheet import Sheet
-from edugym.experiments.figures.style import REFERENCE, SOFT_REFERENCE, Stroke, add_legend, dress, own_axes, stroke
+from edugym.experiments.figures.style import REFERENCE, SOFT_REFERENCE, Stroke, add_legend, axes_or_new, dress, stroke
 from edugym.experiments.results.statistics import by_point, mean_interval
 from edugym.experiments.results.tables import Results
 from edugym.mdp.protocol import Reals, named_actions
@@ -61,7 +61,7 @@ class PolicyMap(NamedTuple):
         from matplotlib.patches import Rectangle
         from matplotlib.ticker import MaxNLocator
 
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         model, policy = self.values.model, self.values.greedy_policy()
         letters = initials(self.names)
         used: set[int] = set()
@@ -153,7 +153,7 @@ class Bands(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the lines on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         x = np.asarray(self.x, float)
         for look, (label, values) in zip(cycle(REWARD_STROKES), self.measured.items(), strict=False):
             mean, low, high = by_point(values).T
@@ -185,7 +185,7 @@ class Compared(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw a dot for each method on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         for i, values in enumerate(self.measured.values()):
             interval = mean_interval(values)
             ax.plot(i, interval.estimate, "o", color=stroke(i).color, markersize=7)

@@ -68,7 +68,7 @@ from edugym_course.lessons.signal.moody import Moody, best_return, moody_toy
 from edugym_course.lessons.signal.players import Coin, RoundRobin, Voter
 from edugym_course.lessons.signal.words import bits, information, joint_table
 from edugym_course.report import Report
-from edugym_course.reporting import How, reporting
+from edugym_course.reporting import SharedArguments, reporting
 
 __all__ = [
     "DISCOUNT",
@@ -126,7 +126,7 @@ __all__ = [
 ]
 
 
-def measure(how: How) -> tuple[Any, ...]:
+def measure(how: SharedArguments) -> tuple[Any, ...]:
     """Run the experiments."""
     by_tau = {tau: learn(parameters={"tau": tau}, **how(f"tau_{tau}")) for tau in TAUS}
     by_vocabulary = {

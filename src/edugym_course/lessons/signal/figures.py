@@ -15,9 +15,9 @@ from edugym.experiments.figures.style import (
     REFERENCE,
     SOFT_REFERENCE,
     add_legend,
+    axes_or_new,
     dress,
     format_steps,
-    own_axes,
     stroke,
 )
 from edugym.experiments.results.statistics import mean_interval
@@ -78,7 +78,7 @@ class Points(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the points on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         spare = iter(OWN * len(self.measured))
         for label, (x, rows) in self.measured.items():
             look = stroke(STROKES[label] if label in STROKES else next(spare))
@@ -119,7 +119,7 @@ class Beside(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw curves and lines on `ax`, by default in a new figure, and return the axes."""
-        ax = self.curves.draw(own_axes(ax), place)
+        ax = self.curves.draw(axes_or_new(ax), place)
         for label, level in self.levels.items():
             look = SOFT_REFERENCE if label not in STROKES else stroke(STROKES[label])._asdict()
             ax.axhline(level, label=label, **{"linewidth": 1.4, **look})
@@ -145,7 +145,7 @@ class Table(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the table on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         ax.imshow(self.joint, cmap="Blues", vmin=0.0, vmax=0.35, aspect="auto")
         for (row, column), share in np.ndenumerate(self.joint):
             ax.text(column, row, f"{share:.2f}", ha="center", va="center", fontsize=8, color=INK)
@@ -170,7 +170,7 @@ class Runs(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw a line for each run on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         for row in self.returns:
             ax.plot(self.steps, row, color=stroke(0).color, linewidth=0.7, alpha=0.7)
         ax.axhline(OPTIMUM, **REFERENCE)
@@ -192,7 +192,7 @@ class Greedy(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw a bar for each word on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         left = np.zeros(len(self.shares))
         for action, colour in enumerate((ORANGE, BLUE, RED, GREEN)):
             ax.barh(range(len(left)), self.shares[:, action], left=left, color=colour, height=0.7, label=NEEDS[action])

@@ -78,7 +78,7 @@ from edugym_course.lessons.stochasticity.methods import (
     values_on_the_tee,
 )
 from edugym_course.report import Report
-from edugym_course.reporting import How, reporting
+from edugym_course.reporting import SharedArguments, reporting
 
 __all__ = [
     "AVERSE",
@@ -131,7 +131,7 @@ __all__ = [
 ]
 
 
-def measure(how: How) -> tuple[Any, ...]:
+def measure(how: SharedArguments) -> tuple[Any, ...]:
     """Run the experiments."""
     seen, noisy = learn(**how("hits_observed")), learn(level=TOO_NOISY, **how("level_0.02"))
     hidden = learn(observe_hits=False, **how("hits_hidden"))

@@ -13,7 +13,15 @@ from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.lines import Lines
 from edugym.experiments.figures.panel import ALONE, Panel, Place
 from edugym.experiments.figures.sheet import Sheet
-from edugym.experiments.figures.style import REFERENCE, SOFT_REFERENCE, add_legend, dress, own_axes, plot_line, stroke
+from edugym.experiments.figures.style import (
+    REFERENCE,
+    SOFT_REFERENCE,
+    add_legend,
+    axes_or_new,
+    dress,
+    plot_line,
+    stroke,
+)
 from edugym.experiments.results.statistics import mean_interval
 from edugym.experiments.results.tables import Results
 from edugym.mdp.protocol import Reals
@@ -57,7 +65,7 @@ class Course(NamedTuple):
         """Draw the course on `ax`, by default in a new figure, and return the axes."""
         from matplotlib.patches import Circle, Rectangle
 
-        ax, golf = own_axes(ax), Golf.create()
+        ax, golf = axes_or_new(ax), Golf.create()
         flag = golf.width / 2, golf.length - golf.width / 2
         ax.add_patch(Rectangle((0, 0), golf.width, golf.length, facecolor=blend(GRASS, "#ffffff", 0.3), zorder=0))
         ax.add_patch(Circle(flag, golf.green_radius, facecolor=blend(GRASS, GREEN, 0.7), zorder=0.5))
@@ -91,7 +99,7 @@ class Dots(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the dots on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         for i, (method, values) in enumerate(self.measured.items()):
             interval = mean_interval(values)
             ax.plot([i, i], [interval.low, interval.high], color=stroke(i).color, linewidth=2)
@@ -121,7 +129,7 @@ class Games(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the bars on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         names = ["lost", *(str(hits) for hits in range(1, self.most)), f"{self.most}+"]
         width = 0.8 / len(self.played)
         for i, (method, games) in enumerate(self.played.items()):
@@ -148,7 +156,7 @@ class Crossing(Lines):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the lines on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         for i, (swing, line) in enumerate(self.lines.items(), start=FIRST_FREE):  # other colours than those of players
             plot_line(ax, i, self.x, line, swing)
         ax.axvline(self.change, label=f"the crossing, level {self.change:.4f}", **SOFT_REFERENCE)
@@ -187,7 +195,7 @@ class Frontier(NamedTuple):
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw the players on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+        ax = axes_or_new(ax)
         mean, spread = self.rules.T
         ax.plot(spread, mean, "o", color="#bbbbbb", markersize=4, label="players with rules")
         best = self.frontier[np.argsort(self.frontier[:, 1])]

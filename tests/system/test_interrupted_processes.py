@@ -1,0 +1,204 @@
+"""Signals to processes that work, most at random moments: none is lost, and each is soon answered."""
+
+import os
+import re
+import signal
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+START = """
+import signal, sys
+signal.signal(signal.SIGINT, signal.default_int_handler)
+print("begun", flush=True)
+"""
+WORK = {
+    "train": """
+from edugym import QLearning, make_mdp, train
+while True:
+    mdp = make_mdp("Boulder")
+    train(mdp, QLearning.create(mdp), 3_000_000)
+""",
+    "interpreted": """
+import gymnasium
+from edugym import QLearning, train
+while True:
+    env = gymnasium.make("CliffWalking-v1")
+    train(env, QLearning.create(env), 20_000, max_steps=100)
+""",
+    "many updates a step": """
+from typing import NamedTuple
+import numpy as np
+from edugym import make_mdp, train
+class Sweeping(NamedTuple):
+    Q: np.ndarray
+    def act(self, state, rng):
+        return int(rng.random() * 2)
+    def learn(self, state, action, reward):
+        for k in range(1100):
+            self.Q[state, action] += 0.001 * (reward - self.Q[state, action])
+while True:
+    train(make_mdp("Boulder"), Sweeping(np.zeros((11, 2))), 30_000)
+""",
+    "repeat": """
+from edugym import CountBased, QLearning, repeat
+for i in range(1_000):
+    agents = {"Q": QLearning.create, "novelty": CountBased.create}
+    repeat("Boulder", agents, 100_000, repetitions=4, jobs=2, save_to=f"{sys.argv[1]}/{i}.csv")
+""",
+    "reproduce": """
+from edugym_course.cli import main
+sys.argv = ["edugym", "reproduce", "exploration", "--repetitions", "9", "--output", sys.argv[1]]
+main()
+""",
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("kind", WORK)
+def test_ctrl_c_ends_the_work(kind: str, seed: int, tmp_path: Path) -> None:
+    """Whether it imports, compiles, trains or saves, the process ends and does not crash; some have a cold cache."""
+    moment = np.random.default_rng([seed, list(WORK).index(kind)]).uniform(0, 3)
+    environment = os.environ | ({"EDUGYM_CACHE_DIR": str(tmp_path / "cache")} if seed == 0 else {})
+    with subprocess.Popen(
+        [sys.executable, "-c", START + WORK[kind], str(tmp_path)],
+        env=environment,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    ) as child:
+        try:
+            assert child.stdout is not None
+            assert child.stdout.readline() == "begun\n"
+            threading.Event().wait(moment)
+            child.send_signal(signal.SIGINT)
+            _, said = child.communicate(timeout=60)
+        finally:
+            child.kill()
+    assert child.returncode in (1, 130, -signal.SIGINT), said
+    last = said.splitlines()[-1]
+    assert last.startswith(("KeyboardInterrupt", "edugym.system.interrupts.Interrupted: ", "edugym: interrupted")), said
+
+
+SCRIPT = """
+import os, signal, sys, threading
+import gymnasium
+from edugym import QLearning, train
+from edugym.system.interrupts import Interrupted
+from edugym.training import trainers
+
+class Timeout(Exception):
+    pass
+
+def expire(number, frame):
+    raise Timeout
+
+how, env_id = sys.argv[1:]
+signal.signal(signal.SIGINT, signal.default_int_handler)
+environment = gymnasium.make(env_id)
+agent = QLearning.create(environment, initial_value=1.0)
+if how == "interpreted":
+    trainers.executable = lambda loop, *arguments, **options: loop
+train(environment, agent, 200_000 if how in ("compiled", "alarm") else 100)  # what has to be compiled is compiled
+number = signal.SIGINT
+if how == "alarm":
+    number = signal.SIGALRM
+    signal.signal(number, expire)
+threading.Timer(0.5, lambda: os.kill(os.getpid(), number)).start()
+try:
+    train(environment, agent, 10**13, evaluate_every=20_000, stop=threading.Event())
+except Interrupted as interrupted:
+    run = interrupted.partial
+    print(interrupted)
+    print(run.complete, len(run.steps) == len(run.returns) == len(run.episodes), run.steps[0], run.agent.Q is agent.Q)
+except Timeout:
+    print("timeout")
+print((agent.Q != 1.0).any())
+"""
+
+
+@pytest.mark.parametrize(
+    ("how", "env_id"),
+    [
+        ("compiled", "edugym/Golf-v0"),
+        ("gymnasium", "FrozenLake-v1"),
+        *(
+            pytest.param(how, f"edugym/{name}-v0", marks=pytest.mark.slow)
+            for how, name in (
+                ("compiled", "Boulder"),
+                ("compiled", "MemoryCorridor"),
+                ("alarm", "Golf"),
+                ("interpreted", "Boulder"),
+            )
+        ),
+    ],
+)
+def test_a_signal_ends_a_run(how: str, env_id: str, tmp_path: Path) -> None:
+    """What is done is kept, and the interpreter goes on; a handler of another signal raises its own error.
+
+    States that are numbers, NamedTuples, and hold arrays: the latter two crash where the signal is not waited for.
+    """
+    script = tmp_path / "script.py"
+    script.write_text(SCRIPT)
+    done = subprocess.run(
+        [sys.executable, script, how, env_id], capture_output=True, text=True, timeout=120, check=False
+    )
+    assert done.stderr == ""
+    *said, learned = done.stdout.splitlines()
+    if how == "alarm":
+        assert said == ["timeout"]
+    else:
+        assert re.fullmatch(r"after \d+ of 10000000000000 steps; the agent keeps what it has learned", said[0])
+        assert said[1] == "False True 0 True"
+    assert learned == "True"
+
+
+IMPORTS = """
+import signal, sys
+
+forgets = 0
+
+def press(frame, event, argument):
+    global forgets
+    code = frame.f_code
+    if event == "call" and code.co_name == "cb" and "importlib" in code.co_filename and "edugym.agents" in sys.modules:
+        forgets += 1
+        if forgets == int(sys.argv[1]):
+            sys.setprofile(None)
+            signal.raise_signal(signal.SIGINT)
+
+signal.signal(signal.SIGINT, signal.default_int_handler)
+sys.setprofile(press)
+from edugym import DQN
+print("all is imported after", forgets)
+"""
+
+
+def test_python_ignores_it_while_it_imports() -> None:
+    """Python ignores an error when it forgets the lock of an imported module: it is raised again."""
+    ended = subprocess.run([sys.executable, "-c", IMPORTS, "2"], capture_output=True, text=True, check=False)
+    assert ended.returncode != 0, ended.stdout
+    assert ended.stderr.splitlines()[-1] == "KeyboardInterrupt"
+
+
+TRACED = """
+import sys, threading
+def tracer(frame, event, argument):
+    return tracer if "edugym" in frame.f_code.co_filename else None
+sys.settrace(tracer)
+threading.settrace(tracer)
+from edugym import QLearning, repeat
+print(repeat("Boulder", {"Q": QLearning.create}, 200, repetitions=4, jobs=2).complete)
+"""
+
+
+@pytest.mark.slow
+def test_runs_in_threads_under_a_debugger() -> None:
+    """Debuggers and coverage trace the code: what a run leaves behind in Python must not stop the next one."""
+    ran = subprocess.run([sys.executable, "-c", TRACED], capture_output=True, text=True, timeout=60, check=False)
+    assert (ran.stdout, ran.stderr) == ("True\n", "")

@@ -1,0 +1,91 @@
+"""Old names of modules work for one more version, and say what they are called now."""
+
+import importlib
+import pickle
+import subprocess
+import sys
+import warnings
+from collections.abc import Iterator
+from types import ModuleType
+
+import pytest
+
+from edugym import Results
+from edugym._old_names import MOVED, new_name
+from edugym.adapters import registration
+
+
+@pytest.fixture(autouse=True)
+def _nothing_was_imported_by_its_old_name() -> Iterator[None]:
+    """Python says it once a process, and keeps such modules; afterwards they are forgotten again."""
+    before = set(sys.modules)
+    yield
+    for name in set(sys.modules) - before:
+        if name.startswith("edugym.") and new_name(name) is not None:
+            del sys.modules[name]
+
+
+@pytest.mark.parametrize("old", MOVED)
+def test_a_module_that_has_moved(old: str) -> None:
+    """It has what the new one has, and the warning names both."""
+    with pytest.warns(DeprecationWarning, match=rf"^edugym\.{old} .*{MOVED[old]}$"):
+        found = importlib.import_module(f"edugym.{old}")
+    new = importlib.import_module(MOVED[old])
+    assert found.__doc__ == new.__doc__
+    for name, value in vars(new).items():
+        if not name.startswith("_") and not (isinstance(value, ModuleType) and value.__name__.startswith(new.__name__)):
+            assert getattr(found, name) is value
+    with pytest.raises(AttributeError, match=rf"edugym\.{old}.*'no_such_name'"):
+        _ = found.no_such_name
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("edugym.lessons.depth", "edugym_course.lessons.depth"),
+        ("edugym.exercises.depth", "edugym_course.lessons.depth.exercises"),
+        ("edugym.playing.game", "edugym.adapters.playing.game"),
+        ("edugym.results.tables", "edugym.experiments.results.tables"),
+        ("edugym.training.repeat", "edugym.experiments.repeat"),
+        ("edugym.training.train", None),
+        ("edugym.no_such_module", None),
+    ],
+)
+def test_modules_inside(old: str, new: str | None) -> None:
+    """They moved along with their package, and an exercise into the folder of its lesson."""
+    assert new_name(old) == new
+
+
+NOTEBOOK = """
+from edugym.lessons.depth import credit_maps, report
+from edugym.lessons import depth
+from edugym.exercises.depth import exercise_1
+import edugym.plotting as plotting
+assert depth.credit_maps is credit_maps and report and exercise_1 and plotting.Curves
+"""
+
+
+def test_the_notebook_of_a_student() -> None:
+    """What it imports from a lesson may lie in any file of that lesson now; only warnings are new."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", DeprecationWarning)
+        exec(NOTEBOOK, {})
+
+
+def test_a_pickle_with_an_old_name() -> None:
+    """As of saved agents and of finished runs."""
+    for thing, old, new in (
+        (registration.Entry, b"edugym.registration", b"edugym.adapters.registration"),
+        (Results, b"edugym.results.tables", b"edugym.experiments.results.tables"),
+    ):
+        stored = pickle.dumps(thing, protocol=0)
+        assert new in stored
+        with pytest.warns(DeprecationWarning, match="has moved"):
+            assert pickle.loads(stored.replace(new, old)) is thing
+
+
+def test_the_command_as_a_module() -> None:
+    """For those whose shell does not find it: `python -m edugym`, which finds it among the installed commands."""
+    done = subprocess.run([sys.executable, "-m", "edugym", "list"], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "edugym/Boulder-v0" in done.stdout
