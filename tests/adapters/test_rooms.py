@@ -134,7 +134,7 @@ def test_the_loops_handle_no_arrays() -> None:
     for agent in (LinearQLearning.create(make_mdp("Catch")), notes(OffPolicyNotes, 10, 5)):
         training: Any = trainer("Catch", agent, 0, None, expected=10)
         training.learn(7)
-        assert all(isinstance(part, int | float) for part in training._moment[1:])
+        assert all(isinstance(part, int | float) for part in training._carry[1:])
 
 
 def test_an_agent_of_another_size_is_refused() -> None:

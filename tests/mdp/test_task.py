@@ -56,7 +56,12 @@ def the_calls(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 
     def counted(module: Any, name: str, of: Callable[..., str]) -> None:
         original = getattr(module, name)
-        monkeypatch.setattr(module, name, lambda *given, **how: (calls.append(of(*given)), original(*given, **how))[1])
+
+        def noting(*given: Any, **how: Any) -> Any:
+            calls.append(of(*given))
+            return original(*given, **how)
+
+        monkeypatch.setattr(module, name, noting)
 
     counted(task, "require_playable", lambda name, *_: str(name))
     counted(contract, "require_agent", lambda *_: "agent")

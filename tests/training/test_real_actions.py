@@ -2,14 +2,13 @@
 
 from typing import Any, NamedTuple
 
+import gymnasium
 import numpy as np
 import pytest
 
 from edugym import make_environment, make_mdp, train
-from edugym.checks.contract import contract_of
 from edugym.compiled import execution
 from edugym.mdp.protocol import Random
-from edugym.mdp.task import task_of
 from edugym.training import trainers
 from tests.agents.case import same
 
@@ -105,7 +104,7 @@ def test_a_gymnasium_environment_gets_arrays() -> None:
     run = train("Pendulum-v1", _Pusher(np.zeros(4)), 300)
     assert run.episodes.sum() == 1
     env = make_environment("Trashbot")
-    trainers.GymnasiumTrainer(task_of(env), contract_of(agent), 0, None, 50).learn(50)
+    train(gymnasium.Wrapper(env), agent, 50)
     assert agent.sums[1:3].all()
 
 

@@ -43,7 +43,7 @@ HARMLESS = (OrderEnforcing, PassiveEnvChecker)
 
 
 def require_playable(name: str, environment: Any, allowed: str, *, is_mdp: bool, own: bool) -> int | None:
-    """Refuse what nobody can play, and return its step limit, or None where it is unknown or there is none.
+    """Refuse what nobody can play, and return its step limit, or None where there is none or it does not matter.
 
     Args:
         name: of the parameter that it was given for.
@@ -60,6 +60,9 @@ def require_playable(name: str, environment: Any, allowed: str, *, is_mdp: bool,
         raise ValueError(f"{name} must come first, before the agent, but is the agent {kind.__name__}")
     if allowed != MDP_ONLY:
         require_environment(name, environment, allowed)
+    if allowed == SHAPED:  # only its sizes matter: `train` looks at the rest
+        require_spaces(environment)
+        return None
     mdp, spec = environment, None
     if is_mdp:
         require_mdp(mdp, name, methods=not own)

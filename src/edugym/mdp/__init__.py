@@ -1,1 +1,1 @@
-"""Markov decision processes as small values, and the four ways to run them."""
+"""Markov decision processes as small values: what one is, its wrappers, and the gate for what users give."""
