@@ -312,8 +312,9 @@ def test_an_agent_of_another_size_is_refused(actions: Any, name: str, needed: in
     task: Any = Ring(BOARD, tuple(SEEN["a board"][1]), actions)
     fits = Wrong(n_actions=6 if needed == 6 else 2)
     for given in (needed - 1, needed + 1):
+        other: Any = {name: given}
         with pytest.raises(ValueError, match=f"agent must be one for {name} = {needed}, .* but its is {given}$"):
-            train(task, fits._replace(**{name: given}), 10)
+            train(task, fits._replace(**other), 10)
     if actions is TWO:
         train(task, fits, 10)
 
