@@ -2,8 +2,8 @@
 
 A scene may hold shapes of any size at any distance: a circle a million times as wide as the picture, a ball that flew
 out of it, or a street of which only a part is shown. Back ends draw what `visible` yields, so that the time and the
-memory of a picture depend on what it shows. (Left to itself, pygame loses lines and fills rings from some 100 000 pixels
-on, and SVG has no word for infinity.)
+memory of a picture depend on what it shows. (Left to itself, pygame loses lines and fills rings from 100 000 pixels on,
+and SVG has no word for infinity.)
 """
 
 import math
