@@ -43,7 +43,7 @@ def every_icon() -> Scene:
     )
 
 
-def without_colours(svg: str) -> list[str]:
+def numbered(svg: str) -> list[str]:
     """The lines, with the number of each colour in the order in which they appear."""
     seen: dict[str, int] = {}
     return re.sub("#[0-9a-f]{6}", lambda found: f"#{seen.setdefault(found[0], len(seen))}", svg).splitlines()
@@ -51,7 +51,7 @@ def without_colours(svg: str) -> list[str]:
 
 def test_icons_are_as_they_were() -> None:
     """In the drawing, line by line, and as characters."""
-    assert without_colours(every_icon()._repr_svg_()) == without_colours(PICTURE.read_text(encoding="utf-8"))
+    assert numbered(every_icon()._repr_svg_()) == numbered(PICTURE.read_text(encoding="utf-8"))
     assert to_text(every_icon()).splitlines() == CHARACTERS.read_text(encoding="utf-8").splitlines()
 
 
@@ -63,7 +63,8 @@ def test_a_narrow_picture_gets_margins() -> None:
     sides = (Rectangle(x, 0, 19.5, 48, fill=PAPER, outline=None) for x in (0, 20.5))
     under = Rectangle(0, 48, 40, 5, fill=PAPER, outline=None)
     assert grounds == [Rectangle(19.5, 0, 1, 48, fill=RED, outline=None), *sides, under]
-    assert (first, second) == (Text(20, 49.5, "a", size=1.4), Text(20, 51.5, "b", size=1.4))
+    size = 14 * (48 / 480)
+    assert (first, second) == (Text(20, 49.5, "a", size=size), Text(20, 51.5, "b", size=size))
 
 
 @pytest.mark.parametrize(
