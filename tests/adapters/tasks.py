@@ -1,17 +1,4 @@
-"""Students' tasks whose observations or states are arrays, from notebook cells."""
-
-from tests.compiled.cells import WALK
-
-PICTURE = (
-    WALK.replace("class Walk", "class PictureWalk")
-    .replace(
-        "return state\n\n    @property",
-        "picture = np.zeros((2, 3), np.float32)\n        picture[0, 0] = state\n        return picture\n\n"
-        "    @property",
-        1,
-    )
-    .replace("spaces.Discrete(self.size + 1)", "spaces.Box(0, 100, (2, 3), np.float32)")
-)
+"""A student's task whose states hold arrays, from a notebook cell."""
 
 TRAIL = """
 class Trail(NamedTuple):

@@ -1,7 +1,6 @@
 """Copies of a task do what the single environment does, whatever becomes of a student's states, code and mistakes."""
 
 import copy
-import math
 import pickle
 import traceback
 import warnings
@@ -13,11 +12,11 @@ import pytest
 from gymnasium import spaces
 from gymnasium.vector import AutoresetMode
 
-from edugym import MDPEnv, MDPVectorEnv, finite_model, make_mdp, train, value_iteration
+from edugym import MDPEnv, MDPVectorEnv, make_mdp
 from edugym.mdp.protocol import Random
 from edugym.rendering.scene import Scene
 from tests.adapters.tasks import TRAIL
-from tests.compiled.cells import SLIPPERY, cell
+from tests.compiled.cells import cell
 from tests.contract.play import Copies, every_environment, plain
 
 
@@ -375,39 +374,3 @@ def test_late_mistakes_in_one_environment(name: str) -> None:
         env.reset(seed=0)
         with pytest.raises(kind, match=says):
             [env.step(0) for _ in range(200)]
-
-
-def test_ways_agree_on_a_stochastic_task() -> None:
-    """Model, environment, vector environment and compiled play all find the mean return that the formula gives."""
-    size, slip, n_copies, n_rounds = 5, 0.25, 100, 10
-    notebook = cell(
-        SLIPPERY + "class Right(NamedTuple):\n    tabular: bool = False\n    def act(self, state, rng): return 1\n"
-        "    def learn(self, state, action, reward, next_state, terminated): pass\n"
-    )
-    walk = notebook["SlipperyWalk"](size, slip)
-    times = [1 / (1 - slip)]
-    for _ in range(size - 1):
-        times.append((1 + slip * times[-1]) / (1 - slip))
-    exact = 1 - 0.25 * (sum(times) - 1)
-    assert value_iteration(finite_model(walk)).start == pytest.approx(exact, abs=1e-8)
-    env, vector = MDPEnv(walk), MDPVectorEnv(walk, n_copies, "SameStep")
-    env.reset(seed=1)
-    alone: list[float] = []
-    while len(alone) < n_copies * n_rounds:
-        env.reset()
-        going, terminated = 0.0, False
-        while not terminated:
-            _, reward, terminated, _, _ = env.step(1)
-            going += float(reward)
-        alone.append(going)
-    vector.reset(seed=2)
-    sums, together = np.zeros(n_copies), [list[float]() for _ in range(n_copies)]
-    while min(map(len, together)) < n_rounds:  # the same number of each copy, since the first to end are short ones
-        _, rewards, terminations, _, _ = vector.step(np.ones(n_copies, np.int64))
-        sums += rewards
-        for i in np.flatnonzero(terminations).tolist():
-            together[i].append(float(sums[i]))
-        sums[terminations] = 0.0
-    run = train(walk, notebook["Right"](), 100, evaluate_every=100, evaluation_episodes=1000, max_steps=10_000)
-    for returns in (np.array(alone), np.array([some[:n_rounds] for some in together]), run.returns[-1:]):
-        assert abs(returns.mean() - exact) < 5 * np.std(alone) / math.sqrt(1000)

@@ -14,7 +14,7 @@ from gymnasium.utils.env_checker import check_env
 from edugym import MDPEnv, MDPVectorEnv, make_mdp, train
 from edugym.rendering import window
 from edugym.rendering.scene import Scene, Text
-from tests.adapters.tasks import PICTURE, TRAIL
+from tests.adapters.tasks import TRAIL
 from tests.compiled.cells import LEARNER, SLIPPERY, WALK, cell
 
 DIGITS_AND_LETTERS = "0123456789abcdefghijklmnopstuvwxyz"
@@ -209,7 +209,7 @@ def played(task: Any, *, copies: bool) -> None:
 
 @pytest.mark.parametrize(
     "task",
-    [walk(), cell(SLIPPERY)["SlipperyWalk"](5, 0.25), cell(TRAIL)["Trails"](9), cell(PICTURE)["PictureWalk"](5)],
+    [walk(), cell(SLIPPERY)["SlipperyWalk"](5, 0.25), cell(TRAIL)["Trails"](9)],
     ids=lambda task: type(task).__name__,
 )
 def test_a_students_task_is_an_environment(task: Any) -> None:

@@ -56,7 +56,7 @@ def coordinates(shape: Shape) -> list[float]:
     return [*points, *own]
 
 
-@settings(max_examples=150)
+@settings(max_examples=300)
 @given(shapes())
 def test_every_back_end_draws_shapes_of_any_size(shape: Shape) -> None:
     """No number makes a back end raise or draw anything much larger than the picture."""
