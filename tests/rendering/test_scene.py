@@ -137,6 +137,7 @@ def test_size_in_pixels_is_even() -> None:
     assert Scene(0.01, 30, ()).size_in_pixels() == (2, 480)
     assert Scene(3, 2, ()).size_in_pixels(297) == (298, 198)  # 198.7
     assert Scene(3, 2, ()).size_in_pixels(1) == (2, 2)
+    assert Scene(1, 2, ()).size_in_pixels(2048) == (2048, 4096)  # the largest
 
 
 def test_svg_of_a_small_scene() -> None:
