@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from edugym.adapters.columns import Listed, columns, copy_of, head, listed, loose, storage
+from edugym.adapters.columns import columns, copy_of, head, listed, loose, storage
 from edugym.compiled.compiler import compiled
 from tests.contract.play import plain
 
@@ -36,28 +36,18 @@ STATES = st.recursive(
 )
 
 
-def leaves(state: Any) -> list[Any]:
-    """The numbers in a state."""
-    return [leaf for part in state for leaf in leaves(part)] if isinstance(state, tuple) else [state]
-
-
-def classes(state: Any) -> Any:
-    """The classes of the tuples in a state."""
-    return (type(state), [classes(part) for part in state]) if isinstance(state, tuple) else None
+def kinds(state: Any) -> Any:
+    """The classes of the tuples in a state, and the types of its numbers."""
+    return (type(state), [*map(kinds, state)]) if isinstance(state, tuple) else type(plain(state))
 
 
 @given(state=STATES, n=st.integers(1, 4))
 def test_what_is_stored_comes_back(state: Any, n: int) -> None:
     """Any state of numbers is loaded as it was stored: the same classes, values and types of numbers."""
     room = columns(state, n)
-    for i in range(n):
-        room.store(i, state)
-    for one in (room, copy.deepcopy(room), pickle.loads(pickle.dumps(room))):
-        for i in range(n):
-            loaded = one.load(i)
-            assert plain(loaded) == plain(state)
-            assert type(loaded) is type(state) or not isinstance(state, tuple)
-            assert [type(plain(leaf)) for leaf in leaves(loaded)] == [type(leaf) for leaf in leaves(state)]
+    assert all(room.store(i, state) for i in range(n))
+    for one in (room, copy.deepcopy(room), pickle.loads(pickle.dumps(room)), copy_of(room)):
+        assert [(plain(one.load(i)), kinds(one.load(i))) for i in range(n)] == [(plain(state), kinds(state))] * n
 
 
 def test_another_process_can_read_them() -> None:
@@ -70,50 +60,49 @@ def test_another_process_can_read_them() -> None:
     assert done.stdout == f"{room.load(2)}\n"
 
 
-def test_places_are_apart() -> None:
-    """Storing in one place leaves the others alone."""
-    room = storage([Pair(0, (0.5, True))], 3)
-    states = [Pair(k, (k / 2, k == 1)) for k in range(3)]
-    for i in (2, 0, 1):
-        room.store(i, states[i])
-    assert plain([room.load(i) for i in range(3)]) == plain(states)
-
-
 @pytest.mark.parametrize(
     ("states", "later"),
     [
         ([0, 0.5], 0.25),
         ([False, 2], 3),
-        ([False, True], True),
         ([Pair(0, (1, 2)), Pair(0.5, (1, 2)), Pair(1, (True, 2.5))], Pair(0.25, (7, 0.125))),
-        ([np.int64(3), 4.5], 1.5),
         ([2**63, 3], 4),
         ([3, -(2**63) - 1], 2**70),
         (["left", "right"], "straight on"),
-        ([None, 3], 4),
         ([(), (1,)], (1, 2, 3)),
         ([Pair(1, 2), (1, 2)], Pair(5, 6)),
-        ([Pair(1, (2, 3)), Pair(1, Pair(2, 3))], Pair(4, (5, 6))),
         ([Pair((1,), 2), Turned((1,), 2)], Pair((3,), 4)),
         ([Pair(np.zeros(2), 0), Pair(np.ones(3), 0.5)], Pair(np.ones(5), 0.25)),
         ([Pair(np.zeros(2), 0), Pair(np.ones((3, 2)), 1)], Pair(np.ones(5), 1)),
     ],
 )
 def test_states_of_several_kinds(states: list[Any], later: Any) -> None:
-    """There is room for all the states that were tried, and for others of their kinds."""
+    """There is room for all the states that were tried, and for others of their kinds; the places are apart."""
     room = storage(states, 2)
+    room.store(0, states[0])
     for state in (*states, later):
-        room.store(1, state)
-        for one in (room, copy.deepcopy(room), pickle.loads(pickle.dumps(room))):
-            assert plain(one.load(1)) == plain(state)
-            assert classes(one.load(1)) == classes(state)
+        assert room.store(1, state)
+        assert plain(room.load(1)) == plain(state)
+        assert not isinstance(state, tuple) or type(room.load(1)) is type(state)
+    assert plain([room.load(0), pickle.loads(pickle.dumps(room)).load(1)]) == plain([states[0], later])
 
 
-def test_numbers_are_in_columns() -> None:
-    """Numbers go into columns, arrays into a list that can be compiled, anything else into one that cannot."""
-    assert not isinstance(storage([Pair(1, (2.0, True))], 2), Listed)
-    for states in ([Pair(np.zeros(2), 1)], ["text"]):
-        assert isinstance(storage(states, 2), Listed)
+@pytest.mark.parametrize(
+    ("sample", "stored", "kept"),
+    [
+        ((0, 0), (0, 0.5), False),
+        ((0, 0), (1,), False),
+        ((0, 0), (1, 2, 3), False),
+        ((0, (0, 0)), (1, (2.5, 3)), False),
+        ((0, (0, 0)), (1, (2, 3, 4)), False),
+        ((0.0, 0), (np.nan, 1), True),
+    ],
+)
+def test_columns_tell_of_a_loss(sample: Any, stored: Any, kept: bool) -> None:
+    """A fraction among whole numbers, or another number of parts; not so in our own tasks, which are not checked."""
+    assert columns(sample, 2).store(1, stored) == kept
+    if len(stored) == len(sample):
+        assert columns(sample, 2, checked=False).store(1, stored)
 
 
 def swap(n: int, room: Any) -> Any:
@@ -125,9 +114,9 @@ def swap(n: int, room: Any) -> Any:
     return room.load(0)
 
 
-@pytest.mark.parametrize("states", [[1, 2.5, 3], [Pair(1, (0.5, False)), Pair(2, (1.5, True)), Pair(3, (2, False))]])
-def test_compiled(states: list[Any]) -> None:
+def test_compiled() -> None:
     """Machine code loads and stores the same."""
+    states = [Pair(1, (0.5, False)), Pair(2, (1.5, True)), Pair(3, (2, False))]
     rooms = []
     for run in (swap, compiled(swap, 3, storage(states, 3))):
         room = storage(states, 3)
@@ -149,11 +138,16 @@ def test_copies_of_listed_values(kind: Any) -> None:
         assert (copied.load(1)[0], storage.load(1)[0]) == (9, 1)
 
 
-def test_a_list_tells_of_a_loss() -> None:
-    """A number that its place has cut, beside an array, which is not looked at; and a tuple of another length."""
-    kept = listed([(1, (0.5, np.zeros(2)))] * 2).kept
-    assert kept.equal((2, (0.5, np.ones(2))), (2, (0.5, np.zeros(2))))
-    assert kept.equal((2, (np.nan, np.ones(2))), (2, (np.nan, np.zeros(2))))
-    assert not kept.equal((2, (0.5, np.ones(2))), (2.5, (0.5, np.ones(2))))
-    assert not kept.equal((2, (0.5, np.ones(2))), (2, (0.25, np.ones(2))))
-    assert not kept.equal((2, (0.5, np.ones(2))), (2, (0.5, np.ones(2)), 3))
+@pytest.mark.parametrize(
+    ("stored", "value", "kept"),
+    [
+        ((2, (0.5, np.ones(2))), (2, (0.5, np.zeros(2))), True),  # an array is not looked at
+        ((2, (np.nan, np.ones(2))), (2, (np.nan, np.zeros(2))), True),
+        ((2, (0.5, np.ones(2))), (2.5, (0.5, np.ones(2))), False),
+        ((2, (0.5, np.ones(2))), (2, (0.25, np.ones(2))), False),
+        ((2, (0.5, np.ones(2))), (2, (0.5, np.ones(2)), 3), False),
+    ],
+)
+def test_a_list_tells_of_a_loss(stored: Any, value: Any, kept: bool) -> None:
+    """A number that its place has cut, beside an array; and a tuple of another length."""
+    assert listed([(1, (0.5, np.zeros(2)))] * 2).kept.equal(stored, value) == kept

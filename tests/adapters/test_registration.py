@@ -1,7 +1,7 @@
 """The registry, in this process and in fresh ones that import nothing but Gymnasium."""
 
+import inspect
 import json
-import re
 import subprocess
 import sys
 import warnings
@@ -12,16 +12,8 @@ import pytest
 from gymnasium.error import NameNotFound
 
 import edugym
-from edugym.adapters.registration import (
-    ENVIRONMENTS,
-    find,
-    in_snake_case,
-    make_environment,
-    make_mdp,
-    parameters_of,
-    register_environments,
-    specification,
-)
+from edugym import ENVIRONMENTS, make_environment, make_mdp, register_environments
+from edugym.adapters.registration import find, in_snake_case, parameters_of, specification
 from edugym.mdp.task import full_id
 
 HEAVY = [
@@ -47,29 +39,21 @@ def in_a_fresh_process(code: str) -> str:
 
 
 def test_importing_is_light() -> None:
-    """`import edugym` registers everything, imports nothing heavy, and draws no random number."""
+    """`import edugym` registers everything and draws no random number; playing imports one module, and no compiler."""
     code = f"""
 import sys, json, random
 import numpy
 before = numpy.random.get_state()[1].tolist(), random.getstate()
 import edugym, gymnasium
 assert (numpy.random.get_state()[1].tolist(), random.getstate()) == before
-heavy = [name for name in {HEAVY} if name in sys.modules]
-environments = [name for name in sys.modules if name.startswith("edugym.envs.")]
-print(json.dumps([heavy, environments, [entry.id in gymnasium.registry for entry in edugym.ENVIRONMENTS]]))
-"""
-    assert json.loads(in_a_fresh_process(code)) == [[], [], [True] * len(ENVIRONMENTS)]
-
-
-def test_making_one_environment_is_light() -> None:
-    """Making and playing an environment without pictures imports its own module only, and no compiler."""
-    code = f"""
-import sys, json, gymnasium, edugym
+assert all(entry.id in gymnasium.registry for entry in edugym.ENVIRONMENTS)
+def imported():
+    return [name for name in sys.modules if name in {HEAVY} or name.startswith("edugym.envs.")]
+seen = [imported()]
 env = gymnasium.make("edugym/Boulder-v0")
 env.reset(seed=0)
 env.step(0)
-print(json.dumps([[name for name in {HEAVY} if name in sys.modules],
-    [name for name in sys.modules if name.startswith("edugym.envs.")]]))
+print(json.dumps([*seen, imported()]))
 """
     assert json.loads(in_a_fresh_process(code)) == [[], ["edugym.envs.boulder"]]
 
@@ -89,17 +73,22 @@ for name in {[entry.name for entry in ENVIRONMENTS]}:
 
 
 def test_entries() -> None:
-    """Every entry has an id, a class of its own, a challenge and a lesson of its own."""
-    assert len({entry.name for entry in ENVIRONMENTS}) == len(ENVIRONMENTS)
-    assert len({entry.challenge for entry in ENVIRONMENTS}) == len(ENVIRONMENTS)
-    assert len({entry.lesson for entry in ENVIRONMENTS}) == len(ENVIRONMENTS)
+    """Every entry has an id, a challenge and a lesson of its own, and a class that is called after its task."""
+    for part in ("name", "challenge", "lesson"):
+        assert len({getattr(entry, part) for entry in ENVIRONMENTS}) == len(ENVIRONMENTS)
     for entry in ENVIRONMENTS:
         assert entry.id == f"edugym/{entry.name}-v0"
         assert find(entry.name) is find(entry.id) is entry
-        env = gymnasium.make(entry.id)
-        assert type(env.unwrapped) is entry.load()
-        assert entry.load().__name__ == f"{entry.name}Env"
-        assert type(make_mdp(entry.name)) is type(make_mdp(entry.id)) is type(entry.load()().mdp)
+        kind, task = entry.load(), entry.load_mdp()
+        env: Any = gymnasium.make(entry.id, render_mode="ansi")
+        assert type(env.unwrapped) is kind
+        assert (kind.__name__, env.render_mode) == (f"{entry.name}Env", "ansi")
+        parameters, of_the_task = (inspect.signature(made).parameters for made in (kind, task.create))
+        if kind.__module__ != entry.module:  # made of the task alone
+            assert [*parameters] == [*of_the_task, "render_mode"]
+            assert kind.__doc__ == task.__doc__
+        assert parameters["render_mode"].default is None
+        assert type(make_mdp(entry.name)) is type(make_mdp(entry.id)) is type(kind().mdp)
 
 
 def test_registering_again() -> None:
@@ -163,16 +152,14 @@ def test_ids(name: str, full: str) -> None:
 @pytest.mark.parametrize(
     ("name", "parameters", "says"),
     [
-        ("Bolder", {}, "environment must be one of Boulder, Catch, Golf, MemoryCorridor, Roadrunner, Study,"
-         " Supermarket, Tamagotchi, Trashbot, or an id of Gymnasium's; Environment `Bolder` doesn't exist."),
+        ("Bolder", {}, "environment must be one of Boulder, .*, or an id of Gymnasium's; .*Bolder"),
         ("CartPole-v1", {"x": 1}, "CartPole-v1 has no parameter 'x'; it has sutton_barto_reward"),
-        ("Boulder", {"height": 3, "n": 1},
-         "Boulder has no parameter 'n'; it has height, n_grips, max_steps, layout_seed"),
+        ("Boulder", {"height": 3, "n": 1}, "Boulder has no parameter 'n'; it has height, n_grips, max_st.*, layout"),
     ],
-)  # fmt: skip
+)
 def test_what_a_specification_refuses(name: str, parameters: dict[str, int], says: str) -> None:
     """And what there is instead."""
-    with pytest.raises(ValueError, match=f"^{re.escape(says)}$"):
+    with pytest.raises(ValueError, match=f"^{says}"):
         specification(name, parameters)
 
 

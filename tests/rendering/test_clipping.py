@@ -1,5 +1,6 @@
 """Shapes of any size at any distance: the part that is in the picture is drawn, and the rest costs nothing."""
 
+import itertools
 import math
 from dataclasses import replace
 from typing import Any
@@ -10,12 +11,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from edugym.rendering import clipping
+from edugym.rendering import pixels
 from edugym.rendering.ansi import MOST_CELLS, to_text
 from edugym.rendering.captions import captioned
 from edugym.rendering.clipping import visible
 from edugym.rendering.icons import smiley
-from edugym.rendering.palette import BLUE, GREEN, PAPER, RED, rgb
+from edugym.rendering.palette import BLUE, PAPER, RED, rgb
 from edugym.rendering.pixels import to_pixels
 from edugym.rendering.scene import Arc, Circle, Line, Polygon, Rectangle, Scene, Shape, Text
 from edugym.rendering.svg import to_svg
@@ -27,6 +28,7 @@ NUMBERS = st.one_of(
 )
 SIZES = NUMBERS.map(abs)
 POINTS = st.lists(st.tuples(NUMBERS, NUMBERS), min_size=3, max_size=6)
+EDGES = [(-1, 0), (1, 0), (0, -1), (0, 1)]
 PEN = st.one_of(st.none(), SIZES)
 
 
@@ -68,68 +70,49 @@ def test_every_back_end_draws_shapes_of_any_size(shape: Shape) -> None:
     to_svg(captioned(picture, ["caption"]))
 
 
-@pytest.mark.parametrize("radius", [15.0, 70.0, 90.0, 1e4, 1e8])
-@pytest.mark.parametrize("angle", [0.0, 0.7, 2.5, 4.0])
-@pytest.mark.parametrize("depth", [-3.0, 0.0, 3.0])
-def test_large_circles_pass_where_they_should(radius: float, angle: float, depth: float) -> None:
+@pytest.mark.parametrize("radius", [15.0, 70.0, 90.0, 1e8])
+def test_large_circles_pass_where_they_should(radius: float) -> None:
     """Every pixel has the colour of the circle's inside, its outline or the paper, by its distance to the centre."""
-    x, y = 5 - (radius - depth) * math.cos(angle), 5 - (radius - depth) * math.sin(angle)
-    pixels = to_pixels(Scene(10, 10, (Circle(x, y, radius, fill=RED, outline=BLUE, outline_width=1.0),)), 100)
-    rows, columns = np.mgrid[0:100, 0:100] / 10 + 0.05
-    beyond = np.hypot(columns - x, rows - y) - radius
-    for colour, where in ((RED, beyond < -0.7), (BLUE, abs(beyond) < 0.3), (PAPER, beyond > 0.7)):
-        assert (pixels[where] == rgb(colour)).all()
-    assert len(set(map(tuple, pixels.reshape(-1, 3)))) > 1
+    for angle, depth in itertools.product((0.7, 4.0), (-3.0, 0.0, 3.0)):
+        x, y = 5 - (radius - depth) * math.cos(angle), 5 - (radius - depth) * math.sin(angle)
+        drawn = to_pixels(Scene(10, 10, (Circle(x, y, radius, fill=RED, outline=BLUE, outline_width=1.0),)), 100)
+        rows, columns = np.mgrid[0:100, 0:100] / 10 + 0.05
+        beyond = np.hypot(columns - x, rows - y) - radius
+        for colour, where in ((RED, beyond < -0.7), (BLUE, abs(beyond) < 0.3), (PAPER, beyond > 0.7)):
+            assert (drawn[where] == rgb(colour)).all()
+        assert len(set(map(tuple, drawn.reshape(-1, 3)))) > 1
 
 
-@pytest.mark.parametrize("unit", [1e-6, 1e-3, 1.0, 1e6])
+@pytest.mark.parametrize("unit", [1e-6, 1.0, 1e6])
 def test_a_circle_around_the_whole_picture(unit: float) -> None:
     """It is one area of its colour, whatever the units of the picture; without a colour it cannot be seen."""
     circle = Circle(5 * unit, 2 * unit, 100 * unit, fill=RED)
-    kept = [*visible(Scene(10 * unit, 5 * unit, (circle, replace(circle, fill=None))))]
-    assert [(type(shape), getattr(shape, "fill", None)) for shape in kept] == [(Rectangle, RED)]
+    (part,) = visible(Scene(10 * unit, 5 * unit, (circle, replace(circle, fill=None))))
+    assert isinstance(part, Rectangle)
+    assert (part.fill, part.outline) == (RED, None)
+    around = (-20, -20, 50, 45)
+    assert (part.x, part.y, part.width, part.height) == pytest.approx([unit * number for number in around])
 
 
-def test_large_shapes_are_cut_where_nobody_sees_it() -> None:
-    """A shape a million times as large as the picture has the same edges in the picture as one that just passes it."""
-    for near, far in (
-        (Rectangle(2, 3, 20, 20, fill=RED), Rectangle(2, 3, 1e7, math.inf, fill=RED)),
-        (Rectangle(-20, -20, 25, 40, fill=RED), Rectangle(-1e7, -1e300, 1e7 + 5, math.inf, fill=RED)),
-        (Polygon(((5, 5), (25, -15), (25, 25)), fill=RED), Polygon(((5, 5), (1e7, 5 - 1e7), (1e7, 1e7)), fill=RED)),
-        (Line(((-20, -19.7), (30, 30.3))), Line(((-1e9, 0.3 - 1e9), (1e9, 1e9 + 0.3)))),
-        (Line(((5, -15), (5, 5), (25, 5))), Line(((5, -1e9), (5, 5), (1e9, 5)))),
-        (Line(((5, -15), (5, 25)), line_width=1), Line(((5, -1e9), (5, 1e9)), line_width=1)),
-    ):
-        first, second = (to_pixels(Scene(10, 10, (shape,)), 200).astype(int) for shape in (near, far))
-        assert (first != rgb(PAPER)).any()
-        assert (abs(first - second).max(axis=2) > 64).mean() < 0.001
-        glyphs = [to_text(Scene(10, 10, (replace(shape, glyph="#"),), columns=20)) for shape in (near, far)]
-        if not isinstance(near, Polygon):  # its glyph stands at the middle of the part that is kept
-            assert glyphs[0] == glyphs[1]
-            assert "#" in glyphs[0]
+FAR = st.floats(-200, 200)
+LARGE = st.one_of(
+    st.builds(Rectangle, FAR, FAR, FAR.map(abs), FAR.map(abs), fill=st.just(RED), outline=st.just(None)),
+    st.builds(Polygon, st.lists(st.tuples(FAR, FAR), min_size=3, max_size=4), fill=st.just(RED), outline=st.just(None)),
+    st.builds(Line, st.lists(st.tuples(FAR, FAR), min_size=2, max_size=4), line_width=st.just(1.0)),
+    st.builds(Circle, FAR, FAR, FAR.map(abs), fill=st.just(RED), outline_width=st.just(1.0)),
+)
 
 
-@pytest.mark.parametrize(("across", "down"), [(-1, 0), (1, 0), (0, -1), (0, 1)])
-def test_what_reaches_far_beyond_one_edge_is_cut_there(across: int, down: int) -> None:
-    """The part that is kept begins where the shape does."""
-    end = (5 + 1e6 * across, 5 + 1e6 * down)
-    left, right = sorted((5.0, end[0]))
-    top, bottom = sorted((5.0, end[1]))
-    for shape in (
-        Rectangle(left - 0.5, top - 0.5, right - left + 1, bottom - top + 1),
-        Polygon(((5 - down, 5 - across), (5 + down, 5 + across), end)),
-        Line(((5, 5), end)),
-    ):
-        (part,) = visible(Scene(10, 10, (shape,)))
-        assert type(part) is type(shape)
-        assert max(map(abs, coordinates(part))) <= 60
-        assert any(abs(number - 5) <= 1 for number in coordinates(part))
-
-
-def test_a_polygon_with_a_side_on_the_edge() -> None:
-    """Keeps it, and nothing is divided by zero; the far corner is cut off."""
-    kept = clipping._cut_polygon(((0, 0), (0, 10), (20, 5)), clipping.Box(0, 0, 10, 10))
-    assert kept == [(10, 2.5), (0, 0), (0, 10), (10, 7.5)]
+@settings(max_examples=150)
+@given(st.lists(LARGE, min_size=1, max_size=4))
+def test_shapes_are_cut_where_nobody_sees_it(shapes: list[Shape]) -> None:
+    """A picture is nearly the same if nothing is cut, where pygame can draw it."""
+    picture = Scene(10, 10, shapes)
+    cut = to_pixels(picture, 100).astype(int)
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setattr(pixels, "visible", lambda scene: scene.shapes)
+        whole = to_pixels(picture, 100).astype(int)
+    assert (abs(cut - whole).max(axis=2) > 128).mean() < 0.005
 
 
 def test_shapes_in_the_picture_stay_as_they_are() -> None:
@@ -151,9 +134,6 @@ def test_shapes_in_the_picture_stay_as_they_are() -> None:
     ]
     mixed = [shape for k, one in enumerate(inside) for shape in (*outside[k : k + 1], one)] + outside
     assert list(visible(Scene(10, 10, mixed))) == inside
-    assert list(visible(Scene(10, 10, (Circle(5, 5, 1e9, fill=GREEN),)))) == [
-        Rectangle(-20, -20, 50, 50, fill=GREEN, outline=None)
-    ]
 
 
 def test_a_line_that_leaves_the_picture_comes_back() -> None:
@@ -166,7 +146,6 @@ def test_a_line_that_leaves_the_picture_comes_back() -> None:
 
 
 @pytest.mark.parametrize("pen", [0.5, None])
-@pytest.mark.parametrize(("across", "down"), [(-1, 0), (1, 0), (0, -1), (0, 1)])
 @pytest.mark.parametrize(
     "shape",
     [
@@ -178,10 +157,10 @@ def test_a_line_that_leaves_the_picture_comes_back() -> None:
     ],
     ids=["Rectangle", "Circle", "Polygon", "Line", "Arc"],
 )
-def test_half_of_a_pen_reaches_into_the_picture(shape: Any, across: int, down: int, pen: float | None) -> None:
+def test_half_of_a_pen_reaches_into_the_picture(shape: Any, pen: float | None) -> None:
     """A shape beyond an edge is seen as far as its outline reaches, whether that has a width of its own or not."""
     empty = Scene(10, 6, ())
-    for share, seen in ((0.49, True), (0.51, False)):
+    for (across, down), (share, seen) in itertools.product(EDGES, ((0.49, True), (0.51, False))):
         gap = share * (empty.outline_width if pen is None else pen)
         one = shape(5 + across * (5 + 1 + gap), 3 + down * (3 + 1 + gap), pen)
         assert list(visible(replace(empty, shapes=(one,)))) == [one] * seen

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from edugym.rendering.palette import PAPER
-from edugym.rendering.scene import Scene
-from edugym.rendering.shapes import LONGEST_SIDE, Arc, Circle, Line, Point, Polygon, Rectangle, Shape, Text
+from edugym.rendering.scene import LONGEST_SIDE, Scene
+from edugym.rendering.shapes import Arc, Circle, Line, Point, Polygon, Rectangle, Shape, Text
 
 WIDTH = 400
 """The smallest width of a picture with a caption, in pixels: a narrow picture needs room for its text."""
@@ -32,7 +32,7 @@ def captioned(scene: Scene, lines: Sequence[str]) -> Scene:
         ValueError: If a line has characters that cannot be printed on one line.
         TypeError: If the scene has a shape of an unknown class.
     """
-    pixel = max(scene.width, scene.height) / LONGEST_SIDE
+    pixel = scene.longer_side / LONGEST_SIDE
     width, height = max(scene.width, WIDTH * pixel), (len(lines) + 0.5) * LINE_HEIGHT * pixel
     margin = (width - scene.width) / 2
     shapes: list[Shape] = [

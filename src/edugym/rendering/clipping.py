@@ -2,7 +2,8 @@
 
 A scene may hold shapes of any size at any distance: a circle a million times as wide as the picture, a ball that flew
 out of it, or a street of which only a part is shown. Back ends draw what `visible` yields, so that the time and the
-memory of a picture depend on what it shows.
+memory of a picture depend on what it shows. (Left to itself, pygame loses lines and fills rings from 100 000 pixels on,
+and SVG has no word for infinity.)
 """
 
 import math
@@ -11,7 +12,7 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import Any, NamedTuple
 
-from edugym.rendering.shapes import Arc, Circle, Drawing, Filled, Line, Point, Polygon, Rectangle, Shape, Stroke, Text
+from edugym.rendering.scene import Arc, Circle, Filled, Line, Point, Polygon, Rectangle, Scene, Shape, Stroke, Text
 
 REACH = 2.0
 """How far around the picture shapes are kept, in longer sides of the picture; outlines are at most twice as wide."""
@@ -40,33 +41,31 @@ class Box(NamedTuple):
         return across and self.top <= other.bottom and other.top <= self.bottom
 
 
-def visible(drawing: Drawing) -> Iterator[Shape]:
+def visible(scene: Scene) -> Iterator[Shape]:
     """Yield the shapes that can be seen, from back to front; replace very large ones by the part near the picture.
 
     The picture stays the same, except where a line or an outline is more than four times as wide as the picture, or the
     radius of a rectangle's corner more than twice as wide. A shape of an unknown class is yielded unchanged.
     """
-    margin = REACH * drawing.longer_side
-    picture = Box(0.0, 0.0, drawing.width, drawing.height)
-    frame = Box(-margin, -margin, drawing.width + margin, drawing.height + margin)
-    for shape in drawing.shapes:
-        box = _box(shape, drawing)
-        if box is None or (frame.contains(box) and picture.touches(box)):
-            yield shape
-        elif not frame.contains(box):
-            for part in _cut(_limited(shape, drawing), drawing, frame):
-                box = _box(part, drawing)
-                if box is not None and picture.touches(box):
-                    yield part
+    margin = REACH * scene.longer_side
+    picture = Box(0.0, 0.0, scene.width, scene.height)
+    frame = Box(-margin, -margin, scene.width + margin, scene.height + margin)
+    for shape in scene.shapes:
+        box = _box(shape, scene)
+        fits = box is None or frame.contains(box)
+        for part in (shape,) if fits else _cut(_limited(shape, scene), scene, frame):
+            box = _box(part, scene)
+            if box is None or picture.touches(box):
+                yield part
 
 
-def _box(shape: Shape, drawing: Drawing) -> Box | None:
+def _box(shape: Shape, scene: Scene) -> Box | None:
     """Return a box around a shape with its outline, or None for a shape of an unknown class."""
     pen = 0.0
     if isinstance(shape, Stroke):
-        pen = drawing.outline_width if shape.line_width is None else shape.line_width
+        pen = scene.outline_width if shape.line_width is None else shape.line_width
     elif isinstance(shape, Filled) and shape.outline is not None:
-        pen = drawing.outline_width if shape.outline_width is None else shape.outline_width
+        pen = scene.outline_width if shape.outline_width is None else shape.outline_width
     x_pen = y_pen = pen / 2
     match shape:
         case Rectangle(x=left, y=top):
@@ -78,25 +77,25 @@ def _box(shape: Shape, drawing: Drawing) -> Box | None:
             left, top, right, bottom = min(xs), min(ys), max(xs), max(ys)
         case Text(x=x, y=y):
             left, top, right, bottom = x, y, x, y
-            y_pen = drawing.text_size if shape.size is None else shape.size
+            y_pen = scene.text_size if shape.size is None else shape.size
             x_pen = y_pen * len(shape.content)  # no letter is wider than the font size
         case _:
             return None
     return Box(left - x_pen, top - y_pen, right + x_pen, bottom + y_pen)
 
 
-def _limited(shape: Shape, drawing: Drawing) -> Shape:
+def _limited(shape: Shape, scene: Scene) -> Shape:
     """Return a shape without infinite numbers, its outline and its text no larger than the back ends can draw."""
     limits = {
-        "outline_width": 2 * REACH * drawing.longer_side,
-        "line_width": 2 * REACH * drawing.longer_side,
-        "size": REACH * drawing.longer_side,
-        "width": 2 * FARTHEST * drawing.longer_side,  # from one end to the other
-        "height": 2 * FARTHEST * drawing.longer_side,
+        "outline_width": 2 * REACH * scene.longer_side,
+        "line_width": 2 * REACH * scene.longer_side,
+        "size": REACH * scene.longer_side,
+        "width": 2 * FARTHEST * scene.longer_side,  # from one end to the other
+        "height": 2 * FARTHEST * scene.longer_side,
     }
     changes: dict[str, Any] = {}
     for name, value in vars(shape).items():
-        most = limits.get(name, FARTHEST * drawing.longer_side)
+        most = limits.get(name, FARTHEST * scene.longer_side)
         if isinstance(value, float):
             changes[name] = min(max(value, -most), most)
         elif name == "points":
@@ -104,17 +103,17 @@ def _limited(shape: Shape, drawing: Drawing) -> Shape:
     return replace(shape, **changes)
 
 
-def _cut(shape: Shape, drawing: Drawing, frame: Box) -> Iterator[Shape]:
+def _cut(shape: Shape, scene: Scene, frame: Box) -> Iterator[Shape]:
     """Yield the parts of a shape that lie in the frame around the picture."""
     match shape:
         case Rectangle(x=x, y=y):
             left, right = max(x, frame.left), min(x + shape.width, frame.right)
             top, bottom = max(y, frame.top), min(y + shape.height, frame.bottom)
             if left <= right and top <= bottom:
-                radius = min(shape.radius, REACH * drawing.longer_side)
+                radius = min(shape.radius, REACH * scene.longer_side)
                 yield replace(shape, x=left, y=top, width=right - left, height=bottom - top, radius=radius)
         case Circle():
-            yield from _cut_circle(shape, drawing, frame)
+            yield from _cut_circle(shape, scene, frame)
         case Polygon(points=points):
             points = _cut_polygon(points, frame)
             if points:
@@ -128,10 +127,10 @@ def _cut(shape: Shape, drawing: Drawing, frame: Box) -> Iterator[Shape]:
             yield shape
 
 
-def _cut_circle(circle: Circle, drawing: Drawing, frame: Box) -> Iterator[Shape]:
+def _cut_circle(circle: Circle, scene: Scene, frame: Box) -> Iterator[Shape]:
     """Yield a circle that fits into the frame nearly; of a very large one, the side that passes the picture."""
-    margin = REACH * drawing.longer_side
-    x, y = drawing.width / 2, drawing.height / 2
+    margin = REACH * scene.longer_side
+    x, y = scene.width / 2, scene.height / 2
     distance = math.hypot(x - circle.x, y - circle.y)
     depth = circle.radius - distance  # of the middle of the picture below the edge of the circle
     if abs(depth) > 2 * margin:  # the edge cannot be seen

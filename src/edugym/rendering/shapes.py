@@ -1,4 +1,4 @@
-"""Shapes: what pictures are made of, and a `Drawing`, which is a size and a tuple of shapes.
+"""Shapes: what pictures are made of.
 
 The coordinates are the environment's own (grid cells, metres, whatever its dynamics use). As in SVG, the origin is the
 top-left corner of the picture, x grows to the right and **y grows downwards**; an environment whose y axis points up
@@ -20,21 +20,10 @@ Anchor = Literal["start", "middle", "end"]
 ANCHORS: dict[Anchor, float] = {"start": 0.0, "middle": 0.5, "end": 1.0}
 """The share of a text that lies before its anchor."""
 
-LONGEST_SIDE = 480
-"""The default length of a picture's longer side, in pixels."""
-MOST_PIXELS = 4096
-"""The largest width and the largest height of a picture, in pixels."""
-OUTLINE_SHARE = 1 / 200
-"""The default width of an outline, as a share of the picture's longer side."""
-TEXT_SHARE = 1 / 24
-"""The default font size, as a share of the picture's longer side."""
-
 CAPITAL_SHARE = 0.73
 """Height of a capital letter as a share of the font size: the same in Helvetica, Arial and FreeSans Bold."""
 CURVE_PIECES = 72
 """The number of straight pieces that stand for a full circle in back ends that have no arcs."""
-SMALLEST, LARGEST = 1e-100, 1e100
-"""The limits of a drawing's width and height, which keep all products with them finite."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -67,11 +56,11 @@ class Shape:
                 check(value in ANCHORS, name, '"start", "middle" or "end"', value)
             elif name == "points":
                 least = 3 if isinstance(self, Polygon) else 2
-                path = tuple((_as_float(name, x), _as_float(name, y)) for x, y in value)
+                path = tuple((as_float(name, x), as_float(name, y)) for x, y in value)
                 check(len(path) >= least, name, f"at least {least} pairs of numbers", value)
                 object.__setattr__(self, name, path)
             else:
-                number = _as_float(name, value)
+                number = as_float(name, value)
                 may_be_negative = name in ("x", "y", "start", "stop")
                 check(may_be_negative or number >= 0, name, "0 or more", value)
                 object.__setattr__(self, name, number)
@@ -88,7 +77,7 @@ def check_line(name: str, value: object) -> None:
     check(isinstance(value, str) and value.isprintable(), name, "one line of printable characters", value)
 
 
-def _as_float(name: str, value: Any) -> float:
+def as_float(name: str, value: Any) -> float:
     """Return a number as a float; a whole number too large for a float becomes infinite."""
     check(isinstance(value, Real) and value == value, name, "a number", value)
     try:
@@ -104,7 +93,7 @@ class Filled(Shape):
     Attributes:
         fill: Colour of the inside, or None to leave it as it is.
         outline: Colour of the edge, or None for no edge.
-        outline_width: Width of the line along the edge, in the drawing's units; None for the default width.
+        outline_width: Width of the line along the edge, in the scene's units; None for the default width.
     """
 
     fill: str | None = palette.PAPER
@@ -118,7 +107,7 @@ class Stroke(Shape):
 
     Attributes:
         colour: Colour of the path.
-        line_width: Width of the path, in the drawing's units; None for the default width.
+        line_width: Width of the path, in the scene's units; None for the default width.
     """
 
     colour: str = palette.INK
@@ -201,7 +190,7 @@ class Text(Shape):
         x: The start, the middle or the end of the text (see `anchor`).
         y: The middle of its capital letters.
         content: The text.
-        size: The font size in the drawing's units, of which capital letters take 0.73; None for the default size.
+        size: The font size in the scene's units, of which capital letters take 0.73; None for the default size.
         colour: Colour of the letters.
         anchor: Which part of the text stands at x: "start", "middle" or "end".
         glyph: What the character back end writes instead of the content; the content itself if empty.
@@ -215,77 +204,5 @@ class Text(Shape):
     anchor: Anchor = "middle"
 
     def baseline(self, size: float) -> float:
-        """Return the y coordinate of the line on which the letters stand, for a font size in the drawing's units."""
+        """Return the y coordinate of the line on which the letters stand, for a font size in the scene's units."""
         return self.y + CAPITAL_SHARE / 2 * size
-
-
-@dataclass(frozen=True)
-class Drawing:
-    """A picture for any back end.
-
-    Attributes:
-        width: Width in the environment's units.
-        height: Height in the environment's units.
-        shapes: The shapes, from back to front. Unpack a group of shapes into it: `(*smiley(1, 2, 0.4), ...)`.
-        background: The colour behind them, `"#rrggbb"`.
-        title: The picture in words, for screen readers.
-        columns: Width in characters for the character back end. A character is about twice as high as it is wide: two
-            columns for each unit give one row for each unit.
-
-    Raises:
-        ValueError: If a size is not positive or far too large, or an element of `shapes` is no shape.
-    """
-
-    width: float
-    height: float
-    shapes: Sequence[Shape]
-    background: str = palette.PAPER
-    title: str = ""
-    columns: int = 60
-
-    def __post_init__(self) -> None:
-        """Check the sizes and the shapes, and keep the shapes as a tuple."""
-        for name, size in (("width", self.width), ("height", self.height)):
-            fits = SMALLEST <= _as_float(name, size) <= LARGEST
-            check(fits, name, f"positive, from {SMALLEST} to {LARGEST}", size)
-        check(self.columns >= 1, "columns", "1 or more", self.columns)
-        check_line("title", self.title)
-        palette.rgb(self.background)
-        object.__setattr__(self, "shapes", tuple(self.shapes))
-        for shape in self.shapes:
-            check(isinstance(shape, Shape), "shapes", "all shapes (unpack a group of them with *)", shape)
-
-    @property
-    def longer_side(self) -> float:
-        """The width or the height, whichever is larger."""
-        return max(self.width, self.height)
-
-    @property
-    def outline_width(self) -> float:
-        """The default width of an outline, in the drawing's units."""
-        return OUTLINE_SHARE * self.longer_side
-
-    @property
-    def text_size(self) -> float:
-        """The default font size, in the drawing's units."""
-        return TEXT_SHARE * self.longer_side
-
-    def size_in_pixels(self, width_pixels: int | None = None) -> tuple[int, int]:
-        """Return the width and height of the picture in pixels, both even because video encoders need even sizes.
-
-        Args:
-            width_pixels: The width, rounded up to an even number; None for a picture whose longer side has
-                `LONGEST_SIDE` pixels. The height follows from the proportions of the drawing.
-
-        Raises:
-            ValueError: If the width is not positive, or a side of the picture would have more than `MOST_PIXELS`.
-        """
-        if width_pixels is None:
-            scale = LONGEST_SIDE / self.longer_side
-        else:
-            check(width_pixels > 0, "width_pixels", "positive", width_pixels)
-            most = MOST_PIXELS * self.width / self.longer_side
-            check(width_pixels <= most, "width_pixels", f"at most {most:.0f} for this picture", width_pixels)
-            scale = 2 * math.ceil(width_pixels / 2) / self.width
-        # Half of the exact size, rounded to a whole number and doubled.
-        return 2 * max(1, round(scale * self.width / 2)), 2 * max(1, round(scale * self.height / 2))

@@ -1,0 +1,376 @@
+"""Copies of a task do what the single environment does, whatever becomes of a student's states, code and mistakes."""
+
+import copy
+import pickle
+import traceback
+import warnings
+from typing import Any, NamedTuple
+
+import gymnasium
+import numpy as np
+import pytest
+from gymnasium import spaces
+from gymnasium.vector import AutoresetMode
+
+from edugym import MDPEnv, MDPVectorEnv, make_mdp
+from edugym.mdp.protocol import Random
+from edugym.rendering.scene import Scene
+from tests.adapters.tasks import TRAIL
+from tests.compiled.cells import cell
+from tests.contract.play import Copies, every_environment, plain
+
+
+def alike(task: Any, mode: AutoresetMode, n_steps: int, action: Any = None) -> list[bool]:
+    """Compare three copies with single environments that draw from one stream; tell at each step if they compile."""
+    alone, vector = Copies([MDPEnv(task) for _ in range(3)], mode, seed=5), MDPVectorEnv(task, 3, mode)
+    space, compiled = vector.single_observation_space, []
+    vector.action_space.seed(0)
+    observations, _ = vector.reset(seed=5)
+    for _ in range(n_steps):
+        assert plain(observations) == plain(np.array(alone.observations, space.dtype).reshape(3, *(space.shape or ())))
+        actions = vector.action_space.sample() if action is None else np.full(3, action)
+        rewards, terminations, truncations, last = alone.step(list(actions))
+        observations, *seen, infos = vector.step(actions.astype(np.uint16) if actions.dtype.kind == "i" else actions)
+        assert [part.tolist() for part in seen] == [rewards, terminations, truncations]
+        assert plain([vector.state(i) for i in range(3)]) == plain([env.state for env in alone.envs])
+        assert plain(list(infos.get("final_obs", last))) == plain(
+            [one if one is None else np.array(one, space.dtype) if space.shape else one for one in last]
+        )
+        actions[:] = 1 - actions  # whoever gave them may use the array again
+        for i, env in enumerate(alone.envs):
+            assert plain(vector.showing(i).info()) == plain(env.info())
+            assert vector.showing(i).steps == env.steps
+            assert vector.showing(i).scene() == env.scene()
+        compiled.append(vector.is_compiled)
+    return compiled
+
+
+class Remembered(NamedTuple):
+    """A task whose info asks for everything; only some actions lead to the end.
+
+    Attributes:
+        action_space: of the actions.
+        max_steps: the limit.
+        end: the last state that is not terminal.
+    """
+
+    action_space: Any
+    max_steps: int = 5
+    end: int = 16
+
+    @property
+    def observation_space(self) -> Any:
+        """Whole numbers."""
+        return spaces.Discrete(100)
+
+    def initial(self, rng: Random) -> int:
+        """One of ten."""
+        return int(rng.random() * 10)
+
+    def transition(self, state: int, action: Any, rng: Random) -> int:
+        """On, by chance."""
+        return state + 1 + int(rng.random() * 3)
+
+    def reward(self, state: int, action: Any, next_state: int, rng: Random) -> float:
+        """Less than nothing for low actions, which unsigned numbers cannot tell."""
+        return float(np.ravel(action)[0] - 2)
+
+    def terminal(self, state: int) -> bool:
+        """Far away."""
+        return state > self.end
+
+    def observation(self, state: int, rng: Random) -> int:
+        """The state."""
+        return state
+
+    def info(self, state: int, last_state: Any, last_action: Any, actions: Any, steps: int) -> dict[str, Any]:
+        """All of it."""
+        return {"all": (state, last_state, last_action, list(actions), steps)}
+
+
+class Latest(Remembered):
+    """Its info asks for the last action and no other."""
+
+    __slots__ = ()
+
+    def info(self, state: int, last_action: Any) -> dict[str, Any]:  # type: ignore[override]
+        """What is known."""
+        return {"last": last_action}
+
+
+class Drawn(Remembered):
+    """Its picture asks, and its info does not."""
+
+    __slots__ = ()
+
+    def info(self, state: int) -> dict[str, Any]:  # type: ignore[override]
+        """Nothing."""
+        return {}
+
+    def scene(self, state: int, last_state: Any, actions: Any) -> Scene:
+        """As wide as what is known."""
+        return Scene(1.0 + state + 100 * (last_state or 0), 1.0 + sum(map(float, np.ravel(actions))), ())
+
+
+@pytest.mark.filterwarnings("ignore:.* interpreted")
+@pytest.mark.parametrize("mode", [AutoresetMode.NEXT_STEP, AutoresetMode.SAME_STEP])
+@pytest.mark.parametrize(
+    "task",
+    [
+        Remembered(spaces.Discrete(3)),
+        Remembered(spaces.Discrete(1000)),
+        Remembered(spaces.Box(0, 1, (2,), np.float32)),
+        Remembered(spaces.MultiDiscrete([3, 200])),
+        Latest(spaces.Discrete(128)),
+        Drawn(spaces.Discrete(3)),
+    ],
+    ids=lambda task: f"{type(task).__name__}, {task.action_space}",
+)
+def test_what_each_of_several_copies_knows(task: Any, mode: AutoresetMode) -> None:
+    """Its own steps, last state and actions, as far as its info and its picture ask for them."""
+    alike(task, mode, 60)
+
+
+@every_environment
+def test_what_copies_show(entry: Any) -> None:
+    """The picture and the info of a copy are those of a single environment, also after copying and pickling."""
+    env = entry.load()()
+    vector = MDPVectorEnv(entry.load()(), 1, "SameStep")
+    env.reset(seed=3)
+    vector.reset(seed=3)
+    vector.action_space.seed(0)
+    for step in range(40):
+        actions = vector.action_space.sample()
+        vector.step(actions)
+        if any(env.step(actions[0])[2:4]):
+            env.reset()
+        one = vector.showing(0)
+        assert plain((one.info(), one.steps)) == plain((env.info(), env.steps))
+        assert repr(one.state) == repr(env.state)
+        assert one.scene() == env.scene(), step
+        if step == 20:
+            vector = pickle.loads(pickle.dumps(copy.deepcopy(vector)))
+
+
+def test_what_is_kept_for_pictures() -> None:
+    """Of a long run no more than a picture asks for, which is seen in the size of a pickled vector environment."""
+    study = MDPVectorEnv(MDPEnv(make_mdp("Study", total_days=50)), 3)
+    boulder = MDPVectorEnv(MDPEnv(make_mdp("Boulder")), 3)
+    for vector in (study, boulder):
+        vector.reset(seed=0)
+        sizes = []
+        for _ in range(1000):
+            vector.step(np.ones(3, np.int64))
+            sizes.append(len(pickle.dumps(vector)))
+        assert max(sizes) <= max(sizes[: 3 * 50])
+    assert len(study.showing(0).actions) == study.showing(0).steps
+    assert boulder.showing(0).actions == []
+
+
+def test_which_copy() -> None:
+    """Copies are numbered from 0; others are refused."""
+    vector = gymnasium.make_vec("edugym/Boulder-v0", 3).unwrapped
+    assert isinstance(vector, MDPVectorEnv)
+    vector.reset(seed=0)
+    wrongs: list[Any] = [-1, 3, 1.0, None]
+    for wrong in wrongs:
+        for method in (vector.state, vector.showing):
+            with pytest.raises(ValueError, match="i must be "):
+                method(wrong)
+    assert type(vector.state(2)) is int
+
+
+@pytest.mark.parametrize(("asked", "limit"), [(None, 5), (-1, 5), (7, 5), (5, 5), (3, 3)])
+def test_the_lower_limit_counts(asked: int | None, limit: int) -> None:
+    """The task's own, or what is asked for."""
+    task: Any = Remembered(spaces.Discrete(1))._replace(end=40)
+    vector = MDPVectorEnv(MDPEnv(task), 2, max_episode_steps=asked)
+    vector.spec = gymnasium.spec("edugym/Boulder-v0")
+    assert vector.spec.max_episode_steps == limit
+    vector.reset(seed=0)
+    truncated = [vector.step([0, 0])[3].tolist() for _ in range(limit)]
+    assert truncated == [[False, False]] * (limit - 1) + [[True, True]]
+
+
+TASK = """
+class Place(NamedTuple):
+    x: float
+    laps: int
+
+class Task(NamedTuple):
+    max_steps: int = 250
+    def initial(self, rng): return {initial}
+    def transition(self, state, action, rng): return {transition}
+    def reward(self, state, action, next_state, rng): return {reward}
+    def terminal(self, state): return {terminal}
+    def observation(self, state, rng): return {observation}
+    observation_space = property(lambda self: {space})
+    action_space = property(lambda self: spaces.Discrete(2))
+"""
+
+
+def task(initial: str, transition: str, reward: str = "1.0", terminal: str = "False", **seen: str) -> Any:
+    """A student's task from a cell, which shows nothing but 0 where nothing else is said."""
+    shown = {"observation": "0", "space": "spaces.Discrete(1)", **seen}
+    return cell(TASK.format(initial=initial, transition=transition, reward=reward, terminal=terminal, **shown))[
+        "Task"
+    ]()
+
+
+SEEN = {
+    "nested": ("((state, 1, 2), (3, rng.random(), -state))", "spaces.Box(-1e3, 1e3, (2, 3), np.float32)", ""),
+    "in place": ("self.seen(state, rng)", "spaces.Box(-1e3, 1e3, (2,), np.float64)", "observe_into"),
+    "an array": ("self.seen(state, rng)", "spaces.Box(-1e3, 1e3, (2,), np.float64)", ""),
+}
+ARRAY = """
+def seen(self, state, rng):
+    seen = np.zeros(2)
+    seen[0] = state
+    seen[1] = rng.random()
+    return seen
+def observe_into(self, state, rng, out):
+    out[0] = state
+    out[1] = rng.random()
+"""
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize(("observation", "space", "method"), SEEN.values(), ids=SEEN)
+def test_observations_of_every_kind(observation: str, space: str, method: str) -> None:
+    """They are written into rows, last ones included, with the random numbers that they take, in machine code."""
+    walk = task(
+        "int(rng.random() * 2)",
+        "state + 1 + action",
+        "float(state)",
+        "state >= 10",
+        observation=observation,
+        space=space,
+    )
+    arrays = cell(ARRAY)
+    type(walk).seen = arrays["seen"]
+    if method:
+        type(walk).observe_into = arrays["observe_into"]
+    assert all(alike(walk, AutoresetMode.SAME_STEP, 30))
+
+
+def test_states_with_arrays() -> None:
+    """Which grow, beside a number, in machine code."""
+    assert all(alike(cell(TRAIL)["Trails"](9), AutoresetMode.SAME_STEP, 60))
+
+
+STATES = {
+    "fractions in a tuple": ("(0, 0)", "(state[0] + 0.25 if state[1] > 150 else state[0], state[1] + 1)", 150),
+    "chance": ("int(rng.random() * 10)", "state + (int(rng.random() * 3) if state < 150 else rng.random())", 100),
+    "a tuple that grows": ("(0,)", "(state[0] + 1, 7) if len(state) > 1 or state[0] > 150 else (state[0] + 1,)", 0),
+    "small numbers": ("np.int8(0)", "np.int8(state + 1) if state < 100 else np.int64(state + 1)", 0),
+    "huge numbers": ("1", "state * 2 + action if state < 2**70 else 1", 0),
+    "texts": ("'start'", "state + '>'", 0),
+    "none": ("None", "1 if state is None else state + 1", 0),
+    "tuples of any length": ("()", "(*state, action)", 0),
+}
+SLOW_STATES = {
+    "beside an array": (
+        "(np.zeros(2), 0)",
+        "(state[0] + 1.0, state[1] + 1.5 if state[1] > 150 else state[1] + 1)",
+        150,
+    ),
+    "whole at first": ("Place(0, 0)", "Place(state.x + 0.25 + rng.random() / 1000, state.laps + action)", 0),
+}
+
+
+@pytest.mark.filterwarnings("ignore:.* cannot be compiled", "ignore:overflow", "ignore:.* number of .* digits")
+@pytest.mark.parametrize(
+    ("initial", "transition", "compiled"),
+    [*STATES.values(), *(pytest.param(*values, marks=pytest.mark.slow) for values in SLOW_STATES.values())],
+    ids=[*STATES, *SLOW_STATES],
+)
+def test_states_of_any_kind(initial: str, transition: str, compiled: int) -> None:
+    """No digit is lost, also if the type changes after the steps that were tried: all copies go on interpreted.
+
+    The step is taken again, with the same chances, from the same states, and one warning tells of it.
+    """
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        runs = alike(task(initial, transition, "rng.random()"), AutoresetMode.NEXT_STEP, 170, action=1)
+    assert all(runs[:compiled])
+    assert not any(runs[160:])
+    said = [str(one.message) for one in told if "from here on" in str(one.message)]
+    assert len(said) == bool(compiled)
+    assert all(one.startswith("Task runs interpreted from here on, some hundred times slower") for one in said)
+    assert {one.filename for one in told if "runs interpreted" in str(one.message)} <= {__file__}
+
+
+@pytest.mark.filterwarnings("ignore:.* runs interpreted")
+def test_an_end_beside_a_change() -> None:
+    """A step that is done again begins where it began: who has ended in the first try is not reset by the second."""
+    ending = task("0", "state + (0.25 if action and state > 150 else 1)", terminal="state == 160")
+    vector = MDPVectorEnv(ending, 3)
+    vector.reset(seed=0)
+    for _ in range(159):
+        vector.step([0, 0, 0])
+    assert vector.is_compiled
+    assert [part.tolist() for part in vector.step([0, 0, 1])[1:3]] == [[1.0] * 3, [True, True, False]]
+    assert not vector.is_compiled
+    assert [vector.state(i) for i in range(3)] == [160, 160, 159.25]
+
+
+def test_who_is_told_that_nothing_is_compiled() -> None:
+    """The line that resets the copies, with the class and why."""
+    vector = MDPVectorEnv(task("{1}", "state"), 2)
+    with pytest.warns(UserWarning, match=r"^Task cannot be compiled and runs interpreted, .* tuples of num") as told:
+        vector.reset(seed=0)
+    assert [one.filename for one in told] == [__file__]
+    assert not vector.is_compiled
+
+
+LATE = {
+    "an error": ("state + 1", "float(np.zeros(150)[state])", IndexError, "index 150 is out of bounds"),
+    "no next state": (
+        "None if state == 150 else state + 1",
+        "1.0",
+        ValueError,
+        "the next state, .* None for state .*150",
+    ),
+    "no reward": ("state + 1", "None if state == 150 else 1.0", ValueError, "a finite number, .* None for state .*150"),
+    "nan": ("state + 1", "math.nan if state == 150 else 1.0", ValueError, "a finite number, .* nan for state .*150"),
+}
+
+
+@pytest.mark.filterwarnings("ignore:.* interpreted")
+@pytest.mark.parametrize("name", LATE)
+def test_late_mistakes(name: str) -> None:
+    """One sentence at the student's line says what is wrong, compiled or not, and no copy goes on with NaN."""
+    transition, reward, kind, says = LATE[name]
+    for initial in ("0", "np.int16(0)"):
+        late = task(
+            initial, transition.replace("state + 1", f"{'np.int16' if '16' in initial else ''}(state + 1)"), reward
+        )
+        vector = MDPVectorEnv(late, 2)
+        vector.reset(seed=0)
+        for _ in range(150):
+            vector.step([0, 0])
+        with pytest.raises(kind, match=says) as caught:
+            vector.step([0, 0])
+        here, *students = traceback.extract_tb(caught.value.__traceback__)
+        assert here.filename == __file__
+        assert [str(frame.line) for frame in students] == [
+            f"def reward(self, state, action, next_state, rng): return {reward}"
+        ] * (kind is IndexError)
+        assert caught.value.__context__ is None
+        vector.reset(seed=0)
+        vector.step([0, 0])
+
+
+@pytest.mark.parametrize("name", ["no next state", "no reward"])
+def test_late_mistakes_in_one_environment(name: str) -> None:
+    """The same sentence, among the first steps, which are checked more closely, and after them."""
+    transition, reward, kind, says = LATE[name]
+    for episodes_before in (0, 2):
+        env = MDPEnv(task("0", transition, reward))
+        for _ in range(episodes_before):
+            env.reset(seed=0)
+            for _ in range(120):
+                env.step(0)
+        env.reset(seed=0)
+        with pytest.raises(kind, match=says):
+            [env.step(0) for _ in range(200)]

@@ -1,0 +1,268 @@
+"""One environment: its window, picture, history, keys, model and specification, and what students' tasks get of it."""
+
+import traceback
+from collections import Counter
+from typing import Any
+
+import gymnasium
+import numpy as np
+import pytest
+from gymnasium import spaces
+from gymnasium.envs.registration import EnvSpec
+from gymnasium.utils.env_checker import check_env
+
+from edugym import MDPEnv, MDPVectorEnv, make_mdp, train
+from edugym.rendering import window
+from edugym.rendering.scene import Scene, Text
+from tests.adapters.tasks import TRAIL
+from tests.compiled.cells import LEARNER, SLIPPERY, WALK, cell
+
+DIGITS_AND_LETTERS = "0123456789abcdefghijklmnopstuvwxyz"
+
+
+def walk(source: str = WALK, size: int = 5) -> Any:
+    """A student's corridor."""
+    return cell(source)["Walk"](size)
+
+
+class Screen:
+    """A window that notes what it is told."""
+
+    made: list["Screen"]
+
+    def __init__(self, title: str) -> None:
+        """Note it."""
+        self.title, self.shown, self.closed = title, list[Any](), 0
+        self.made.append(self)
+
+    def show(self, scene: Any, fps: float) -> None:
+        """Note it."""
+        self.shown.append((scene, fps))
+
+    def close(self) -> None:
+        """Note it."""
+        self.closed += 1
+
+
+@pytest.fixture
+def screens(monkeypatch: pytest.MonkeyPatch) -> list[Screen]:
+    """The windows that are opened."""
+    monkeypatch.setattr(window, "Window", Screen)
+    monkeypatch.setattr(Screen, "made", [], raising=False)
+    return Screen.made
+
+
+@pytest.mark.parametrize("registered", [True, False])
+def test_what_the_window_shows(screens: list[Screen], registered: bool) -> None:
+    """Every state, four a second, under the environment's id or the name of its class; it is closed once."""
+    env: Any = gymnasium.make("edugym/Boulder-v0", render_mode="human").unwrapped
+    env = env if registered else MDPEnv(env.mdp, render_mode="human")
+    env.reset(seed=0)
+    scenes = [env.scene()]
+    for action in (0, 1):
+        env.step(action)
+        scenes.append(env.scene())
+    (screen,) = screens
+    assert screen.title == ("edugym/Boulder-v0" if registered else "Boulder")
+    assert screen.shown == [(scene, 4) for scene in scenes]
+    for _ in range(2):
+        env.close()
+    assert screen.closed == 1
+    env.render()
+    assert len(screens) == 2
+
+
+def test_the_window_of_several_copies(screens: list[Screen]) -> None:
+    """They share one, which is closed with them."""
+    vector = MDPVectorEnv(MDPEnv(make_mdp("Boulder"), render_mode="human"), 2)
+    vector.reset(seed=0)
+    vector.render()
+    (screen,) = screens
+    assert [scene for scene, _ in screen.shown] == [vector.showing(i).scene() for i in range(2)]
+    assert screen.closed == 0
+    vector.close()
+    assert screen.closed == 1
+
+
+def test_a_picture_for_a_task_that_has_none() -> None:
+    """The state as text, in the middle of the picture; before the first reset an initial one."""
+    env = MDPEnv(walk())
+    assert env.scene() == Scene(12.0, 2.0, (Text(6.0, 1.2, "state 0", 0.6),))
+    env.reset(seed=0)
+    env.step(1)
+    assert env.scene() == Scene(12.0, 2.0, (Text(6.0, 1.2, "state 1", 0.6),))
+    with pytest.warns(UserWarning, match="without a render_mode"):
+        assert env.render() is None
+    with pytest.raises(ValueError, match=r"render_mode must be one of None, 'human', .*, but is 'svg'"):
+        MDPEnv(env.mdp, render_mode="svg")
+
+
+@pytest.mark.parametrize("returned", ["None", "np.zeros((3, 3))"])
+def test_scenes_that_are_none(returned: str) -> None:
+    """A picture that is something else is answered with one sentence."""
+    source = WALK.replace("    def initial", f"    def scene(self, state): return {returned}\n\n    def initial")
+    env = MDPEnv(walk(source), render_mode="ansi")
+    env.reset(seed=0)
+    with pytest.raises(ValueError, match="scene of Walk must return a Scene, but returned "):
+        env.render()
+
+
+def test_the_history_of_an_episode() -> None:
+    """The last state and action, and all actions, from the start of this episode; the random stream goes on."""
+    env = MDPEnv(walk())
+    assert (env.state, env.last_state, env.last_action, env.actions, env.steps) == (None, None, None, [], 0)
+    for _ in range(2):
+        env.reset()
+        assert (env.state, env.last_state, env.last_action, env.actions, env.steps) == (0, None, None, [], 0)
+        env.step(1)
+        env.step(np.int64(0))
+        assert (env.state, env.last_state, env.last_action, env.actions, env.steps) == (0, 1, 0, [1, 0], 2)
+
+
+@pytest.mark.parametrize(
+    ("names", "keys"),
+    [
+        ([], "01"),  # the actions by their numbers
+        (["left", "right"], "01"),
+        (["a", "b"], "ab"),
+        (["1", "0"], "10"),
+        (["a", "up"], "01"),
+        (["x", "q"], "01"),  # which ends the game
+        (["x", "r"], "01"),  # which starts it again
+        ([f"action {k}" for k in range(34)], DIGITS_AND_LETTERS),
+    ],
+)
+def test_keys(names: list[str], keys: str) -> None:
+    """The names themselves if all are keys; else digits, then letters, but for those of the game."""
+    source = WALK.replace("spaces.Discrete(2)", f"spaces.Discrete({len(keys)})")
+    env = MDPEnv(walk(f"{source}\n    action_names = {names}\n"))
+    assert env.get_keys_to_action() == {key: action for action, key in enumerate(keys)}
+
+
+def test_more_actions_than_keys() -> None:
+    """There are ten digits and 24 letters."""
+    env = MDPEnv(walk(WALK.replace("spaces.Discrete(2)", "spaces.Discrete(35)")))
+    with pytest.raises(ValueError, match=r"actions must be at most 34 .* but are 35"):
+        env.get_keys_to_action()
+
+
+def test_outcomes_that_are_drawn() -> None:
+    """As often as they are likely; a seed repeats them, and they shift nothing in the environment."""
+    env, other = (MDPEnv(cell(SLIPPERY)["SlipperyWalk"](5, 0.25)) for _ in range(2))
+    likely = {outcome.next_state: outcome.probability for outcome in env.descriptive_model(2, 1)}
+    assert likely == {3: 0.75, 1: 0.25}
+    drawn = [env.generative_model(2, 1) for _ in range(2_000)]
+    assert {outcome.probability for outcome in drawn} == {1.0}
+    assert Counter(outcome.next_state for outcome in drawn)[3] == pytest.approx(1_500, abs=80)
+    runs: list[Any] = []
+    for seed in (3, 4, 3):
+        env.reset(seed=seed)
+        runs.append([env.model(2, 1, "generative") for _ in range(30)])
+    assert runs[0] == runs[2] != runs[1]
+    assert [i for i, outcome in enumerate(runs[0]) if outcome.next_state == 1] == [14, 19, 24, 28]
+    other.reset(seed=3)
+    assert [env.step(1) for _ in range(3)] == [other.step(1) for _ in range(3)]
+
+
+def test_specifications() -> None:
+    """None where nobody has registered the task; a limit or threshold that somebody has registered is kept."""
+    env = MDPEnv(make_mdp("Boulder"))
+    assert env.spec is None
+    for given in ({}, {"max_episode_steps": 7}, {"reward_threshold": 0.0}):
+        env.spec = EnvSpec("mine/Wall-v0", **given)
+        assert env.spec is not None
+        own: dict[str, Any] = {"max_episode_steps": 100, "reward_threshold": 1.0, **given}
+        assert {name: getattr(env.spec, name) for name in own} == own
+        written = EnvSpec.from_json(env.spec.to_json())  # without the task's own limit, which would become a wrapper
+        assert written.max_episode_steps == given.get("max_episode_steps")
+        assert written.reward_threshold == own["reward_threshold"]
+    env.spec = None
+    assert env.spec is None
+
+
+MISTAKES = {
+    "made": ("    def initial", "    @property\n    def max_steps(self):\n        return self.sise\n\n    def initial"),
+    "initial": ("return 0\n", "return self.sise\n"),
+    "observation": ("return state\n", "return self.sise\n"),
+    "step": ("return state == self.size", "return state == self.sise"),
+}
+
+
+@pytest.mark.parametrize("name", MISTAKES)
+def test_errors_end_at_the_students_line(name: str) -> None:
+    """Whoever calls it, and whenever."""
+    task = walk(WALK.replace(*MISTAKES[name]))
+    for copies in (False, True):
+        with pytest.raises(AttributeError, match="sise") as caught:
+            played(task, copies=copies)
+        frames = traceback.extract_tb(caught.value.__traceback__)
+        assert str(frames[-1].line) in MISTAKES[name][1]
+        assert all(frame.filename == __file__ for frame in frames[:-1])
+
+
+def played(task: Any, *, copies: bool) -> None:
+    """Made, reset and stepped."""
+    env: Any = MDPVectorEnv(task, 2) if copies else MDPEnv(task)
+    env.reset(seed=0)
+    env.step([1, 1] if copies else 1)
+
+
+@pytest.mark.parametrize(
+    "task",
+    [walk(), cell(SLIPPERY)["SlipperyWalk"](5, 0.25), cell(TRAIL)["Trails"](9)],
+    ids=lambda task: type(task).__name__,
+)
+def test_a_students_task_is_an_environment(task: Any) -> None:
+    """Without fault, and with a picture in every mode."""
+    env = MDPEnv(task)
+    check_env(env, skip_render_check=True)
+    for mode in ("ansi", "rgb_array"):
+        drawn = MDPEnv(task, render_mode=mode)
+        drawn.reset(seed=0)
+        frame = drawn.render()
+        assert f"state {drawn.state!r}"[:8] in frame if isinstance(frame, str) else frame.ndim == 3
+
+
+def test_training_in_a_students_environment() -> None:
+    """A student's agent finds the shortest way; what a student overrides in an environment counts."""
+
+    class Doubled(MDPEnv[Any]):
+        def step(self, action: Any) -> Any:
+            observation, reward, *rest = super().step(action)
+            return observation, 2 * float(reward), *rest
+
+    notebook = cell(WALK + LEARNER)
+    task, best = notebook["Walk"](3), 1 - 2 * 0.25
+    run = train(task, notebook["Learner"](np.zeros((4, 2))), 3000, max_steps=50)
+    assert run.returns[-1] == best
+    assert run.agent.Q[:3, 1].tolist() == pytest.approx([best, best + 0.25, best + 0.5], abs=1e-6)
+    assert train(Doubled(task), notebook["Learner"](np.zeros((4, 2))), 3000, max_steps=50).returns[-1] == 2 * best
+
+
+def test_registered_by_a_student(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A student's environment can be registered with Gymnasium and made by its id."""
+    monkeypatch.setattr(gymnasium.envs.registration, "registry", {**gymnasium.registry})
+    task = walk()
+    gymnasium.register("student/Walk-v0", entry_point=lambda **keywords: MDPEnv(task, **keywords), max_episode_steps=3)
+    env = gymnasium.make("student/Walk-v0", render_mode="ansi")
+    env.reset(seed=0)
+    assert [env.step(0)[3] for _ in range(3)] == [False, False, True]
+
+
+def test_actions_that_do_not_start_at_0() -> None:
+    """Actions are 0, 1, ...: an MDP that numbers them otherwise is told so."""
+    with pytest.raises(ValueError, match=r"action.*Discrete\(2, start=1\)"):
+        MDPEnv(walk(WALK.replace("spaces.Discrete(2)", "spaces.Discrete(2, start=1)")))
+
+
+def test_observations_are_arrays_of_their_own() -> None:
+    """An array that an MDP gives as observation is copied, so that nobody can write into the task."""
+    array = np.zeros(2, np.float32)
+    source = WALK.replace("return state\n", "return ARRAY\n", 1).replace(
+        "spaces.Discrete(self.size + 1)", "spaces.Box(0, 100, (2,), np.float32)"
+    )
+    env = MDPEnv(cell(source, {**cell(""), "ARRAY": array})["Walk"](5))
+    observation, _ = env.reset(seed=0)
+    assert isinstance(env.observation_space, spaces.Box)
+    observation[:] = 7
+    assert array.tolist() == [0, 0]
