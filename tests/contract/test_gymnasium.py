@@ -183,6 +183,8 @@ def test_copies_continue_alike(entry: Entry, keywords: Keywords) -> None:
     assert copied.play(60) == seen
     assert restored.play(60) == seen
     assert copied.bare.state is not player.bare.state or isinstance(player.bare.state, int)
+    pictures = [one.bare.scene()._repr_svg_() for one in (player, copied, restored)]
+    assert pictures == [pictures[0]] * 3
 
 
 @every_corner
@@ -327,9 +329,10 @@ def test_pictures_at_the_extremes(entry: Entry, keywords: Keywords) -> None:
 
 @every_environment
 def test_the_picture_before_the_first_reset(entry: Entry) -> None:
-    """It is always the same, and shows a state in which an episode can begin."""
+    """It is always the same, shows a state in which an episode can begin, and nothing of an episode before."""
     env = entry.load()()
     pictures = {env.scene()._repr_svg_() for _ in range(5)}
+    Player(env, entry.name).play(3)
     env.reset(seed=0)
     env.state = env.mdp.initial(np.random.default_rng(0))
     assert pictures == {env.scene()._repr_svg_()}
