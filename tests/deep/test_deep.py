@@ -8,12 +8,10 @@ import gymnasium
 import numpy as np
 import pytest
 from gymnasium.error import DependencyNotInstalled, ResetNeeded
-from sb3_contrib import RecurrentPPO
-from stable_baselines3 import DQN, PPO
+from stable_baselines3 import DQN
 from stable_baselines3.common.env_checker import check_env
-from stable_baselines3.common.evaluation import evaluate_policy
 from stable_baselines3.common.monitor import Monitor
-from stable_baselines3.common.vec_env import DummyVecEnv, VecMonitor, VecNormalize
+from stable_baselines3.common.vec_env import DummyVecEnv
 
 from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.adapters.registration import ENVIRONMENTS, Entry
@@ -39,12 +37,6 @@ def copies(environment: Any, *arguments: Any, **parameters: Any) -> Any:
 def test_checker_of_stable_baselines3(entry: Entry) -> None:
     """Stable-Baselines3's own checker finds nothing wrong with any environment."""
     check_env(entry.load()(), warn=entry.name != "Catch")  # it advises against grids and against images this small
-
-
-@pytest.mark.parametrize("kind", ["vectorised", "rgb"])
-def test_checker_on_what_catch_shows(kind: str) -> None:
-    """Nor with the other observations of Catch."""
-    check_env(gymnasium.make("edugym/Catch-v0", observation_type=kind), warn=kind == "vectorised")
 
 
 @every_environment
@@ -105,18 +97,6 @@ def test_end_and_time_limit() -> None:
     assert infos[0]["TimeLimit.truncated"] is False
 
 
-def test_statistics_of_episodes() -> None:
-    """`VecMonitor` counts: in Catch every episode has rows - 1 steps, and returns 1 or -1."""
-    env = VecMonitor(copies("Catch", 5, rows=4))
-    env.reset()
-    episodes = []
-    for _ in range(12):
-        *_, infos = env.step(np.array([0, 1, 2, 1, 0]))
-        episodes += [info["episode"] for info in infos if "episode" in info]
-    assert [episode["l"] for episode in episodes] == [3] * 20
-    assert {float(episode["r"]) for episode in episodes} == {-1.0, 1.0}
-
-
 def test_seeds() -> None:
     """The same seed gives the same run, another one another; without one the stream goes on."""
 
@@ -168,16 +148,6 @@ def test_pictures() -> None:
     human.reset()
     assert human.render() is None
     human.close()
-
-
-def test_what_wrappers_read() -> None:
-    """`VecVideoRecorder` reads the pictures a second from `metadata`; others read the specification of a copy."""
-    env = copies("MemoryCorridor", 2, max_steps=77)
-    assert env.metadata["render_fps"] == 4
-    for spec in env.get_attr("spec"):
-        assert spec.id == "edugym/MemoryCorridor-v0"
-        assert spec.max_episode_steps == 77
-        assert spec.kwargs == {"max_steps": 77}
 
 
 def test_one_s_own_environment() -> None:
@@ -250,30 +220,3 @@ def test_dqn_knows_a_time_limit_from_an_end() -> None:
     assert (over & ~right == over & ~cut_off).all()  # a wrong door, and nothing else, is an end
     assert 0 < cut_off.sum() < over.sum()
     assert (cut_off <= over).all()
-
-
-def test_other_agents_run() -> None:
-    """PPO on images, with observations and rewards normalised, and recurrent PPO run."""
-    image = copies("Catch", 4, observation_type="rgb", rows=3)
-    PPO("MlpPolicy", VecMonitor(image), n_steps=8, batch_size=16, n_epochs=1, seed=0, device="cpu").learn(64)
-    normalised = VecNormalize(copies("Catch", 4, rows=3))
-    PPO("MlpPolicy", normalised, n_steps=8, batch_size=16, n_epochs=1, seed=0, device="cpu").learn(64)
-    corridor = copies("MemoryCorridor", 4, max_steps=20)
-    RecurrentPPO("MlpLstmPolicy", corridor, n_steps=8, batch_size=16, n_epochs=1, seed=0, device="cpu").learn(64)
-
-
-@pytest.mark.slow
-def test_ppo_learns_to_catch() -> None:
-    """After 5 000 steps PPO catches more than 95 of 100 balls on a board of 5 x 5; before, fewer than 75."""
-    env = copies("Catch", 16, rows=5)
-    model = PPO("MlpPolicy", env, n_steps=32, batch_size=128, learning_rate=2e-3, seed=0, device="cpu")
-    judge = VecMonitor(copies("Catch", 16, rows=5))
-
-    def mean_return() -> float:
-        judge.seed(100)
-        mean: Any = evaluate_policy(model, judge, n_eval_episodes=200)[0]
-        return float(mean)
-
-    assert mean_return() < 0.5
-    model.learn(5_000)
-    assert mean_return() > 0.9

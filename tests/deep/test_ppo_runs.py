@@ -156,4 +156,3 @@ def test_a_curve_has_eleven_points_unless_told_otherwise() -> None:
     ppo = PPO.create("Catch", num_envs=1, length=10, hidden=2, minibatches=1, epochs=1)
     assert ppo.train(100, evaluation_episodes=1).steps.tolist() == [*range(0, 101, 10)]
     assert ppo._replace(length=2).train(2, evaluation_episodes=1).steps.tolist() == [0, 1, 2]
-    assert PPO.train.__kwdefaults__ == {"evaluate_every": None, "evaluation_episodes": 100, "seed": 0}
