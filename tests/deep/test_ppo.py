@@ -20,7 +20,7 @@ from edugym.deep.ppo import (
     Softmax,
     advantages_of,
     clipped_gain,
-    layers,
+    initial_weights,
     normalised,
 )
 from tests.agents.fourier import fourier
@@ -69,14 +69,14 @@ def test_a_network_by_hand() -> None:
     assert y.tolist() == [[5.0], [5.0]]
     by_hand = [[[6.0]], [12.0], [[0.0]], [6.0], [[0.0]], [2.0]]  # sums over both states
     net.backward(inputs, torch.ones(2, 1))
-    assert [part.tolist() for part in net.by_weights] == by_hand
+    assert [part.tolist() for part in net.gradients] == by_hand
 
 
 def test_weights_begin_orthogonal() -> None:
     """W Wᵀ = 2 I in a hidden layer, last² I in the last one; b = 0."""
     with torch.random.fork_rng():
         torch.manual_seed(0)
-        W, b, last_W, last_b = layers(5, 4, 3, last=0.5)
+        W, b, last_W, last_b = initial_weights(5, 4, 3, last=0.5)
     torch.testing.assert_close(W @ W.T, 2 * torch.eye(4))
     torch.testing.assert_close(last_W @ last_W.T, 0.25 * torch.eye(3))
     assert not b.any()
@@ -140,7 +140,7 @@ def test_the_gradient_is_that_of_the_objective(actions: spaces.Space[Any], bonus
     torch.manual_seed(1)
     ppo = PPO.create("Catch", entropy_bonus=bonus)
     net = ActorCritic(spaces.Box(-1.0, 1.0, (5,), np.float64), actions, 7)
-    net.hold(torch.randn(len(net.weights), dtype=torch.float64))
+    net.set_weights(torch.randn(len(net.weights), dtype=torch.float64))
     x = torch.randn(200, 5, dtype=torch.float64)
     policy = net.policy(net.actor(x))
     action = policy.sample()
@@ -175,15 +175,15 @@ def test_what_it_sees() -> None:
     """Whole numbers as ones and zeros, one after the other; colours as shares of 255; unbounded numbers as they are."""
     discrete = spaces.Discrete(2)
     several = ActorCritic(spaces.MultiDiscrete([2, 3]), discrete, 4)
-    assert several.numbers(np.array([[0, 2], [1, 0]])).tolist() == [[1, 0, 0, 0, 1], [0, 1, 1, 0, 0]]
-    assert ActorCritic(spaces.Discrete(3, start=5), discrete, 4).numbers(np.array([6])).tolist() == [[0, 1, 0]]
+    assert several.inputs_of(np.array([[0, 2], [1, 0]])).tolist() == [[1, 0, 0, 0, 1], [0, 1, 1, 0, 0]]
+    assert ActorCritic(spaces.Discrete(3, start=5), discrete, 4).inputs_of(np.array([6])).tolist() == [[0, 1, 0]]
     image = ActorCritic(spaces.Box(0, 255, (1, 2), np.uint8), discrete, 4)
-    assert image.numbers(np.array([[[255, 51]]], np.uint8)).tolist() == [pytest.approx([1.0, 0.2])]
+    assert image.inputs_of(np.array([[[255, 51]]], np.uint8)).tolist() == [pytest.approx([1.0, 0.2])]
     for bound in (np.inf, np.finfo(np.float32).max):
         wide = ActorCritic(spaces.Box(-bound, bound, (1,), np.float32), discrete, 4)
-        assert wide.numbers(np.array([[3.0]], np.float32)).tolist() == [[3.0]]
+        assert wide.inputs_of(np.array([[3.0]], np.float32)).tolist() == [[3.0]]
     signed = ActorCritic(spaces.Box(-128, 127, (1,), np.int8), discrete, 4)
-    assert signed.numbers(np.array([[-64]], np.int8)).tolist() == [[-0.5]]
+    assert signed.inputs_of(np.array([[-64]], np.int8)).tolist() == [[-0.5]]
 
 
 @pytest.mark.parametrize(
@@ -198,10 +198,10 @@ def test_every_kind_of_action(actions: spaces.Space[Any]) -> None:
     """Samples are in the space once they are given, and the logarithm of a probability has one number for each."""
     torch.manual_seed(0)
     net = ActorCritic(spaces.Discrete(2), actions, 4)
-    policy = net.policy(net.actor(net.numbers(np.zeros(50, np.int64))))
+    policy = net.policy(net.actor(net.inputs_of(np.zeros(50, np.int64))))
     drawn = policy.sample()
     assert policy.log_prob(drawn).shape == (50,)
-    given = net.given(drawn)
+    given = net.for_environment(drawn)
     assert all(actions.contains(action) for action in given)
     if not isinstance(actions, spaces.Box):
         assert len({str(action) for action in given}) == (3 if isinstance(actions, spaces.Discrete) else 8)

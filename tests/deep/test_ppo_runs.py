@@ -113,7 +113,7 @@ def always_right(discount: float, max_steps: int) -> tuple[ActorCritic, list[Ten
 def test_what_each_step_is_worth(max_steps: int, places: list[int]) -> None:
     """By the definition with λ = 0: R + γ V(S') - V(S); and G is R + γ V(S')."""
     net, (x, action, log_prob, advantages, G), observations = always_right(0.5, max_steps)
-    V = {place: float(net.critic(net.numbers(np.array([place])))) for place in range(5)}
+    V = {place: float(net.critic(net.inputs_of(np.array([place])))) for place in range(5)}
     assert len({*V.values()}) == 5
     targets = [1.5 if place == 3 else 0.5 * V[3] for place in places]
     assert G.reshape(4, 2).T.tolist() == [pytest.approx(targets)] * 2
