@@ -59,19 +59,3 @@ def test_it_learns_mountain_car_with_tiles() -> None:
     """To under 150 steps (figure 10.2 has some 130 to 150 then); without learning it never gets out of the valley."""
     assert np.mean([mountain_car(0.5, seed) for seed in range(3)]) > -150
     assert mountain_car(5e-324, 0) == -200
-
-
-def cart_pole(learning_rate: float, seed: int) -> float:
-    """The mean return in CartPole after 60 000 steps; its bounds are where an episode ends, and a guess for speeds."""
-    env = gymnasium.make("CartPole-v1", disable_env_checker=True)
-    low = [-2.4, -3.0, -0.21, -3.0]
-    features = TileCoding.create(env, [4, 4, 6, 6], 16, low, [-x for x in low])
-    agent = LinearQLearning.create(env, features=features, learning_rate=learning_rate, exploration=EpsilonGreedy(0.05))
-    return float(train(env, agent, 60_000, seed=seed, evaluate_every=60_000, evaluation_episodes=20).returns[-1])
-
-
-@pytest.mark.slow
-def test_it_learns_cart_pole_with_tiles() -> None:
-    """To 475 of 500, where Gymnasium counts it as solved; without learning it is at some 20."""
-    assert np.mean([cart_pole(0.2, seed) for seed in range(3)]) > 475
-    assert cart_pole(5e-324, 0) < 50

@@ -91,19 +91,6 @@ def test_edges() -> None:
     assert [step[2] for step in fall(0, [RIGHT, LEFT, STAY, RIGHT], rows=5, columns=1)] == [0, 0, 0, 0]
 
 
-def test_every_episode_has_as_many_steps_as_rows_below_the_first() -> None:
-    """Whatever the paddle does, the ball falls a row a step."""
-    for rows in (2, 3, 17):
-        env = CatchEnv(rows, 3)
-        env.action_space.seed(rows)
-        for seed in range(10):
-            env.reset(seed=seed)
-            assert [env.step(env.action_space.sample())[2:4] for _ in range(rows - 1)] == [
-                *[(False, False)] * (rows - 2),
-                (True, False),
-            ]
-
-
 @pytest.mark.parametrize("columns", range(1, 9))
 def test_start(columns: int) -> None:
     """The paddle starts in column columns // 2; the ball in a column drawn uniformly (chi-squared, 1 in 1 000)."""
@@ -172,18 +159,6 @@ def test_one_task() -> None:
             assert steps[0] == steps[1] == steps[2]
 
 
-def test_numbers_in_the_docstring() -> None:
-    """At the defaults: 250 rows of a table, 220 states, optimum 1, and -0.6 = 2/5 - 1 for a random agent."""
-    assert edugym.table_size(CatchEnv(observation_type="vectorised").mdp) == (250, 3)
-    assert CatchEnv().observation_space.shape == (10, 5)
-    assert CatchEnv(observation_type="rgb").observation_space.shape == (10, 5, 3)
-    for kind in ("vectorised", "grid"):
-        model = CatchEnv(observation_type=kind).finite_model
-        assert len(model.states) == 220
-        assert value_iteration(model).start == 1.0
-        assert value_iteration(model, epsilon=1.0).start == pytest.approx(-0.6)
-
-
 def test_every_ball_can_be_caught_exactly_when() -> None:
     """The best return is 1 on every board with columns // 2 <= rows - 1; the others are refused."""
     for rows, columns in itertools.product(range(2, 6), range(1, 13)):
@@ -207,3 +182,15 @@ def test_info() -> None:
     info = env.step(np.int64(RIGHT))[4]
     assert (info["ball"].tolist(), info["paddle"]) == ([1, 1], 3)
     assert env.named_actions() == {"left": LEFT, "stay": STAY, "right": RIGHT}
+
+
+def test_numbers_in_the_docstring() -> None:
+    """At the defaults: 250 rows of a table, 220 states, optimum 1, and -0.6 = 2/5 - 1 for a random agent."""
+    assert edugym.table_size(CatchEnv(observation_type="vectorised").mdp) == (250, 3)
+    assert CatchEnv().observation_space.shape == (10, 5)
+    assert CatchEnv(observation_type="rgb").observation_space.shape == (10, 5, 3)
+    for kind in ("vectorised", "grid"):
+        model = CatchEnv(observation_type=kind).finite_model
+        assert len(model.states) == 220
+        assert value_iteration(model).start == 1.0
+        assert value_iteration(model, epsilon=1.0).start == pytest.approx(-0.6)

@@ -191,3 +191,19 @@ def test_best_return_without_noise() -> None:
     ball = task.transition(task.transition(task.initial(RNG), 2, RNG), 1, RNG)
     assert ball == Ball(3.5, 14.0, 2)
     assert task.on_green(ball)
+
+
+@pytest.mark.slow
+def test_best_return() -> None:
+    """At the defaults a drive, and then whatever is likeliest to reach the green, returns about 0.87."""
+    task, rng, n = golf(), np.random.default_rng(0), 40_000
+    returns = np.zeros(n)
+    for k in range(n):
+        ball = task.initial(rng)
+        while not task.terminal(ball):
+            distance = math.hypot(ball.x - 3.5, ball.y - 13.5)
+            action = 2 if distance > 8 else (1 if distance > 2.9 else 0)
+            after = task.transition(ball, action, rng)
+            returns[k] += task.reward(ball, action, after, rng)
+            ball = after
+    assert abs(returns.mean() - 0.868) < 5 * returns.std() / math.sqrt(n)  # about 0.007

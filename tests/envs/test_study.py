@@ -12,7 +12,7 @@ from edugym.envs.study import Student, Study
 from edugym.exact.value_iteration import value_iteration
 from edugym.rendering.ansi import to_text
 from edugym.rendering.palette import GREEN, RED, SHADE, WHITE, blend
-from edugym.rendering.scene import Arc, Rectangle, Scene
+from edugym.rendering.scene import Rectangle, Scene
 from tests.contract.described import LAYOUT_SEEDS, NO_WHOLE_NUMBER, Keywords, Parameters, refused
 from tests.envs.classes import StudyEnv
 
@@ -218,14 +218,6 @@ def test_impossible_plans_are_refused() -> None:
     assert counts[False] > 50
 
 
-def test_too_few_days() -> None:
-    """The message names what cannot be had together."""
-    with pytest.raises(
-        ValueError, match="total_days must be 7 or more, for lectures_needed 3 and energy_needed 2, but is 6"
-    ):
-        StudyEnv(total_days=6, lectures_needed=3, energy_needed=2)
-
-
 def test_info() -> None:
     """There is a lecture on the days of the layout; the exam is passed when it is."""
     env = StudyEnv()
@@ -274,17 +266,6 @@ def test_colours() -> None:
         env.step(action)
     # A second night is not needed, nor is a day of study without a lecture; the exam was missed.
     assert colours(env.scene()) == [helped, neither, helped, neither, harmed]
-
-
-def test_smiley() -> None:
-    """The student is glad of an exam passed, sad about one failed, and neither before."""
-    env = StudyEnv(**SHORT)
-    for action, mood in ((STUDY, [22]), (OTHER, [222])):
-        env.reset(seed=0)
-        for day in range(5):
-            assert [shape for shape in env.scene().shapes if isinstance(shape, Arc)] == []
-            env.step(action if day == 4 else (STUDY, SLEEP)[day % 2])
-        assert [shape.start for shape in env.scene().shapes if isinstance(shape, Arc)] == mood
 
 
 def test_names_of_actions() -> None:

@@ -13,7 +13,6 @@ from hypothesis import strategies as st
 from edugym.envs.supermarket import MAP, Countdown, Supermarket, SupermarketEnv
 from edugym.exact.model import finite_model
 from edugym.exact.value_iteration import value_iteration
-from edugym.rendering.scene import Arc
 from tests.contract.described import LAYOUT_SEEDS, NO_STEPS, NO_WHOLE_NUMBER, Parameters, refused
 
 
@@ -269,33 +268,3 @@ def test_interrupted_wait() -> None:
     assert (env.state, env.steps, env.last_action) == (8, 0, None)
     env.countdown = Countdown(0.0)
     assert env.step(1)[0] == ravelled(1, 1, 0, 0, 0)
-
-
-def test_clock_of_another_machine(clock: FakeClock) -> None:
-    """A copy on a machine whose clock started later waits for one timeout at most."""
-    env = timed(clock, 3.0)
-    clock.now -= 900.0
-    assert env.time_until_step() == 3.0
-
-
-def test_smiley() -> None:
-    """The shopper is glad, but for a bump into a wall and an exit without all three items."""
-
-    def is_glad(env: SupermarketEnv) -> bool:
-        return any(isinstance(shape, Arc) for shape in env.scene().shapes)
-
-    env = SupermarketEnv()
-    env.reset(seed=0)
-    assert is_glad(env)
-    walk(env, "U")
-    assert not is_glad(env)
-    walk(env, "DRRRRRR")
-    assert is_glad(env)
-    walk(env, "DDDRDDDDD")
-    assert not is_glad(env)
-    env.reset()
-    walk(env, BEST_WALK)
-    assert is_glad(env)
-    for items in range(8):  # at the exit with each of all possible bags
-        env.state = 8 * env.mdp.exit + items
-        assert is_glad(env) == (items == 7)

@@ -146,18 +146,6 @@ def test_slippery_walk(size: int, slip: float) -> None:
         assert sum(times) == pytest.approx(closed, rel=1e-9)
 
 
-def test_ways_to_name_a_state() -> None:
-    """A state may be given as a tuple, a NamedTuple or an array, with Python's or NumPy's numbers."""
-    env = MDPEnv(cell(WALK)["Walk"](4))
-    good: list[Any] = [2, np.int64(2), np.array(2), 2.0]
-    for state in good:
-        assert env.descriptive_model(state, 1) == [(1.0, 3, -0.25, False)]
-    bad: list[Any] = [5, -1, 2.5, "2", None, (2,), np.array([2]), [2], {}, math.nan]
-    for state in bad:
-        with pytest.raises(ValueError, match=r"state must be one of the 5 that can be reached .*, but is"):
-            env.descriptive_model(state, 1)
-
-
 CHANGED = WALK.replace("return max(0, state + 2 * action - 1)", "{}")
 
 NOT_FINITE = {
@@ -292,27 +280,3 @@ def test_where_a_slip_is() -> None:
     with pytest.raises(ValueError, match="a state must be a number or a tuple of numbers, but there is") as caught:
         finite_model(cell(WALK.replace("return 0\n", "return [0]\n", 1))["Walk"](4))
     assert len(frames(caught.value)) == 2
-
-
-def test_generative_model() -> None:
-    """It draws from the descriptive model, by a random stream of its own that the seed of `reset` starts anew."""
-    env = MDPEnv(cell(SLIPPERY)["SlipperyWalk"](4, 0.25))
-    env.reset(seed=3)
-    drawn = [env.generative_model(2, 1) for _ in range(2000)]
-    outcomes = env.descriptive_model(2, 1)
-    assert sorted(outcomes) == [(0.25, 1, -0.25, False), (0.75, 3, -0.25, False)]
-    assert {outcome.probability for outcome in drawn} == {1.0}
-    for probability, next_state, _, _ in outcomes:
-        share = np.mean([outcome.next_state == next_state for outcome in drawn])
-        assert abs(share - probability) < 5 * math.sqrt(probability * (1 - probability) / 2000)
-    env.reset()
-    assert [env.generative_model(2, 1) for _ in range(50)] != drawn[:50]
-    fresh = [[new.generative_model(2, 1) for _ in range(50)] for new in (MDPEnv(env.mdp), MDPEnv(env.mdp))]
-    assert fresh[0] == fresh[1]  # also before any reset
-    env.reset(seed=3)
-    env.step(1)
-    assert [env.generative_model(2, 1) for _ in range(50)] == drawn[:50]
-    unplanned = MDPEnv(env.mdp)
-    unplanned.reset(seed=3)
-    unplanned.step(1)
-    assert [env.step(1)[0] for _ in range(3)] == [unplanned.step(1)[0] for _ in range(3)]

@@ -9,7 +9,6 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from edugym.adapters.playing.films import play_episode
 from edugym.adapters.registration import make_environment
 from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.envs.trashbot.geometry import SHOULDER_Y, Robot, arm
@@ -95,13 +94,6 @@ def test_scripted_controller() -> None:
     assert rewards[:-1] == [1.0] + [0.0] * 9
     assert rewards[-1] == pytest.approx(4, abs=1e-5)
     assert info["steps"] == 11
-
-
-def test_scripted_controller_plays_films() -> None:
-    """It is an actor like any agent, and takes observations as they are."""
-    frames = play_episode("Trashbot", ScriptedController(SCALE))
-    assert len(frames) == 12
-    assert frames[-1].line.splitlines()[0].endswith("reward 4, total 5")
 
 
 @given(st.floats(0.01, 0.3), st.floats(0.2501, 1.0))

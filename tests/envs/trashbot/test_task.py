@@ -165,13 +165,6 @@ def test_rim(depth: float, outcome: int) -> None:
     assert step(state, towards(state, CONTAINER_X, RIM_Y + BOX_SIZE + MAGNET - depth))[0].outcome == outcome
 
 
-def test_empty_magnet_in_the_container() -> None:
-    """Without the box there is nothing to deliver."""
-    state = robot(CONTAINER_X, RIM_Y + MAGNET + 0.02)
-    after, reward = step(state, towards(state, CONTAINER_X, RIM_Y + MAGNET - 0.02))
-    assert (after.outcome, reward) == (MOVING, 0.0)
-
-
 def test_late() -> None:
     """The last step costs 1 and terminates; the clock is in the state, and not seen."""
     env = TrashbotEnv(5, max_steps=12)
@@ -198,13 +191,6 @@ def test_last_step() -> None:
     state = robot(0.8, 0.25, steps=6)
     after, reward = step(state, towards(state, 0.8, 0.15), task)
     assert (after.outcome, reward) == (COLLIDED, -2.0)
-
-
-def test_too_little_time() -> None:
-    """The error says how many steps there must be."""
-    assert TrashbotEnv(max_steps=12).mdp.time_limit == 12
-    with pytest.raises(ValueError, match=r"^max_steps must be 12 or more, .* is 11$"):
-        TrashbotEnv(max_steps=11)
 
 
 TURNS: dict[str, tuple[float, float]] = {
