@@ -75,12 +75,12 @@ def interval(run: Callable[[int], bool], n: int = 12) -> tuple[float, float]:
 def on_boulder(height: int, n_steps: int, create: Callable[[Any], Any]) -> Callable[[int], bool]:
     """A run on a wall, whose layout and random streams come from the seed: does it always climb it in the end?"""
 
-    def run(seed: int) -> bool:
+    def climbs(seed: int) -> bool:
         mdp = make_mdp("Boulder", height=height, layout_seed=seed)
-        how: dict[str, int] = {"evaluate_every": n_steps, "evaluation_episodes": 20}
-        return bool(train(mdp, create(mdp), n_steps, seed=seed, **how).returns[-1] == 1.0)
+        run = train(mdp, create(mdp), n_steps, seed=seed, evaluate_every=n_steps, evaluation_episodes=20)
+        return bool(run.returns[-1] == 1.0)
 
-    return run
+    return climbs
 
 
 FAST: dict[str, Any] = {"learning_rate": 0.5, "discount": 0.9}

@@ -1,6 +1,7 @@
 """What the textbook says is a special case of another method is it: the same updates on the same steps."""
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -49,10 +50,13 @@ SPECIAL: dict[str, tuple[Callable[[], Any], Any]] = {
     "n-step SARSA of one step": (lambda: NStepSARSA.create(SHAPE, n=1), SARSA),
     "Q-learning on a table of features": (lambda: one_hot(LinearQLearning), QLearning),
     "SARSA on a table of features": (lambda: one_hot(SemiGradientSARSA), SARSA),
-    **{f"Q(0), {trace}": (lambda t=trace: QLambda.create(SHAPE, trace_decay=0, traces=t), QLearning)
-       for trace in TRACES},
-    **{f"SARSA(0), {trace}": (lambda t=trace: SARSALambda.create(SHAPE, trace_decay=0, traces=t), SARSA)
-       for trace in TRACES},
+    **{
+        f"Q(0), {trace}": (partial(QLambda.create, SHAPE, trace_decay=0, traces=trace), QLearning) for trace in TRACES
+    },
+    **{
+        f"SARSA(0), {trace}": (partial(SARSALambda.create, SHAPE, trace_decay=0, traces=trace), SARSA)
+        for trace in TRACES
+    },
 }  # fmt: skip
 
 
