@@ -22,7 +22,7 @@ class Case(NamedTuple):
         real_actions: whether its actions are real numbers: it is then tested in environments that have such.
     """
 
-    kind: type
+    kind: Any
     create: Callable[[Any], Any]
     estimates_return: bool = False
     real_actions: bool = False

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from edugym import ActorCritic, make_mdp, train
+from edugym import ActorCritic
 from edugym.agents.softmax import draw_action, follow_log_gradient, softmax
 from tests.agents.case import Case
 
@@ -63,31 +63,3 @@ def test_the_gradient_is_that_of_the_logarithm() -> None:
                 softmax(moved, 0, p)
                 log.append(math.log(p[action]))
             assert followed[0, b] - preferences[0, b] == pytest.approx((log[0] - log[1]) / (2 * h), abs=1e-8)
-
-
-def climbs(learning_rate: float, seed: int) -> bool:
-    """Whether the right grip is much the likelier one at every height of a wall, after 50 000 steps."""
-    mdp = make_mdp("Boulder", height=4, layout_seed=seed)
-    agent = ActorCritic.create(mdp, learning_rate=learning_rate)
-    train(mdp, agent, 50_000, seed=seed, evaluate_every=50_000)
-    right = agent.preferences[np.arange(4), mdp.grips]
-    return bool((right > agent.preferences[np.arange(4), 1 - mdp.grips] + 1).all())
-
-
-def test_it_climbs_a_low_wall() -> None:
-    """In every run; an actor that hardly learns does not."""
-    assert all(climbs(0.5, seed) for seed in range(10))
-    assert not any(climbs(5e-324, seed) for seed in range(10))
-
-
-def test_an_episode_that_training_left_is_not_continued() -> None:
-    """γ^t starts at 1 with the first step of a new run."""
-    agent = ActorCritic.create((4, 2), discount=0.5)
-    agent.learn(0, 0, 0.0, 1, False, False)
-    agent.learn(1, 0, 0.0, 2, False, False)
-    assert agent.weight[0] == 0.25
-    agent.learn(2, 0, 0.0, 0, False, False)
-    assert agent.weight[0] == 0.125
-    agent.forget_episode()
-    agent.learn(0, 0, 0.0, 0, False, False)
-    assert agent.weight[0] == 0.5

@@ -1,11 +1,8 @@
 """The count-based agent: its bonus and its update, worked out by hand."""
 
-import math
-
-import numpy as np
 import pytest
 
-from edugym import CountBased, QLearning, make_mdp, train
+from edugym import CountBased
 from tests.agents.case import Case
 
 CASES = {
@@ -31,33 +28,3 @@ def test_the_first_updates_by_hand() -> None:
     assert learned == pytest.approx([2.5, 3.4571, 2.8059], abs=5e-5)
     assert agent.visits.tolist() == [0, 3]
     assert agent.Q[0, 0] == 0.0
-
-
-def test_the_bonus_fades_with_the_square_root_of_the_visits() -> None:
-    """At α = 1 and γ = 0 the value is the reward with its bonus: β/√N for N = 1, 2, 3, ..."""
-    agent = CountBased.create((3, 1), bonus=0.5, learning_rate=1, discount=0)
-    paid = []
-    for _ in range(100):
-        agent.learn(0, 0, 0.0, 2, False)
-        paid.append(agent.Q[0, 0])
-    assert paid == pytest.approx([0.5 / math.sqrt(n) for n in range(1, 101)])
-
-
-def test_counts_are_of_the_states_entered() -> None:
-    """Each transition counts for the state to which it leads."""
-    agent = CountBased.create((3, 1))
-    for state, next_state in ((0, 1), (1, 2), (2, 1), (1, 1)):
-        agent.learn(state, 0, 0.0, next_state, False)
-    assert agent.visits.tolist() == [0, 3, 1]
-
-
-def test_without_bonus_it_is_q_learning() -> None:
-    """β = 0 gives Q-learning's run, bit for bit."""
-    mdp = make_mdp("Boulder", height=3)
-    counting = CountBased.create(mdp, bonus=0, learning_rate=0.3, discount=0.8)
-    plain = QLearning.create(mdp, learning_rate=0.3, discount=0.8)
-    for agent in (counting, plain):
-        train(mdp, agent, 2_000, seed=1)
-    assert np.array_equal(counting.Q, plain.Q)
-    assert counting.Q.any()
-    assert counting.visits.sum() == 2_000

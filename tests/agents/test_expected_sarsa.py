@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from edugym import SARSA, EpsilonGreedy, ExpectedSARSA, Greedy, QLearning, Softmax, train
+from edugym import SARSA, EpsilonGreedy, ExpectedSARSA, Softmax
 from tests.agents.case import Case
 from tests.agents.walk import Walk, exact_values
 
@@ -56,12 +56,3 @@ def test_its_fixed_point_is_the_best_epsilon_soft_policy(epsilon: float) -> None
         agent.learn(s, a, mdp.reward(s, a, n, rng), n, mdp.terminal(n))
     assert pytest.approx(exact, abs=1e-8) == agent.Q
     assert exact_values(mdp, 0.9, epsilon=0.15) != pytest.approx(exact, abs=1e-2)
-
-
-def test_greedy_it_is_q_learning() -> None:
-    """Bit for bit: the mean over the greedy policy is the maximum."""
-    agents = [kind.create((5, 2), exploration=Greedy()) for kind in (ExpectedSARSA, QLearning)]
-    for agent in agents:
-        train(Walk(), agent, 1_000, seed=3)
-    assert np.array_equal(agents[0].Q, agents[1].Q)
-    assert agents[0].Q.any()

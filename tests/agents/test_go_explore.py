@@ -108,15 +108,6 @@ def test_the_goal_is_the_least_visited_of_the_archive(visits: list[int], expecte
     assert probabilities == pytest.approx(expected)
 
 
-def test_a_goal_that_is_not_reached_comes_not_again_and_again() -> None:
-    """Choosing a state counts as a visit of it."""
-    agent = explorer()
-    agent.visits[:] = [3, 3, 1]
-    walk(agent, (0, 0, 0), terminated=True)
-    assert agent.now.goal[0] == 2
-    assert agent.visits.tolist() == [4, 3, 2]
-
-
 @pytest.mark.parametrize("end", ["terminated", "truncated"])
 def test_the_end_of_the_episode_ends_the_try(end: str) -> None:
     """On the way to its goal: what was met until then is learned, and the next action begins a new try."""
@@ -129,17 +120,6 @@ def test_the_end_of_the_episode_ends_the_try(end: str) -> None:
     agent.visits[:] = [1, 9, 9]
     agent.act(1, RNG)
     assert agent.now.goal[0] == 0
-
-
-def test_a_new_try_begins_with_the_return_to_its_goal() -> None:
-    """Also when the last one ended in the middle of its exploration."""
-    agent = explorer()
-    walk(agent, (0, 1, 1), terminated=True)
-    assert agent.now.explored[0] == 1
-    agent.visits[:] = [9, 9, 1]
-    agent.Q[2] = [[0.0, 1.0], [1.0, 0.0], [0.0, 0.0]]
-    assert [agent.act(state, RNG) for state in (0, 1)] == [1, 0]
-    assert agent.now.explored[0] == 0
 
 
 def test_a_try_is_no_longer_than_its_memory() -> None:
@@ -188,13 +168,3 @@ def test_hindsight_learns_backwards_for_every_state_met(tries: list[list[tuple[i
         walk(agent, *steps, terminated=True)
         Q = learned_in_hindsight(Q, steps)
     assert np.array_equal(agent.Q, Q)
-
-
-def test_values_for_a_goal_are_discounted_distances() -> None:
-    """On a chain walked often enough, Q(g, s, towards g) is γ^(d - 1) for a distance d."""
-    agent = explorer(5, explore_steps=100)
-    for _ in range(100):
-        walk(agent, (0, 1, 1), (1, 1, 2), (2, 1, 3), (3, 1, 4), terminated=True)
-    for goal in range(1, 5):
-        for state in range(goal):
-            assert agent.Q[goal, state, 1] == pytest.approx(0.5 ** (goal - state - 1))

@@ -1,4 +1,4 @@
-"""What the agents achieve, over seeds, each claim with a control that fails.
+"""What the agents achieve: exact values in the limit, and what they are for, each claim with a control that fails.
 
 A claim is about a share of runs, and its interval is the exact one of Clopper and Pearson at 95 %.
 """
@@ -7,74 +7,100 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+import pytest
 from scipy.stats import binomtest
 
-from edugym import CountBased, EpsilonGreedy, ExponentialDecay, GoExplore, QLearning, ScheduledEpsilonGreedy, make_mdp
-from edugym.envs.boulder import Boulder
+from edugym import (
+    REINFORCE,
+    SARSA,
+    Accumulating,
+    ActorCritic,
+    CountBased,
+    DoubleQLearning,
+    Dutch,
+    DynaQ,
+    EpsilonGreedy,
+    ExponentialDecay,
+    GoExplore,
+    NStepSARSA,
+    PrioritisedSweeping,
+    QLambda,
+    QLearning,
+    RMax,
+    SARSALambda,
+    ScheduledEpsilonGreedy,
+    TreeBackup,
+    make_mdp,
+    mean_interval,
+)
 from edugym.training.train import train
+from tests.agents.walk import Walk, exact_values
 
-SEEDS = 20
 NOTHING = 5e-324
 """A learning rate so small that nothing is learned: the smallest number above 0."""
 
+LIMITS: dict[str, tuple[Callable[..., Any], float, float]] = {
+    "Double Q-learning": (lambda **how: DoubleQLearning.create(Walk(), learning_rate=0.005, **how), 1.0, 0.0),
+    "Tree backup": (lambda **how: TreeBackup.create(Walk(), learning_rate=0.001, **how), 1.0, 0.0),
+    "SARSA": (lambda **how: SARSA.create(Walk(), learning_rate=0.002, **how), 0.3, 0.3),
+    "Q-learning": (lambda **how: QLearning.create(Walk(), learning_rate=0.002, **how), 0.3, 0.0),
+    "Q(λ)": (lambda **how: QLambda.create(Walk(), learning_rate=0.002, **how), 0.3, 0.0),
+    "Q(λ), Dutch": (lambda **how: QLambda.create(Walk(), learning_rate=0.002, traces=Dutch(), **how), 0.3, 0.0),
+    "Q(λ), accumulating": (
+        lambda **how: QLambda.create(Walk(), learning_rate=0.002, traces=Accumulating(), **how), 0.3, 0.0
+    ),
+}  # fmt: skip
+"""Agents, the ε with which they act, and the ε of the policy whose values they learn."""
 
-def climbs(agent: QLearning | CountBased, mdp: Boulder) -> bool:
-    """Whether the right grip is the only best one at every height."""
-    best = agent.Q[:-1].max(axis=1, keepdims=True) == agent.Q[:-1]
-    return bool((best.sum(axis=1) == 1).all() and (agent.Q[:-1].argmax(axis=1) == mdp.grips).all())
+
+@pytest.mark.parametrize(
+    ("create", "acting", "learned"),
+    [pytest.param(*case, id=name, marks=pytest.mark.slow if "," in name else ()) for name, case in LIMITS.items()],
+)
+def test_exact_values_in_the_limit(create: Callable[..., Any], acting: float, learned: float) -> None:
+    """Of many small steps: those of the best ε-soft policy, and not those of another one."""
+    agent = create(discount=0.9, exploration=EpsilonGreedy(acting))
+    train(Walk(), agent, 400_000, seed=1, evaluate_every=400_000)
+    for table in (agent.Q1, agent.Q2, agent.Q) if hasattr(agent, "Q1") else (agent.Q,):
+        assert pytest.approx(exact_values(Walk(), 0.9, epsilon=learned), abs=0.08) == table
+        assert pytest.approx(exact_values(Walk(), 0.9, epsilon=learned + 0.5), abs=0.08) != table
 
 
-def interval(run: Callable[[int], bool], n: int = SEEDS) -> tuple[float, float]:
+def interval(run: Callable[[int], bool], n: int = 12) -> tuple[float, float]:
     """Between which shares of runs succeed, judged by `n` of them."""
     ends = binomtest(sum(map(run, range(n))), n).proportion_ci()
     return ends.low, ends.high
 
 
 def on_boulder(height: int, n_steps: int, create: Callable[[Any], Any]) -> Callable[[int], bool]:
-    """A run on a wall, whose layout and random streams come from the seed: does the agent climb it?"""
+    """A run on a wall, whose layout and random streams come from the seed: does it always climb it in the end?"""
 
-    def run(seed: int) -> bool:
+    def climbs(seed: int) -> bool:
         mdp = make_mdp("Boulder", height=height, layout_seed=seed)
-        agent = create(mdp)
-        train(mdp, agent, n_steps, seed=seed, evaluate_every=n_steps)
-        return climbs(agent, mdp)
+        run = train(mdp, create(mdp), n_steps, seed=seed, evaluate_every=n_steps, evaluation_episodes=20)
+        return bool(run.returns[-1] == 1.0)
 
-    return run
-
-
-def test_q_learning_climbs_a_low_wall() -> None:
-    """Height 5 in 10 000 steps; without learning it does not."""
-    low, _ = interval(on_boulder(5, 10_000, QLearning.create))
-    _, high = interval(on_boulder(5, 10_000, lambda mdp: QLearning.create(mdp, learning_rate=NOTHING)))
-    assert low > 0.8
-    assert high < 0.2
+    return climbs
 
 
-def test_counting_climbs_where_epsilon_greedy_does_not() -> None:
-    """Height 25, where random climbing takes 67 million steps on average: the bonus does it in 100 000."""
-    settings = {"learning_rate": 0.5, "discount": 0.9}
-    low, _ = interval(on_boulder(25, 100_000, lambda mdp: CountBased.create(mdp, **settings)))
-    _, high = interval(on_boulder(25, 100_000, QLearning.create))
-    _, without_bonus = interval(on_boulder(25, 100_000, lambda mdp: CountBased.create(mdp, bonus=0.0, **settings)))
-    assert low > 0.8
-    assert high < 0.2
-    assert without_bonus < 0.2
+FAST: dict[str, Any] = {"learning_rate": 0.5, "discount": 0.9}
+CLIMBERS: dict[str, tuple[int, int, Callable[..., Any], dict[str, Any]]] = {
+    "Q-learning": (5, 10_000, QLearning.create, {"learning_rate": NOTHING}),
+    "actor-critic": (4, 50_000, lambda mdp, **s: ActorCritic.create(mdp, **{**FAST, **s}), {"learning_rate": NOTHING}),
+    "REINFORCE": (4, 50_000, lambda mdp, **s: REINFORCE.create(mdp, **{**FAST, **s}), {"learning_rate": NOTHING}),
+    # where random climbing takes 67 million steps on average
+    "counting": (25, 100_000, lambda mdp, **s: CountBased.create(mdp, **{**FAST, **s}), {"bonus": 0.0}),
+    "Go-Explore": (100, 20_000, GoExplore.create, {"learning_rate": NOTHING}),
+}
 
 
-def test_go_explore_climbs_a_high_wall() -> None:
-    """Height 100 in 20 000 steps, which is beyond Q-learning."""
-
-    def solved(create: Callable[[Any], Any]) -> Callable[[int], bool]:
-        def run(seed: int) -> bool:
-            mdp = make_mdp("Boulder", height=100, layout_seed=seed)
-            return bool(train(mdp, create(mdp), 20_000, seed=seed, evaluate_every=20_000).returns[-1] == 1.0)
-
-        return run
-
-    low, _ = interval(solved(GoExplore.create))
-    _, high = interval(solved(QLearning.create))
-    assert low > 0.8
-    assert high < 0.2
+@pytest.mark.parametrize(("height", "n_steps", "create", "worse"), CLIMBERS.values(), ids=CLIMBERS)
+def test_it_climbs_a_wall(height: int, n_steps: int, create: Any, worse: dict[str, Any]) -> None:
+    """Where it does not without what the method is about."""
+    low, _ = interval(on_boulder(height, n_steps, create))
+    _, high = interval(on_boulder(height, n_steps, lambda mdp: create(mdp, **worse)))
+    assert low > 0.7
+    assert high < 0.3
 
 
 def test_exploration_that_fades_earns_more_while_it_learns() -> None:
@@ -82,7 +108,7 @@ def test_exploration_that_fades_earns_more_while_it_learns() -> None:
 
     def last_return(exploration: Callable[[], Any]) -> np.ndarray[Any, Any]:
         returns = []
-        for seed in range(SEEDS):
+        for seed in range(10):
             mdp = make_mdp("Boulder", height=5, max_steps=10, layout_seed=seed)
             agent = QLearning.create(mdp, exploration=exploration(), initial_value=1.0)
             returns.append(train(mdp, agent, 20_000, seed=seed, evaluate_every=2_000).training_returns[-1])
@@ -92,3 +118,29 @@ def test_exploration_that_fades_earns_more_while_it_learns() -> None:
     constant = last_return(lambda: EpsilonGreedy(0.5))
     assert fading.min() > 0.99
     assert constant.max() < 0.6
+
+
+SHOPPERS: dict[str, tuple[int, Callable[[Any], Any], Callable[[Any], Any]]] = {
+    "planning": (2_000, lambda mdp: DynaQ.create(mdp, learning_rate=1), lambda mdp: QLearning.create(mdp, **FAST)),
+    "sweeping": (
+        500, lambda mdp: PrioritisedSweeping.create(mdp, learning_rate=1), lambda mdp: DynaQ.create(mdp, **FAST)
+    ),
+    "hope": (2_000, RMax.create, lambda mdp: RMax.create(mdp, highest_return=-100)),
+    "traces": (8_000, SARSALambda.create, lambda mdp: SARSALambda.create(mdp, trace_decay=0)),
+    "traces, off-policy": (8_000, QLambda.create, lambda mdp: QLambda.create(mdp, trace_decay=0)),
+    "several steps": (8_000, NStepSARSA.create, SARSA.create),
+    "several steps, off-policy": (8_000, lambda mdp: TreeBackup.create(mdp, n=8), QLearning.create),
+}  # fmt: skip
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("n_steps", "better", "worse"), SHOPPERS.values(), ids=SHOPPERS)
+def test_what_a_method_is_for_saves_steps(n_steps: int, better: Any, worse: Any) -> None:
+    """Supermarket: its mean return over the first steps is higher than without, over seeds."""
+    mdp = make_mdp("Supermarket")
+
+    def returns(create: Any) -> Any:
+        runs = [train(mdp, create(mdp), max(n_steps, 5_000), seed=s, evaluate_every=250).returns for s in range(10)]
+        return np.array(runs)[:, 1 : n_steps // 250 + 1].mean(axis=1)
+
+    assert mean_interval(returns(better) - returns(worse)).low > 0

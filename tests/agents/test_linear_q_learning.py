@@ -6,9 +6,9 @@ import gymnasium
 import numpy as np
 import pytest
 
-from edugym import EpsilonGreedy, Identity, LinearQLearning, QLearning, SemiGradientSARSA, TileCoding, make_mdp, train
+from edugym import EpsilonGreedy, LinearQLearning, SemiGradientSARSA, TileCoding, train
 from edugym_course.lessons.dimensionality.baird import weights_of_solid
-from tests.agents.case import Case, same
+from tests.agents.case import Case
 
 CASES = {
     "LinearQLearning": Case(LinearQLearning, LinearQLearning.create),
@@ -30,18 +30,6 @@ def test_update(terminated: bool, error: float) -> None:
     assert agent.weights == pytest.approx(np.array([[1 + 0.1 * error * 2, 2], [3, 4], [10 + 0.1 * error, 20]]))
 
 
-@pytest.mark.parametrize("n_steps", [1_000, 20_000])
-def test_on_whole_numbers_it_is_a_table(n_steps: int) -> None:
-    """A 1 in the place of each number and no constant: Q-learning with a table, bit for bit."""
-    mdp = make_mdp("Boulder")
-    table = QLearning.create(mdp, learning_rate=0.2)
-    features = Identity.create(mdp, constant=0.0)
-    linear = LinearQLearning.create(mdp, features=features, learning_rate=0.2)
-    runs = [train(mdp, agent, n_steps, seed=4) for agent in (table, linear)]
-    assert same(linear.weights[:-1], table.Q)
-    assert same(runs[0].returns, runs[1].returns)
-
-
 def test_the_deadly_triad_diverges() -> None:
     """Features, bootstrapping and a behaviour that is not what is learned: weights grow without bound.
 
@@ -49,8 +37,8 @@ def test_the_deadly_triad_diverges() -> None:
     """
 
     def largest(kind: Any = LinearQLearning, exploration: Any = None) -> list[float]:
-        """The largest weight in each of five runs of 2 000 steps, of the largest at the start."""
-        runs = [weights_of_solid(kind, exploration, 2_000, seed) for seed in range(5)]
+        """The largest weight in each of three runs of 2 000 steps, of the largest at the start."""
+        runs = [weights_of_solid(kind, exploration, 2_000, seed) for seed in range(3)]
         return [float(np.abs(weights).max() / np.abs(weights[0]).max()) for weights in runs]
 
     assert min(largest()) > 50
@@ -66,23 +54,8 @@ def mountain_car(learning_rate: float, seed: int) -> float:
     return float(train(env, agent, 30_000, seed=seed, evaluate_every=30_000, evaluation_episodes=10).returns[-1])
 
 
+@pytest.mark.slow
 def test_it_learns_mountain_car_with_tiles() -> None:
     """To under 150 steps (figure 10.2 has some 130 to 150 then); without learning it never gets out of the valley."""
     assert np.mean([mountain_car(0.5, seed) for seed in range(3)]) > -150
     assert mountain_car(5e-324, 0) == -200
-
-
-def cart_pole(learning_rate: float, seed: int) -> float:
-    """The mean return in CartPole after 60 000 steps; its bounds are where an episode ends, and a guess for speeds."""
-    env = gymnasium.make("CartPole-v1", disable_env_checker=True)
-    low = [-2.4, -3.0, -0.21, -3.0]
-    features = TileCoding.create(env, [4, 4, 6, 6], 16, low, [-x for x in low])
-    agent = LinearQLearning.create(env, features=features, learning_rate=learning_rate, exploration=EpsilonGreedy(0.05))
-    return float(train(env, agent, 60_000, seed=seed, evaluate_every=60_000, evaluation_episodes=20).returns[-1])
-
-
-@pytest.mark.slow
-def test_it_learns_cart_pole_with_tiles() -> None:
-    """To 475 of 500, where Gymnasium counts it as solved; without learning it is at some 20."""
-    assert np.mean([cart_pole(0.2, seed) for seed in range(3)]) > 475
-    assert cart_pole(5e-324, 0) < 50

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edugym import SARSA, EpsilonGreedy, NStepSARSA, make_mdp, mean_interval, train
+from edugym import NStepSARSA, train
 from edugym.mdp.protocol import Reals
 from tests.agents.case import Case
 from tests.agents.walk import Walk
@@ -77,15 +77,6 @@ def test_nothing_is_learned_before_n_steps() -> None:
         assert agent.Q.any() == learned
 
 
-def test_with_n_1_it_is_sarsa() -> None:
-    """Bit for bit, truncation included."""
-    agents: list[Any] = [SARSA.create((5, 2)), NStepSARSA.create((5, 2), n=1)]
-    for agent in agents:
-        train(Walk(), agent, 2_000, seed=4, max_steps=7)
-    assert np.array_equal(agents[0].Q, agents[1].Q)
-    assert agents[0].Q.any()
-
-
 def test_with_n_infinite_it_is_monte_carlo() -> None:
     """At γ = 1 and α = 1/k for the k-th visit the value is the mean return; here α = 1: the last return."""
     agent = told(NStepSARSA.create((4, 2), n=math.inf, learning_rate=1, discount=1), True, False)
@@ -98,44 +89,3 @@ def test_an_episode_longer_than_the_memory_is_learned_with_what_there_is() -> No
     for agent in agents:
         train(Walk(), agent, 2_000, seed=4)
     assert all(np.array_equal(agents[0].Q, agent.Q) for agent in agents)
-
-
-def test_an_episode_that_was_broken_off_is_forgotten() -> None:
-    """The rewards of another run are not credited to what was done before, also where it begins in the same state."""
-    agent = NStepSARSA.create((4, 1), n=3, learning_rate=1, discount=1)
-    agent.learn(2, 0, 5.0, 0, 0, False, False)
-    agent.forget_episode()
-    agent.learn(0, 0, 1.0, 1, 0, True, False)
-    assert agent.Q[:, 0].tolist() == [1, 0, 0, 0]
-
-
-def test_a_long_delay_is_learned_faster_with_a_larger_n() -> None:
-    """Study: after 500 episodes n = 5 is ahead of n = 1 (the paper's first claim), over layouts and seeds."""
-
-    def gain(first: float, second: float) -> list[float]:
-        returns: dict[float, list[float]] = {first: [], second: []}
-        for seed in range(40):
-            mdp = make_mdp("Study", action_reward_noise_sigma=0.2, layout_seed=seed)
-            for n in returns:
-                agent = NStepSARSA.create(mdp, n=n, discount=1, exploration=EpsilonGreedy(0.1))
-                run = train(mdp, agent, 5_000, seed=seed, evaluate_every=5_000, evaluation_episodes=20)
-                returns[n].append(float(run.returns[-1]))
-        return [a - b for a, b in zip(returns[first], returns[second], strict=True)]
-
-    assert mean_interval(gain(5, 1)).low > 0
-    assert mean_interval(gain(1, 1)).low == 0.0
-
-
-@pytest.mark.parametrize(
-    ("setting", "value", "allowed"),
-    [
-        ("n", 0, "1 or more"),
-        ("n", 2.5, "a whole number"),
-        ("n", -math.inf, "a whole number"),
-        ("longest", 0, "1 or more"),
-    ],
-)
-def test_settings_out_of_range_are_refused(setting: str, value: Any, allowed: str) -> None:
-    """The message names the parameter, its value and what is allowed."""
-    with pytest.raises(ValueError, match=rf"{setting} must be .*{allowed}.*, but is {value!r}"):
-        NStepSARSA.create((4, 2), **{setting: value})

@@ -25,10 +25,3 @@ def test_updates() -> None:
     assert not budget(0, None).lasts(0, 0.0)
     assert budget(math.inf, None) == Updates(math.inf)
     assert budget(math.inf, None).lasts(10**9, 0.0)
-
-
-@pytest.mark.parametrize(("steps", "seconds"), [(-1, None), (2.5, None), (3, 0), (3, -1.0)])
-def test_what_is_no_budget(steps: float, seconds: float | None) -> None:
-    """It is named."""
-    with pytest.raises(ValueError, match="planning_steps" if seconds is None else "planning_seconds"):
-        budget(steps, seconds)

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edugym import DynaQ, EpsilonGreedy, PrioritisedSweeping, QLearning, finite_model, make_mdp, mean_interval, train
+from edugym import PrioritisedSweeping, finite_model, make_mdp
 from tests.agents.case import Case
 from tests.agents.walk import Walk, exact_values
 
@@ -88,69 +88,6 @@ def test_with_the_exact_model_it_finds_the_optimum(slip: float) -> None:
     agent.act(1, RNG)
     assert agent.queue.size[0] == 0
     assert pytest.approx(exact_values(mdp, 0.9), abs=1e-9) == agent.Q
-
-
-def test_with_the_exact_model_it_shops_perfectly_without_a_step() -> None:
-    """The optimum of Supermarket, 95, and with noise in the model something less."""
-    returns = []
-    for noise in (0.0, 20.0):
-        mdp = make_mdp("Supermarket", noise=noise)
-        agent = PrioritisedSweeping.create(
-            mdp, model=mdp.distorted(finite_model(mdp)), planning_steps=np.inf, learning_rate=1, discount=0.95
-        )
-        agent.act(mdp.initial(RNG), RNG)
-        returns.append(float(train(mdp, agent, 1, evaluate_every=1).returns[0]))
-    assert returns[0] == 95
-    assert returns[1] < 95
-
-
-def test_it_learns_in_fewer_steps_than_dyna_and_q_learning() -> None:
-    """Supermarket after 500 steps, with ten updates a step, over seeds; without planning it has learned nothing."""
-    mdp = make_mdp("Supermarket")
-
-    def returns(make: Any) -> list[float]:
-        return [float(train(mdp, make(), 5_000, seed=seed, evaluate_every=500).returns[1]) for seed in range(10)]
-
-    sweeping = np.array(returns(lambda: PrioritisedSweeping.create(mdp, learning_rate=1)))
-    dyna = np.array(returns(lambda: DynaQ.create(mdp, learning_rate=1)))
-    plain = np.array(returns(lambda: QLearning.create(mdp, learning_rate=1)))
-    idle = np.array(returns(lambda: PrioritisedSweeping.create(mdp, learning_rate=1, planning_steps=0)))
-    assert mean_interval(list(sweeping - dyna)).low > 0
-    assert mean_interval(list(sweeping - plain)).low > 0
-    assert idle.max() < sweeping.mean()
-
-
-def test_planning_faster_ends_worse() -> None:
-    """Supermarket after 10 000 steps: it is content with what it found first; more exploring mends that."""
-    mdp = make_mdp("Supermarket")
-
-    def last(epsilon: float) -> list[float]:
-        runs = []
-        for seed in range(40):
-            agent = PrioritisedSweeping.create(mdp, learning_rate=1, exploration=EpsilonGreedy(epsilon))
-            runs.append(float(train(mdp, agent, 10_000, seed=seed, evaluate_every=10_000).returns[-1]))
-        return runs
-
-    assert mean_interval(last(0.1)).high < 88
-    assert mean_interval(last(0.5)).low > 88
-
-
-@pytest.mark.parametrize(
-    ("setting", "value", "allowed"),
-    [
-        ("planning_steps", -1, "0 or more"),
-        ("planning_steps", 2.5, "a whole number"),
-        ("planning_steps", 2**70, "at most 4611686018427387904"),
-        ("planning_seconds", -1.0, "greater than 0"),
-        ("threshold", -1, "0 or more"),
-        ("memory", 0, "1 or more"),
-        ("expected_updates", "yes", "True or False"),
-    ],
-)
-def test_settings_out_of_range_are_refused(setting: str, value: Any, allowed: str) -> None:
-    """The message names the parameter, its value and what is allowed."""
-    with pytest.raises(ValueError, match=rf"{setting} must be .*{allowed}.*, but is {value!r}"):
-        PrioritisedSweeping.create((4, 2), **{setting: value})
 
 
 @pytest.mark.parametrize("settings", [{"expected_updates": False}, {"threshold": 0, "learning_rate": 0.5}])

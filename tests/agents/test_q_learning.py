@@ -38,22 +38,6 @@ def test_update(state: int, action: int, reward: float, next_state: int, termina
     assert agent.Q.tolist() == table
 
 
-def test_three_updates_along_a_chain() -> None:
-    """0 → 1 → 2 (the end, reward 1) twice, α = 1/2, γ = 1/2: the reward comes one state further back each time.
-
-    Round 1: Q(0,0) = 0 + (0 + Q(1,0)/2 - 0)/2 = 0;         Q(1,0) = 0 + (1 - 0)/2 = 1/2.
-    Round 2: Q(0,0) = 0 + (0 + 1/4 - 0)/2 = 1/8;            Q(1,0) = 1/2 + (1 - 1/2)/2 = 3/4.
-    Round 3: Q(0,0) = 1/8 + (0 + 3/8 - 1/8)/2 = 1/4;        Q(1,0) = 3/4 + (1 - 3/4)/2 = 7/8.
-    """
-    agent = QLearning.create((3, 1), learning_rate=0.5, discount=0.5)
-    rounds = []
-    for _ in range(3):
-        agent.learn(0, 0, 0.0, 1, False)
-        agent.learn(1, 0, 1.0, 2, True)
-        rounds.append(agent.Q[:, 0].tolist())
-    assert rounds == [[0, 1 / 2, 0], [1 / 8, 3 / 4, 0], [1 / 4, 7 / 8, 0]]
-
-
 values = st.floats(-1e3, 1e3)
 
 
@@ -66,22 +50,8 @@ def test_update_is_the_textbook_line(Q: Reals, alpha: float, gamma: float, rewar
     assert pytest.approx(Q) == agent.Q
 
 
-def test_a_learning_rate_of_1_forgets_what_was() -> None:
-    """The entry becomes the target."""
-    agent = agent_with([[7.0], [4.0]], learning_rate=1.0, discount=0.5)
-    agent.learn(0, 0, 1.0, 1, False)
-    assert agent.Q[0, 0] == 1.0 + 0.5 * 4.0
-
-
 def test_initial_values_are_optimistic_on_demand() -> None:
     """Every entry starts from `initial_value` (section 2.6)."""
     assert (np.full((2, 3), 5.0) == QLearning.create((2, 3), initial_value=5).Q).all()
     assert not QLearning.create((2, 3)).Q.any()
     assert QLearning.create((2, 3), initial_value=5).Q.dtype == np.float64
-
-
-def test_greedy_ignores_the_exploration() -> None:
-    """By default one action in ten is random, but `greedy` always takes the best."""
-    agent, rng = agent_with([[0.0, 1.0]]), np.random.default_rng(0)
-    assert {agent.greedy(0, rng) for _ in range(200)} == {1}
-    assert {agent.act(0, rng) for _ in range(200)} == {0, 1}

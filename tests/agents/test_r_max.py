@@ -1,11 +1,9 @@
 """R-max: optimism by hand, its fixed points, and that it explores because it plans to."""
 
-from typing import Any
-
 import numpy as np
 import pytest
 
-from edugym import QLearning, RMax, finite_model, make_mdp, proportion_interval, train
+from edugym import RMax, finite_model
 from tests.agents.case import Case
 from tests.agents.walk import Walk, exact_values
 
@@ -80,34 +78,3 @@ def test_with_the_exact_model_it_has_the_optimum(slip: float) -> None:
     exact = exact_values(mdp, 0.9)
     assert agent.Q[1:-1] == pytest.approx(exact[1:-1], abs=1e-9)
     assert agent.optimistic[1:-1] == pytest.approx(exact[1:-1], abs=1e-9)
-
-
-def test_it_shops_perfectly_after_2_000_steps() -> None:
-    """Supermarket's optimum of 95, over seeds; Q-learning is not there by then, nor R-max without hope."""
-    mdp = make_mdp("Supermarket")
-
-    def interval(make: Any) -> Any:
-        runs = [train(mdp, make(), 5_000, seed=seed, evaluate_every=2_000).returns[1] == 95 for seed in range(10)]
-        return proportion_interval(sum(runs), len(runs))
-
-    assert interval(lambda: RMax.create(mdp)).low > 0.6
-    assert interval(lambda: QLearning.create(mdp, learning_rate=1)).high < 0.6
-    assert interval(lambda: RMax.create(mdp, highest_return=-100)).high < 0.6
-
-
-@pytest.mark.parametrize(
-    ("setting", "value", "allowed"),
-    [
-        ("planning_steps", -1, "0 or more"),
-        ("planning_seconds", 0, "greater than 0"),
-        ("known_after", 0, "1 or more"),
-        ("known_after", 1.5, "a whole number"),
-        ("threshold", -1, "0 or more"),
-        ("highest_return", float("nan"), "from"),
-        ("lowest_return", None, "a number"),
-    ],
-)
-def test_settings_out_of_range_are_refused(setting: str, value: Any, allowed: str) -> None:
-    """The message names the parameter, its value and what is allowed."""
-    with pytest.raises(ValueError, match=rf"{setting} must be .*{allowed}.*, but is {value!r}"):
-        RMax.create((4, 2), **{setting: value})

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from edugym import REINFORCE, make_mdp, train
+from edugym import REINFORCE
 from tests.agents.case import Case
 
 CASES = {"REINFORCE": Case(REINFORCE, lambda env: REINFORCE.create(env, longest=200))}
@@ -46,19 +46,6 @@ def test_a_long_episode_is_learned_from_in_parts() -> None:
         REINFORCE.create((2, 2), longest=0)
 
 
-def test_an_episode_that_training_left_is_not_continued() -> None:
-    """The steps of another run do not become the beginning of this episode: it learns what a new agent learns."""
-    agents = [REINFORCE.create((4, 2)) for _ in range(2)]
-    for _ in range(3):
-        agents[0].learn(0, 0, 100.0, 1, False, False)
-        agents[0].learn(1, 0, 100.0, 2, False, False)
-        for agent in agents:  # a new run starts in state 3
-            agent.forget_episode()
-            agent.learn(3, 1, 1.0, 0, False, False)
-            agent.learn(0, 1, 1.0, 3, True, False)
-        assert np.array_equal(agents[0].preferences, agents[1].preferences)
-
-
 def test_the_baseline_makes_updates_less_noisy() -> None:
     """Rewards are 10 and noise; the preferences wander less far with a baseline, though they are worth the same."""
 
@@ -71,18 +58,3 @@ def test_the_baseline_makes_updates_less_noisy() -> None:
 
     without, with_one = (np.mean([wandering(rate, seed) for seed in range(20)]) for rate in (0.0, 0.1))
     assert with_one < without / 2
-
-
-def climbs(learning_rate: float, seed: int) -> bool:
-    """Whether the right grip is much the likelier one at every height of a wall, after 50 000 steps."""
-    mdp = make_mdp("Boulder", height=4, layout_seed=seed)
-    agent = REINFORCE.create(mdp, learning_rate=learning_rate)
-    train(mdp, agent, 50_000, seed=seed, evaluate_every=50_000)
-    right = agent.preferences[np.arange(4), mdp.grips]
-    return bool((right > agent.preferences[np.arange(4), 1 - mdp.grips] + 1).all())
-
-
-def test_it_climbs_a_low_wall() -> None:
-    """In every run; with hardly any learning it does not."""
-    assert all(climbs(0.5, seed) for seed in range(10))
-    assert not any(climbs(5e-324, seed) for seed in range(10))

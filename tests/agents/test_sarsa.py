@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from edugym import SARSA, EpsilonGreedy, QLearning, finite_model, make_mdp, mean_interval, train
+from edugym import SARSA, EpsilonGreedy, finite_model
 from tests.agents.case import Case
 from tests.agents.walk import Walk, exact_values
 
@@ -43,30 +43,3 @@ def test_its_mean_step_is_zero_at_the_values_of_its_policy() -> None:
                     step += share * (agent.Q[s, a] - Q[s, a])
             assert step == pytest.approx(0.0, abs=1e-8)
     assert not np.allclose(Q, exact_values(mdp, discount), atol=1e-2)  # with ε = 0 these are others
-
-
-def test_it_learns_those_values() -> None:
-    """In the limit of many small steps; Q-learning, the control, learns the values of the greedy policy instead."""
-    mdp, settings = Walk(slip=0.1), {"discount": 0.9, "exploration": EpsilonGreedy(0.3), "learning_rate": 0.002}
-    sarsa, control = SARSA.create(mdp, **settings), QLearning.create(mdp, **settings)
-    for agent in (sarsa, control):
-        train(mdp, agent, 400_000, seed=1, evaluate_every=400_000)
-    exact = exact_values(mdp, 0.9, epsilon=0.3)
-    assert np.abs(sarsa.Q - exact).max() < 0.05
-    assert np.abs(control.Q - exact).max() > 0.1
-    assert np.abs(control.Q - exact_values(mdp, 0.9)).max() < 0.05
-
-
-def test_it_keeps_away_from_the_edge_while_it_explores() -> None:
-    """Roadrunner: the return while exploring is better than Q-learning's, over seeds; the greedy one is not."""
-    mdp = make_mdp("Roadrunner")
-    gain, greedy = [], []
-    for seed in range(12):
-        runs = {}
-        for kind in (SARSA, QLearning):
-            agent = kind.create(mdp, learning_rate=0.03, discount=1)
-            runs[kind] = train(mdp, agent, 200_000, seed=seed, evaluate_every=100_000)
-        gain.append(runs[SARSA].training_returns[-1] - runs[QLearning].training_returns[-1])
-        greedy.append(runs[SARSA].returns[-1] - runs[QLearning].returns[-1])
-    assert mean_interval(gain).low > 0
-    assert np.mean(greedy) < 0

@@ -5,10 +5,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edugym import SARSA, Accumulating, Dutch, Replacing, SARSALambda, make_mdp, mean_interval, train
+from edugym import Accumulating, Dutch, Replacing, SARSALambda
 from edugym.mdp.protocol import Reals
 from tests.agents.case import Case
-from tests.agents.walk import Walk
 
 CASES = {
     "SARSALambda": Case(SARSALambda, lambda e: SARSALambda.create(e, learning_rate=0.5, discount=0.5), True),
@@ -86,25 +85,6 @@ def test_dutch_traces_are_the_online_lambda_return(trace_decay: float, terminate
         assert np.allclose(agent.Q, exact, rtol=1e-12) == (isinstance(traces, Dutch) or trace_decay == 0)
 
 
-@pytest.mark.parametrize("traces", [Accumulating(), Replacing(), Dutch()])
-def test_without_lambda_it_is_sarsa(traces: Any) -> None:
-    """Whatever the traces, truncation included; to rounding."""
-    agents: list[Any] = [SARSA.create((5, 2)), SARSALambda.create((5, 2), trace_decay=0, traces=traces)]
-    for agent in agents:
-        train(Walk(), agent, 2_000, seed=4, max_steps=7)
-    assert pytest.approx(agents[1].Q, rel=1e-9) == agents[0].Q
-    assert agents[0].Q.any()
-
-
-def test_an_episode_that_was_broken_off_is_forgotten() -> None:
-    """What happens in another run is not credited to what was done before, also where it begins in the same state."""
-    agent = SARSALambda.create((4, 1), learning_rate=1, discount=1)
-    agent.learn(2, 0, 0.0, 0, 0, False, False)
-    agent.forget_episode()
-    agent.learn(0, 0, 1.0, 1, 0, True, False)
-    assert agent.Q[:, 0].tolist() == [1, 0, 0, 0]
-
-
 def test_negligible_traces_are_dropped() -> None:
     """And the others stay with their pairs."""
     agent = SARSALambda.create((40, 1), discount=1, trace_decay=0.1)
@@ -114,29 +94,3 @@ def test_negligible_traces_are_dropped() -> None:
     assert [agent.Z.value(state, 0) for state in range(20, 30)] == pytest.approx(
         [0.0] + [0.1 ** (30 - s) for s in range(21, 30)], rel=1e-6
     )
-
-
-def test_traces_learn_faster() -> None:
-    """Supermarket over the first 8 000 steps and over seeds: λ = 0.9 is ahead of SARSA."""
-    mdp = make_mdp("Supermarket")
-
-    def returns(trace_decay: float) -> Any:
-        agents = [SARSALambda.create(mdp, trace_decay=trace_decay) for _ in range(10)]
-        runs = [train(mdp, agent, 8_000, seed=s, evaluate_every=500).returns for s, agent in enumerate(agents)]
-        return np.array(runs)[:, 1:].mean(axis=1)
-
-    assert mean_interval(returns(0.9) - returns(0.0)).low > 0
-
-
-@pytest.mark.parametrize(
-    ("setting", "value", "allowed"),
-    [
-        ("trace_decay", 1.1, "from 0 to 1"),
-        ("trace_decay", -0.1, "from 0 to 1"),
-        ("traces", "replacing", "Accumulating"),
-    ],
-)
-def test_settings_out_of_range_are_refused(setting: str, value: Any, allowed: str) -> None:
-    """The message names the parameter, its value and what is allowed."""
-    with pytest.raises(ValueError, match=rf"{setting} must be .*{allowed}.*, but is {value!r}"):
-        SARSALambda.create((4, 2), **{setting: value})

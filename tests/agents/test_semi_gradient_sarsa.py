@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from edugym import EpsilonGreedy, SemiGradientSARSA, TileCoding
+from edugym import SemiGradientSARSA, TileCoding
 from tests.agents.case import Case
 
 CASES = {"SemiGradientSARSA": Case(SemiGradientSARSA, SemiGradientSARSA.create)}
@@ -32,11 +32,3 @@ def test_a_rate_of_1_corrects_the_whole_error_with_tiles() -> None:
     agent.greedy(np.array([0.4]), rng)
     assert agent.Q.tolist() == [[0.0, 7.0]]
     assert np.count_nonzero(agent.weights) == 8
-
-
-def test_greedy_ignores_the_exploration() -> None:
-    """ε = 1 explores always; `greedy` never does."""
-    agent, rng = SemiGradientSARSA.create((1, 3), exploration=EpsilonGreedy(1.0)), np.random.default_rng(0)
-    agent.weights[0, 2] = 1.0
-    assert {agent.greedy(np.ones(1), rng) for _ in range(50)} == {2}
-    assert {agent.act(np.ones(1), rng) for _ in range(50)} == {0, 1, 2}

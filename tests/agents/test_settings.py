@@ -1,7 +1,5 @@
 """The settings of a class are looked up once, and again when its annotations have changed."""
 
-import inspect
-import math
 from typing import Annotated, Any, NamedTuple
 
 import numpy as np
@@ -10,7 +8,6 @@ import pytest
 from edugym import UCB, NStepSARSA, PrioritisedSweeping, QLearning
 from edugym.agents.settings import Range, check, new, settings_of
 from edugym.envs.boulder import Boulder
-from tests.agents.cases import AGENTS
 
 
 class Limited(NamedTuple):
@@ -106,16 +103,3 @@ class OfAKind(NamedTuple):
 def test_a_class_in_a_field_has_no_tables() -> None:
     """It is no strategy that was made for an environment."""
     assert new(OfAKind, (3, 2), {}) == OfAKind(UCB)
-
-
-@pytest.mark.parametrize("value", ["1", None, math.nan, math.inf, True])
-def test_first_values_that_are_no_numbers(value: Any) -> None:
-    """They are refused by name."""
-    with pytest.raises(ValueError, match="initial_value must be"):
-        QLearning.create((3, 2), initial_value=value)
-
-
-@pytest.mark.parametrize("kind", sorted({case.kind for case in AGENTS.values()}, key=str))
-def test_an_environment_is_all_that_create_needs(kind: Any) -> None:
-    """And its signature says so, which help shows and `repeat` looks at."""
-    inspect.signature(kind.create).bind("environment")

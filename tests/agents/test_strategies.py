@@ -20,9 +20,8 @@ from edugym import (
     ScheduledEpsilonGreedy,
     Softmax,
 )
-from edugym.agents.tables import best_value, greedy_action
 from edugym.exact.branching import branches
-from edugym.mdp.protocol import Integers, Random, Reals
+from edugym.mdp.protocol import Integers, Random
 
 STRATEGIES: dict[str, Callable[[Any], Any]] = {
     "greedy": lambda environment: Greedy(),
@@ -44,12 +43,6 @@ def exact(make: Callable[[], Any], values: list[float]) -> list[float]:
     for probability, action in branches(lambda rng: make().choose(Q, 0, rng)):
         probabilities[action] += probability
     return probabilities
-
-
-def drawn(make: Callable[[], Any], values: list[float], n: int = 4_000) -> Reals:
-    """How often each action is chosen in `n` draws from a real generator."""
-    Q, rng, strategy = np.array([values]), np.random.default_rng(0), make()
-    return np.bincount([strategy.choose(Q, 0, rng) for _ in range(n)], minlength=len(values)) / n
 
 
 def uniform_on_best(values: list[float]) -> list[float]:
@@ -85,37 +78,6 @@ def test_epsilon_greedy_has_its_closed_form(values: list[float], epsilon: float)
 def test_softmax_has_its_closed_form(values: list[float], temperature: float) -> None:
     """Equation 2.11 for action values."""
     assert exact(lambda: Softmax(temperature), values) == pytest.approx(softmax(values, temperature))
-
-
-@pytest.mark.parametrize(
-    ("make", "expected"),
-    [
-        (Greedy, [0.0, 0.5, 0.5, 0.0]),
-        (lambda: EpsilonGreedy(0.4), [0.1, 0.4, 0.4, 0.1]),
-        (lambda: EpsilonGreedy(1.0), [0.25, 0.25, 0.25, 0.25]),
-        (lambda: Softmax(1.0), softmax([0.0, 2.0, 2.0, 1.0], 1.0)),
-    ],
-)
-def test_frequencies_of_a_real_generator_agree(make: Callable[[], Any], expected: list[float]) -> None:
-    """Within five standard deviations; what has probability 0 never comes."""
-    n = 4_000
-    shares = drawn(make, [0.0, 2.0, 2.0, 1.0], n)
-    for share, p in zip(shares, expected, strict=True):
-        assert abs(share - p) <= 5 * math.sqrt(p * (1 - p) / n)
-
-
-def test_only_the_row_of_the_state_counts() -> None:
-    """Other states' values are not looked at."""
-    Q = np.array([[9.0, 0.0], [0.0, 1.0], [9.0, 0.0]])
-    for strategy in (Greedy(), EpsilonGreedy(0.0), Softmax(0.001), UCB(np.full((3, 2), 5), np.zeros((1, 2)), 0.1)):
-        assert strategy.choose(Q, 1, np.random.default_rng(0)) == 1
-
-
-@given(rows)
-def test_best_value_is_the_maximum(values: list[float]) -> None:
-    """The value that goes into the update is the one of the action that is chosen."""
-    Q = np.array([values])
-    assert best_value(Q, 0) == max(values) == values[greedy_action(Q, 0, np.random.default_rng(0))]
 
 
 @pytest.mark.parametrize("temperature", [1e-3, 1e-300, 5e-324])
@@ -158,31 +120,6 @@ def test_scheduled_epsilon_greedy_uses_the_epsilon_of_its_step(schedule: Any, st
     """The first action is chosen with ε after 0 steps."""
     expected = epsilon_greedy([0.0, 1.0, 0.0], schedule.value(step))
     assert exact(lambda: ScheduledEpsilonGreedy(schedule, np.array([step])), [0.0, 1.0, 0.0]) == pytest.approx(expected)
-
-
-def test_scheduled_epsilon_greedy_counts_its_choices() -> None:
-    """One step of the schedule for every action."""
-    strategy = ScheduledEpsilonGreedy.create(LinearDecay(1.0, 0.0, 10))
-    for chosen in range(20):
-        assert strategy.step[0] == chosen
-        strategy.choose(np.zeros((1, 2)), 0, np.random.default_rng(0))
-
-
-class Halved(NamedTuple):
-    """A schedule of one's own: 1 until step 3, then 0."""
-
-    until: int
-
-    def value(self, step: int) -> float:
-        """ε at a step."""
-        return 1.0 if step < self.until else 0.0
-
-
-def test_a_schedule_of_ones_own_will_do() -> None:
-    """Whatever has `value(step)`."""
-    strategy, rng = ScheduledEpsilonGreedy.create(Halved(3)), np.random.default_rng(0)
-    actions = [strategy.choose(np.array([[0.0, 1.0]]), 0, rng) for _ in range(50)]
-    assert set(actions[3:]) == {1}
 
 
 def ucb(values: list[float], counts: list[int], c: float) -> tuple[list[float], list[Integers]]:
@@ -232,35 +169,6 @@ def test_ucb_counts_what_it_chooses() -> None:
     fresh = UCB.create((3, 4))
     assert fresh.counts.shape == (3, 4)
     assert not fresh.counts.any()
-
-
-def test_ucb_comes_back_to_every_action() -> None:
-    """The bonus of what is neglected grows until its bound is level with the best one, 1 + √(7.6/1970) = 1.062.
-
-    With ln 2000 = 7.6, that is for 0 + √(7.6/n) at n = 7.6/1.062² = 6.7, and for 0.5 + √(7.6/n) at n = 7.6/0.562² = 24.
-    """
-    strategy, rng, Q = UCB.create((1, 3), 1.0), np.random.default_rng(0), np.array([[0.0, 0.5, 1.0]])
-    for _ in range(2_000):
-        strategy.choose(Q, 0, rng)
-    worst, middle, best = strategy.counts[0]
-    assert worst in (6, 7, 8)
-    assert middle in (23, 24, 25)
-    assert worst + middle + best == 2_000
-
-
-def test_ucb_parameters_are_checked() -> None:
-    """The bonus may have the weight 0 and no less."""
-    UCB.create((2, 2), 0)
-    with pytest.raises(ValueError, match=r"c must be 0 or more, but is -0\.1"):
-        UCB.create((2, 2), -0.1)
-
-
-@pytest.mark.parametrize("seed", range(3))
-def test_strategies_draw_nothing_they_do_not_need(seed: int) -> None:
-    """Without ties the greedy choice leaves the random stream alone."""
-    rng: Random = np.random.default_rng(seed)
-    Greedy().choose(np.array([[0.0, 1.0, 2.0]]), 0, rng)
-    assert rng.random() == np.random.default_rng(seed).random()
 
 
 class Swapped(NamedTuple):

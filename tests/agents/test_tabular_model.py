@@ -151,14 +151,6 @@ def test_a_given_model_does_not_learn() -> None:
     assert np.array_equal(model.weights, before)
 
 
-def test_noise_in_a_given_model_is_planned_with() -> None:
-    """Supermarket's noise is in the rewards of the model that its class distorts."""
-    mdp = make_mdp("Supermarket", noise=1.0)
-    exact = finite_model(mdp)
-    model = given_model(mdp, mdp.distorted(exact))
-    assert model.rewards[: model.n_outcomes[0]].std() > given_model(mdp, exact).rewards.std() + 0.1
-
-
 class Five(gymnasium.Env[Any, Any]):
     """An environment that somebody else has made, with as many observations and actions as the walk."""
 

@@ -9,7 +9,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from edugym import TileCoding, make_mdp
-from tests.agents.case import same
 
 
 def tiles_of(features: TileCoding, *state: float) -> list[int]:
@@ -103,11 +102,3 @@ def test_the_most_that_is_allowed() -> None:
     assert TileCoding.create((1, 2), low=[0.0], high=[0.99e9]).high.tolist() == [0.99e9]
     with pytest.raises(ValueError, match="less than a billion apart"):
         TileCoding.create((1, 2), low=[0.0], high=[1e9])
-
-
-def test_bounds_are_those_of_the_observation_space() -> None:
-    """Those of Trashbot are -1 and 1, and 0 stands for both where a number is left out."""
-    features = TileCoding.create(make_mdp("Trashbot"), tiles=[1, 1, 9, 9, 1, 1, 2])
-    assert features.low.tolist() == [0, 0, -1, -1, 0, 0, -1]
-    assert features.high.tolist() == [0, 0, 1, 1, 0, 0, 1]
-    assert same(features, TileCoding.create(make_mdp("Trashbot"), [1, 1, 9, 9, 1, 1, 2], 8))

@@ -6,20 +6,13 @@ import numpy as np
 import pytest
 
 from edugym import (
-    UCB,
     EpsilonGreedy,
-    ExpectedSARSA,
     Greedy,
-    QLearning,
     Softmax,
     TreeBackup,
-    make_mdp,
-    mean_interval,
-    train,
 )
 from edugym.mdp.protocol import Reals
 from tests.agents.case import Case
-from tests.agents.walk import Walk, exact_values
 
 CASES = {
     "TreeBackup": Case(TreeBackup, lambda env: TreeBackup.create(env, n=3, learning_rate=0.5, discount=0.5), True),
@@ -79,49 +72,3 @@ def test_two_steps_by_hand() -> None:
         agent.learn(1, action, 99.0, 2, True, False)
         assert agent.Q[0, 0] == value
         assert agent.Q[1, action] == 99.0
-
-
-@pytest.mark.parametrize(
-    ("other", "target"), [(QLearning, Greedy()), (ExpectedSARSA, EpsilonGreedy(0.1))], ids=["greedy", "soft"]
-)
-def test_with_one_step_it_is(other: Any, target: Any) -> None:
-    """Q-learning for a greedy target, expected SARSA for one that explores likewise; bit for bit."""
-    agents = [other.create((5, 2)), TreeBackup.create((5, 2), n=1, target_policy=target)]
-    for agent in agents:
-        train(Walk(), agent, 2_000, seed=4, max_steps=7)
-    assert np.array_equal(agents[0].Q, agents[1].Q)
-    assert agents[0].Q.any()
-
-
-def test_it_learns_the_values_of_its_target_whatever_is_done() -> None:
-    """Acting at random it finds the values of the greedy policy, with several steps and without weights."""
-    agent = TreeBackup.create(Walk(), n=4, discount=0.9, learning_rate=0.001, exploration=EpsilonGreedy(1))
-    train(Walk(), agent, 300_000, seed=0, evaluate_every=300_000)
-    assert pytest.approx(exact_values(Walk(), 0.9), abs=0.05) == agent.Q
-    assert pytest.approx(exact_values(Walk(), 0.9, epsilon=0.5), abs=0.05) != agent.Q
-
-
-def test_more_steps_learn_faster() -> None:
-    """Supermarket after 4 000 steps, over seeds: eight steps are ahead of one; the same against itself is not."""
-    mdp = make_mdp("Supermarket")
-
-    def returns(n: int) -> Any:
-        runs = [train(mdp, TreeBackup.create(mdp, n=n), 8_000, seed=s, evaluate_every=500).returns for s in range(10)]
-        return np.array(runs)[:, 1:].mean(axis=1)
-
-    one, eight = returns(1), returns(8)
-    assert mean_interval(eight - one).low > 0
-
-
-@pytest.mark.parametrize(
-    ("setting", "value", "message"),
-    [
-        ("n", 0, "n must be .*1 or more.*, but is 0"),
-        ("n", 1.5, "n must be a whole number.*, but is 1.5"),
-        ("target_policy", UCB.create((4, 2)), "target_policy must be a strategy that knows .*, but is UCB"),
-    ],
-)
-def test_settings_out_of_range_are_refused(setting: str, value: Any, message: str) -> None:
-    """The message names the parameter, its value and what is allowed."""
-    with pytest.raises(ValueError, match=message):
-        TreeBackup.create((4, 2), **{setting: value})

@@ -70,21 +70,6 @@ def test_huge_numbers(entry: Entry) -> None:
 
 
 @every_environment
-def test_small_types(entry: Entry) -> None:
-    """NumPy's small types make the same task as Python's numbers."""
-    for name, default in parameters_of(entry.load()).items():
-        if type(default) is int and 0 < default <= 127:
-            kinds: tuple[Any, ...] = (np.int8, np.uint8, np.int64)
-        elif type(default) is float and default > 0:
-            kinds = (np.float64,)
-        else:
-            continue
-        plain = entry.load()(**{name: default}).mdp
-        for kind in kinds:
-            assert repr(entry.load()(**{name: kind(default)}).mdp) == repr(plain), name
-
-
-@every_environment
 def test_a_task_keeps_numbers_of_python(entry: Entry) -> None:
     """Whatever numbers its class is given: its methods are compiled once only, and it is written without types."""
     task = type(entry.load()().mdp)
@@ -94,14 +79,3 @@ def test_a_task_keeps_numbers_of_python(entry: Entry) -> None:
             given = (np.int64 if type(default) is int else np.float64)(default)
             made = task.create(**{name: given})
             assert [type(part) for part in made] == [type(part) for part in plain], name
-
-
-def test_whole_numbers_for_the_noise_of_study() -> None:
-    """A small unsigned number has no minus: the rewards are still from -5 to 0."""
-    rewards = make_environment("Study", action_reward_noise_mean=np.uint8(5), layout_seed=1).mdp.action_rewards
-    assert (rewards < 0).all()
-    assert (rewards >= -5).all()
-    assert (
-        rewards.tolist()
-        == make_environment("Study", action_reward_noise_mean=5, layout_seed=1).mdp.action_rewards.tolist()
-    )

@@ -67,6 +67,7 @@ def test_what_is_wrong_is_refused() -> None:
         stable_baselines3_run("Catch", "PPO", 100, evaluate_every=0)
 
 
+@pytest.mark.slow
 def test_it_learns_catch() -> None:
     """PPO, nearly every ball in 20 000 steps; with hardly any learning, few."""
     settings: dict[str, Any] = {"num_envs": 64, "n_steps": 32, "batch_size": 512}

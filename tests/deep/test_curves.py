@@ -103,19 +103,6 @@ def test_the_seed_of_a_curve() -> None:
     assert len({*returns(1), *returns(2)}) > 3
 
 
-def test_copies_begin_again_in_the_step_in_which_an_episode_ends() -> None:
-    """Those of this package and of Gymnasium: no step that is learned from leads from one episode to the next."""
-    for name, parameters in (("Boulder", {"max_steps": 3}), ("CartPole-v1", {"max_episode_steps": 3})):
-        made = copies(name, 2, parameters)
-        assert made.num_envs == 2
-        assert made.metadata["autoreset_mode"] == AutoresetMode.SAME_STEP
-        made.reset(seed=0)
-        for _ in range(3):
-            *_, truncated, info = made.step(np.array([0, 1]))
-        assert truncated.tolist() == [True, True]
-        assert "final_obs" in info
-
-
 @pytest.mark.parametrize("threads", [1, 2])
 def test_torch_has_the_threads_that_it_had(threads: int) -> None:
     """One meanwhile; also after an error."""
@@ -132,3 +119,16 @@ def test_torch_has_the_threads_that_it_had(threads: int) -> None:
         assert torch.get_num_threads() == threads
     finally:
         torch.set_num_threads(before)
+
+
+def test_copies_begin_again_in_the_step_in_which_an_episode_ends() -> None:
+    """Those of this package and of Gymnasium: no step that is learned from leads from one episode to the next."""
+    for name, parameters in (("Boulder", {"max_steps": 3}), ("CartPole-v1", {"max_episode_steps": 3})):
+        made = copies(name, 2, parameters)
+        assert made.num_envs == 2
+        assert made.metadata["autoreset_mode"] == AutoresetMode.SAME_STEP
+        made.reset(seed=0)
+        for _ in range(3):
+            *_, truncated, info = made.step(np.array([0, 1]))
+        assert truncated.tolist() == [True, True]
+        assert "final_obs" in info

@@ -8,12 +8,10 @@ import gymnasium
 import numpy as np
 import pytest
 from gymnasium.error import DependencyNotInstalled, ResetNeeded
-from sb3_contrib import RecurrentPPO
-from stable_baselines3 import DQN, PPO
+from stable_baselines3 import DQN
 from stable_baselines3.common.env_checker import check_env
-from stable_baselines3.common.evaluation import evaluate_policy
 from stable_baselines3.common.monitor import Monitor
-from stable_baselines3.common.vec_env import DummyVecEnv, VecMonitor, VecNormalize
+from stable_baselines3.common.vec_env import DummyVecEnv
 
 from edugym.adapters.gymnasium_env import MDPEnv
 from edugym.adapters.registration import ENVIRONMENTS, Entry
@@ -21,6 +19,7 @@ from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.deep import stable_baselines3_env
 from edugym.envs.boulder import Boulder
 
+CATCH: Any = gymnasium.make("edugym/Catch-v0").unwrapped
 every_environment = pytest.mark.parametrize("entry", ENVIRONMENTS, ids=[entry.name for entry in ENVIRONMENTS])
 
 
@@ -39,12 +38,6 @@ def copies(environment: Any, *arguments: Any, **parameters: Any) -> Any:
 def test_checker_of_stable_baselines3(entry: Entry) -> None:
     """Stable-Baselines3's own checker finds nothing wrong with any environment."""
     check_env(entry.load()(), warn=entry.name != "Catch")  # it advises against grids and against images this small
-
-
-@pytest.mark.parametrize("kind", ["vectorised", "rgb"])
-def test_checker_on_what_catch_shows(kind: str) -> None:
-    """Nor with the other observations of Catch."""
-    check_env(gymnasium.make("edugym/Catch-v0", observation_type=kind), warn=kind == "vectorised")
 
 
 @every_environment
@@ -67,54 +60,6 @@ def test_one_copy_is_dummy_vec_env(entry: Entry) -> None:
             ended += 1
             assert same(infos[0]["terminal_observation"], infos_there[0]["terminal_observation"])
     assert ended > 0
-
-
-def test_end_and_time_limit() -> None:
-    """By hand: a corridor of two doors, cut off after three steps; a wrong door is an end, also at the limit."""
-    env = copies("MemoryCorridor", 2, num_doors=2, max_steps=3)
-    env.seed(0)
-    observations = env.reset()
-    running = {"TimeLimit.truncated": False}
-
-    def doors() -> list[int]:
-        return [info["right_door"] for info in env.env_method("info")]
-
-    assert observations.tolist() == doors()  # corridors of length 1: their only door is marked
-    observations, rewards, dones, infos = env.step(np.array(doors()))
-    assert (observations.tolist(), rewards.tolist(), dones.tolist()) == ([2, 2], [1.0, 1.0], [False, False])
-    assert infos == [running, running]
-
-    right = doors()  # the second step: the second copy opens a wrong door
-    observations, rewards, dones, infos = env.step(np.array([right[0], 1 - right[1]]))
-    assert (rewards.tolist(), dones.tolist()) == ([1.0, 0.0], [False, True])
-    assert infos == [running, {"TimeLimit.truncated": False, "terminal_observation": 2}]
-    assert observations.tolist() == doors()  # the first is at its last door, the second in a new corridor
-    assert env.get_attr("steps") == [2, 0]
-
-    last = observations[0]
-    observations, rewards, dones, infos = env.step(np.array(doors()))  # the third step of the first copy: its limit
-    assert (rewards.tolist(), dones.tolist()) == ([1.0, 1.0], [True, False])
-    assert infos == [{"TimeLimit.truncated": True, "terminal_observation": 2}, running]
-    assert last in (0, 1)
-    assert observations[0] == doors()[0] in (0, 1)
-
-    env.step(np.array(doors()))
-    env.step(np.array(doors()))
-    *_, dones, infos = env.step(1 - np.array(doors()))  # a wrong door in the step in which the limit is reached
-    assert dones[0]
-    assert infos[0]["TimeLimit.truncated"] is False
-
-
-def test_statistics_of_episodes() -> None:
-    """`VecMonitor` counts: in Catch every episode has rows - 1 steps, and returns 1 or -1."""
-    env = VecMonitor(copies("Catch", 5, rows=4))
-    env.reset()
-    episodes = []
-    for _ in range(12):
-        *_, infos = env.step(np.array([0, 1, 2, 1, 0]))
-        episodes += [info["episode"] for info in infos if "episode" in info]
-    assert [episode["l"] for episode in episodes] == [3] * 20
-    assert {float(episode["r"]) for episode in episodes} == {-1.0, 1.0}
 
 
 def test_seeds() -> None:
@@ -170,16 +115,6 @@ def test_pictures() -> None:
     human.close()
 
 
-def test_what_wrappers_read() -> None:
-    """`VecVideoRecorder` reads the pictures a second from `metadata`; others read the specification of a copy."""
-    env = copies("MemoryCorridor", 2, max_steps=77)
-    assert env.metadata["render_fps"] == 4
-    for spec in env.get_attr("spec"):
-        assert spec.id == "edugym/MemoryCorridor-v0"
-        assert spec.max_episode_steps == 77
-        assert spec.kwargs == {"max_steps": 77}
-
-
 def test_one_s_own_environment() -> None:
     """An environment or a vector environment can be given instead of a name."""
     catch = gymnasium.make("edugym/Catch-v0", rows=3).unwrapped
@@ -188,39 +123,6 @@ def test_one_s_own_environment() -> None:
     assert copies(catch, 7).reset().shape == (7, 3, 5)
     vector = MDPVectorEnv(catch, 5, "SameStep")
     assert copies(vector).vector is copies(vector, 5).vector is vector
-
-
-def test_wrong_parameters() -> None:
-    """What is no environment, and what does not fit it, raises a ValueError that says so."""
-    catch = gymnasium.make("edugym/Catch-v0")
-    assert isinstance(catch.unwrapped, MDPEnv)
-    assert copies(catch, 2).num_envs == 2
-    for wrong in (None, 3, Boulder):
-        with pytest.raises(ValueError, match="environment must be"):
-            copies(wrong)
-    with pytest.raises(ValueError, match="must have no wrapper that changes it, but has TimeLimit"):
-        copies(gymnasium.make("edugym/Catch-v0", max_episode_steps=3))
-    with pytest.raises(ValueError, match="environment must be one of Boulder"):
-        copies("CartPole-v1")
-    with pytest.raises(ValueError, match=r"and no more, such as waiting, but .*Supermarket.* use .*DummyVecEnv"):
-        copies("Supermarket", 4, step_timeout=0.1)
-    with pytest.raises(ValueError, match="rows must be from 2 to 1000, but is 1"):
-        copies("Catch", 2, rows=1)
-    with pytest.raises(ValueError, match=r"parameters .* \{'rows': 3\}"):
-        copies(catch.unwrapped, rows=3)
-    for mode in ("NextStep", "Disabled"):
-        with pytest.raises(ValueError, match=f"autoreset_mode must be 'SameStep', but is '{mode}'"):
-            copies(MDPVectorEnv(catch.unwrapped, 2, mode))
-    with pytest.raises(ValueError, match=r"num_envs must be 2, .* but is 3"):
-        copies(MDPVectorEnv(catch.unwrapped, 2, "SameStep"), 3)
-    with pytest.raises(ValueError, match="num_envs"):
-        copies("Catch", 0)
-    env = copies("Catch", 2)
-    with pytest.raises(ResetNeeded):
-        env.step(np.array([0, 0]))
-    env.reset()
-    with pytest.raises(ValueError, match="not in the action space"):
-        env.step(np.array([0, 3]))
 
 
 def test_nothing_is_loaded_before_it_is_needed() -> None:
@@ -252,28 +154,36 @@ def test_dqn_knows_a_time_limit_from_an_end() -> None:
     assert (cut_off <= over).all()
 
 
-def test_other_agents_run() -> None:
-    """PPO on images, with observations and rewards normalised, and recurrent PPO run."""
-    image = copies("Catch", 4, observation_type="rgb", rows=3)
-    PPO("MlpPolicy", VecMonitor(image), n_steps=8, batch_size=16, n_epochs=1, seed=0, device="cpu").learn(64)
-    normalised = VecNormalize(copies("Catch", 4, rows=3))
-    PPO("MlpPolicy", normalised, n_steps=8, batch_size=16, n_epochs=1, seed=0, device="cpu").learn(64)
-    corridor = copies("MemoryCorridor", 4, max_steps=20)
-    RecurrentPPO("MlpLstmPolicy", corridor, n_steps=8, batch_size=16, n_epochs=1, seed=0, device="cpu").learn(64)
+WRONG: list[tuple[Any, tuple[Any, ...], dict[str, Any], str]] = [
+    *((wrong, (), {}, "environment must be") for wrong in (None, 3, Boulder)),
+    (gymnasium.make("edugym/Catch-v0", max_episode_steps=3), (), {}, "must have no wrapper that changes it"),
+    ("CartPole-v1", (), {}, "environment must be one of Boulder"),
+    (
+        "Supermarket",
+        (4,),
+        {"step_timeout": 0.1},
+        "and no more, such as waiting, but .*use .*DummyVecEnv",
+    ),
+    ("Catch", (2,), {"rows": 1}, "rows must be from 2 to 1000, but is 1"),
+    ("Catch", (0,), {}, "num_envs"),
+    (CATCH, (), {"rows": 3}, r"parameters .* \{'rows': 3\}"),
+    *((MDPVectorEnv(CATCH, 2, mode), (), {}, f"autoreset_mode must be .*{mode}") for mode in ("NextStep", "Disabled")),
+    (MDPVectorEnv(CATCH, 2, "SameStep"), (3,), {}, r"num_envs must be 2, .* but is 3"),
+]
 
 
-@pytest.mark.slow
-def test_ppo_learns_to_catch() -> None:
-    """After 5 000 steps PPO catches more than 95 of 100 balls on a board of 5 x 5; before, fewer than 75."""
-    env = copies("Catch", 16, rows=5)
-    model = PPO("MlpPolicy", env, n_steps=32, batch_size=128, learning_rate=2e-3, seed=0, device="cpu")
-    judge = VecMonitor(copies("Catch", 16, rows=5))
+@pytest.mark.parametrize(("environment", "arguments", "parameters", "message"), WRONG, ids=range(len(WRONG)))
+def test_what_does_not_fit_is_refused(environment: Any, arguments: Any, parameters: Any, message: str) -> None:
+    """With a sentence that says so."""
+    with pytest.raises(ValueError, match=message):
+        copies(environment, *arguments, **parameters)
 
-    def mean_return() -> float:
-        judge.seed(100)
-        mean: Any = evaluate_policy(model, judge, n_eval_episodes=200)[0]
-        return float(mean)
 
-    assert mean_return() < 0.5
-    model.learn(5_000)
-    assert mean_return() > 0.9
+def test_wrong_steps_are_refused() -> None:
+    """As in a single environment."""
+    env = copies("Catch", 2)
+    with pytest.raises(ResetNeeded):
+        env.step(np.array([0, 0]))
+    env.reset()
+    with pytest.raises(ValueError, match="not in the action space"):
+        env.step(np.array([0, 3]))

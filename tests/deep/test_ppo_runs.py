@@ -113,7 +113,7 @@ def always_right(discount: float, max_steps: int) -> tuple[ActorCritic, list[Ten
 def test_what_each_step_is_worth(max_steps: int, places: list[int]) -> None:
     """By the definition with λ = 0: R + γ V(S') - V(S); and G is R + γ V(S')."""
     net, (x, action, log_prob, advantages, G), observations = always_right(0.5, max_steps)
-    V = {place: float(net.critic(net.numbers(np.array([place])))) for place in range(5)}
+    V = {place: float(net.critic(net.inputs_of(np.array([place])))) for place in range(5)}
     assert len({*V.values()}) == 5
     targets = [1.5 if place == 3 else 0.5 * V[3] for place in places]
     assert G.reshape(4, 2).T.tolist() == [pytest.approx(targets)] * 2
@@ -156,4 +156,3 @@ def test_a_curve_has_eleven_points_unless_told_otherwise() -> None:
     ppo = PPO.create("Catch", num_envs=1, length=10, hidden=2, minibatches=1, epochs=1)
     assert ppo.train(100, evaluation_episodes=1).steps.tolist() == [*range(0, 101, 10)]
     assert ppo._replace(length=2).train(2, evaluation_episodes=1).steps.tolist() == [0, 1, 2]
-    assert PPO.train.__kwdefaults__ == {"evaluate_every": None, "evaluation_episodes": 100, "seed": 0}

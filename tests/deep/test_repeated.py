@@ -25,18 +25,6 @@ def pretend(n_steps: int, *, seed: int, more: float = 0.0) -> Run:
     return Run(np.array([0, n_steps + 3]), curve, curve, np.array([0, 1]), object(), seed, 0.1, complete=True)
 
 
-def test_the_table() -> None:
-    """Every method has the same seeds; the last point is at the number of steps; settings and versions are in it."""
-    results = repeat_deep({"one": pretend, "two": partial(pretend, more=0.5)}, 100, repetitions=3, jobs=1)
-    assert results.methods == ["one", "two"]
-    assert results.complete
-    np.testing.assert_array_equal(results.final("two") - results.final("one"), [0.5, 0.5, 0.5])
-    assert results.curves("one").index.tolist() == [0, 100]
-    assert results.table["seed"].nunique() == 3
-    assert '{"more": 0.5}' in results.table["settings"].iloc[-1]
-    assert "torch" in results.table["versions"].iloc[0]
-
-
 def test_every_column() -> None:
     """What was measured, the arguments, and the settings of each method: of a function, a partial, and an agent."""
     agent = PPO.create("Catch", {"rows": 5}, clip=0.3)
@@ -58,13 +46,6 @@ def test_every_column() -> None:
     assert results.final("one").tolist() == [seed % 7 for seed in seeds]
     assert table["layout_seed"].isna().all()
     assert results.agents == {}
-
-
-def test_settings_of_any_kind() -> None:
-    """What JSON does not know is written as text."""
-    half: Any = np.float32(0.5)
-    results = repeat_deep({"one": partial(pretend, more=half)}, 100, repetitions=1, jobs=1)
-    assert results.table["settings"].iloc[0] == '["pretend", {"more": "0.5"}]'
 
 
 def rounds(n_steps: int, *, seed: int, complete: bool = True) -> Run:
@@ -106,28 +87,10 @@ def test_a_run_that_was_stopped_keeps_its_steps() -> None:
 
 @pytest.mark.parametrize("n_steps", [98, 121])
 def test_many_more_or_fewer_steps_are_refused(n_steps: int) -> None:
-    """The sentence says how to choose their number."""
+    """The sentence says how to choose their number; a tenth is no matter."""
+    repeat_deep({"one": rounds}, 120, repetitions=1, jobs=1)
     with pytest.raises(ValueError, match=f"n_steps must be .* but is {n_steps}, and a run of 'one' took 108: choose"):
         repeat_deep({"one": rounds}, n_steps, repetitions=1, jobs=1)
-
-
-def test_a_tenth_fewer_steps_are_enough() -> None:
-    """A run of 108 steps counts as one of 120."""
-    assert repeat_deep({"one": rounds}, 120, repetitions=1, jobs=1).curves("one").index.tolist()[-1] == 120
-
-
-def test_ppo_that_takes_half_the_steps_is_refused() -> None:
-    """One round of PPO is 64 times 32 steps; 4000 have room for one."""
-    ppo = partial(PPO.create("Catch", epochs=1).train, evaluation_episodes=1)
-    with pytest.raises(ValueError, match="a run of 'PPO' took 2048: choose a multiple"):
-        repeat_deep({"PPO": ppo}, 4_000, repetitions=1, jobs=1)
-
-
-def test_saved_and_loaded(tmp_path: Path) -> None:
-    """As any table of results."""
-    results = repeat_deep({"one": pretend}, 100, repetitions=2, jobs=1)
-    results.save(tmp_path / "deep.csv")
-    assert results.load(tmp_path / "deep.csv").table.equals(results.table)
 
 
 def test_finished_runs_are_not_done_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -36,55 +36,20 @@ PARAMETERS = Parameters(
 )
 
 
-START = """
-
-3  × ●⚑
-2  × ●
-1  × ●
-░░░░░░░░░░
-░░░░☺░░░░░"""
-
-ON_THE_FIRST_GRIP = """
-
-3  × ●⚑
-2  × ●
-1  × ☺
-░░░░░░░░░░
-░░░░░░░░░░"""
-
-ON_THE_SECOND_GRIP = """
-
-3  × ●⚑
-2  × ☺
-1  × ●
-░░░░░░░░░░
-░░░░░░░░░░"""
-
-AT_THE_TOP = """
-    ☺
-3  × ●⚑
-2  × ●
-1  × ●
-░░░░░░░░░░
-░░░░░░░░░░"""
-
-
 def test_an_episode() -> None:
     """Three right grips lead to the top; a wrong one on the way to the ground, which is no end."""
-    env = BoulderEnv(height=3, render_mode="ansi")
+    env = BoulderEnv(height=3)
     assert env.mdp.grips.tolist() == [1, 1, 1]
     assert env.reset(seed=0) == (0, {"right_grip": 1})
-    assert env.render() == START
-    for action, seen, frame in (
-        (1, (1, 0.0, False, False, {"right_grip": 1}), ON_THE_FIRST_GRIP),
-        (0, (0, 0.0, False, False, {"right_grip": 1}), START),
-        (0, (0, 0.0, False, False, {"right_grip": 1}), START),
-        (1, (1, 0.0, False, False, {"right_grip": 1}), ON_THE_FIRST_GRIP),
-        (1, (2, 0.0, False, False, {"right_grip": 1}), ON_THE_SECOND_GRIP),
-        (1, (3, 1.0, True, False, {"right_grip": -1}), AT_THE_TOP),
+    for action, seen in (
+        (1, (1, 0.0, False, False, {"right_grip": 1})),
+        (0, (0, 0.0, False, False, {"right_grip": 1})),
+        (0, (0, 0.0, False, False, {"right_grip": 1})),
+        (1, (1, 0.0, False, False, {"right_grip": 1})),
+        (1, (2, 0.0, False, False, {"right_grip": 1})),
+        (1, (3, 1.0, True, False, {"right_grip": -1})),
     ):
         assert env.step(action) == seen
-        assert env.render() == frame
 
 
 @pytest.mark.parametrize(
@@ -107,23 +72,17 @@ def test_grips_are_uniform() -> None:
     assert np.abs(counts - 300).max() < 5 * np.sqrt(900 * (1 / 3) * (2 / 3))
 
 
-@pytest.mark.parametrize("n_grips", [2, 3, 4, 7])
-@pytest.mark.parametrize("height", [1, 2, 5, 10])
+@pytest.mark.parametrize("n_grips", [2, 7])
+@pytest.mark.parametrize("height", [1, 5, 10])
 def test_random_climber(height: int, n_grips: int) -> None:
     """A random climber needs (N^(H+1) - N)/(N - 1) steps: the linear equations of the exact model agree."""
     model = finite_model(make_mdp("Boulder", height=height, n_grips=n_grips, layout_seed=5))
     p = model.p.mean(axis=1)[: height + 1, : height + 1]
     climbing = ~model.terminal
     steps = np.linalg.solve(np.eye(height) - p[np.ix_(climbing, climbing)], np.ones(height))
-    assert steps[0] == pytest.approx((n_grips ** (height + 1) - n_grips) / (n_grips - 1), rel=1e-6)
-
-
-def test_random_climber_at_the_defaults() -> None:
-    """The docstring's 2046 and 2.5e30 are these numbers."""
-    assert (2**11 - 2) / (2 - 1) == 2046
-    assert float(f"{2**101 - 2:.1e}") == 2.5e30
-    assert "2046" in (Boulder.__doc__ or "")
-    assert "2.5e30" in (Boulder.__doc__ or "")
+    expected = (n_grips ** (height + 1) - n_grips) / (n_grips - 1)
+    assert steps[0] == pytest.approx(expected, rel=1e-6)
+    assert (height, n_grips) != (10, 2) or str(round(expected)) in (Boulder.__doc__ or "")
 
 
 def test_best_return() -> None:
@@ -153,15 +112,3 @@ def test_the_top_at_the_last_moment() -> None:
     env = BoulderEnv(height=4, max_steps=4)
     env.reset(seed=0)
     assert [env.step(int(grip))[1:4] for grip in env.mdp.grips] == [(0.0, False, False)] * 3 + [(1.0, True, False)]
-
-
-def test_pictures_of_high_walls() -> None:
-    """Of a high wall the picture shows the part where the climber is."""
-    env = BoulderEnv(height=100, render_mode="ansi")
-    env.reset(seed=0)
-    for height in range(100):
-        frame = env.render()
-        assert frame.count("☺") == 1
-        assert height == 0 or str(height) in frame.split()
-        env.step(int(env.mdp.grips[height]))
-    assert env.render().count("☺") == 1

@@ -3,7 +3,6 @@
 from math import inf, nan
 from typing import Any
 
-import gymnasium
 import numpy as np
 import pytest
 from hypothesis import strategies as st
@@ -11,7 +10,6 @@ from hypothesis import strategies as st
 from edugym.envs.roadrunner import Roadrunner, Runner
 from edugym.exact.model import finite_model
 from edugym.exact.value_iteration import value_iteration
-from edugym.rendering.scene import Arc, Line
 from tests.contract.described import NO_STEPS, NO_WHOLE_NUMBER, Keywords, Parameters, refused
 from tests.envs.classes import RoadrunnerEnv
 
@@ -62,31 +60,6 @@ def run(actions: list[int], **parameters: Any) -> list[tuple[Any, ...]]:
     return [(*observation.tolist(), *rest) for observation, *rest, _ in steps]
 
 
-def test_best_run() -> None:
-    """Four steps to the target, the speed changing before the position does."""
-    env = RoadrunnerEnv()
-    observation, info = env.reset(seed=0)
-    assert observation.tolist() == [0, 0]
-    assert info == {"distance": 9, "stalled": False}
-    assert run([FASTER, FASTER, FASTER, SAME]) == [
-        (1, 1, -1.0, False, False),
-        (3, 2, -1.0, False, False),
-        (6, 3, -1.0, False, False),
-        (9, 3, 1.0, True, False),
-    ]
-
-
-@pytest.mark.parametrize("size", [10, 9, 8])
-def test_fall(size: int) -> None:
-    """At 1, 3, 6 and then 10, however far that is beyond the target, the runner is set to W, and that is the end."""
-    assert run([FASTER] * 4, size=size, negative_reward=-7) == [
-        (1, 1, -1.0, False, False),
-        (3, 2, -1.0, False, False),
-        (6, 3, -1.0, False, False),
-        (size, 4, -7.0, True, False),
-    ]
-
-
 def test_stall() -> None:
     """A speed below 0 ends the episode where the runner is; the state keeps the -1 that the observation hides."""
     assert run([SLOWER]) == [(0, 0, -100.0, True, False)]
@@ -98,36 +71,6 @@ def test_stall() -> None:
     assert observation.tolist() == [4, 0]
     assert (reward, terminated) == (-100.0, True)
     assert info == {"distance": 5, "stalled": True}
-
-
-def test_standing_still() -> None:
-    """Standing costs 1 a step; after 5 W steps the episode is truncated."""
-    steps = run([SAME] * 50)
-    assert steps == [(0, 0, -1.0, False, k == 49) for k in range(50)]
-    assert run([SAME] * 3, max_steps=3)[-1] == (0, 0, -1.0, False, True)
-
-
-def test_speed_is_capped() -> None:
-    """No faster than `max_speed`."""
-    assert [x for x, *_ in run([FASTER] * 5, max_speed=2)] == [1, 3, 5, 7, 9]
-
-
-def test_stop_zone() -> None:
-    """Coming to one of the last cells before the target ends the run, for one less the further away it is."""
-    to_7, to_8, to_6 = [FASTER, FASTER, SAME, SAME], [FASTER] * 2 + [SAME] * 2 + [SLOWER], [FASTER] * 3
-    assert run(to_7, stop_zone=2)[-1] == (7, 2, -1.0, True, False)
-    assert run(to_7, stop_zone=1)[-1] == (7, 2, -1.0, False, False)
-    assert run(to_8, stop_zone=1)[-1] == (8, 1, 0.0, True, False)
-    assert run(to_6, stop_zone=3)[-1] == (6, 3, -2.0, True, False)
-    assert run([*to_6, SAME], stop_zone=2)[-1] == (9, 3, 1.0, True, False)
-    assert run([*to_6, FASTER], stop_zone=2)[-1] == (10, 4, -100.0, True, False)
-
-
-def test_stop_zone_leaves_the_start() -> None:
-    """The zone may reach to the first cell after the start, not to the start itself."""
-    assert run([SAME, FASTER], stop_zone=8) == [(0, 0, -1.0, False, False), (1, 1, -7.0, True, False)]
-    with pytest.raises(ValueError, match="stop_zone must be from 0 to 8, but is 9"):
-        RoadrunnerEnv(stop_zone=9)
 
 
 @pytest.mark.parametrize("stop_zone", [0, 1, 4])
@@ -179,72 +122,9 @@ def test_careless_penalty(penalty: float) -> None:
     assert values.Q[model.row((0, 0)), SLOWER] == penalty
 
 
-def test_a_fall_on_a_long_road() -> None:
-    """What is drawn grows with the road, and the runner falls clear of it."""
-    env = gymnasium.make("edugym/Roadrunner-v0", render_mode="ansi", size=100)
-    env.reset(seed=0)
-    for _ in range(15):
-        env.step(FASTER)
-    fallen = str(env.render()).splitlines()
-    place = next(line.index("☺") for line in fallen if "☺" in line)
-    assert place > max(line.rindex("░") for line in fallen if "░" in line) + 1
-
-
-def test_frames() -> None:
-    """What a terminal shows of the best run, a fall and a stall."""
-    env = gymnasium.make("edugym/Roadrunner-v0", render_mode="ansi")
-    env.reset(seed=0)
-    for action in (FASTER, FASTER, FASTER):
-        env.step(action)
-    assert env.render() == (
-        "\n"
-        "              position 6 of 9, speed 3\n"
-        "\n"
-        "\n"
-        "                                         !\n"
-        "\n"
-        "                           ☺ 3\n"
-        "░░====================================____\n"
-        "░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░░\n"
-        "\n"
-    )
-    env.step(FASTER)
-    fallen = str(env.render()).splitlines()
-    assert fallen[1].strip() == "over the edge!"
-    assert "☺" in fallen[9]
-    assert fallen[9].index("☺") > fallen[8].rindex("░")
-    env.reset()
-    env.step(SLOWER)
-    stalled = str(env.render()).splitlines()
-    assert stalled[1].strip() == "stalled at position 0 of 9"
-    assert stalled[6].split() == ["☺", "-1"]
-
-
-@pytest.mark.parametrize(
-    ("actions", "mood"), [([SAME], "happy"), ([FASTER] * 3 + [SAME], "happy"), ([FASTER] * 4, "sad"), ([SLOWER], "sad")]
-)
-def test_mood(actions: list[int], mood: str) -> None:
-    """The runner is sad where it has lost, and only there."""
-    env = RoadrunnerEnv()
-    env.reset(seed=0)
-    for action in actions:
-        env.step(action)
-    (mouth,) = (shape for shape in env.scene().shapes if isinstance(shape, Arc))
-    assert mouth.start == {"happy": 22, "sad": 222}[mood]
-
-
 @pytest.mark.parametrize("size", [10, 15, 30])
 @pytest.mark.parametrize("negative_reward", [-100.0, -3.0, -1.0, 0.0])
 def test_the_threshold_is_the_best_return(size: int, negative_reward: float) -> None:
     """Of the fastest run, or of a stall at once where that costs less."""
     mdp = Roadrunner.create(size=size, negative_reward=negative_reward)
     assert mdp.reward_threshold == pytest.approx(value_iteration(finite_model(mdp)).start)
-
-
-@pytest.mark.parametrize(("dx", "n_lines"), [(-1, 0), (0, 0), (1, 1), (2, 2), (3, 3), (7, 3)])
-def test_lines_of_speed(dx: int, n_lines: int) -> None:
-    """One for each unit of speed behind the runner, at most three: level with it, above and below."""
-    drawn = Roadrunner.create().scene(Runner(6, dx)).shapes
-    lines = [shape.points for shape in drawn if isinstance(shape, Line) and shape.points[0][1] == shape.points[1][1]]
-    expected = [((5.875, 3.15), (6.415, 3.15)), ((6.055, 2.925), (6.415, 2.925)), ((6.055, 3.375), (6.415, 3.375))]
-    assert np.array(lines).ravel() == pytest.approx(np.array(expected[:n_lines]).ravel())

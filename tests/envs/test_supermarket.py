@@ -3,19 +3,16 @@
 import pickle
 from functools import cache
 from math import inf, nan
-from typing import Any, cast
+from typing import Any
 
-import gymnasium
 import numpy as np
 import pytest
 from gymnasium.error import ResetNeeded
 from hypothesis import strategies as st
 
-from edugym.adapters.registration import make_mdp
 from edugym.envs.supermarket import MAP, Countdown, Supermarket, SupermarketEnv
 from edugym.exact.model import finite_model
 from edugym.exact.value_iteration import value_iteration
-from edugym.rendering.scene import Arc
 from tests.contract.described import LAYOUT_SEEDS, NO_STEPS, NO_WHOLE_NUMBER, Parameters, refused
 
 
@@ -102,33 +99,6 @@ def test_optimum() -> None:
     assert value_iteration(model, horizon=29).start < 95.0
 
 
-def test_an_item_is_there_once() -> None:
-    """Coming back to where an item was gives nothing more."""
-    env = SupermarketEnv()
-    env.reset(seed=0)
-    rewards = [reward for _, reward, _, _ in walk(env, "DRRRRRRRLRLR")]
-    assert rewards == [-1.0] * 7 + [24.0] + [-1.0] * 4
-
-
-def test_leaving_with_nothing() -> None:
-    """The exit is the end, also for one who bought nothing: 50 less the way."""
-    env = SupermarketEnv()
-    env.reset(seed=0)
-    steps = walk(env, "DRRRRRRDDDRDDDDD")
-    assert steps[-1] == (ravelled(9, 8, 0, 0, 0), 49.0, True, False)
-    assert sum(reward for _, reward, _, _ in steps) == 34.0
-    with pytest.raises(ResetNeeded):
-        env.step(0)
-
-
-def test_truncation() -> None:
-    """Nothing but the step limit ends a walk against a wall."""
-    env = SupermarketEnv(max_steps=4)
-    env.reset(seed=0)
-    assert SupermarketEnv().mdp.max_steps == 500
-    assert walk(env, "ULRU") == [(8, -1.0, False, k == 3) for k in range(4)]
-
-
 def test_every_move() -> None:
     """The model and `step` agree with the map, in every state that can be reached and for every action."""
     env = SupermarketEnv()
@@ -159,20 +129,6 @@ def test_every_move() -> None:
             env.reset()
             env.state = state
             assert env.step(action)[:3] == expected
-
-
-def test_planning_on_the_model_that_is_given() -> None:
-    """An agent that asks the paper's `model(s, a)` about what it observes, and looks ahead, takes the best walk."""
-    env = SupermarketEnv()
-    observation, _ = env.reset(seed=0)
-    model, ask = env.finite_model, cast(Any, env.model)
-    V, total, terminated = value_iteration(model).V, 0.0, False
-    while not terminated:
-        outcomes: list[Any] = [ask(observation, action, kind="descriptive")[0] for action in range(4)]
-        values = [outcome.reward + V[model.row(outcome.next_state)] for outcome in outcomes]
-        observation, reward, terminated, _, _ = env.step(int(np.argmax(values)))
-        total += float(reward)
-    assert (total, env.steps) == (95.0, 30)
 
 
 def test_noise_is_in_the_model_alone() -> None:
@@ -253,14 +209,6 @@ def timed(clock: FakeClock, seconds: float) -> SupermarketEnv:
     return env
 
 
-def test_copies_do_not_wait() -> None:
-    """Not even those of an environment that would wait for an hour."""
-    envs = gymnasium.make_vec("edugym/Supermarket-v0", num_envs=2, step_timeout=3600)
-    envs.reset(seed=0)
-    for _ in range(3):
-        assert envs.step(np.array([1, 3]))[1].tolist() == [-1.0, -1.0]
-
-
 @pytest.mark.parametrize("seconds", [0.0, 0.0001, 0.001, 0.05, 1.0, 60.0])
 def test_step_blocks(clock: FakeClock, seconds: float) -> None:
     """A step is done that many seconds after the last return, to a millisecond, nearly all of them asleep."""
@@ -320,74 +268,3 @@ def test_interrupted_wait() -> None:
     assert (env.state, env.steps, env.last_action) == (8, 0, None)
     env.countdown = Countdown(0.0)
     assert env.step(1)[0] == ravelled(1, 1, 0, 0, 0)
-
-
-def test_clock_of_another_machine(clock: FakeClock) -> None:
-    """A copy on a machine whose clock started later waits for one timeout at most."""
-    env = timed(clock, 3.0)
-    clock.now -= 900.0
-    assert env.time_until_step() == 3.0
-
-
-def test_the_clock_is_not_the_task() -> None:
-    """The MDP, which simulations and vector environments run, knows nothing of the timeout."""
-    for plain, timed_one in zip(make_mdp("Supermarket"), make_mdp("Supermarket", step_timeout=3600), strict=True):
-        assert np.array_equal(plain, timed_one)
-
-
-def test_frames() -> None:
-    """What a terminal shows at the start, on the way and at the exit."""
-    env = gymnasium.make("edugym/Supermarket-v0", render_mode="ansi")
-    env.reset(seed=0)
-    assert env.render() == (
-        "##☺ ################ to get\n"
-        "##              1 ##\n"
-        "##                ##  1\n"
-        "############      ##  2\n"
-        "##                ##\n"
-        "##    ##   3##    ##  3\n"
-        "##    ##    ##    ##\n"
-        "##   2##    ##    ##\n"
-        "##                ##\n"
-        "############exit  ##"
-    )
-    frames = []
-    for move in BEST_WALK:
-        env.step(MOVES[move])
-        frames.append(str(env.render()).splitlines())
-    assert frames[7][1:3] == ["##              ☺ ##", "##                ##  1 ✓"]
-    assert frames[-1] == [
-        "##  ################ to get",
-        "##                ##",
-        "##                ##  1 ✓",
-        "############      ##  2 ✓",
-        "##                ##",
-        "##    ##    ##    ##  3 ✓",
-        "##    ##    ##    ##",
-        "##    ##    ##    ##",
-        "##                ##",
-        "############exit☺ ##",
-    ]
-
-
-def test_smiley() -> None:
-    """The shopper is glad, but for a bump into a wall and an exit without all three items."""
-
-    def is_glad(env: SupermarketEnv) -> bool:
-        return any(isinstance(shape, Arc) for shape in env.scene().shapes)
-
-    env = SupermarketEnv()
-    env.reset(seed=0)
-    assert is_glad(env)
-    walk(env, "U")
-    assert not is_glad(env)
-    walk(env, "DRRRRRR")
-    assert is_glad(env)
-    walk(env, "DDDRDDDDD")
-    assert not is_glad(env)
-    env.reset()
-    walk(env, BEST_WALK)
-    assert is_glad(env)
-    for items in range(8):  # at the exit with each of all possible bags
-        env.state = 8 * env.mdp.exit + items
-        assert is_glad(env) == (items == 7)

@@ -7,17 +7,13 @@ from functools import partial
 from math import inf, nan
 from typing import Any, NamedTuple, get_args
 
-import gymnasium
 import numpy as np
 import pytest
 from hypothesis import strategies as st
 from scipy import stats
 
-import edugym
-from edugym.adapters.registration import make_environment
-from edugym.agents.strategies import EpsilonGreedy
 from edugym.compiled.execution import executable
-from edugym.envs.tamagotchi import Tamagotchi, Toy, happiness, meaning, urgency
+from edugym.envs.tamagotchi import Tamagotchi, Toy, meaning
 from edugym.exact.branching import branches
 from edugym.mdp.protocol import Random
 from edugym.rendering.icons import Mood, smiley
@@ -111,15 +107,6 @@ def test_hit_points() -> None:
     assert after((0, 0, 0, 0), 19, PLAY, SLEEP)[1::2] == (1, False)
     assert after((0, 0, 0, 0), 3, PLAY, SLEEP)[1::2] == (0, True)
     assert after((100, 100, 100, 100), 99, PLAY, PLAY)[1::2] == (100, False)
-
-
-def test_range_of_the_reward() -> None:
-    """Happiness lies between -200 and 74, the paper's range being up to 75."""
-    levels = range(0, 101, 10)
-    values = [happiness((a, b, c, d)) for a, b, c, d in itertools.product(levels, levels, levels, levels)]
-    assert min(values) == happiness((0, 0, 0, 0)) == -200.0
-    assert max(values) == happiness((100, 100, 100, 100)) == pytest.approx(200 / E)
-    assert [urgency(0), urgency(100)] == pytest.approx([1.0, 1 / E])
 
 
 def test_what_it_wants() -> None:
@@ -219,14 +206,6 @@ def test_message() -> None:
     assert {type(part) for part in longest.state} == {int, tuple}
 
 
-def test_space() -> None:
-    """The hit points from 0 to 100, then as many words as a message has."""
-    assert TamagotchiEnv().observation_space == gymnasium.spaces.MultiDiscrete([101, 4])
-    assert make_environment(
-        "Tamagotchi", max_msg_length=3, vocab_size=7
-    ).observation_space == gymnasium.spaces.MultiDiscrete([101, 7, 7, 7])
-
-
 @pytest.mark.parametrize(("words", "longest"), [(4, 28), (2**31, 1), (3, 35)])
 def test_longest_message(words: int, longest: int) -> None:
     """It has at most 2^56 meanings; who asks for one word more is told so."""
@@ -270,16 +249,16 @@ def test_numbers_in_the_docstring() -> None:
     """What doing what it says returns as the noise grows, and what acting at random does."""
     assert returns(task(), 1.0, 20) == pytest.approx((6706.85, 0.0), abs=0.005)
     for tau, expected in ((0.02, 5993), (0.05, 3317), (0.1, 120), (math.inf, -676)):
-        mean, margin = returns(task(tau), 1.0, 10_000)
+        mean, margin = returns(task(tau), 1.0, 4_000)
         assert mean == pytest.approx(expected, abs=margin + 10)
-    mean, margin = returns(task(), 0.0, 10_000)
+    mean, margin = returns(task(), 0.0, 4_000)
     assert mean == pytest.approx(-676, abs=margin + 1)
 
 
 def test_signal_from_memory() -> None:
     """A player that never looks, but takes the four actions in turn, gets 99 % of the best return."""
     mdp, rng, totals = task(math.inf), np.random.default_rng(0), []
-    for _ in range(100):
+    for _ in range(60):
         state, total = mdp.initial(rng), 0.0
         for step in range(100):
             next_state = mdp.transition(state, step % 4, rng)
@@ -314,21 +293,6 @@ def test_optimum() -> None:
     assert values[-1] == pytest.approx(6706.85, abs=0.005)
 
 
-@pytest.mark.slow
-def test_q_learning_at_three_temperatures() -> None:
-    """Q-learning gets all at tau = 0, about 3 000 at 0.05 and about 0 at 0.1 (ten seeds)."""
-    means = []
-    for tau in (0.0, 0.05, 0.1):
-        mdp, finals = task(tau), []
-        for seed in range(10):
-            agent = edugym.QLearning.create(mdp, learning_rate=0.02, discount=0.5, exploration=EpsilonGreedy(0.1))
-            run = edugym.train(mdp, agent, 400_000, evaluate_every=400_000, evaluation_episodes=100, seed=seed)
-            finals.append(run.returns[-1])
-        means.append(np.mean(finals))
-    assert means == pytest.approx([6706.85, 3100, 40], abs=300)
-    assert means[0] == pytest.approx(6706.85, abs=0.005)
-
-
 def test_meaning() -> None:
     """What a person reads in the bubble: synonyms by number, ambiguous words by all that they may mean."""
     assert [meaning(word, 9) for word in range(9)] == [
@@ -353,23 +317,6 @@ def test_meaning() -> None:
     }
 
 
-def test_frame() -> None:
-    """In characters: what it says, its face and hit points, and the buttons, of which the last one pressed is full."""
-    env = TamagotchiEnv(max_msg_length=2, render_mode="ansi")
-    env.reset(seed=1)
-    env.step(FEED)
-    env.state = Toy((50, 20, 50, 50), 50, SLEEP, 4 * SLEEP + CLEAN)
-    assert [line.strip() for line in env.render().splitlines() if line] == [
-        '"sleep clean"',
-        "☺",
-        "HP 50",
-        "███████░░░░░░░",
-        "○                ○",
-        "○    ●",
-        "play sleep feed clean",
-    ]
-
-
 def test_face() -> None:
     """It smiles above two thirds of its hit points, and is sad in the last third, where the bar is red."""
     env = TamagotchiEnv()
@@ -380,12 +327,3 @@ def test_face() -> None:
         assert mouths == {name: name == mood for name in get_args(Mood)}
         colours = {shape.fill for shape in env.scene().shapes if isinstance(shape, Rectangle)}
         assert colours & {GREEN, RED} == {RED if mood == "sad" else GREEN}
-
-
-def test_long_messages_are_cut() -> None:
-    """A bubble holds three lines; what does not fit is left out."""
-    env = TamagotchiEnv(tau=1.0, max_msg_length=28)
-    env.reset(seed=0)
-    says = [shape.glyph for shape in env.scene().shapes if shape.glyph.startswith('"')]
-    assert len(says) == 3
-    assert says[-1].endswith('..."')

@@ -234,23 +234,17 @@ REFUSED: dict[str, tuple[Callable[[Any], Any], str]] = {
     "a comparison of two": (lambda rng: rng.random() < rng.random(), "several random numbers"),
     "a product of two": (lambda rng: rng.random() * rng.random() < 0.5, "product of two random numbers"),
     "a power": (lambda rng: rng.random() ** 2 < 0.5, "cannot follow what is done with a random number"),
-    "a remainder": (lambda rng: rng.random() % 0.5 < 0.1, "cannot follow what is done with a random number"),
-    "a whole division": (lambda rng: rng.random() // 0.5, "cannot follow what is done with a random number"),
     "rounding": (lambda rng: round(rng.random()), "cannot follow what is done with a random number"),
     "an inverse": (lambda rng: 1 / rng.random() > 3, "cannot follow what is done with a random number"),
     "a function": (lambda rng: math.exp(rng.random()) < 2, "not use their value"),
     "a function of NumPy": (lambda rng: np.sqrt(rng.random()) < 0.5, "cannot follow what is done with a random number"),
     "arrays": (lambda rng: rng.random(3), "cannot follow what is done with a random number"),
-    "arrays of whole numbers": (lambda rng: rng.integers(2, size=3), "cannot follow what is done with"),
-    "an included end": (lambda rng: rng.integers(2, endpoint=True), "cannot follow what is done with"),
     "no whole number": (lambda rng: rng.integers(3, 3), "nothing to draw from: 3 is not below 3"),
-    "several choices": (lambda rng: rng.choice(3, 2), "cannot follow what is done with a random number"),
     "normal noise": (lambda rng: rng.normal(0.0, 1.0), "cannot follow rng.normal"),
     "another distribution": (lambda rng: rng.poisson(2.0), "cannot follow rng.poisson"),
     "an error that is caught": (swallowed(lambda rng: rng.poisson(2.0)), "cannot follow rng.poisson"),
     "a value whose error is caught": (swallowed(lambda rng: math.exp(rng.random())), "not use their value"),
     "a negative scale": (lambda rng: rng.normal(0.0, -1.0), "rng.normal needs a scale of 0 or more, but got -1.0"),
-    "shuffling": (lambda rng: rng.permutation(3), "cannot follow rng.permutation"),
 }
 
 

@@ -27,7 +27,6 @@ WRONG = {
         r"after action 0 in state 0 a real step leads to 1, which the model does not know of: the model can",
     ),
     "its text": (slip(MOVE, "return 0 if str(rng.random())[2] < '5' else state + 1"), "not use their value"),
-    "its form": (slip(MOVE, "return 0 if f'{rng.random()}'[2] < '5' else state + 1"), "not use their value"),
     "its written form": (
         slip(MOVE, "return 0 if repr(rng.random())[2] < '5' else state + 1"),
         "a real step leads to 0",
@@ -39,27 +38,9 @@ WRONG = {
         ),
         "cannot follow what is done with a random number",
     ),
-    "any caught error": (
-        slip(
-            MOVE,
-            "try:\n    u = math.exp(rng.random())\nexcept Exception:\n    u = 1\nreturn 0 if u < 1.5 else state + 1",
-        ),
-        "not use their value",
-    ),
-    "a caught error of NumPy": (
-        slip(
-            MOVE,
-            "try:\n    u = np.sqrt(rng.random())\nexcept Exception:\n    u = 1\nreturn 0 if u < 0.5 else state + 1",
-        ),
-        "a real step leads to 0",
-    ),
     "a kept number": (
         slip(MOVE, "kept.append(rng.random())\nreturn 0 if kept[0] < 0.5 else state + 1"),
         "a random number kept from an earlier call: draw it where it is used",
-    ),
-    "a kept number, later": (
-        slip(PAY, "kept.append(rng.random())\nreturn kept[0]"),
-        "a random number kept from an earlier call",
     ),
     "a generator of its own": (
         slip(MOVE, "return max(0, state + 2 * int(held.random() < 0.5) - 1)"),
@@ -69,27 +50,14 @@ WRONG = {
         slip(MOVE, "counter[0] += 1\nif counter[0] % 2:\n    return int(rng.random() < 0.5)\nreturn state"),
         r"the probabilities of what can happen after action 0 in state 0 sum to 1\.5",
     ),
-    "a counter": (
-        slip(MOVE, "counter[0] += 1\nreturn max(0, state + 2 * (counter[0] % 2) - 1)"),
-        "which the model does not know of",
-    ),
     "np.random": (
         slip(MOVE, "return max(0, state + 2 * int(np.random.random() < 0.5) - 1)"),
         "draw from np.random or random: use the `rng`",
     ),
     "random": (slip(MOVE, "return state + random.randint(-1, 1)"), "draw from np.random or random: use the `rng`"),
-    "np.random without an end": (
-        slip(MOVE, "return state + np.random.random()"),
-        "draw from np.random or random: use the `rng`",
-    ),
-    "random in the reward": (slip(PAY, "return random.random()"), "draw from np.random or random: use the `rng`"),
     "a reward by the type of a number": (
         slip(PAY, "return 1.0 if type(rng.random()) is float else 2.0"),
         r"a real step to 0 pays 1.0, but the model says \[2.0\]",
-    ),
-    "a reward that is nearly right": (
-        slip(PAY, "return 1.0 if type(rng.random()) is float else 1.00001"),
-        r"a real step to 0 pays 1.0, but the model says \[1.00001\]",
     ),
     "a reward by a generator of its own": (slip(PAY, "return held.random()"), r"a real step to 0 pays 0\.\d+, but"),
     "another frequency": (

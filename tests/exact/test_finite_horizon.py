@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edugym import finite_model, make_mdp, value_iteration
+from edugym import finite_model, value_iteration
 from edugym.exact.finite_horizon import finite_horizon
 from tests.exact.tasks import Loop, Walk, random_model
 
@@ -33,18 +33,6 @@ def test_the_last_step_is_another_one() -> None:
     plan = finite_horizon(finite_model(Loop()), 3)
     assert [values.start for values in plan] == [0.0, 1.0, 2.0, 3.0]
     assert [values.greedy_policy()[0].tolist() for values in plan] == [[0.5, 0.5], [0.0, 1.0], [0.0, 1.0], [0.0, 1.0]]
-
-
-def test_too_late_to_start() -> None:
-    """On a wall of 5 the top is k steps from height 5 - k: from below, in k steps, all actions are equally useless."""
-    mdp = make_mdp("Boulder", height=5)
-    model = finite_model(mdp)
-    for k, values in enumerate(finite_horizon(model, 5)):
-        for state in range(5):
-            assert values.value(state) == (1.0 if state >= 5 - k else 0.0)
-            best = values.greedy_policy()[model.row(state)].tolist()
-            known = [float(action == mdp.grips[state]) for action in range(2)]
-            assert best == (known if 5 - k <= state else [0.5, 0.5])
 
 
 @pytest.mark.parametrize(

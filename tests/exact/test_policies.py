@@ -8,9 +8,7 @@ import pytest
 
 from edugym import (
     UCB,
-    CountBased,
     EpsilonGreedy,
-    GoExplore,
     Greedy,
     LinearDecay,
     QLearning,
@@ -18,10 +16,8 @@ from edugym import (
     Softmax,
     finite_model,
     make_mdp,
-    train,
 )
 from edugym.exact.policies import policy_of, soft
-from edugym.exact.policy_evaluation import policy_evaluation
 from edugym.mdp.protocol import Random, Reals
 from tests.exact.tasks import Gambler, Hidden, Walk, Ways
 
@@ -85,30 +81,6 @@ def test_every_strategy_is_followed_exactly(exploration: Any) -> None:
     assert str(agent) == str(before)
 
 
-def test_agents_that_change_as_they_act() -> None:
-    """A schedule is at the same step in every state."""
-    model = finite_model(Ways())
-    schedule = ScheduledEpsilonGreedy.create(LinearDecay(1.0, 0.0, 1))
-    agent = QLearning(np.eye(7, 4), exploration=schedule)
-    assert policy_of(agent, model)[1:6] == pytest.approx(np.full((5, 4), 0.25))
-    assert schedule.step[0] == 0
-    schedule.step[0] = 1
-    assert policy_of(agent, model)[1:4].tolist() == np.eye(7, 4)[1:4].tolist()
-
-
-def test_the_true_value_of_what_was_learnt() -> None:
-    """Q-learning on Boulder ends greedy at 1 (discount 1); while it explores, a horizon shows what that costs."""
-    mdp = make_mdp("Boulder", height=5, max_steps=7)
-    agent = QLearning.create(mdp, exploration=EpsilonGreedy(0.2), learning_rate=0.5)
-    train(mdp, agent, 4_000, seed=1)
-    model = finite_model(mdp)
-    assert policy_evaluation(model, policy_of(agent, model, greedy=True), horizon=5).start == 1.0
-    exploring = policy_evaluation(model, policy_of(agent, model), horizon=7).start
-    run = train(mdp, agent._replace(learning_rate=1e-12), 40_000, seed=2, evaluate_every=40_000)
-    assert run.training_returns[-1] == pytest.approx(exploring, abs=6 * 0.5 / np.sqrt(run.episodes[-1]))
-    assert 0.5 < exploring < 0.9
-
-
 def test_what_the_agent_sees_is_what_counts() -> None:
     """Where states look alike the agent acts alike; where the observation is random, by what it sees on average."""
     left, right = np.array([0.5, 0.2, 0.2, 0.1]), np.array([0.0, 0.1, 0.1, 0.8])
@@ -118,19 +90,6 @@ def test_what_the_agent_sees_is_what_counts() -> None:
     assert policy[5] == pytest.approx(right)
     assert policy[3] == pytest.approx(0.75 * left + 0.25 * right)
     assert policy[0].tolist() == policy[6].tolist() == [0.25] * 4
-
-
-@pytest.mark.parametrize("kind", [CountBased, GoExplore])
-def test_other_agents_have_a_policy(kind: Any) -> None:
-    """Also one that is in the middle of a try."""
-    mdp = make_mdp("Boulder", height=4)
-    model, agent = finite_model(mdp), kind.create(mdp, learning_rate=0.5, discount=0.9)
-    train(mdp, agent, 500, seed=0)
-    for greedy in (False, True):
-        policy = policy_of(agent, model, greedy=greedy)
-        assert policy.shape == (5, 2)
-        assert policy.sum(axis=1) == pytest.approx(1.0)
-    assert policy_evaluation(model, policy_of(agent, model, greedy=True), horizon=4).start == 1.0
 
 
 class Odd(NamedTuple):

@@ -7,10 +7,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from edugym import finite_model, make_mdp, value_iteration
+from edugym import finite_model, value_iteration
 from edugym.exact.policy_evaluation import policy_evaluation
 from tests.compiled.cells import SLIPPERY, cell
-from tests.exact.tasks import Gambler, Loop, Walk, random_model, value_of
+from tests.exact.tasks import Loop, Walk, random_model, value_of
 
 
 @settings(max_examples=50)
@@ -42,41 +42,6 @@ def test_the_ruin_of_the_gambler(slipping: float) -> None:
         assert found.value(k) == pytest.approx(won, abs=1e-8)
     assert found.start == found.value(4)
     assert found.value(0) == found.value(n) == 0.0
-
-
-def test_timid_play_is_worse_than_bold_play() -> None:
-    """Staking 1 in the unfair game of example 4.3 wins by the formula of ruin; bold play wins with 0.4 from 50."""
-    model = finite_model(Gambler())
-    timid = policy_evaluation(model, np.zeros(101, int))
-    ratio = 0.6 / 0.4
-    assert timid.value(50) == pytest.approx((1 - ratio**50) / (1 - ratio**100), rel=1e-6)
-    bold = [min(max(s, 1), max(100 - s, 1)) - 1 for s in range(101)]
-    assert policy_evaluation(model, bold).start == pytest.approx(0.4)
-    assert pytest.approx(value_iteration(model).V) == policy_evaluation(model, bold).V
-
-
-def test_exploring_costs_what_it_costs() -> None:
-    """With a horizon of the step limit it is the mean return of real episodes of an ε-soft policy."""
-    mdp = make_mdp("Boulder", height=5, max_steps=20)
-    model = finite_model(mdp)
-    policy = np.full((6, 2), 0.1)
-    policy[np.arange(5), mdp.grips] = 0.9
-    policy[5] = 0.5
-    exact = policy_evaluation(model, policy, horizon=20).start
-    assert exact < policy_evaluation(model, policy).start == pytest.approx(1.0)
-    rng = np.random.default_rng(0)
-    returns = []
-    for _ in range(2000):
-        state, total = mdp.initial(rng), 0.0
-        for _ in range(20):
-            action = int(rng.random() < policy[state, 1])
-            next_state = mdp.transition(state, action, rng)
-            total += mdp.reward(state, action, next_state, rng)
-            state = next_state
-            if mdp.terminal(state):
-                break
-        returns.append(total)
-    assert abs(np.mean(returns) - exact) < 6 * np.std(returns) / np.sqrt(2000)
 
 
 def test_a_policy_that_never_ends() -> None:

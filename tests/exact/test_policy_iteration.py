@@ -2,7 +2,6 @@
 
 from typing import Any
 
-import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -10,7 +9,7 @@ from hypothesis import strategies as st
 from edugym import finite_model, make_mdp, value_iteration
 from edugym.exact.policy_evaluation import policy_evaluation
 from edugym.exact.policy_iteration import policy_iteration
-from tests.exact.tasks import Gambler, Loop, random_model
+from tests.exact.tasks import Loop, random_model
 
 
 @settings(max_examples=40)
@@ -30,16 +29,6 @@ def test_it_agrees_with_value_iteration_on_the_tasks_of_the_course(name: str) ->
     model = finite_model(make_mdp(name))
     for discount in (0.9, 1.0):
         assert pytest.approx(value_iteration(model, discount).V, abs=1e-6) == policy_iteration(model, discount).V
-
-
-def test_equally_good_policies_do_not_keep_it_going() -> None:
-    """The gambler's problem has many optimal policies (exercise 4.4)."""
-    model = finite_model(Gambler())
-    found = policy_iteration(model, max_iterations=20)
-    assert pytest.approx(value_iteration(model).V, abs=1e-7) == found.V
-    staked = np.flatnonzero(found.greedy_policy()[model.row(50)]) + 1
-    assert staked.tolist() == [50]
-    assert len(np.flatnonzero(found.greedy_policy()[model.row(75)])) > 1
 
 
 def test_too_few_improvements_and_no_end() -> None:

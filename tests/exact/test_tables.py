@@ -6,20 +6,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edugym import finite_model, make_mdp, value_iteration
+from edugym import finite_model, make_mdp
 from tests.compiled.cells import SLIPPERY, WALK, cell
 from tests.exact.tasks import Hidden, Walk, random_model
-
-
-def planned_by_others(P: dict[int, dict[int, list[tuple[float, int, float, bool]]]], discount: float) -> list[float]:
-    """Value iteration as it is found everywhere for FrozenLake: it takes nothing but `P`."""
-    V = [0.0] * len(P)
-    for _ in range(2000):
-        for s in P:
-            V[s] = max(
-                sum(p * (reward + (0.0 if done else discount * V[n])) for p, n, reward, done in P[s][a]) for a in P[s]
-            )
-    return V
 
 
 def test_P_is_that_of_toy_text() -> None:
@@ -36,12 +25,6 @@ def test_P_is_that_of_toy_text() -> None:
     for by_action in P.values():
         for ways in by_action.values():
             assert [tuple(map(type, way)) for way in ways] == [(float, int, float, bool)] * len(ways)
-
-
-def test_planning_code_of_others_runs_on_P() -> None:
-    """It finds the values of value iteration."""
-    model = finite_model(cell(SLIPPERY)["SlipperyWalk"](5, 0.25))
-    assert planned_by_others(model.P, 0.9) == pytest.approx(value_iteration(model, 0.9).V)
 
 
 def test_samples_come_as_often_as_the_model_says() -> None:
@@ -70,13 +53,6 @@ def test_a_sample_divides_the_unit_interval(number: float, next_state: int) -> N
     assert model.sample(2, 1, rng).next_state == next_state
 
 
-def test_samples_are_repeated_by_the_same_generator() -> None:
-    """All chance comes from `rng`."""
-    model = finite_model(cell(SLIPPERY)["SlipperyWalk"](4, 0.5))
-    runs = [[model.sample(2, 1, rng) for _ in range(50)] for rng in map(np.random.default_rng, (1, 1, 2))]
-    assert runs[0] == runs[1] != runs[2]
-
-
 def test_states_and_actions_that_are_not_there() -> None:
     """The message says what is allowed; -1 does not count from the end."""
     model = finite_model(cell(WALK)["Walk"](4))
@@ -93,16 +69,6 @@ def test_states_and_actions_that_are_not_there() -> None:
     assert model.outcomes(0, right) == [(1.0, 1, -0.25, False)]
     assert str(model.outcomes(0, right)) == "[Outcome(probability=1.0, next_state=1, reward=-0.25, terminated=False)]"
     assert str(model.sample(0, right, rng)) == "Sample(next_state=1, reward=-0.25, terminated=False)"
-
-
-def test_rows_are_in_ascending_order() -> None:
-    """Where every whole number is a state, rows and states are the same, wherever an episode starts."""
-    model = finite_model(Walk())
-    assert model.states == tuple(range(7))
-    assert model.initial.tolist() == [0, 0, 0, 1, 0, 0, 0]
-    catch = finite_model(make_mdp("Catch", rows=4, columns=3))
-    assert list(catch.states) == sorted(catch.states)
-    assert [catch.row(state) for state in catch.states] == list(range(len(catch.states)))
 
 
 def test_observations_are_not_rows() -> None:

@@ -35,14 +35,6 @@ def test_a_chain_is_worth_its_discounted_length(discount: float) -> None:
     assert found.start == pytest.approx(discount**5)
 
 
-def test_the_random_walk() -> None:
-    """Example 6.2: the values are 1/6, ..., 5/6."""
-    model = finite_model(Walk())
-    found = value_iteration(model)
-    assert [found.V[model.row(s)] for s in range(7)] == pytest.approx([0, 1 / 6, 2 / 6, 3 / 6, 4 / 6, 5 / 6, 0])
-    assert found.start == pytest.approx(1 / 2)
-
-
 def test_the_gambler_plays_boldly() -> None:
     """At p = 0.4 staking all is optimal: V(50) = p, V(25) = p², V(75) = p + (1 - p) p (figure 4.3)."""
     model = finite_model(Gambler())
@@ -51,13 +43,6 @@ def test_the_gambler_plays_boldly() -> None:
         assert found.V[model.row(capital)] == pytest.approx(value)
     assert found.Q[model.row(50), 49] == pytest.approx(0.4)
     assert found.Q[model.row(50)].max() == pytest.approx(0.4)
-
-
-def test_a_reward_for_ever_is_a_geometric_series() -> None:
-    """1 + γ + γ² + ... = 1/(1 - γ)."""
-    found = value_iteration(finite_model(Loop()), 0.9)
-    assert found.start == pytest.approx(10.0)
-    assert sorted(found.Q[0]) == pytest.approx([0.0, 10.0])
 
 
 def test_a_reward_for_ever_without_discount_does_not_settle() -> None:
@@ -91,12 +76,6 @@ def test_a_horizon_is_looking_ahead_so_many_steps(horizon: int, epsilon: float) 
     assert found.start == pytest.approx(float(model.initial @ by_force))
 
 
-def test_on_boulder_the_horizon_must_be_the_height() -> None:
-    """In fewer steps there is nothing to get."""
-    model = finite_model(make_mdp("Boulder", height=6))
-    assert [value_iteration(model, horizon=h).start for h in (5, 6, 100)] == [0.0, 1.0, 1.0]
-
-
 @settings(max_examples=30)
 @given(st.integers(0, 10**6), st.sampled_from([0.0, 0.2, 1.0]), st.sampled_from([0.0, 0.5, 0.95, 1.0]))
 def test_no_policy_is_better(seed: int, epsilon: float, discount: float) -> None:
@@ -108,21 +87,6 @@ def test_no_policy_is_better(seed: int, epsilon: float, discount: float) -> None
     greedy = np.eye(2)[found.Q.argmax(axis=1)] * (1 - epsilon) + epsilon / 2
     assert value_of(model, greedy, discount) == pytest.approx(found.V, abs=1e-8)
     assert pytest.approx(found.start, abs=1e-8) == float(model.initial @ found.V)
-
-
-def test_exploring_costs() -> None:
-    """With ε the chance of the right grip is 1 - ε/2: V solves the equations of that policy, and falls with ε."""
-    mdp = make_mdp("Boulder", height=10)
-    model = finite_model(mdp)
-    before = np.inf
-    for epsilon in (0.0, 0.1, 0.5, 1.0):
-        right = np.zeros((11, 2))
-        right[[model.row(s) for s in range(10)], mdp.grips] = 1.0
-        policy = (1 - epsilon) * right + epsilon / 2
-        found = value_iteration(model, 0.99, epsilon=epsilon, tolerance=1e-14)
-        assert pytest.approx(value_of(model, policy, 0.99), abs=1e-10) == found.V
-        assert found.start < before
-        before = found.start
 
 
 @pytest.mark.parametrize(

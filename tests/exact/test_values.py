@@ -6,7 +6,7 @@ import pytest
 from edugym import QLearning, finite_model, make_mdp, value_iteration
 from edugym.exact.policy_evaluation import policy_evaluation
 from edugym.exact.values import Values
-from tests.exact.tasks import Hidden, Loop, Walk, random_model
+from tests.exact.tasks import Hidden, Walk, random_model
 
 
 def test_the_value_of_a_state_is_not_that_of_its_row() -> None:
@@ -66,10 +66,3 @@ def test_the_greedy_policy_shares_ties() -> None:
     Q = np.array([values for values, _ in values_and_shares])
     policy = Values(Q.max(axis=1), Q, 0.0, random_model(0, n_actions=3)).greedy_policy()
     assert policy.tolist() == [shares for _, shares in values_and_shares]
-
-
-def test_the_start_is_the_mean_over_the_initial_states() -> None:
-    """Catch starts in any column with the same probability, and its optimum is 1 to the last digit."""
-    for columns in range(1, 8):
-        assert value_iteration(finite_model(make_mdp("Catch", rows=5, columns=columns))).start == 1.0
-    assert value_iteration(finite_model(Loop()), 0.5).start == pytest.approx(2.0)

@@ -47,7 +47,7 @@ class ActorCritic(NamedTuple):
         self.weight[0] = 1.0 if terminated or truncated else self.discount * self.weight[0]
 
     def forget_episode(self) -> None:
-        """Forget the steps of an episode that was not played to its end."""
+        """Begin a new episode: the one under way was not played to its end."""
         self.weight[0] = 1.0
 
     def act(self, state: int, rng: Random) -> int:

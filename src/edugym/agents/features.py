@@ -37,7 +37,7 @@ class Features(Protocol):
 
     @property
     def at_once(self) -> int:
-        """By what a learning rate is divided: how many features share the work, as far as that is always the same."""
+        """By what a learning rate is divided: the number of features that are always active together, or 1."""
 
     @property
     def n_active(self) -> int:
@@ -142,10 +142,10 @@ def follow_gradient(features: Features, weights: Reals, k: int, size: float) -> 
 
 
 def check_features(features: Any, n_inputs: int) -> None:
-    """Refuse what are no features, or features of other observations.
+    """Check that something is features, for observations of so many numbers.
 
     Raises:
-        ValueError: they are.
+        ValueError: it is not.
     """
     if isinstance(features, type) or not (hasattr(features, "see") and hasattr(features, "n_features")):
         raise ValueError(

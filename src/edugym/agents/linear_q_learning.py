@@ -67,12 +67,12 @@ class LinearQLearning(NamedTuple):
 
     @property
     def tabular(self) -> bool:
-        """It has no table."""
+        """False: its states are vectors of numbers, not rows of a table."""
         return False
 
     @property
     def n_inputs(self) -> int:
-        """The length of the vectors that it takes."""
+        """How many numbers a state has."""
         return self.features.n_inputs
 
     @property

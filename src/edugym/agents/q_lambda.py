@@ -12,7 +12,7 @@ from edugym.mdp.task import table_size
 
 @shows_settings
 class QLambda(NamedTuple):
-    """Q-learning that gives every TD error to all pairs that led to it greedily: Watkins's Q(λ).
+    """Q-learning in which each TD error updates all pairs from which greedy actions led to it: Watkins's Q(λ).
 
         δ = R + γ max_a Q(S', a) - Q(S, A)
         Z(S, A) <- Z(S, A) + 1   (accumulating),   1   (replacing),   (1 - α) Z(S, A) + 1   (Dutch)
@@ -28,7 +28,7 @@ class QLambda(NamedTuple):
 
     Attributes:
         Q: shape (n_states, n_actions): the action values.
-        Z: the traces; one below 10⁻⁹ is dropped.
+        Z: the traces that are not 0, as a list of pairs; one below 10⁻⁹ is dropped.
         trace_decay: λ, from 0 to 1.
         learning_rate: α, greater than 0 and up to 1.
         discount: γ, from 0 to 1.

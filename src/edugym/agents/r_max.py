@@ -87,7 +87,7 @@ class RMax(NamedTuple):
                 self.becomes_known(state, action)
 
     def becomes_known(self, state: int, action: int) -> None:
-        """Plan with this pair from now on."""
+        """Add a pair to the sweep."""
         self.sweep.pairs[self.sweep.n[0]] = state * self.Q.shape[1] + action
         self.sweep.n[0] += 1
         self.sweep.settled[0] = 0

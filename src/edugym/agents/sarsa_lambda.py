@@ -12,7 +12,7 @@ from edugym.mdp.task import table_size
 
 @shows_settings
 class SARSALambda(NamedTuple):
-    """On-policy control that gives every TD error to all pairs that led to it, the sooner the more.
+    """On-policy control in which each TD error updates all pairs visited before it, the more recent ones the more.
 
         δ = R + γ Q(S', A') - Q(S, A)
         Z(S, A) <- Z(S, A) + 1   (accumulating),   1   (replacing),   (1 - α) Z(S, A) + 1   (Dutch)
@@ -26,7 +26,7 @@ class SARSALambda(NamedTuple):
 
     Attributes:
         Q: shape (n_states, n_actions): the action values.
-        Z: the traces; one below 10⁻⁹ is dropped.
+        Z: the traces that are not 0, as a list of pairs; one below 10⁻⁹ is dropped.
         trace_decay: λ, from 0 to 1.
         learning_rate: α, greater than 0 and up to 1.
         discount: γ, from 0 to 1.

@@ -46,7 +46,7 @@ class Policy(Exploration, Protocol):
 
 
 def check_policy(name: str, strategy: Any) -> None:
-    """Refuse a strategy whose probabilities are not known.
+    """Check that a strategy knows the probabilities of its actions.
 
     Raises:
         ValueError: it has no `probability` or no `expected_value`.

@@ -1,4 +1,8 @@
-"""Eligibility traces: which pairs of state and action get credit for what happens now."""
+"""Eligibility traces Z(s, a): how much of the next TD error each pair of state and action gets.
+
+In a table most of them would be 0. So only the others are stored, as a list of pairs, and a step costs as much as the
+list is long. Where a textbook writes `Z *= gamma * trace_decay`, `Traces.fade` goes through this list.
+"""
 
 from typing import Annotated, Any, NamedTuple, Protocol
 
@@ -7,7 +11,7 @@ from edugym.checks.parameters import in_short
 from edugym.mdp.protocol import Integers, Reals
 
 NEGLIGIBLE = 1e-9
-"""A trace below this is dropped, so that a step costs as much as there are pairs with a trace, not pairs in all."""
+"""A smaller trace is taken as 0, and leaves the list."""
 
 
 class Trace(Protocol):
@@ -64,25 +68,25 @@ class Dutch(NamedTuple):
 
 
 def check_trace(traces: Any) -> None:
-    """Refuse what is no kind of trace.
+    """Check that something is a kind of trace.
 
     Raises:
-        ValueError: it is none.
+        ValueError: it is not.
     """
     if isinstance(traces, type) or not hasattr(traces, "visited"):
         raise ValueError(f"traces must be Accumulating(), Replacing() or Dutch(), but is {in_short(traces)}")
 
 
 class Traces(NamedTuple):
-    """The pairs that have a trace, in no particular order.
+    """The traces that are not 0, as a list of pairs in no particular order.
 
     Attributes:
-        n: shape (1,): how many these are.
-        states: shape (n_states * n_actions,): the state of each.
+        n: shape (1,): the length of the list; what the next three arrays hold beyond it does not count.
+        states: shape (n_states * n_actions,): the state of each pair in the list.
         actions: shape (n_states * n_actions,): its action.
-        values: shape (n_states * n_actions,): its trace Z.
-        places: shape (n_states, n_actions): 1 + the index of a pair in these, 0 for one without a trace.
-        next_value: shape (1,): the value that was expected where the episode goes on.
+        values: shape (n_states * n_actions,): its trace.
+        places: shape (n_states, n_actions): where each pair is in the list, from 1; 0 for one that is not in it.
+        next_value: shape (1,): Q(S', A') as the last update had it, the Q_old of the next one (for Dutch traces).
     """
 
     n: Counter
@@ -109,11 +113,11 @@ class Traces(NamedTuple):
         self.values[place - 1] = value
 
     def fade(self, factor: float) -> None:
-        """Multiply all traces by γλ, and drop what is negligible."""
+        """Multiply all traces by a factor, γλ, and take those that become negligible off the list."""
         for k in range(self.n[0] - 1, -1, -1):
             self.values[k] *= factor
             if self.values[k] < NEGLIGIBLE:
-                last = self.n[0] - 1  # takes the place of the one that is dropped
+                last = self.n[0] - 1  # the last pair of the list fills the gap
                 self.places[self.states[k], self.actions[k]] = 0
                 if k < last:
                     self.states[k], self.actions[k] = self.states[last], self.actions[last]
@@ -122,7 +126,7 @@ class Traces(NamedTuple):
                 self.n[0] = last
 
     def clear(self) -> None:
-        """Drop all."""
+        """Set all traces to 0."""
         for k in range(self.n[0]):
             self.places[self.states[k], self.actions[k]] = 0
         self.n[0] = 0

@@ -1,6 +1,6 @@
-"""Adapters that hand an environment to libraries for deep reinforcement learning; nothing else in EduGym loads them.
+"""Deep reinforcement learning: a PPO of our own, and environments and learning curves for Stable-Baselines3.
 
-They come with the extra `deep`: `pip install "edugym[deep]"`.
+It needs the extra `deep`: `pip install "edugym[deep]"`. Nothing else in EduGym loads torch.
 """
 
 import importlib

@@ -20,7 +20,7 @@ from edugym.mdp.tabular import table_lows, table_sizes
 from edugym.mdp.task import vector_length
 from edugym.training.run import Run
 
-Whole = Annotated[int, Range(1)]
+AtLeastOne = Annotated[int, Range(1)]
 
 
 @shows_settings
@@ -60,11 +60,11 @@ class PPO(NamedTuple):
 
     environment: Any
     parameters: Any
-    num_envs: Whole = 64
-    length: Whole = 32
-    epochs: Whole = 10
-    minibatches: Whole = 4
-    hidden: Whole = 64
+    num_envs: AtLeastOne = 64
+    length: AtLeastOne = 32
+    epochs: AtLeastOne = 10
+    minibatches: AtLeastOne = 4
+    hidden: AtLeastOne = 64
     learning_rate: LearningRate = 2e-3
     discount: Discount = 0.99
     trace_decay: Probability = 0.95
@@ -106,27 +106,33 @@ class PPO(NamedTuple):
             return curve.run(net, updates * self.num_envs * self.length, seed)
 
     def play(self, env: Any, net: "ActorCritic", observations: Any, curve: Curve, done: int) -> Any:
-        """Play `length` steps in every copy, and judge every action; shapes (length · n, ...)."""
+        """Play `length` steps in every copy, and judge every action.
+
+        Returns:
+            What `gradient` takes, shape (length · n, ...) each: inputs, actions, their log π, advantages and targets of
+            V. And the observations after the last step.
+        """
         n, T = self.num_envs, self.length
-        X, Y, A = [], [], []
+        inputs, outputs, actions = [], [], []
         rewards, going_on = np.zeros((T, n), np.float32), np.zeros((T, n), np.float32)
         for t in range(T):
-            X.append(net.numbers(observations))
-            Y.append(net.actor(X[-1]))
-            A.append(net.policy(Y[-1]).sample())
-            observations, reward, terminated, truncated, infos = env.step(net.given(A[-1]))
+            inputs.append(net.inputs_of(observations))
+            outputs.append(net.actor(inputs[-1]))
+            actions.append(net.policy(outputs[-1]).sample())
+            observations, reward, terminated, truncated, infos = env.step(net.for_environment(actions[-1]))
             over = terminated | truncated
             rewards[t], going_on[t] = reward, ~over
             for i in np.flatnonzero(truncated & ~terminated):  # what would have come is worth V
-                last = net.numbers(np.asarray(infos["final_obs"][i])[None])
+                last = net.inputs_of(np.asarray(infos["final_obs"][i])[None])
                 rewards[t, i] += self.discount * float(net.critic(last))
             curve.add(done + (t + 1) * n, reward, over)
-        x, y, action = torch.cat(X), torch.cat(Y), torch.cat(A)
-        V = net.critic(torch.cat([x, net.numbers(observations)])).view(T + 1, n)
+        x, action = torch.cat(inputs), torch.cat(actions)
+        V = net.critic(torch.cat([x, net.inputs_of(observations)])).view(T + 1, n)
         steps = torch.as_tensor(rewards), torch.as_tensor(going_on)
         advantages = advantages_of(*steps, V, self.discount, self.trace_decay)
-        log_prob, G = net.policy(y).log_prob(action), advantages + V[:-1]
-        return [x, action, log_prob, advantages.ravel(), G.ravel()], observations
+        log_prob = net.policy(torch.cat(outputs)).log_prob(action)
+        targets = advantages + V[:-1]
+        return [x, action, log_prob, advantages.ravel(), targets.ravel()], observations
 
     def learn(self, net: "ActorCritic", optimizer: "Adam", learning_rate: float, data: list[Tensor]) -> None:
         """Take steps up the objective, from each action `epochs` times."""
@@ -137,20 +143,29 @@ class PPO(NamedTuple):
                 optimizer.step(gradient, learning_rate)
 
     def gradient(
-        self, net: "ActorCritic", x: Tensor, action: Tensor, old_log_prob: Tensor, advantage: Tensor, G: Tensor
+        self, net: "ActorCritic", x: Tensor, action: Tensor, old_log_prob: Tensor, advantage: Tensor, target: Tensor
     ) -> Tensor:
-        """The gradient of the objective by all weights: by the chain rule, from the outputs of the networks back."""
+        """The gradient of the objective by all weights: by the chain rule, from the outputs of the networks back.
+
+        Args:
+            net: the networks.
+            x: their inputs, shape (n, n_inputs).
+            action: what was done, shape (n, n_numbers).
+            old_log_prob: log π of it when it was done, shape (n,).
+            advantage: Â, shape (n,).
+            target: G, which V should be, shape (n,).
+        """
         *inputs, y = net.actor.outputs(x)
         policy, advantage = net.policy(y), normalised(advantage)
         ratio = (policy.log_prob(action) - old_log_prob).exp()
         gain = ratio * advantage  # its derivative by log π is the same number, ratio · Â
         slope = gain * (gain == clipped_gain(ratio, advantage, self.clip))  # but 0 where the ratio is cut off
-        by_y, *by_log_std = policy.gradient(action, slope, self.entropy_bonus)
-        net.actor.backward(inputs, by_y)
+        y_gradient, *log_std_gradients = policy.gradient(action, slope, self.entropy_bonus)
+        net.actor.backward(inputs, y_gradient)
         *inputs, V = net.critic.outputs(x)
-        net.critic.backward(inputs, G[:, None] - V)
-        for part in by_log_std:  # where actions are real numbers
-            net.by_log_std.copy_(part)
+        net.critic.backward(inputs, target[:, None] - V)
+        for part in log_std_gradients:  # none where actions are whole numbers
+            net.log_std_gradient.copy_(part)
         return net.gradient.div_(len(x))
 
     @classmethod
@@ -227,12 +242,12 @@ class ActorCritic:
     """A policy and a value function: two networks with two hidden layers each.
 
     Attributes:
-        actor: what it gives for a state, the policy is made of: means of real actions, or preferences of whole numbers.
+        actor: its outputs make the policy: the means of real actions, or the preferences for whole numbers.
         critic: gives V.
         log_std: log σ of each real action.
         weights: all numbers that are learned, in one vector; the others are views of it.
-        gradient: the derivatives of an objective by them, in the same order.
-        by_log_std: those by `log_std`.
+        gradient: the derivatives of the objective by them, in the same order.
+        log_std_gradient: those by `log_std`, a view of it.
     """
 
     def __init__(self, observations: spaces.Space[Any], actions: spaces.Space[Any], hidden: int) -> None:
@@ -250,23 +265,23 @@ class ActorCritic:
         else:
             raise ValueError(f"PPO needs actions that are whole numbers or vectors, but the action space is {actions}")
         n_inputs = vector_length(observations)
-        actor = layers(n_inputs, hidden, hidden, sum(self.sizes), last=0.01)
-        critic = layers(n_inputs, hidden, hidden, 1, last=1.0)
+        actor = initial_weights(n_inputs, hidden, hidden, sum(self.sizes), last=0.01)
+        critic = initial_weights(n_inputs, hidden, hidden, 1, last=1.0)
         learned = [*actor, *critic, torch.full((n_reals,), -0.5)]
         self.shapes = [part.shape for part in learned]
-        self.hold(torch.cat([part.ravel() for part in learned]))
+        self.set_weights(torch.cat([part.ravel() for part in learned]))
         if isinstance(observations, spaces.Box):
             scale = input_scale(observations.low.ravel(), observations.high.ravel())
             self.scale = torch.as_tensor(scale, dtype=torch.float32)
 
-    def hold(self, weights: Tensor) -> None:
-        """Learn these numbers: the networks are made of views of them."""
-        self.weights, self.gradient = weights, torch.zeros_like(weights)
-        w, by_w = parts_of(self.weights, self.shapes), parts_of(self.gradient, self.shapes)
-        self.actor, self.critic = Network(w[:6], by_w[:6]), Network(w[6:12], by_w[6:12])
-        self.log_std, self.by_log_std = w[12], by_w[12]
+    def set_weights(self, vector: Tensor) -> None:
+        """Make the networks of views of this vector, which is what is learned."""
+        self.weights, self.gradient = vector, torch.zeros_like(vector)
+        weights, gradients = views_of(self.weights, self.shapes), views_of(self.gradient, self.shapes)
+        self.actor, self.critic = Network(weights[:6], gradients[:6]), Network(weights[6:12], gradients[6:12])
+        self.log_std, self.log_std_gradient = weights[12], gradients[12]
 
-    def numbers(self, observations: Any) -> Tensor:
+    def inputs_of(self, observations: Any) -> Tensor:
         """Observations as vectors, shape (n, n_inputs): numbers over the largest allowed, or ones and zeros."""
         seen = np.asarray(observations).reshape(len(observations), -1)
         if isinstance(self.observations, spaces.Box):
@@ -281,7 +296,7 @@ class ActorCritic:
             return Gaussian(y, self.log_std)
         return Softmax([functional.log_softmax(part.T, 0).T for part in y.split_with_sizes(self.sizes, -1)])
 
-    def given(self, actions: Tensor) -> Any:
+    def for_environment(self, actions: Tensor) -> Any:
         """Actions as the environment takes them."""
         if isinstance(self.actions, spaces.Box):
             return np.clip(actions.numpy(), self.actions.low, self.actions.high)
@@ -290,14 +305,14 @@ class ActorCritic:
 
     def greedy(self, observations: Any, first: Any = None) -> Any:
         """The likeliest actions for observations of shape (n, ...)."""
-        return self.given(self.policy(self.actor(self.numbers(observations))).mode)
+        return self.for_environment(self.policy(self.actor(self.inputs_of(observations))).mode)
 
 
 class Network(NamedTuple):
     """Layers with tanh between them: y = W₃h₂ + b₃, h₂ = tanh(W₂h₁ + b₂), h₁ = tanh(W₁x + b₁)."""
 
     weights: list[Tensor]  # W₁, b₁, W₂, b₂, W₃, b₃
-    by_weights: list[Tensor]  # derivatives by them
+    gradients: list[Tensor]  # the derivatives of the objective by them
 
     def __call__(self, x: Tensor) -> Tensor:
         """y, shape (n, n_outputs), for x of shape (n, n_inputs)."""
@@ -318,8 +333,8 @@ class Network(NamedTuple):
             d: the derivatives of the sum by y, shape (n, n_outputs); on the way back, by what goes into each tanh.
         """
         for k in (2, 1, 0):
-            torch.mm(d.T, inputs[k], out=self.by_weights[2 * k])
-            torch.sum(d, 0, out=self.by_weights[2 * k + 1])
+            torch.mm(d.T, inputs[k], out=self.gradients[2 * k])
+            torch.sum(d, 0, out=self.gradients[2 * k + 1])
             if k > 0:
                 d = torch.ops.aten.tanh_backward(d @ self.weights[2 * k], inputs[k])  # times tanh' = 1 - h²
 
@@ -357,12 +372,15 @@ class Softmax(NamedTuple):
     log_p: list[Tensor]  # for each of them, shape (n, n_values)
 
     def sample(self) -> Tensor:
-        """As of `Gaussian`. Of waiting times E/p, E exponential, each is the shortest with its probability p."""
+        """Actions, shape (n, n_numbers).
+
+        Of waiting times E/p, with E exponential, each is the shortest with its probability p.
+        """
         draws = [log_p.exp() / torch.empty_like(log_p).exponential_() for log_p in self.log_p]
         return torch.stack([draw.argmax(-1) for draw in draws], -1)
 
     def log_prob(self, actions: Tensor) -> Tensor:
-        """As of `Gaussian`."""
+        """The logarithm of π, of all numbers of an action together, shape (n,)."""
         chosen = [log_p.gather(1, actions[:, k : k + 1]) for k, log_p in enumerate(self.log_p)]
         return torch.cat(chosen, -1).sum(-1)
 
@@ -379,17 +397,17 @@ class Softmax(NamedTuple):
 
     @property
     def mode(self) -> Tensor:
-        """As of `Gaussian`."""
+        """The likeliest actions, shape (n, n_numbers)."""
         return torch.stack([log_p.argmax(-1) for log_p in self.log_p], -1)
 
 
-def parts_of(vector: Tensor, shapes: list[torch.Size]) -> list[Tensor]:
-    """Views of a vector, one after the other."""
+def views_of(vector: Tensor, shapes: list[torch.Size]) -> list[Tensor]:
+    """Parts of a vector, one after the other, as views in these shapes."""
     views = vector.split_with_sizes([shape.numel() for shape in shapes])
     return [view.view(shape) for view, shape in zip(views, shapes, strict=True)]
 
 
-def layers(*sizes: int, last: float) -> list[Tensor]:
+def initial_weights(*sizes: int, last: float) -> list[Tensor]:
     """W and b of each layer: W is orthogonal, times √2, that of the last layer times `last`, and b is 0."""
     found = []
     for k in range(len(sizes) - 1):

@@ -15,7 +15,7 @@ MOST_ANSWERS = 1_000
 """After so many answers on one way the code is taken to go on for ever, as rejection sampling may."""
 ROUNDING = 1e-12
 """Less likely answers are not taken: they come from sums of probabilities that are not quite 1."""
-KEPT = "an exact model cannot follow a random number kept from an earlier call: draw it where it is used"
+KEPT_TOO_LONG = "an exact model cannot follow a random number kept from an earlier call: draw it where it is used"
 
 
 def branches(draw: Callable[[Any], Any], means: bool = False) -> Iterator[tuple[float, Any]]:
@@ -154,7 +154,7 @@ class Draw:
     def below(self, threshold: float) -> bool:
         """Whether it is below a threshold: where that is open, both ways are taken."""
         if self.rng.over:
-            raise ValueError(KEPT)
+            raise ValueError(KEPT_TOO_LONG)
         share = (threshold - self.low) / (self.high - self.low)
         if share <= ROUNDING or share >= 1.0 - ROUNDING:
             return share > 0.5
@@ -213,7 +213,7 @@ class Unknown:
             if not draw.rng.means:
                 self._refuse("a finite model cannot hold a continuous random number in a state")
             if draw.rng.over:
-                raise ValueError(KEPT)
+                raise ValueError(KEPT_TOO_LONG)
             total += 0.0 if isinstance(draw, Noise) else factor * (draw.low + draw.high) / 2
         return total
 

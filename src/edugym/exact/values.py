@@ -115,20 +115,20 @@ def expected_return(model: FiniteModel, V: Reals) -> float:
 
 
 def check_model(model: FiniteModel, discount: float) -> None:
-    """Refuse what is no model, and a discount that is not from 0 to 1.
+    """Check a model and a discount.
 
     Raises:
-        ValueError: one of them is so.
+        ValueError: it is no model, or the discount is not from 0 to 1.
     """
     require_model(model)
     between("discount", discount, 0, 1)
 
 
 def require_model(model: Any) -> None:
-    """Refuse what is no model.
+    """Check that something is a model.
 
     Raises:
-        ValueError: it is none.
+        ValueError: it is not.
     """
     if not isinstance(model, FiniteModel):
         raise ValueError(f"model must be a FiniteModel, as finite_model(mdp) makes it, but is {in_short(model)}")

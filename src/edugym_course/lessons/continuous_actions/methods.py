@@ -170,8 +170,9 @@ class Drawing:
         import torch
 
         with torch.no_grad():
-            policy = self.agent.policy(self.agent.actor(self.agent.numbers(np.asarray(seen)[None])))
-            return self.agent.given(torch.normal(policy.mean, policy.log_std.exp(), generator=self.generator))[0]
+            policy = self.agent.policy(self.agent.actor(self.agent.inputs_of(np.asarray(seen)[None])))
+            actions = torch.normal(policy.mean, policy.log_std.exp(), generator=self.generator)
+            return self.agent.for_environment(actions)[0]
 
 
 def frozen_lake(n_steps: int = 20_000, *, learning_rate: float = 0.2, **how: Any) -> Results:
