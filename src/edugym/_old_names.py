@@ -27,7 +27,6 @@ MOVED = {
     "lab": "edugym_course.lab",
     "lessons": "edugym_course.lessons",
     "mdp.checking": "edugym.checks.mdps",
-    "mdp.sizes": "edugym.mdp.task",
     "mdp.tracebacks": "edugym.checks.tracebacks",
     "mdp.values": "edugym.checks.values",
     "memory": "edugym.system.memory",
