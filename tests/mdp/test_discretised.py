@@ -106,7 +106,8 @@ def test_actions() -> None:
     assert task.action_space == spaces.Discrete(6)
     assert task.actions.tolist() == [[-1, 0], [-1, 5], [-1, 10], [1, 0], [1, 5], [1, 10]]
     assert list(named_actions(task))[:2] == ["-1, 0", "-1, 5"]
-    assert list(named_actions(DiscreteActions.create(shows(), [3, 5])))[5:7] == ["0, 0", "0, 2.5"]
+    more: Any = DiscreteActions.create(shows(), [3, 5])
+    assert list(named_actions(more))[5:7] == ["0, 0", "0, 2.5"]
     env = MDPEnv(task)
     env.reset(seed=0)
     observation, reward, *_ = env.step(4)

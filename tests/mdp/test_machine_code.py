@@ -26,10 +26,16 @@ def bins(capacity: int) -> Any:
     return Hashed.create(Discretised.create(DiscreteActions.create(make_mdp("Trashbot"), 3), 20), capacity)
 
 
-TASKS = {
+def frames() -> Any:
+    """Separate numbers, which a table puts together again."""
+    separate: Any = SeparateFrames.create(CORRIDOR, 7, actions=True)
+    return Tabular.create(separate)
+
+
+TASKS: dict[str, Any] = {
     "bins": lambda: bins(3_000),
     "noise": lambda: Hashed.create(Brightness.create(NoisyObservation.create(IMAGE, 4, 20.0), 0.5), 500, overflow=True),
-    "frames": lambda: Tabular.create(SeparateFrames.create(CORRIDOR, 7, actions=True)),
+    "frames": frames,
     "long frames": lambda: FrameStack.create(CORRIDOR, 20),
 }
 

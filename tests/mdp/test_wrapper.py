@@ -103,7 +103,8 @@ def test_what_a_wrapper_does_not_pass_on() -> None:
 def test_a_wrapper_with_states_of_its_own_keeps_picture_and_info() -> None:
     """The inner task is asked for its own state, in a Gymnasium environment and in another wrapper."""
     counting = KINDS.Counting(WALL)
-    for task in (counting, Tabular.create(counting), KINDS.Costly(counting, 1.0)):
+    tasks: list[Any] = [counting, Tabular.create(counting), KINDS.Costly(counting, 1.0)]
+    for task in tasks:
         env = MDPEnv(task, render_mode="ansi")
         env.reset(seed=0)
         _, _, _, _, info = env.step(int(WALL.grips[0]))

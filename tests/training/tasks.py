@@ -8,6 +8,7 @@ from gymnasium import spaces
 
 from edugym.agents.tables import best_value, greedy_action
 from edugym.compiled import execution
+from edugym.compiled.compiler import NoCompiler
 from edugym.mdp.protocol import Random
 
 
@@ -15,7 +16,7 @@ def interpret(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let nothing be compiled from here on, as where there is no compiler."""
 
     def none() -> None:
-        raise execution.NoCompiler
+        raise NoCompiler
 
     monkeypatch.setattr(execution, "check_compiler", none)
 

@@ -1,6 +1,6 @@
 """Training in Gymnasium environments: what wraps or changes an environment is never left out."""
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import gymnasium
 import numpy as np
@@ -9,7 +9,7 @@ from gymnasium.wrappers import FlattenObservation, TimeLimit, TransformObservati
 
 from edugym import MDPEnv, QLearning, TabularObservation, make_mdp, train
 from edugym.envs.boulder import Boulder
-from edugym.mdp.protocol import Random
+from tests.compiled.cells import cell
 from tests.training.slips import answered, looker
 from tests.training.tasks import Ring, StudentsQLearning, StudentsSarsa, tell_tale
 
@@ -139,26 +139,22 @@ def test_both_loops_are_one(kind: Any) -> None:
     assert all(np.array_equal(one, other, equal_nan=True) for one, other in zip(*runs, strict=True))
 
 
+LOOKS = """
 class Looks(NamedTuple):
-    """An agent that is shown observations as they are."""
-
-    seen: Any
+    seen: np.ndarray
     tabular = False
-
-    def act(self, state: Any, rng: Random) -> int:
-        """Note the first number."""
+    def act(self, state, rng):
         self.seen[0] = max(self.seen[0], abs(state[0]))
         return 1
-
-    def learn(self, state: Any, action: int, reward: float, next_state: Any, terminated: bool) -> None:
-        """Note the second."""
+    def learn(self, state, action, reward, next_state, terminated):
         self.seen[1] = max(self.seen[1], abs(next_state[1]))
+"""
 
 
 @pytest.mark.parametrize("environment", ["CartPole-v1", "edugym/Golf-v0"])
 def test_an_agent_without_a_table_sees_observations_as_they_are(environment: str) -> None:
     """Arrays and tuples, where `tabular` is False."""
-    agent = Looks(np.zeros(2))
+    agent = cell(LOOKS)["Looks"](np.zeros(2))
     train(environment, agent, 200)
     assert (agent.seen > 0).all()
 

@@ -17,6 +17,7 @@ from edugym import (
     train,
 )
 from edugym.compiled import execution
+from edugym.compiled.compiler import compiled
 from edugym.mdp.protocol import Reals
 from tests.training.tasks import (
     Ring,
@@ -34,7 +35,6 @@ from tests.training.tasks import (
 def compiled_loops(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """The names of the loops that are compiled in this test."""
     names: list[str] = []
-    compiled = execution.compiled
 
     def noted(loop: Any, *arguments: Any, **options: Any) -> Any:
         names.append(loop.__name__)

@@ -198,7 +198,7 @@ WAYS: tuple[Callable[[Any, Any], Any], ...] = (
 """Other ways to the same slip than a short run: a long one, a run of several, and one in a thread."""
 
 
-def in_turn(rows: dict[str, Slip]) -> Any:
+def in_turn(rows: dict[str, Slip]) -> pytest.MarkDecorator:
     """Each slip with one of the other ways."""
     return pytest.mark.parametrize(("name", "way"), [(name, WAYS[k % 3]) for k, name in enumerate(rows)])
 
