@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from edugym import SARSA, EpsilonGreedy, MDPEnv, QLearning, make_mdp, train
+from edugym.compiled import execution
 from tests.training.tasks import Ring, SlipperyWalk, Stairs
 
 
@@ -95,11 +96,16 @@ def test_tables_change_in_place_and_training_can_go_on() -> None:
     assert not np.array_equal(before, agent.Q)
 
 
-def test_stop_ends_a_run_before_it_begins() -> None:
-    """With what has been measured."""
+def test_stop_ends_a_run_before_it_begins(monkeypatch: pytest.MonkeyPatch) -> None:
+    """With what has been measured, and nothing compiled."""
+
+    class New(Stairs):
+        __slots__ = ()
+
+    monkeypatch.setattr(execution, "compiled", None)
     stop = threading.Event()
     stop.set()
-    run = train(Stairs(), QLearning.create(Stairs()), 10**12, stop=stop)
+    run = train(New(), QLearning.create(Stairs()), 10**12, stop=stop)
     assert (run.steps.tolist(), run.returns.tolist(), run.complete) == ([0], [6.0], False)
 
 

@@ -145,6 +145,47 @@ def test_late_actions_in_evaluation(machine_code: bool, monkeypatch: pytest.Monk
     named("greedy Learner 2 state", lambda: train(walk(), agent, 6_000, evaluate_every=300, evaluation_episodes=40))
 
 
+BOARD = """
+class Board(NamedTuple):
+    wrong: bool
+    count: np.ndarray
+    observation_space = spaces.Box(0, 9, (2, 2), np.float64)
+    action_space = spaces.Discrete(2)
+    def initial(self, rng): return 0
+    def transition(self, state, action, rng):
+        self.count[0] += 1
+        return state + action
+    def reward(self, state, action, next_state, rng):
+        return np.nan if self.wrong and self.count[0] > 3_000 else 1.0
+    def terminal(self, state): return state == 9
+    def observation(self, state, rng): return np.full((2, 2), float(state))
+    def observe_into(self, state, rng, out): out[:] = float(state)
+
+class Summing(NamedTuple):
+    sums: np.ndarray
+    most: float = 1e9
+    tabular = False
+    n_inputs = 4
+    def act(self, state, rng): return 2 if self.sums[0] > self.most else int(rng.random() * 2)
+    def learn(self, state, action, reward, next_state):
+        self.sums[0] += state[0] + 3 * next_state[3]
+"""
+
+
+def test_a_board_that_is_written_in_place(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is guarded as others are, and machine code does what the interpreter does."""
+    notebook = cell(BOARD)
+    Board, Summing = notebook["Board"], notebook["Summing"]
+    right, wrong = (Board(is_wrong, np.zeros(1)) for is_wrong in (False, True))
+    named("reward Board nan", lambda: train(wrong, Summing(np.zeros(1)), 6_000, max_steps=9))
+    named("act Summing 0 1 2", lambda: train(right, Summing(np.zeros(1), 9_000.0), 6_000, max_steps=9))
+    one, other = (Summing(np.zeros(1)) for _ in range(2))
+    train(right, one, 6_000, max_steps=9)
+    interpret(monkeypatch)
+    train(right, other, 6_000, max_steps=9)
+    assert one.sums.tolist() == other.sums.tolist()
+
+
 def test_a_late_reward_of_a_gymnasium_environment() -> None:
     """It is checked at every step, and so is how much comes."""
     for late, names in (("self.place, np.nan, False, False, {}", "reward nan"), ("(0, 0.0)", "(observation, (0, 0.0)")):

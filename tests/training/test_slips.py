@@ -1,5 +1,6 @@
 """The slips that students make are answered with one sentence that names them, and a traceback that is theirs."""
 
+import threading
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
@@ -112,6 +113,7 @@ IN_AGENT = {
     "learn misnames": Slip("reward, next", "rewrad, next", "learn Learner 'rewrad' 'reward'"),
     "learn with the rest": Slip("terminated):", "terminated, *rest):", "learn Learner 'rest' among truncated"),
     "learn with a reward of several": Slip("reward, next", "*reward, next", "learn Learner 'reward' among"),
+    "learn no method": Slip("    def learn", "    learn = 3\n    def old", "learn Learner 3"),
     "learn without self": Slip("def learn(self, ", "def learn(", "learn Learner self"),
     "learn from everything": Slip(
         "def learn(self,", "def learn(self, **step): step['state']\n    def old(self,", "learn Learner **step", "step["
@@ -351,6 +353,7 @@ def test_bad_parameters_are_refused(parameter: str, value: Any, allowed: str) ->
     """The message names the parameter, its value and what is allowed; nothing has been trained."""
     agent: Any = QLearning.create((6, 2))
     named(f"{parameter} {allowed} {value!r}", lambda: train(walk(), agent, **{"n_steps": 10, parameter: value}))
+    named("stop threading.Event Event ()", lambda: train(walk(), agent, 9, stop=threading.Event))
     assert not agent.Q.any()
 
 
