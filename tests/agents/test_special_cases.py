@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from edugym.checks.contract import is_on_policy, learner
 
 from edugym import (
     SARSA,
@@ -28,6 +27,7 @@ from edugym import (
     SemiGradientSARSA,
     TreeBackup,
 )
+from edugym.checks.contract import is_on_policy, learner
 
 SHAPE = (5, 2)
 TRACES = (Accumulating(), Replacing(), Dutch())

@@ -86,26 +86,24 @@ def test_global_draws_are_looked_for_in_the_first_calls() -> None:
     draws = GlobalDraws("Walk", calls=2)
     with draws.refused("initial"):
         pass
-    with pytest.raises(ValueError, match=r"initial of Walk draws from random or np\.random"), draws.refused("initial"):
-        random.random()
+    random.gauss(0, 1)  # it keeps a number, which is all that the next one takes
+    with pytest.raises(ValueError, match=r"initial of Walk .*random"), draws.refused("initial"):
+        random.gauss(0, 1)
     with draws.refused("initial"):
         random.random()
 
 
-class Uncopyable:
-    """A class whose author has made a mistake."""
-
-    def __deepcopy__(self, memo: Any) -> Any:
-        """Fail."""
-        raise TypeError("a mistake of the author's")
-
-
 def test_what_cannot_be_copied() -> None:
     """What it holds is named; a mistake in the copying shows as it is."""
-    with pytest.raises(ValueError, match=r"^list holds a generator, which cannot be copied, but we must$"):
+
+    class Mistaken:
+        def __deepcopy__(self, memo: Any) -> Any:
+            raise TypeError("a mistake of the author's")
+
+    with pytest.raises(ValueError, match=r"^list .*generator.* but we must$"):
         deep_copy([(k for k in range(2))], "we must")
     with pytest.raises(TypeError, match="author's"):
-        deep_copy([Uncopyable()], "we must")
+        deep_copy([Mistaken()], "we must")
 
 
 def test_what_is_kept() -> None:

@@ -1,6 +1,6 @@
 """Observations written into an array, whatever form the task gives them."""
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import pytest
@@ -10,6 +10,8 @@ from edugym import make_mdp
 from edugym.envs.catch import CatchGrid
 from edugym.mdp.in_place import SeveralNumbers, WholeArray, blank, in_place
 from edugym.mdp.protocol import writes_in_place
+from tests.mdp.watch import Shows
+from tests.training.slips import named
 
 TASKS: list[tuple[Any, Any]] = [
     (make_mdp("Boulder"), np.int64),
@@ -20,54 +22,11 @@ TASKS: list[tuple[Any, Any]] = [
 ]
 
 
-class Darker(CatchGrid):
-    """Overrides `observation` alone, so the inherited `observe_into` would show something else."""
-
-    __slots__ = ()
-
-    def observation(self, state: Any, rng: Any) -> Any:
-        """Half as bright."""
-        return super().observation(state, rng) / 2
-
-
-class Shown(NamedTuple):
-    """Observes real numbers.
-
-    Attributes:
-        seen: these numbers.
-        observation_space: where they are.
-    """
-
-    seen: Any
-    observation_space: spaces.Space[Any]
-
-    def initial(self, rng: Any) -> int:
-        """The only state."""
-        return 0
-
-    def observation(self, state: int, rng: Any) -> Any:
-        """Always the same."""
-        return self.seen
-
-
-class Pair(NamedTuple):
-    """Observes two numbers as gymnasium's Tuple."""
-
-    observation_space: spaces.Space[Any] = spaces.Tuple((spaces.Discrete(3, start=1), spaces.Discrete(2)))
-
-    def initial(self, rng: Any) -> int:
-        """The only state."""
-        return 0
-
-    def observation(self, state: int, rng: Any) -> tuple[int, int]:
-        """The second of the first, the first of the second."""
-        return 2, 0
-
-
 @pytest.mark.parametrize(("mdp", "kind"), TASKS, ids=lambda part: getattr(part, "__name__", type(part).__name__))
 def test_what_is_written_is_what_is_observed(mdp: Any, kind: Any) -> None:
-    """In the right shape and kind of numbers, over what was there before."""
+    """In the right shape and kind of numbers, over what was there before; a task that writes is left as it is."""
     task, rng = in_place(mdp), np.random.default_rng(0)
+    assert (task is mdp) == hasattr(mdp, "observe_into")
     out = blank(task)
     assert out.dtype == kind
     state = mdp.initial(rng)
@@ -81,21 +40,38 @@ def test_what_is_written_is_what_is_observed(mdp: Any, kind: Any) -> None:
 @pytest.mark.parametrize("seen", [-0.75, (-0.75,), np.array([-0.75]), (0.25, -0.5), np.array([[0.25], [-0.5]])])
 def test_real_numbers_stay_what_they_are(seen: Any) -> None:
     """One alone, several, or an array."""
-    task: Any = Shown(seen, spaces.Box(-1.0, 1.0, np.shape(seen) or (1,), np.float64))
-    out = blank(in_place(task))
-    in_place(task).observe_into(0, None, out)
+    task = in_place(Shows(spaces.Box(-1.0, 1.0, np.shape(seen) or (1,), np.float64), seen))
+    out = blank(task)
+    task.observe_into(0, None, out)
     assert out.dtype == np.float64
     assert np.array_equal(out, np.reshape(seen, out.shape))
     if np.ndim(seen):  # machine code copies an array at once, and a tuple number by number
-        assert type(in_place(task)) is (WholeArray if isinstance(seen, np.ndarray) else SeveralNumbers)
+        assert type(task) is (WholeArray if isinstance(seen, np.ndarray) else SeveralNumbers)
 
 
 @pytest.mark.parametrize(("seen", "shape"), [((0.25, -0.5), (1,)), (0.25, (2,)), (np.zeros((1, 2)), (2,))])
 def test_what_is_not_as_the_space_says(seen: Any, shape: tuple[int, ...]) -> None:
     """One number where several are said, or the other way round."""
-    task: Any = Shown(seen, spaces.Box(-1.0, 1.0, shape, np.float64))
-    with pytest.raises(ValueError, match="which is not as its observation space says"):
-        in_place(task)
+    space = spaces.Box(-1.0, 1.0, shape, np.float64)
+    named(f"mdp {seen!r} {space}", lambda: in_place(Shows(space, seen)))
+
+
+def test_a_tuple_space_is_one_row() -> None:
+    """As in `Tabular`."""
+    task = in_place(Shows(spaces.Tuple((spaces.Discrete(3, start=1), spaces.Discrete(2))), (2, 0)))
+    out = blank(task)
+    task.observe_into(0, None, out)
+    assert out.tolist() == [2]
+
+
+class Darker(CatchGrid):
+    """Overrides `observation` alone, so the inherited `observe_into` would show something else."""
+
+    __slots__ = ()
+
+    def observation(self, state: Any, rng: Any) -> Any:
+        """Half as bright."""
+        return super().observation(state, rng) / 2
 
 
 def test_a_subclass_that_overrides_observation_alone() -> None:
@@ -106,17 +82,3 @@ def test_a_subclass_that_overrides_observation_alone() -> None:
     task, out = in_place(darker), np.zeros((4, 3))
     task.observe_into(darker.initial(np.random.default_rng(0)), None, out)
     assert out.max() == 0.5
-
-
-def test_a_task_that_writes_is_left_as_it_is() -> None:
-    """It makes no array at a step, as a wrapper around its `observation` would."""
-    for mdp, _ in TASKS:
-        assert (in_place(mdp) is mdp) == hasattr(mdp, "observe_into")
-
-
-def test_a_tuple_space_is_one_row() -> None:
-    """As in `Tabular`."""
-    task: Any = Pair()
-    out = blank(in_place(task))
-    in_place(task).observe_into(0, None, out)
-    assert out.tolist() == [2]

@@ -3,10 +3,22 @@
 from typing import Any, NamedTuple
 
 import numpy as np
+import pytest
 from gymnasium import spaces
 
 from edugym.agents.tables import best_value, greedy_action
+from edugym.compiled import execution
+from edugym.compiled.compiler import NoCompiler
 from edugym.mdp.protocol import Random
+
+
+def interpret(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let nothing be compiled from here on, as where there is no compiler."""
+
+    def none() -> None:
+        raise NoCompiler
+
+    monkeypatch.setattr(execution, "check_compiler", none)
 
 
 class Stairs(NamedTuple):
@@ -107,23 +119,6 @@ class SlipperyWalk(Stairs):
         return spaces.Discrete(7)
 
 
-class StudentsQLearning(NamedTuple):
-    """Q-learning in ten lines, as a student writes it."""
-
-    Q: Any
-
-    def act(self, state: int, rng: Random) -> int:
-        """ε-greedy with ε = 0.2."""
-        if rng.random() < 0.2:
-            return int(rng.random() * self.Q.shape[1])
-        return greedy_action(self.Q, state, rng)
-
-    def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool) -> None:
-        """α = 0.3, γ = 0.9."""
-        target = reward if terminated else reward + 0.9 * best_value(self.Q, next_state)
-        self.Q[state, action] += 0.3 * (target - self.Q[state, action])
-
-
 class Explorer(NamedTuple):
     """A table and how to act by it."""
 
@@ -136,17 +131,35 @@ class Explorer(NamedTuple):
         return greedy_action(self.Q, state, rng)
 
 
+class StudentsQLearning(Explorer):
+    """Q-learning in ten lines, as a student writes it."""
+
+    __slots__ = ()
+
+    def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool) -> None:
+        """α = 0.3, γ = 0.9."""
+        target = reward if terminated else reward + 0.9 * best_value(self.Q, next_state)
+        self.Q[state, action] += 0.3 * (target - self.Q[state, action])
+
+
 class StudentsSarsa(Explorer):
-    """SARSA in ten lines, as a student writes it."""
+    """SARSA in ten lines, as a student writes it, with its parameters in an order of its own, and one more."""
 
     __slots__ = ()
 
     def learn(
-        self, state: int, action: int, reward: float, next_state: int, next_action: int, terminated: bool
+        self,
+        reward: float,
+        next_action: int,
+        next_state: int,
+        state: int,
+        action: int,
+        terminated: bool,
+        rate: float = 0.3,
     ) -> None:
-        """α = 0.3, γ = 0.9."""
+        """γ = 0.9."""
         target = reward if terminated else reward + 0.9 * self.Q[next_state, next_action]
-        self.Q[state, action] += 0.3 * (target - self.Q[state, action])
+        self.Q[state, action] += rate * (target - self.Q[state, action])
 
 
 class TellTale(NamedTuple):

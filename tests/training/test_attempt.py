@@ -4,10 +4,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
-from gymnasium import spaces
 
 from edugym import SARSA, GoExplore, make_mdp
 from edugym.training.attempt import attempt
+from tests.training.tasks import Stairs
 
 
 def test_attempt_is_an_episode_of_training() -> None:
@@ -36,64 +36,45 @@ class Notebook(NamedTuple):
         self.steps.append((state, action, reward, next_state, terminated, truncated))
 
 
-class Steps(NamedTuple):
-    """The state counts steps up to 2, which is terminal; the agent sees ten more."""
+class Hidden(Stairs):
+    """Stairs in which the agent sees ten more than the state, with a limit."""
 
-    max_steps: int
-
-    @property
-    def observation_space(self) -> spaces.Discrete:
-        """10, 11 and 12 occur."""
-        return spaces.Discrete(13)
-
-    @property
-    def action_space(self) -> spaces.Discrete:
-        """One action."""
-        return spaces.Discrete(1)
-
-    def initial(self, rng: Any) -> int:
-        """No step."""
-        return 0
-
-    def transition(self, state: int, action: int, rng: Any) -> int:
-        """One step more."""
-        return state + 1
-
-    def reward(self, state: int, action: int, next_state: int, rng: Any) -> float:
-        """Three for the first step, five for the second."""
-        return float(3 * next_state - state)
-
-    def terminal(self, state: int) -> bool:
-        """After two steps."""
-        return state == 2
+    __slots__ = ()
+    max_steps = 3
 
     def observation(self, state: int, rng: Any) -> int:
         """Ten more."""
         return state + 10
 
 
+class Cut(Hidden):
+    """The limit comes first."""
+
+    __slots__ = ()
+    max_steps = 2
+
+
 @pytest.mark.parametrize(
-    ("max_steps", "steps"),
-    [(1, [(10, 0, 3.0, 11, False, True)]), (2, [(10, 0, 3.0, 11, False, False), (11, 0, 5.0, 12, True, False)])],
+    ("kind", "after", "episodes", "end"),
+    [
+        (Hidden, 0, 1, (12, 0, 3.0, 13, True, False)),  # an end at the limit is an end
+        (Hidden, 1, 2, (12, 0, 3.0, 13, True, False)),
+        (Hidden, 3, 2, (12, 0, 3.0, 13, True, False)),
+        (Hidden, 4, 3, (12, 0, 3.0, 13, True, False)),
+        (Cut, 0, 1, (11, 0, 2.0, 12, False, True)),
+    ],
 )
-def test_the_agent_gets_what_train_would_give(max_steps: int, steps: list[tuple[Any, ...]]) -> None:
-    """Observations, not states; and the last step before the limit is not truncated where it is terminal."""
-    agent = Notebook([])
-    assert attempt(lambda mdp: agent, Steps(max_steps), after=0) == [0] * max_steps
-    assert agent.steps == steps
-
-
-@pytest.mark.parametrize(("after", "episodes"), [(0, 1), (1, 2), (2, 2), (3, 3), (4, 3), (5, 4)])
-def test_how_much_is_trained_before(after: int, episodes: int) -> None:
-    """Whole episodes of two steps, until there are as many steps as asked for; then comes the one that counts."""
-    agent = Notebook([])
-    assert attempt(lambda mdp: agent, Steps(2), after=after) == [0, 0]
-    assert len(agent.steps) == 2 * episodes
+def test_the_agent_gets_what_train_would_give(kind: Any, after: int, episodes: int, end: tuple[Any, ...]) -> None:
+    """Observations, in whole episodes until there are enough steps, and then in the one that counts."""
+    agent, limit = Notebook([]), kind.max_steps
+    assert attempt(lambda mdp: agent, kind(), after=after) == [0] * limit
+    steps = [(10, 0, 1.0, 11, False, False), (11, 0, 2.0, 12, False, False)]
+    assert agent.steps == [*steps[: limit - 1], end] * episodes
 
 
 def test_what_it_cannot_do_is_refused() -> None:
     """Agents that learn from the next action, and MDPs without a limit."""
-    with pytest.raises(ValueError, match="make must give an off-policy agent, but learn of SARSA takes `next_action`"):
+    with pytest.raises(ValueError, match=r"make .*off-policy.* SARSA .*next_action"):
         attempt(SARSA.create, make_mdp("Boulder"), after=0)
-    with pytest.raises(ValueError, match="mdp must have a step limit, `max_steps`, but Golf has none"):
+    with pytest.raises(ValueError, match=r"mdp .*max_steps.* Golf"):
         attempt(GoExplore.create, make_mdp("Golf"), after=0)

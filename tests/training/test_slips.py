@@ -1,82 +1,285 @@
-"""The slips that students make are answered with one sentence, and a traceback that is theirs, wherever they are."""
+"""The slips that students make are answered with one sentence that names them, and a traceback that is theirs."""
 
-import warnings
+import threading
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
 
-from edugym import MDPEnv, MDPVectorEnv, QLearning, repeat, train, wrapper
-from edugym.training import trainers
-from tests.compiled.cells import LEARNER, SLIPPERY, WALK, cell
+from edugym import FrameStack, MDPEnv, MDPVectorEnv, QLearning, check_mdp, make_mdp, repeat, train, wrapper
+from tests.compiled.cells import LEARNER, WALK, cell
 from tests.training.slips import (
     ACT,
+    ACTS,
+    END,
     ENVIRONMENT,
-    FIRST,
-    IN_AGENT,
-    IN_ENVIRONMENT,
-    IN_MDP,
-    IN_PLACE,
+    LIMIT,
     MOVE,
     ON_POLICY,
     PAY,
-    ROOMS,
     SEE,
-    WAYS,
+    STEP,
+    TRANSITION,
+    UPDATE,
+    VALUE,
     Slip,
     answered,
     changed,
     learner,
-    task,
+    looker,
+    named,
+    walk,
 )
 
+PROPERTY = "    @property\n    def "
+IN_MDP = {
+    "transition without return": Slip(MOVE, MOVE[7:], "transition Walk None"),
+    "reward without return": Slip(PAY, "pass", "reward Walk None missing"),
+    "a text for a reward": Slip(PAY, "return 'much'", "reward Walk 'much'"),
+    "NaN for a reward": Slip(PAY, "return float('nan')", "reward Walk nan"),
+    "a pair for a reward": Slip(PAY, "return -1.0, False", "reward Walk (-1.0, False)"),
+    "terminal without return": Slip(END, "pass", "terminal Walk None"),
+    "a text for an end": Slip(END, "return 'no'", "terminal Walk True False 'no'"),
+    "a number for an end": Slip(END, "return 0.5", "terminal Walk True False 0.5"),
+    "observation without return": Slip(SEE, "pass\n", "observation Walk Discrete(6) None"),
+    "a float to see": Slip(SEE, "return float(state)\n", "observation Walk 0.0"),
+    "beyond the space": Slip(SEE, "return state + 6\n", "observation Walk 6"),
+    "below the space": Slip(SEE, "return state - 1\n", "observation Walk -1"),
+    "a flag to see": Slip(SEE, "return state > 9\n", "observation Walk Discrete(6) False"),
+    "a list to see": Slip(SEE, "return [state]\n", "observation Walk [0]"),
+    "initial without return": Slip("return 0\n", "0\n", "initial Walk first None"),
+    "rng forgotten": Slip(TRANSITION, TRANSITION.replace(", rng", ""), "transition Walk (self, state, action)"),
+    "self forgotten": Slip(TRANSITION, TRANSITION.replace("self, ", ""), "transition (state, action, rng)"),
+    "another order": Slip(TRANSITION, "def transition(self, action, state, rng):", "transition (self, action, state,"),
+    "misspelt": Slip(TRANSITION, TRANSITION.replace("trans", "tans"), "transition(self, 'tansition'"),
+    "another name": Slip("def terminal", "def done", "Walk terminal(self, 'done'"),
+    "no action space": Slip("def action_space", "def actions", "Walk action_space"),
+    "no property": Slip(f"{PROPERTY}action_space", "    def action_space", "action_space Walk @property"),
+    "actions from 1": Slip("Discrete(2)", "Discrete(2, start=1)", "action_space Walk from 0 start=1"),
+    "a number for a space": Slip("return spaces.Discrete(2)", "return 2", "action_space Walk 2"),
+    "a typo in max_steps": Slip(
+        LIMIT, f"{PROPERTY}max_steps(self): return self.sise\n\n{LIMIT}", "sise", "self.sise", AttributeError
+    ),
+    "a typo in a space": Slip("spaces.Discrete(2)", "space.Discrete(2)", "space", "space.Discrete(2)", NameError),
+    "what a space needs": Slip("Discrete(2)", "Discrete(self.n)", "'n'", "Discrete(self.n)", AttributeError),
+    "a half step limit": Slip(LIMIT, f"    max_steps = property(lambda self: 2.5)\n\n{LIMIT}", "max_steps 2.5"),
+    "a step limit of 0": Slip(LIMIT, f"    max_steps = property(lambda self: 0)\n\n{LIMIT}", "max_steps 1 0"),
+    "a typo": Slip(PAY, "return self.sise", "sise", "self.sise", AttributeError),
+    "an unknown name": Slip(MOVE, "return stat", "stat", "return stat", NameError),
+    "a frozen field": Slip(
+        MOVE, "self.size = 7; return 0", "transition Walk self.size NamedTuple self.size[0]", "size = 7", AttributeError
+    ),
+    "a new attribute": Slip(MOVE, "self.n = 1; return 0", "transition Walk self.n", "self.n = 1", AttributeError),
+    "numpy's randomness": Slip(MOVE, "return int(np.random.random() * 2)", "transition Walk np.random rng"),
+    "python's randomness": Slip(PAY, "import random; return random.random()", "reward Walk random rng"),
+    "no probabilities": Slip(MOVE, "return rng.choice(2, p=[0.5, 0.4])", "robabilities", "rng.choice"),
+    "an error of one's own": Slip(PAY, "raise KeyError('x')", "x", "raise KeyError", KeyError),
+    "division by zero": Slip(PAY, "return 1 / state", "zero", "1 / state", ZeroDivisionError),
+}
+ROOMS = (
+    WALK.replace("return 0\n", "return np.zeros(1)\n")
+    .replace(SEE, "return int(state[0])\n")
+    .replace(MOVE, "return np.maximum(0, state + 2 * action - 1)")
+    .replace(" == self.size", "[0] == self.size")
+)
+"""The walk with a state that is an array."""
+IN_PLACE = {
+    "transition": Slip("return np.max", "state[0] += 1; return np.max", "transition Walk change state"),
+    "reward": Slip("return 1.0 if", "state[0] = 2; return 1.0 if", "reward Walk change state"),
+    "reward of the next": Slip("return 1.0 if", "next_state[0] = 2; return 1.0 if", "reward Walk change state"),
+    "terminal": Slip("return state[0] ==", "state[0] += 1; return state[0] ==", "terminal Walk change state"),
+    "observation": Slip("return int(", "state += 1; return int(", "observation Walk change state copy"),
+}
+IN_AGENT = {
+    "act without return": Slip(ACT, "best", "act Learner None missing"),
+    "a negative action": Slip(ACT, "return -1", "act Learner -1"),
+    "a float action": Slip(ACT, "return 1.0", "act Learner 1.0"),
+    "a flag for an action": Slip(ACT, "return best > 9", "act Learner False"),
+    "a large action": Slip(ACT, "return 5", "act Learner 0 1 5"),
+    "a text": Slip(ACT, "return 'left'", "act Learner 'left'"),
+    "a row for an action": Slip(ACT, "return self.Q[state]", "act Learner array("),
+    "a list of actions": Slip(ACT, "return [best]", "act Learner [0]"),
+    "act misspelt": Slip(ACTS, "def akt(self, state, rng):", "Learner act(self, 'akt'"),
+    "act by another name": Slip(ACTS, "def choose_action(self, state, rng):", "Learner act(self, 'choose_action'"),
+    "act without rng": Slip(ACTS, "def act(self, state):", "act Learner (self, state, rng) (self, state)"),
+    "act without self": Slip(ACTS, "def act(state, rng):", "act Learner (state, rng)"),
+    "act the wrong way round": Slip(ACTS, "def act(self, rng, state):", "act Learner (self, rng, state)"),
+    "act with more": Slip(ACTS, "def act(self, state, epsilon, rng):", "act Learner epsilon"),
+    "learn misspelt": Slip("def learn", "def lern", "Learner learn(self, 'lern'"),
+    "learn by another name": Slip("def learn", "def update", "Learner learn(self, 'update'"),
+    "learn with done": Slip("terminated):", "terminated, done):", "learn Learner 'done' 'terminated'"),
+    "learn with rng": Slip("terminated):", "terminated, rng):", "learn Learner 'rng' act"),
+    "learn misnames": Slip("reward, next", "rewrad, next", "learn Learner 'rewrad' 'reward'"),
+    "learn with the rest": Slip("terminated):", "terminated, *rest):", "learn Learner 'rest' among truncated"),
+    "learn with a reward of several": Slip("reward, next", "*reward, next", "learn Learner 'reward' among"),
+    "learn no method": Slip("    def learn", "    learn = 3\n    def old", "learn Learner 3"),
+    "learn without self": Slip("def learn(self, ", "def learn(", "learn Learner self"),
+    "learn from everything": Slip(
+        "def learn(self,", "def learn(self, **step): step['state']\n    def old(self,", "learn Learner **step", "step["
+    ),
+    "another key": Slip(VALUE, f"{{}}['reward']; {VALUE}", "'reward'", "{}['reward']", KeyError),
+    "a key of everything": Slip(
+        "terminated):", "terminated, **told):\n        told['x']", "'x'", "told['x']", KeyError
+    ),
+    "greedy misspelt": Slip(ACTS, f"def gredy(self, state, rng): return 0\n    {ACTS}", "Learner greedy 'gredy'"),
+    "greedy without rng": Slip(ACTS, f"def greedy(self, state): return 0\n    {ACTS}", "greedy Learner (self, state)"),
+    "greedy without return": Slip(ACTS, f"def greedy(self, state, rng): pass\n    {ACTS}", "greedy Learner None"),
+    "greedy no method": Slip(ACTS, f"greedy = 1\n    {ACTS}", "greedy Learner 1"),
+    "a generator": Slip("rate: float = 0.5", "rate: object = (0.5 for _ in range(9))", "Learner generator copied"),
+    "a frozen number": Slip(
+        VALUE, f"self.rate *= 0.9; {VALUE}", "learn Learner self.rate NamedTuple self.rate[0]", "*= 0.9", AttributeError
+    ),
+    "a frozen table": Slip(
+        VALUE, f"self.Q += 0; {VALUE}", "learn Learner self.Q NamedTuple self.Q[:]", "self.Q += 0", AttributeError
+    ),
+    "a method without self": Slip(
+        VALUE,
+        f"self.late(state)\n\n    def late(state):\n        {VALUE}",
+        "late() self: def late(self, state)",
+        "self.late(state)",
+        TypeError,
+    ),
+    "a new agent": Slip(VALUE, f"return self._replace(rate=0.1)\n        {VALUE}", "learn Learner new"),
+    "an unset variable": Slip("value = 0.0 if", "valeu = 0.0 if", "value", UPDATE, NameError),
+    "NaN": Slip(VALUE, f"reward = np.nan; {VALUE}", "learn Learner Q[0, nan"),
+    "numpy's randomness": Slip("rng.random() < 0.1", "np.random.rand() < 0.1", "act Learner np.random rng"),
+    "a call of nothing": Slip(VALUE, f"self.decay(); {VALUE}", "decay", "self.decay()", AttributeError),
+    "another index": Slip(UPDATE, "self.Q[state, action, 0] +=", "indices", "action, 0] +=", IndexError),
+}
 
-@pytest.mark.parametrize("way", WAYS)
-@pytest.mark.parametrize("name", IN_MDP)
-def test_slips_in_an_mdp(name: str, way: str) -> None:
-    """With an agent of the package."""
-    slip = IN_MDP[name]
-    mdp = task(changed(WALK, slip))
-    answered(slip, lambda: WAYS[way](mdp, QLearning.create((6, 2))))
+
+START = "return self.place, {}"
+SPACE = "self.observation_space ="
+IN_ENVIRONMENT = {
+    "four values": Slip(STEP, "return self.place, -1.0, False, {}", "step Line (observation, reward, terminated,"),
+    "no return": Slip(STEP, "pass", "step Line None"),
+    "no reward": Slip(STEP, "return self.place, None, False, False, {}", "step Line reward None"),
+    "no end": Slip(STEP, "return self.place, -1.0, None, False, {}", "step Line terminated None"),
+    "no limit": Slip(STEP, "return self.place, -1.0, False, 'no', {}", "step Line truncated 'no'"),
+    "outside": Slip(STEP, "return -1, -1.0, False, False, {}", "step Line Discrete(6) -1"),
+    "a float": Slip(STEP, "return 1.0, -1.0, False, False, {}", "step Line 1.0"),
+    "a flag to see": Slip(STEP, "return False, -1.0, False, False, {}", "step Line Discrete(6) False"),
+    "reset without info": Slip(START, "return self.place", "reset Line (observation, info) 0"),
+    "reset with more": Slip(START, "return self.place, {}, 0", "reset Line (observation, info) (0, {}, 0)"),
+    "reset with None": Slip(START, "return self.place, None", "reset Line (observation, info) (0, None)"),
+    "reset with a list": Slip(START, "return [self.place, {}]", "reset Line (observation, info) [0, {}]"),
+    "reset outside": Slip(START, "return 6, {}", "reset Line Discrete(6) 6"),
+    "a generator": Slip(SPACE, f"self.rows = (k for k in range(6)); {SPACE}", "Line generator copied"),
+    "reset of the old kind": Slip(
+        "reset(self, *, seed=None, options=None):\n        super().reset(seed=seed)",
+        "reset(self):",
+        "reset Line (self, *, seed=None, options=None) (self)",
+    ),
+    "step without action": Slip("def step(self, action)", "def step(self)", "step Line (self, action) (self)"),
+    "step misspelt": Slip("def step", "def stpe", "Line step(self, action)"),
+    "no space": Slip("self.action_space =", "self.actions =", "Line action_space"),
+    "a typo": Slip("+ 2 * action", "+ 2 * acton", "acton", "acton", NameError),
+}
+GYM_WRAPPER = """
+import gymnasium
+class Paid(gymnasium.RewardWrapper):
+    def __init__(self, env):
+        super().__init__(env)
+    def reward(self, reward):
+        return reward + 1.0
+"""
+IN_GYM_WRAPPER = {
+    "no super": Slip("super().__init__(env)", "self.env = env", "__init__ Paid super().__init__(env)"),
+    "misspelt": Slip("def reward(", "def rewards(", "Paid reward(self, reward)"),
+    "no return": Slip("return ", "", "step Paid reward None"),
+    "no number": Slip("reward + 1.0", "float('nan')", "step Paid reward nan"),
+    "no action": Slip("gymnasium.RewardWrapper", "gymnasium.ActionWrapper", "Paid action(self, action)"),
+    "nothing seen": Slip("gymnasium.RewardWrapper", "gymnasium.ObservationWrapper", "Paid observation(self, obs"),
+}
+WAYS: tuple[Callable[[Any, Any], Any], ...] = (
+    lambda task, agent: train(task, agent, 6_000, evaluate_every=3_000),
+    lambda task, agent: repeat(task, {"mine": agent}, 30, repetitions=2, jobs=1),
+    lambda task, agent: repeat(task, {"mine": agent}, 30, repetitions=2, jobs=2),
+)
+"""Other ways to the same slip than a short run: a long one, a run of several, and one in a thread."""
 
 
-@pytest.mark.parametrize("way", WAYS)
-@pytest.mark.parametrize("source", [LEARNER, ON_POLICY], ids=["off-policy", "on-policy"])
-@pytest.mark.parametrize("name", IN_AGENT)
-def test_slips_in_an_agent(name: str, source: str, way: str) -> None:
-    """In a task of the student's that is right."""
+def in_turn(rows: dict[str, Slip]) -> pytest.MarkDecorator:
+    """Each slip with one of the other ways."""
+    return pytest.mark.parametrize(("name", "way"), [(name, WAYS[k % 3]) for k, name in enumerate(rows)])
+
+
+def played(env: Any) -> None:
+    """Five steps."""
+    env.reset(seed=0)
+    for _ in range(5):
+        env.step(0)
+
+
+@in_turn(IN_MDP | {f"{name} in place": slip for name, slip in IN_PLACE.items()})
+def test_slips_in_an_mdp(name: str, way: Any) -> None:
+    """In a run of an agent of the package, in the environments that play it, and where it is only checked."""
+    slip = IN_MDP.get(name) or IN_PLACE[name.removesuffix(" in place")]
+    task = walk(changed(WALK if name in IN_MDP else ROOMS, slip.old, slip.new))
+    for call in (
+        lambda: train(task, QLearning.create((6, 2)), 30),
+        lambda: way(task, QLearning.create((6, 2))),
+        lambda: played(MDPEnv(task)),
+        lambda: MDPVectorEnv(task, 3).reset(seed=0) if name in IN_MDP else played(MDPEnv(task)),
+    ):
+        answered(slip.names, call, slip.line, slip.error)
+    named("" if slip.line else slip.names, lambda: check_mdp(task), slip.error)
+
+
+@in_turn(IN_AGENT)
+def test_slips_in_an_agent(name: str, way: Any) -> None:
+    """Off-policy and on-policy, in a task of the student's that is right."""
     slip = IN_AGENT[name]
-    agent = learner(changed(source, slip))
-    answered(slip, lambda: WAYS[way](task(), agent))
+    for source in (changed(LEARNER, slip.old, slip.new), changed(ON_POLICY, slip.old, slip.new)):
+        answered(slip.names, lambda: train(walk(), learner(source), 30), slip.line, slip.error)  # noqa: B023
+        answered(slip.names, lambda: way(walk(), learner(source)), slip.line, slip.error)  # noqa: B023
 
 
-@pytest.mark.parametrize("way", WAYS)
-@pytest.mark.parametrize("name", IN_PLACE)
-def test_states_that_are_changed(name: str, way: str) -> None:
-    """Each method is named."""
-    slip = IN_PLACE[name]
-    mdp = task(changed(ROOMS, slip))
-    answered(slip, lambda: WAYS[way](mdp, QLearning.create((6, 2))))
+@in_turn(IN_ENVIRONMENT)
+def test_slips_in_a_gymnasium_environment(name: str, way: Any) -> None:
+    """One that no `gymnasium.make` has looked at."""
+    slip = IN_ENVIRONMENT[name]
+    env = cell(changed(ENVIRONMENT, slip.old, slip.new))["Line"]()
+    answered(slip.names, lambda: train(env, QLearning.create((6, 2)), 30), slip.line, slip.error)
+    answered(slip.names, lambda: way(env, QLearning.create((6, 2))), slip.line, slip.error)
 
 
-@pytest.mark.parametrize("name", IN_MDP)
-def test_slips_in_an_mdp_that_is_played(name: str) -> None:
-    """The environment and the vector environment give the same sentences."""
-    slip = IN_MDP[name]
-    mdp = task(changed(WALK, slip))
+@pytest.mark.parametrize("name", IN_GYM_WRAPPER)
+def test_slips_in_a_gymnasium_wrapper(name: str) -> None:
+    """Around one of the package's environments."""
+    slip = IN_GYM_WRAPPER[name]
+    env = cell(changed(GYM_WRAPPER, slip.old, slip.new))["Paid"](MDPEnv(walk()))
+    answered(slip.names, lambda: train(env, QLearning.create((6, 2)), 30))
 
-    def played() -> None:
-        env = MDPEnv(mdp)
-        env.reset(seed=0)
-        for _ in range(5):
-            env.step(0)
 
-    def played_copies() -> None:
-        envs = MDPVectorEnv(mdp, 3)
-        envs.reset(seed=0)
+@pytest.mark.parametrize("name", ["act without return", "a large action", "a frozen number", "learn misnames", "NaN"])
+def test_an_agent_in_a_gymnasium_environment(name: str) -> None:
+    """As in an MDP."""
+    slip = IN_AGENT[name]
+    agent = learner(changed(LEARNER, slip.old, slip.new))
+    answered(slip.names, lambda: train(cell(ENVIRONMENT)["Line"](), agent, 30), slip.line, slip.error)
 
-    answered(slip, played)
-    answered(slip, played_copies)
+
+OTHER_NAMES = {
+    "initial": "reset start initial_state",
+    "transition": "step next_state dynamics",
+    "terminal": "is_terminal done terminated is_done",
+    "observation": "observe obs",
+    "act": "choose choose_action select_action get_action policy",
+    "learn": "update train fit",
+}
+"""What books and other libraries call the methods."""
+
+
+@pytest.mark.parametrize("name", OTHER_NAMES)
+def test_the_names_of_others_are_known(name: str) -> None:
+    """However unlike the wanted name they are."""
+    for other in OTHER_NAMES[name].split():
+        of_agent, renamed = name in ("act", "learn"), (f"def {name}(", f"def {other}(")
+        task = walk(WALK if of_agent else changed(WALK, *renamed))
+        agent = learner(changed(LEARNER, *renamed) if of_agent else LEARNER)
+        named(f"{name}(self, '{other}'", lambda: train(task, agent, 9))  # noqa: B023
 
 
 WRAPPER = """
@@ -88,254 +291,96 @@ class Paid(NamedTuple):
 """
 
 
-def wrapped(mdp: Any) -> Any:
+def wrapped(mdp: Any, source: str = WRAPPER) -> Any:
     """Something in a wrapper of a student's own."""
-    return cell(WRAPPER, {"wrapper": wrapper, "NamedTuple": NamedTuple, "__name__": "__main__"})["Paid"](mdp)
+    return cell(source, {"wrapper": wrapper, "NamedTuple": NamedTuple, "__name__": "__main__"})["Paid"](mdp)
 
 
-WHOLE = {
-    "a class for a task": (
-        lambda: train(cell(WALK)["Walk"], learner(), 30),
-        r"environment must be .* make one with Walk\(",
+Walk, Learner = cell(WALK)["Walk"], cell(LEARNER)["Learner"]
+Mine = cell("class Mine(NamedTuple):\n    def choose(self, Q, state, rng): pass")["Mine"]
+TEXT = changed(WALK, PAY, "return 'x'")
+GIVEN: dict[str, tuple[str, Callable[[], Any], Callable[[], Any]]] = {
+    "a class for a task": ("environment Walk(", lambda: Walk, learner),
+    "a class for an agent": ("agent Learner(", walk, lambda: Learner),
+    "a class of ours": ("agent QLearning.create(", walk, lambda: QLearning),
+    "whole numbers": ("Q Learner float int64 np.zeros((6, 2))", walk, lambda: learner(table=np.zeros((6, 2), int))),
+    "flags": ("Q Learner float bool", walk, lambda: learner(table=np.zeros((6, 2), bool))),
+    "copies of a task": ("environment MDPVectorEnv", lambda: MDPVectorEnv(walk(), 3), learner),
+    "sizes for a table": ("Q QLearning 6 QLearning.create(", walk, lambda: QLearning(6, 2)),  # type: ignore[arg-type]
+    "NaN": ("Q Learner Q[0, 0] nan", walk, lambda: learner(table=np.full((6, 2), np.nan))),
+    "whole numbers in ours": ("Q QLearning float int64", walk, lambda: QLearning(np.zeros((6, 2), int))),
+    "NaN in ours": ("Q QLearning Q[0, 0] nan", walk, lambda: QLearning(np.full((6, 2), np.nan))),
+    "a table that does not fit": ("agent Q (6, 2)", walk, lambda: QLearning.create((3, 2))),
+    "too many actions": ("act Learner 4 Q (6, 5)", walk, lambda: learner(table=np.arange(30.0).reshape(6, 5))),
+    "too few actions": ("Q Learner (6, 1) 6 2", walk, lambda: learner(table=np.zeros((6, 1)))),
+    "no task": ("environment None", lambda: None, learner),
+    "a number for a task": ("environment 3", lambda: 3, learner),
+    "a function for an agent": ("agent create call", walk, lambda: QLearning.create),
+    "a wrapper of a class": ("mdp Paid Walk(...)", lambda: wrapped(Walk), learner),
+    "a wrapper of a number": ("mdp Paid 0.5", lambda: wrapped(0.5), learner),
+    "no decorator": ("environment @edugym.wrapper", lambda: wrapped(walk(), WRAPPER.replace("@wrapper", "")), learner),
+    "ours around a slip": (
+        "reward Walk 'x'",
+        lambda: FrameStack.create(walk(TEXT), 2),
+        lambda: QLearning.create((36, 2)),
     ),
-    "a class for an agent": (
-        lambda: train(task(), cell(LEARNER)["Learner"], 30),
-        r"the class Learner: make one with Lea",
-    ),
-    "a class of ours": (lambda: train(task(), QLearning, 30), r"the class QLearning: make one with QLearning.create\("),
-    "a class to repeat": (lambda: repeat(task(), {"Q": QLearning}, 30), "the class QLearning: give QLearning.create$"),
-    "whole numbers": (
-        lambda: train(task(), learner_with(np.zeros((6, 2), int)), 30),
-        r"Q of Learner must be an array of float, but its dtype is int64, which .* np.zeros\(\(6, 2\)\)",
-    ),
-    "copies of a task": (
-        lambda: train(MDPVectorEnv(task(), 3), learner(), 30),
-        "but MDPVectorEnv holds several: give one",
-    ),
-    "sizes for a table": (
-        lambda: train(task(), QLearning(6, 2), 30),  # type: ignore[arg-type]
-        r"Q of QLearning must be an array, but is 6: use QLearning.create\(environment\)$",
-    ),
-    "NaN": (lambda: train(task(), learner_with(np.full((6, 2), np.nan)), 30), r"Q of Learner .* but Q\[0, 0\] is nan"),
-    "too many actions": (
-        lambda: train(task(), learner_with(np.arange(30.0).reshape(6, 5)), 30),
-        r"act of Learner .* returned 4 .* Q of Learner has the shape \(6, 5\), but .* 6 observations and 2 actions",
-    ),
-    "too few actions": (
-        lambda: train(task(), learner_with(np.zeros((6, 1))), 30),
-        r"Q of Learner has the shape \(6, 1\)",
-    ),
-    "no task": (lambda: train(None, learner(), 30), "environment must be an MDP"),
-    "a function for an agent": (
-        lambda: train(task(), QLearning.create, 30),
-        "learn, but is .*: call it, and give what",
-    ),
-    "a wrapper of a class": (
-        lambda: train(wrapped(cell(WALK)["Walk"]), learner(), 30),
-        r"mdp of Paid must be a value, but is the class Walk: make one with Walk\(\.\.\.\)$",
-    ),
-    "a wrapper of a number": (lambda: train(wrapped(0.5), learner(), 30), "mdp of Paid must be an MDP, .* but is 0.5$"),
-    "a wrapper without its decorator": (
-        lambda: train(cell(WRAPPER.replace("@wrapper", ""))["Paid"](task()), learner(), 30),
-        "environment must be an MDP, .*: is the decorator @edugym.wrapper missing",
-    ),
-    "no agent": (lambda: train(task(), None, 30), "agent must be an object with the methods act and learn, but"),
-    "the wrong way round": (
-        lambda: train(learner(), task(), 30),
-        "environment must come first, before the agent, but is the agent Learner",
-    ),
+    "no agent": ("agent act learn None", walk, lambda: None),
+    "a number for an agent": ("agent act learn 0.5", walk, lambda: 0.5),
+    "the wrong way round": ("environment agent Learner", learner, walk),
+    "a strategy": ("act QLearning, Mine None", walk, lambda: QLearning(np.zeros((6, 2)), exploration=Mine())),
+    "no numbers to see": ("table whole numbers Box", lambda: "CartPole-v1", lambda: QLearning.create((2, 2))),
+    "no tabular": ("Box tabular False Looker", lambda: "CartPole-v1", lambda: looker(tabular=True)),
 }
 
 
-def learner_with(table: Any) -> Any:
-    """An agent with a table of one's own."""
-    return cell(LEARNER)["Learner"](table)
-
-
-@pytest.mark.parametrize("name", WHOLE)
+@pytest.mark.parametrize("name", GIVEN)
 def test_what_is_given_is_wrong_as_a_whole(name: str) -> None:
     """Classes, tables, and what is neither a task nor an agent."""
-    call, says = WHOLE[name]
-    answered(Slip("", "", says), call)
-
-
-def test_a_table_that_is_too_short() -> None:
-    """The index that Python names is explained."""
-    agent = cell(LEARNER)["Learner"](np.zeros((1, 2)))
-    answered(
-        Slip("", "", r"index 1 is out of .*: Q of Learner has the shape \(1, 2\)", "Q[", IndexError),
-        lambda: train(task(), agent, 99),
-    )
-
-
-def test_a_table_the_wrong_way_round() -> None:
-    """It is explained as well where the index comes late, in an evaluation episode without an end."""
-    agent = cell(LEARNER.replace("self.Q.shape[1]", "2"))["Learner"](np.zeros((2, 6)))
-    slow = task(WALK.replace(MOVE, "return state + (rng.random() < 0.002)"))
-    answered(
-        Slip("", "", r"index 2 is out of .*: Q of Learner has the shape \(2, 6\), but .* 6 obs", "Q[", IndexError),
-        lambda: train(slow, agent, 30),
-    )
-
-
-LOOKING = """
-class Looker(NamedTuple):
-    tabular = False
-    def act(self, state, rng):
-        return 1
-    def learn(self, state, action, reward, next_state, terminated):
-        pass
-"""
-VIEW = WALK.replace(SEE, "return np.array([state, 1.0])\n").replace(
-    "spaces.Discrete(self.size + 1)", "spaces.Box(0, 9, (2,))"
-)
-
-
-@pytest.mark.parametrize(("old", "new"), [("return 1", "state[0] = 7; return 1"), ("pass", "next_state += 1")])
-def test_an_agent_that_changes_what_it_sees(old: str, new: str) -> None:
-    """`act` and `learn` are named."""
-    method = "act" if old == "return 1" else "learn"
-    agent = cell(changed(LOOKING, Slip(old, new, "")))["Looker"]()
-    answered(Slip("", "", f"{method} of Looker must not change the state"), lambda: train(task(VIEW), agent, 30))
-
-
-@pytest.mark.parametrize("way", WAYS)
-def test_an_agent_that_learns_from_everything(way: str) -> None:
-    """It is told nothing, and the sentence says how it is."""
-    slip = Slip(
-        "state, action, reward, next_state, terminated):",
-        "**step):\n        state = step['state']",
-        r"learn of Learner is told only what its parameters name, and \*\*step gets nothing: write learn\(self, ",
-        "state = step['state']",
-    )
-    answered(slip, lambda: WAYS[way](task(), learner(changed(LEARNER, slip))))
-
-
-def test_a_strategy_of_ones_own() -> None:
-    """The class in the package's agent is named as well."""
-    strategy = cell("class Mine(NamedTuple):\n    def choose(self, Q, state, rng):\n        int(rng.random() * 2)\n")[
-        "Mine"
-    ]()
-    agent = QLearning(np.zeros((6, 2)), exploration=strategy)
-    answered(Slip("", "", "act of QLearning, with Mine must return an action"), lambda: train(task(), agent, 30))
-
-
-@pytest.mark.parametrize("way", WAYS)
-@pytest.mark.parametrize("name", IN_ENVIRONMENT)
-def test_slips_in_a_gymnasium_environment(name: str, way: str) -> None:
-    """One that no `gymnasium.make` has looked at."""
-    slip = IN_ENVIRONMENT[name]
-    env = cell(changed(ENVIRONMENT, slip))["Line"]()
-    answered(slip, lambda: WAYS[way](env, QLearning.create((6, 2))))
-
-
-GYM_WRAPPER = """
-import gymnasium
-class Paid(gymnasium.RewardWrapper):
-    def __init__(self, env):
-        super().__init__(env)
-    def reward(self, reward):
-        return reward + 1.0
-"""
+    names, task, agent = GIVEN[name]
+    answered(names, lambda: train(task(), agent(), 30))
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "says"),
+    ("parameter", "value", "allowed"),
     [
-        ("super().__init__(env)", "self.env = env", r"^__init__ of Paid must call super\(\).__init__\(env\)$"),
-        ("def reward(", "def rewards(", r"^Paid must have a method reward\(self, reward\)$"),
-        ("return ", "", "step of Paid must return a finite number as reward, but returned None"),
+        ("n_steps", 0, "1 or more"), ("n_steps", 1e5, "whole"), ("n_steps", "10", "whole"),
+        ("max_steps", 0, "1 or more"), ("max_steps", True, "whole"), ("max_steps", 2**62 + 1, str(2**62)),
+        ("evaluate_every", 0, "1 or more"), ("evaluation_episodes", 0, "1 or more"),
+        ("seed", -1, "0 or more"), ("seed", None, "whole"), ("stop", 3, "threading.Event None"),
     ],
-)
-def test_slips_in_a_gymnasium_wrapper(old: str, new: str, says: str) -> None:
-    """Around one of the package's environments."""
-    slip = Slip(old, new, says)
-    env = cell(changed(GYM_WRAPPER, slip))["Paid"](MDPEnv(task()))
-    answered(slip, lambda: train(env, QLearning.create((6, 2)), 30))
+)  # fmt: skip
+def test_bad_parameters_are_refused(parameter: str, value: Any, allowed: str) -> None:
+    """The message names the parameter, its value and what is allowed; nothing has been trained."""
+    agent: Any = QLearning.create((6, 2))
+    named(f"{parameter} {allowed} {value!r}", lambda: train(walk(), agent, **{"n_steps": 10, parameter: value}))
+    named("stop threading.Event Event ()", lambda: train(walk(), agent, 9, stop=threading.Event))
+    assert not agent.Q.any()
 
 
-@pytest.mark.parametrize("name", ["act without return", "a large action", "a frozen field", "learn misnames", "NaN"])
-def test_an_agent_in_a_gymnasium_environment(name: str) -> None:
-    """As in an MDP."""
-    slip = IN_AGENT[name]
-    agent = learner(changed(LEARNER, slip))
-    answered(slip, lambda: train(cell(ENVIRONMENT)["Line"](), agent, 30))
+def test_what_is_given_to_repeat() -> None:
+    """Agents have labels, and are made by what is given."""
+    wrong: Any = QLearning.create
+    named("agents dictionary", lambda: repeat("Boulder", wrong, 10))
+    answered("QLearning QLearning.create", lambda: repeat(walk(), {"Q": QLearning}, 30))
+    for name in ("Boulder", "edugym/Boulder-v0", "edugym:edugym/Boulder-v0"):
+        assert repeat(name, {"Q": QLearning.create(make_mdp("Boulder"))}, 10, repetitions=1).complete
 
 
-def test_late_slips_in_machine_code() -> None:
-    """Machine code that fails after thousands of steps is played again, checked."""
-    late = WALK.replace("size: int", "size: int\n    count: np.ndarray").replace(
-        MOVE, f"self.count[0] += 1\n        {MOVE}"
-    )
-    rare = Slip(
-        PAY, f"if self.count[0] < 3_000:\n            {PAY}", "reward of Walk must return a finite number, .* None"
-    )
-    mdp = cell(changed(late, rare))["Walk"](5, np.zeros(1, np.int64))
-    answered(rare, lambda: train(mdp, QLearning.create((6, 2)), 9_000))
-
-
-LATE = LEARNER.replace("rate: float = 0.5", "rate: float = 0.5\n    count = [0]").replace(
-    "        best = 0\n", "        self.count[0] += 1; late = self.count[0] > 2_000\n        best = 0\n"
-)
-
-
-@pytest.mark.parametrize("on_policy", [True, False])
-@pytest.mark.parametrize("environment", [True, False])
 @pytest.mark.parametrize(
-    ("new", "says"),
+    ("wrong", "says"),
     [
-        ("return None if late else best", "act of Learner must return an action, .* returned None for state ."),
-        ("return 'x' if late else best", "act of Learner must return an action, a whole .* returned 'x' for state ."),
-        ("return 7 if late else best", "act of Learner must return an action, a whole .* returned 7 for state ."),
+        ("self.Q[0, state + 3]", "size 3: Q of Learner has the shape (7, 3)"),
+        ("self.Q[state + 7, 0]", "size 7: Q of Learner has the shape (7, 3)"),
+        ("np.zeros(4)[4]", "size 4"),
+        ("[0, 1][2]", "list index out of range"),
+        ("'ab'[2]", "string index out of range"),
     ],
 )
-def test_late_slips_in_the_interpreter(new: str, says: str, environment: bool, on_policy: bool) -> None:
-    """Where they end in an error, it is said what was wrong at that step."""
-    source = LATE.replace(ACT, new)
-    if on_policy:
-        source = source.replace("next_state, terminated)", "next_state, next_action, terminated)")
-    where = cell(ENVIRONMENT)["Line"]() if environment else task()
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        answered(Slip("", "", says), lambda: train(where, learner(source), 9_000, max_steps=50))
-
-
-def test_a_late_reward_that_is_missing() -> None:
-    """In the interpreter."""
-    source = WALK.replace("size: int", "size: int\n    count = [0]").replace(
-        PAY, f"self.count[0] += 1\n        if self.count[0] < 3_000:\n            {PAY}"
-    )
-    mdp = task(source)
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        says = "reward of Walk must return a finite number, but returned None"
-        answered(Slip("", "", says), lambda: train(mdp, QLearning.create((6, 2)), 9_000))
-
-
-@pytest.mark.parametrize("n_steps", [30, 300, 6_000])
-def test_nothing_happens_twice(n_steps: int) -> None:
-    """A task that counts its steps in a global list, and an agent that counts what it learns."""
-    scope = cell(LEARNER.replace(FIRST, "learned.append(state); value = 0.0"))
-    cell(WALK.replace(MOVE, f"seen.append(state); {MOVE}"), scope)
-    scope["seen"], scope["learned"] = [], []
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        run = train(scope["Walk"](5), scope["Learner"](np.zeros((6, 2))), n_steps, evaluate_every=n_steps, max_steps=7)
-    assert len(scope["learned"]) == n_steps
-    evaluation_steps = sum(7 if total <= -7 / 4 else round((1 - total) * 4) + 1 for total in run.returns)
-    assert len(scope["seen"]) == n_steps + evaluation_steps
-
-
-def test_the_checks_change_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The same run without them, bit for bit."""
-    runs = []
-    for checked in (True, False):
-        if not checked:
-            monkeypatch.setattr(trainers, "checked_mdp", lambda mdp, steps, **how: mdp)
-            monkeypatch.setattr(trainers, "checked_agent", lambda agent, task, steps: agent)
-        agent = learner()
-        run = train(
-            task(SLIPPERY.replace("SlipperyWalk", "Walk").replace("slip: float", "slip: float = 0.2")), agent, 400
-        )
-        runs.append((agent.Q.tobytes(), run.returns.tobytes(), run.training_returns.tobytes()))
-    assert runs[0] == runs[1]
+def test_an_index_that_is_too_large(wrong: str, says: str) -> None:
+    """It is explained by the shape of the table, where it may be an index of that."""
+    source = LEARNER.replace("range(self.Q.shape[1])", "range(2)").replace("* self.Q.shape[1]", "* 2")
+    agent = learner(changed(source, VALUE, f"{wrong}; {VALUE}"), np.zeros((7, 3)))
+    error = answered("index", lambda: train(walk(), agent, 99), "[", IndexError)
+    assert says in str(error)
+    assert ("shape" in str(error)) == ("shape" in says)
+    answered("index 1 Learner (1, 2) 6 2", lambda: train(walk(), learner(table=np.zeros((1, 2))), 99), "", IndexError)

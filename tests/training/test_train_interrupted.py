@@ -1,83 +1,54 @@
 """Ctrl-C in a student's agent of which one method is machine code and another is not."""
 
 import signal
-import threading
 from types import SimpleNamespace
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import pytest
 
-import edugym
-from edugym import QLearning
+from edugym import Interrupted, make_mdp, train
 from edugym.compiled import execution
-from edugym.mdp.protocol import Random, Reals
-from edugym.system.interrupts import Interrupted, SignalGuard
-from edugym.training import trainers
-from tests.training.tasks import Ring
+from edugym.system.interrupts import SignalGuard
+from tests.compiled.cells import cell
 
-CALLS: list[int] = []
-"""One item for each call of `pressing`. A method that changes a global list is not compiled."""
-
-
-def pressing(at: int) -> None:
-    """Press Ctrl-C at one of the calls."""
-    CALLS.append(at)
-    if len(CALLS) == at:
+PRESSING = """
+def pressing(at):
+    calls.append(at)
+    if len(calls) == at:
         signal.raise_signal(signal.SIGINT)
 
-
-class Learner(NamedTuple):
-    """Its `learn` runs interpreted, while evaluation is machine code."""
-
-    Q: Reals
+class Agent(NamedTuple):
+    Q: np.ndarray
     at: int
 
-    def act(self, state: int, rng: Random) -> int:
-        """Any action."""
+    def act(self, state, rng):
         return int(rng.random() * 2)
 
-    def greedy(self, state: int, rng: Random) -> int:
-        """The first action."""
+    def greedy(self, state, rng):
         return 0
 
-    def learn(self, state: int, action: int, reward: float) -> None:
-        """Learn the reward."""
-        pressing(self.at)
+    def learn(self, state, action, reward):
         self.Q[state, action] += 0.1 * (reward - self.Q[state, action])
-
-
-class Player(NamedTuple):
-    """Its `greedy` runs interpreted, while training is machine code."""
-
-    Q: Reals
-    at: int
-
-    def act(self, state: int, rng: Random) -> int:
-        """Any action."""
-        return int(rng.random() * 2)
-
-    def greedy(self, state: int, rng: Random) -> int:
-        """The first action."""
-        pressing(self.at)
-        return 0
-
-    def learn(self, state: int, action: int, reward: float) -> None:
-        """Learn the reward."""
-        self.Q[state, action] += 0.1 * (reward - self.Q[state, action])
+"""
+"""A method that presses Ctrl-C at one of its calls runs interpreted, since it changes a global list."""
+LEARNER = PRESSING.replace("        self.Q[", "        pressing(self.at)\n        self.Q[", 1)
+PLAYER = PRESSING.replace("        return 0\n", "        pressing(self.at)\n        return 0\n")
 
 
 @pytest.mark.filterwarnings("ignore:.*interpreted")
 @pytest.mark.parametrize("at", [3, 2_345])
-@pytest.mark.parametrize("agent", [Learner, Player])
-def test_ctrl_c_ends_the_method_that_runs_interpreted(agent: Any, at: int) -> None:
+@pytest.mark.parametrize("source", [LEARNER, PLAYER], ids=["learn", "greedy"])
+def test_ctrl_c_ends_the_method_that_runs_interpreted(source: str, at: int) -> None:
     """It does so at once, not after the other steps of the call: among the first, checked steps, and after them."""
-    CALLS.clear()
-    mdp = edugym.make_mdp("Boulder")
+    notebook = cell(source)
+    notebook |= {"signal": signal, "calls": []}
+    agent: Any = notebook["Agent"](np.zeros((6, 2)), at)
     with pytest.raises(Interrupted) as interrupted:
-        edugym.train(mdp, agent(np.zeros((mdp.height + 1, 10)), at), 100_000, evaluate_every=1_000)
-    assert len(CALLS) == at
+        train(make_mdp("Boulder", height=5), agent, 100_000, evaluate_every=1_000)
+    assert len(notebook["calls"]) == at
     assert not interrupted.value.partial.complete
+    assert interrupted.value.partial.agent.Q is agent.Q
 
 
 @pytest.mark.parametrize("given_up", [False, True])
@@ -98,30 +69,11 @@ def test_ctrl_c_ends_the_interpreter_where_machine_code_failed(given_up: bool, m
     run = execution._guarded(fails, presses, code, (lambda *_: None) if given_up else presses)
 
     def work() -> None:
-        with SignalGuard() as guard:
-            guard.defer(machine_code=True)
+        with SignalGuard() as work:
+            work.hold(machine_code=True)
             for _ in range(1 + given_up):
                 run(1)
 
     with pytest.raises(KeyboardInterrupt):
         work()
     assert not ended
-
-
-@pytest.mark.parametrize(("is_set", "expected"), [(None, 300), (False, 300), (True, 0)])
-def test_nothing_is_compiled_for_a_run_that_is_stopped_already(
-    is_set: bool | None, expected: int, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """It has no steps to come; one that may be stopped has all of them."""
-    seen: list[int] = []
-
-    def trainer(environment: Any, agent: Any, seed: int, max_steps: int | None, expected: int) -> Any:
-        seen.append(expected)
-        return trainers.trainer(environment, agent, seed, max_steps, expected)
-
-    monkeypatch.setattr("edugym.training.train.trainer", trainer)
-    stop = None if is_set is None else threading.Event()
-    if stop is not None and is_set:
-        stop.set()
-    run = edugym.train(Ring(), QLearning.create(Ring()), 300, stop=stop)
-    assert (seen, run.complete) == ([expected], not is_set)

@@ -1,42 +1,24 @@
 """Recorded visits: every step once, where and when it was; and recording changes nothing else."""
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import pytest
 
-from edugym import SARSA, CountBased, GoExplore, QLearning, make_mdp, train
-from edugym.agents.tables import greedy_action
-from edugym.mdp.protocol import Random, Reals
-from edugym.training.visits import record_visits
+from edugym import SARSA, GoExplore, QLearning, make_mdp, record_visits, train
+from tests.compiled.cells import cell
+from tests.training.tasks import StudentsSarsa, interpret
 
 WALL = make_mdp("Boulder", height=6, layout_seed=3)
 
 
-class Sarsa(NamedTuple):
+def sarsa(shape: Any) -> StudentsSarsa:
     """On-policy, and without `greedy`: evaluated as it acts."""
-
-    Q: Reals
-
-    def act(self, state: int, rng: Random) -> int:
-        """ε-greedy."""
-        return int(rng.random() * 2) if rng.random() < 0.2 else greedy_action(self.Q, state, rng)
-
-    def learn(
-        self, state: int, action: int, reward: float, next_state: int, next_action: int, terminated: bool
-    ) -> None:
-        """The update of section 6.4."""
-        value = 0.0 if terminated else self.Q[next_state, next_action]
-        self.Q[state, action] += 0.5 * (reward + 0.9 * value - self.Q[state, action])
-
-
-def sarsa(shape: Any) -> Sarsa:
-    """A new one."""
-    return Sarsa(np.zeros((7, 2)))
+    return StudentsSarsa(np.zeros((7, 2)))
 
 
 @pytest.mark.parametrize("n_steps", [1_000, pytest.param(20_000, marks=pytest.mark.slow)])
-@pytest.mark.parametrize("make", [QLearning.create, CountBased.create, GoExplore.create, sarsa])
+@pytest.mark.parametrize("make", [QLearning.create, GoExplore.create, sarsa])
 def test_recording_changes_nothing(make: Any, n_steps: int) -> None:
     """The same curve and the same tables, bit for bit: interpreted and compiled, on- and off-policy."""
     agent, watched = make(WALL), make(WALL)
@@ -53,7 +35,7 @@ def test_compiled_counts_are_interpreted_counts(make: Any, monkeypatch: pytest.M
     """The recorder is plain Python that is compiled, too."""
     compiled, interpreted = (record_visits(make(WALL), WALL, 6_000) for _ in range(2))
     train(WALL, compiled, 6_000, seed=1)
-    monkeypatch.setattr("edugym.training.trainers.executable", lambda loop, *_, **__: loop)
+    interpret(monkeypatch)
     train(WALL, interpreted, 6_000, seed=1)
     assert (compiled.visits == interpreted.visits).all()
 
@@ -72,52 +54,33 @@ def test_every_step_counts_once(make: Any) -> None:
 @pytest.mark.parametrize("on_policy", [False, True])
 def test_visits_are_where_the_agent_was(on_policy: bool) -> None:
     """A climb by hand: up, up, a fall, and to the top of a wall of two."""
-    recorder: Any = record_visits(
-        SARSA.create((3, 2)) if on_policy else QLearning.create((3, 2)), (3, 2), 4, n_intervals=2
-    )
+    agent: Any = SARSA.create((3, 2)) if on_policy else QLearning.create((3, 2))
+    recorder: Any = record_visits(agent, (3, 2), 4, n_intervals=2)
     next_action = [0] if on_policy else []
     for state, next_state in ((0, 1), (1, 0), (0, 1), (1, 2)):
         recorder.learn(state, 0, 0.0, next_state, *next_action, next_state == 2, False)
     assert recorder.visits.tolist() == [[1, 1, 0], [1, 1, 1]]
     recorder.learn(0, 0, 0.0, 1, *next_action, False, False)  # beyond the steps that were announced
     assert recorder.visits.tolist() == [[1, 1, 0], [2, 1, 1]]
-    assert record_visits(QLearning.create((3, 2)), (3, 2), 4).visits.shape == (100, 3)
+    assert record_visits(agent, (3, 2), 4).visits.shape == (100, 3)
+    assert recorder.recorded is agent
 
 
+FORGETFUL = """
 class Forgetful(NamedTuple):
-    """An agent that remembers the episode."""
-
-    Q: Reals
-    episode: list[int]
-
-    def act(self, state: int, rng: Random) -> int:
-        """Always the same."""
-        return 0
-
-    def learn(self, state: int, action: int, reward: float, next_state: int) -> None:
-        """Remember."""
-
-    def forget_episode(self) -> None:
-        """Forget."""
-        self.episode.clear()
+    episode: list
+    def act(self, state, rng): return 0
+    def learn(self, state, ACTION): pass
+    def forget_episode(self): self.episode.clear()
+"""
 
 
-class ForgetfulOnPolicy(Forgetful):
-    """The same, which learns from its next action."""
-
-    __slots__ = ()
-
-    def learn(self, state: int, action: int, reward: float, next_state: int, next_action: int) -> None:  # type: ignore[override]
-        """Remember."""
-
-
-@pytest.mark.parametrize("kind", [Forgetful, ForgetfulOnPolicy])
-def test_an_unfinished_episode_is_forgotten(kind: type[Forgetful]) -> None:
+@pytest.mark.parametrize("action", ["action", "next_action"])
+def test_an_unfinished_episode_is_forgotten(action: str) -> None:
     """When the agent inside is trained again."""
-    agent = kind(np.zeros((3, 2)), [1, 2])
+    agent = cell(FORGETFUL.replace("ACTION", action))["Forgetful"]([1, 2])
     record_visits(agent, (3, 2), 4).forget_episode()
     assert agent.episode == []
-    assert record_visits(agent, (3, 2), 4).recorded is agent
 
 
 @pytest.mark.parametrize("name", ["n_steps", "n_intervals"])
@@ -125,3 +88,4 @@ def test_wrong_numbers_are_named(name: str) -> None:
     """Of steps and intervals there is one or more."""
     with pytest.raises(ValueError, match=f"{name} must be 1 or more, but is 0"):
         record_visits(QLearning.create((3, 2)), (3, 2), **{"n_steps": 10, name: 0})
+    assert record_visits(QLearning.create((3, 2)), (3, 2), **{"n_steps": 10, name: 1})
