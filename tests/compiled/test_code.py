@@ -364,10 +364,10 @@ def test_every_file_of_the_compiler_counts(monkeypatch: pytest.MonkeyPatch) -> N
         return original(path)
 
     monkeypatch.setattr(Path, "read_bytes", read)
-    fresh: Any = code._compilers_own_code
+    fresh: Any = code._hash_of_compiler
     fresh.cache_clear()
     Code(loop, (10, thing))
-    assert {"code.py", "compiler.py", "execution.py", "generators.py"} <= seen
+    assert {"code.py", "compiler.py", "execution.py", "random_generators.py"} <= seen
 
 
 def test_changes_are_noticed() -> None:

@@ -61,7 +61,7 @@ def own(monkeypatch: pytest.MonkeyPatch) -> Any:
     """The value and a loop over it, which seem to be the package's own."""
     for thing in (Plain, Helped, Helped.f, helper, outer, loop):
         monkeypatch.setattr(thing, "__module__", "edugym.test")
-    monkeypatch.setattr(code, "_walked", {})
+    monkeypatch.setattr(code, "_known", {})
     return Helped(1)
 
 

@@ -176,7 +176,7 @@ def test_builds_agree(monkeypatch: pytest.MonkeyPatch) -> None:
     for lean in (True, False):
         monkeypatch.setattr(compiler, "_built", {})
         if not lean:
-            monkeypatch.setattr(compiler, "_countless", lambda kind: False)
+            monkeypatch.setattr(compiler, "_needs_no_counts", lambda kind: False)
         table = np.zeros(4)
         outcomes.append((both(plain_loop, 100, cell(LEAN)["A"](table)), table.tolist()))
     assert outcomes[0] == outcomes[1]
@@ -189,7 +189,7 @@ def test_nothing_is_kept(lean: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     """Machine code keeps no reference to what it was called with."""
     monkeypatch.setattr(compiler, "_built", {})
     if not lean:
-        monkeypatch.setattr(compiler, "_countless", lambda kind: False)
+        monkeypatch.setattr(compiler, "_needs_no_counts", lambda kind: False)
     table, rng = np.zeros(4), np.random.default_rng(0)
     thing = cell(LEAN)["A"](table)
     run = compiled(plain_loop, 1, thing, rng)
@@ -202,13 +202,13 @@ def test_nothing_is_kept(lean: bool, monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_generators_as_numba_takes_them(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where generators cannot be taken by their address, they are taken as Numba does it, with the same results."""
-    monkeypatch.setitem(sys.modules, "edugym.compiled.generators", None)
-    compiler._locate.cache_clear()
+    monkeypatch.setitem(sys.modules, "edugym.compiled.random_generators", None)
+    compiler._locator.cache_clear()
     try:
         interpreted, machine_code = both(plain_loop, 100, cell(EVERYTHING)["outer"])
         assert interpreted == machine_code
     finally:
-        compiler._locate.cache_clear()
+        compiler._locator.cache_clear()
 
 
 def test_allocation_needs_counts() -> None:

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from edugym.checks.mdps import CHECKED_STEPS
-from edugym.compiled import copies, disk, execution, subset, turns
+from edugym.compiled import disk, execution, interrupt_polling, snapshot, subset
 from edugym.training import trainers
 
 PAGE = " ".join((Path(__file__).parents[2] / "docs" / "machine-code.md").read_text(encoding="utf-8").split())
@@ -17,9 +17,9 @@ PAGE = " ".join((Path(__file__).parents[2] / "docs" / "machine-code.md").read_te
     [
         ("The first 200 training steps", CHECKED_STEPS, 200),
         ("If 5 000 steps or more were asked for", execution.COMPILE_FROM, 5_000),
-        ("Where tables are large (1 MB or more)", copies.LARGE, 10**6),
+        ("Where tables are large (1 MB or more)", snapshot.LARGE, 10**6),
         ("returns to Python some fifty times a second", trainers.CALL_SECONDS, 1 / 50),
-        ("asks after every 4096 turns", turns.BETWEEN, 4096),
+        ("asks after every 4096 turns", interrupt_polling.ITERATIONS_BETWEEN_POLLS, 4096),
         ("never more than about 256 MB", disk.LIMIT, 256 * 2**20),
     ],
 )

@@ -54,6 +54,6 @@ def test_counting_is_seen_in_machine_code(body: str, counts: bool, monkeypatch: 
     (build,) = builds[-1].overloads.values()
     if counts:
         with pytest.raises(CompilationError, match=r"it allocates \(NRT_\w+\)"):
-            compiler._check_that_nothing_counts(build)
+            compiler._check_no_counts(build)
     else:
-        compiler._check_that_nothing_counts(build)
+        compiler._check_no_counts(build)

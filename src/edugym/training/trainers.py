@@ -18,7 +18,7 @@ from edugym.adapters.registration import full_id
 from edugym.adapters.rooms import View
 from edugym.checks.mdps import CHECKED_STEPS, checked_mdp, is_own, require_task
 from edugym.checks.values import own_copy
-from edugym.compiled.execution import executable
+from edugym.compiled.execution import COMPILE_FROM, executable
 from edugym.mdp.protocol import coerced
 from edugym.system.interrupts import held
 from edugym.training import gymnasium_loops, loops
@@ -34,6 +34,8 @@ CALL_SECONDS = 0.02
 """About how long one call of `learn` takes: signals are looked at between two calls."""
 FIRST_STEPS = 50
 """How many steps the first call takes, when it is not known how long a step takes."""
+EPISODES = 100
+"""After so many interpreted evaluation episodes it is asked again whether machine code pays; most runs have as many."""
 NO_LIMIT = 2**62
 MOST_STEPS = 10_000
 """The steps that evaluation takes in one call of machine code, unless one episode is longer: some milliseconds."""
@@ -104,7 +106,8 @@ class MDPTrainer:
         environment_rng, agent_rng, self._evaluation_rng, self._actor_rng = streams(seed)
         self._evaluation_limit = limit or EVALUATION_LIMIT
         training, self._playing = (View(mdp, agent, on_policy, guarded) for on_policy in (is_on_policy(agent), False))
-        self._steps_to_check = 0 if is_own(mdp) and is_own(agent) else CHECKED_STEPS
+        self._is_own = is_own(mdp) and is_own(agent)
+        self._steps_to_check = 0 if self._is_own else CHECKED_STEPS
         self._rest = (
             training.mdp,
             training.of(learner(agent)),
@@ -122,8 +125,8 @@ class MDPTrainer:
         else:
             self._loop, self._moment = loops.off_policy, loops.start_off_policy(mdp, environment_rng)
         self._advance, self._play = self._loop, loops.play_episodes
-        self._has_played = not self._steps_to_check
-        if not self._steps_to_check:
+        self._interpreted_episodes = 0
+        if self._is_own:
             self._compile_training()
             self._compile_playing()
 
@@ -161,12 +164,12 @@ class MDPTrainer:
         with held(machine_code=compiled):
             if compiled:
                 self._play(n_episodes, *evaluation)
-            elif self._has_played:
-                self._play(n_episodes, *self._checked(*evaluation, steps=0))
             else:
-                self._has_played = True
-                loops.play_episodes(1, *self._checked(*evaluation))
-                self._compile_playing()
+                steps = 0 if self._is_own or self._interpreted_episodes else CHECKED_STEPS
+                self._play(n_episodes, *self._checked(*evaluation, steps=steps))
+                self._interpreted_episodes += 1
+                if not self._is_own and self._interpreted_episodes % EPISODES == 1:
+                    self._compile_playing()
         returns: list[float] = evaluation[-1].tolist()
         return returns
 
@@ -190,7 +193,7 @@ class MDPTrainer:
         self._play = executable(
             loops.play_episodes,
             (mdp, agent, min(limit, CHECKED_STEPS), *rest),
-            expected=self._expected,
+            expected=self._expected if self._is_own else EPISODES * (self._expected >= COMPILE_FROM),
             rehearsed=1,
             replay=lambda n, *rest: loops.play_episodes(n, *self._checked(*rest, steps=math.inf)),
         )

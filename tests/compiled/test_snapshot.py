@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from edugym.compiled import execution
-from edugym.compiled.copies import LARGE, Snapshot, copied, difference
+from edugym.compiled.snapshot import LARGE, Snapshot, copied, difference
 from tests.compiled.cells import cell
 
 RNG = np.random.default_rng(0)
