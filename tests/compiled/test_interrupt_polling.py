@@ -10,7 +10,7 @@ from numba.core import compiler, ir
 from edugym.compiled.interrupt_polling import insert_polling
 
 EXPECTED = {
-    "training": ["in the loop at line 37 of your code", "False True 0.0", "Timeout", "False"],
+    "training": ["in the loop at line 38 of your code", "False True 0.0", "Timeout", "False"],
     "in_threads": ["Interrupted True", "Interrupted True"],
     "vector": ["True 300 300"],
     "planning": ["Interrupted"],
@@ -18,7 +18,10 @@ EXPECTED = {
 }
 
 
-@pytest.mark.parametrize("how", EXPECTED)
+SLOW = ("in_threads", "evaluation")
+
+
+@pytest.mark.parametrize("how", [pytest.param(how, marks=[pytest.mark.slow] * (how in SLOW)) for how in EXPECTED])
 def test_what_never_ends_can_be_stopped(how: str) -> None:
     """See `unending.py`. Without `edugym.compiled.interrupt_polling` these programs go on until they are killed."""
     done = subprocess.run(
