@@ -40,7 +40,11 @@ POINT = "class P(NamedTuple):\n    x: int\n    def m(self): return self.x"
 
 def versions(before: str, one: str, other: str, method: str = "return s + g(1.0)", others: str = "") -> tuple[str, str]:
     """Two versions of a notebook, in which one text stands where the other does."""
-    return tuple(notebook(before.replace("?", k), method.replace("?", k), others.replace("?", k)) for k in (one, other))
+
+    def version(k: str) -> str:
+        return notebook(*(part.replace("?", k) for part in (before, method, others)))
+
+    return version(one), version(other)
 
 
 TWO = "def a(x): return x + 1\ndef b(x): return x + 2\ng = ?"

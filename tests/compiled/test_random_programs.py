@@ -12,29 +12,13 @@ NUMBERS = st.sampled_from(
 )
 NUMBERS |= st.sampled_from(["self.N[i]", "len(self.Q)", "rng.random()", "self.Q[i, 1]", "int(rng.integers(0, 5))", "i"])
 
+FUNCTIONS = "abs int float max min round bool math.exp math.sqrt math.log math.floor math.sin np.sqrt np.exp np.floor"
+
 
 def _more(inner: st.SearchStrategy[str]) -> st.SearchStrategy[str]:
     """Expressions of expressions."""
     operators = st.sampled_from(["+", "-", "*", "/", "//", "%", "**", "+", "-", "*", "<<", ">>", "&"])
-    functions = st.sampled_from(
-        [
-            "abs",
-            "int",
-            "float",
-            "max",
-            "min",
-            "math.exp",
-            "math.sqrt",
-            "math.log",
-            "math.floor",
-            "round",
-            "np.sqrt",
-            "np.exp",
-            "np.floor",
-            "math.sin",
-            "bool",
-        ]
-    )
+    functions = st.sampled_from(FUNCTIONS.split())
     compared = st.sampled_from(["<", "<=", "==", "!=", ">", ">="])
     return st.one_of(
         st.builds("({} {} {})".format, inner, operators, inner),

@@ -18,6 +18,8 @@ from edugym.compiled import execution
 from edugym.mdp.protocol import Random, Reals
 from tests.compiled.cells import LEARNER, cell
 
+pytestmark = pytest.mark.usefixtures("compiled_at_once")
+
 WALL = make_mdp("Boulder", height=3)
 
 

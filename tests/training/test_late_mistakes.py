@@ -13,6 +13,8 @@ from tests.compiled.cells import LEARNER, WALK, cell
 from tests.training.slips import ACTS, END, MOVE, PAY, SEE
 from tests.training.test_slips import LOOKING, VIEW
 
+pytestmark = pytest.mark.usefixtures("compiled_at_once")
+
 N_STEPS = 60_000
 RARE = "rng.random() < 0.0002"
 OUTSIDE = {"machine code": "", "interpreted": "notes = {}\n        "}

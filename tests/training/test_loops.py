@@ -13,6 +13,8 @@ from edugym.mdp.protocol import Random, Reals
 from edugym.training import trainers
 from tests.training.tasks import SlipperyWalk, Stairs, StudentsQLearning, StudentsSarsa, tell_tale
 
+pytestmark = pytest.mark.usefixtures("compiled_at_once")
+
 
 @pytest.fixture
 def compiled_loops(monkeypatch: pytest.MonkeyPatch) -> list[str]:

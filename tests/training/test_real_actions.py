@@ -11,6 +11,8 @@ from edugym.mdp.protocol import Random
 from edugym.training import trainers
 from tests.agents.case import same
 
+pytestmark = pytest.mark.usefixtures("compiled_at_once")
+
 
 class Turning(NamedTuple):
     """Turns both joints at random, and has a place for what it is told.
