@@ -94,7 +94,7 @@ class Patient(NamedTuple):
         self.Q[state, action] += rate * (target - self.Q[state, action])
 
 
-def test_compiled_as_interpreted() -> None:
+def test_compiled_as_interpreted(compiled_at_once: None) -> None:
     """Bound by name in machine code as well."""
     tables = []
     for every in (50, 20_000):  # a run of single chunks of 50 steps or one of 20 000

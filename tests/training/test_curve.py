@@ -22,7 +22,7 @@ from tests.training.tasks import SlipperyWalk, Stairs
 @pytest.mark.parametrize("n_steps", [10, 6_000])
 @pytest.mark.parametrize("kind", [QLearning, SARSA])
 @pytest.mark.parametrize("wrapped", [False, True], ids=["MDP", "gymnasium"])
-def test_the_curve_by_hand(wrapped: bool, kind: Any, n_steps: int) -> None:
+def test_the_curve_by_hand(wrapped: bool, kind: Any, n_steps: int, compiled_at_once: None) -> None:
     """Episodes of three steps that return 6 end after 3, 6, 9, ... steps; interpreted and compiled, in every loop."""
     task = gymnasium.Wrapper(MDPEnv(Stairs())) if wrapped else Stairs()
     run = train(task, kind.create(Stairs()), n_steps, evaluate_every=4)
@@ -208,7 +208,7 @@ def test_stop_ends_a_run_before_it_begins() -> None:
 
 
 @pytest.mark.parametrize("kind", [Stairs, SlipperyWalk])
-def test_stop_ends_a_run_on_the_way(kind: Any) -> None:
+def test_stop_ends_a_run_on_the_way(kind: Any, compiled_at_once: None) -> None:
     """Set by another thread, while this one is busy with machine code; nothing is warned of."""
     train(kind(), QLearning.create(kind()), 10_000)  # compiled now, so that the time is that of the run
     stop = threading.Event()

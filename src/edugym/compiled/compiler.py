@@ -44,7 +44,7 @@ class _Key(NamedTuple):
 
 
 _built: dict[_Key, Any] = {}
-_build_seconds = [1.5]  # that the last build took; at first an estimate
+_build_seconds = [1.5]  # that the last build took which was not on the disk; at first an estimate
 KEPT = 3
 """The number of builds of a loop that are kept for classes of the same names."""
 _lock = threading.RLock()
@@ -197,12 +197,10 @@ def _build_once(numba: Any, loop: Function, signature: tuple[Any, ...], code: Co
     with _lock:
         if _find(loop, signature, code) is not None:
             return
-        began = time.perf_counter()
         try:
             made = _build(numba, loop, signature, code)
         except Exception as error:
             made = CompilationError(_reason(error, code))
-        _build_seconds[:] = [time.perf_counter() - began]
         _built[_Key(loop, code.fingerprint, signature, tuple(code.classes))] = made
         older = [other for other in _built if other.loop is loop and _alike(other.signature, signature)][:-KEPT]
         for other in older:
@@ -239,11 +237,7 @@ def _returns_class(made: Any) -> bool:
 
 
 def _build(numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) -> Any:
-    """Compiles without reference counts if possible, else with them.
-
-    Where nothing allocates, reference counts are useless. Without them the loop is faster, and checks of array indices
-    are nearly free (Q-learning on Boulder 8 ns a step; with counts 6 unchecked, 70 checked).
-    """
+    """The build from the disk, or a new one."""
     lean, counting = _folders(code)
     keep = code.importable and Path(loop.__code__.co_filename).is_file()
     for folder, options in ((lean, LEAN), (counting, WITH_COUNTS)) if keep else ():
@@ -252,14 +246,28 @@ def _build(numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) -
                 return _compile(numba, loop, signature, folder, code, options)
             except Exception:  # made by a Numba that differs in something
                 remove(folder)
+    began = time.perf_counter()
+    made = _build_anew(numba, loop, signature, code, *((lean, counting) if keep else (None, None)))
+    _build_seconds[:] = [time.perf_counter() - began]
+    return made
+
+
+def _build_anew(
+    numba: Any, loop: Function, signature: tuple[Any, ...], code: Code, lean: Path | None, counting: Path | None
+) -> Any:
+    """Compiles without reference counts if possible, else with them.
+
+    Where nothing allocates, reference counts are useless. Without them the loop is faster, and checks of array indices
+    are nearly free (Q-learning on Boulder 8 ns a step; with counts 6 unchecked, 70 checked).
+    """
     if all(_needs_no_counts(kind) for kind in signature):
         try:
-            return _build_and_keep(numba, loop, signature, lean if keep else None, code, LEAN)
+            return _build_and_keep(numba, loop, signature, lean, code, LEAN)
         except Exception as error:  # something allocates; any other mistake shows in the next build as well
             if isinstance(error, _refused_error()):
                 raise
             logger.debug("no build of %s without reference counts: %s", code.names(), _reason(error, code))
-    return _build_and_keep(numba, loop, signature, counting if keep else None, code, WITH_COUNTS)
+    return _build_and_keep(numba, loop, signature, counting, code, WITH_COUNTS)
 
 
 def _build_and_keep(
