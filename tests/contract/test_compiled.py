@@ -29,9 +29,9 @@ class Witness(NamedTuple):
     Attributes:
         n_actions: how many actions there are.
         time: shape (1,): how much was written down.
-        seen: shape (n, ...): the observations.
+        seen: shape (N_STEPS, ...): the observations.
         next_seen: shape (N_STEPS, ...): those after the step.
-        told: shape (n, 5): the action, the reward, the next action, and the two kinds of end.
+        told: shape (N_STEPS, 5): the action, the reward, the next action, and the two kinds of end.
     """
 
     n_actions: int
@@ -66,16 +66,11 @@ class Witness(NamedTuple):
         self.time[0] += 1
 
 
-def steps_in(mdp: Any) -> int:
-    """How many steps are played; few where each draws a picture, which takes the interpreter long."""
-    return 200 if mdp.observation_space.dtype == np.uint8 else N_STEPS
-
-
 def witness(mdp: Any) -> Witness:
     """A witness of what happens in an MDP."""
-    space, n = mdp.observation_space, steps_in(mdp)
-    seen = np.zeros((n, *(space.shape or ())), space.dtype)
-    return Witness(int(mdp.action_space.n), np.zeros(1, np.int64), seen, seen.copy(), np.zeros((n, 5)))
+    space = mdp.observation_space
+    seen = np.zeros((N_STEPS, *(space.shape or ())), space.dtype)
+    return Witness(int(mdp.action_space.n), np.zeros(1, np.int64), seen, seen.copy(), np.zeros((N_STEPS, 5)))
 
 
 def as_table(mdp: Any) -> Any:
@@ -115,10 +110,10 @@ def test_on_policy(entry: Entry, keywords: Keywords) -> None:
     rng, agent_rng, start_rng, agent_start_rng, *_ = streams(1)
     moment = start_on_policy(mdp, agent, start_rng, agent_start_rng)
     limit = step_limit(mdp) or 50
-    interpreted, machine_code = both(on_policy, steps_in(mdp), mdp, agent, limit, rng, agent_rng, log, moment)
+    interpreted, machine_code = both(on_policy, N_STEPS, mdp, agent, limit, rng, agent_rng, log, moment)
     assert interpreted == machine_code
     _, (_, seen, *_) = interpreted
-    assert seen[1] == bits(np.array([steps_in(mdp)]))
+    assert seen[1] == bits(np.array([N_STEPS]))
 
 
 @every_corner
@@ -158,15 +153,14 @@ def test_chunks(entry: Entry) -> None:
     mdp = as_table(entry.load()().mdp)
     if not isinstance(mdp.action_space, spaces.Discrete):
         pytest.skip("agents in loops have whole numbers for actions")
-    n = steps_in(mdp)
     outcomes = []
-    for pieces in ([n], [1, 2, n // 2, n - n // 2 - 3]):
+    for pieces in ([N_STEPS], [1, 2, 997, 700, 300]):
         agent, log = witness(mdp), new_log()
         rng, agent_rng, *_ = streams(3)
         moment = start_on_policy(mdp, agent, rng, agent_rng)
         arguments = (mdp, agent, step_limit(mdp) or 50, rng, agent_rng, log)
-        run = compiled(on_policy, n, *arguments, moment)
-        for steps in pieces:
-            moment = run(steps, *arguments, moment)
+        run = compiled(on_policy, N_STEPS, *arguments, moment)
+        for n in pieces:
+            moment = run(n, *arguments, moment)
         outcomes.append(bits((agent, log, moment, rng, agent_rng)))
     assert outcomes[0] == outcomes[1]
