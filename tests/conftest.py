@@ -46,6 +46,14 @@ def pytest_unconfigure(config: pytest.Config) -> None:
         shutil.rmtree(folder, ignore_errors=True)
 
 
+@pytest.fixture
+def compiled_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Compile students' code though the interpreter would finish the run sooner."""
+    from edugym.compiled import execution
+
+    monkeypatch.setattr(execution, "seconds_to_build", lambda: 0.0)
+
+
 @pytest.fixture(autouse=True)
 def figures_are_closed() -> Iterator[None]:
     """Close the figures that a test left open, so that the next one begins without any."""

@@ -80,7 +80,7 @@ def test_sampled_planning_comes_near_it() -> None:
     assert pytest.approx(exact_values(mdp, 0.9), abs=0.1) == agent.Q
 
 
-def test_planning_for_some_time() -> None:
+def test_planning_for_some_time(compiled_at_once: None) -> None:
     """Interpreted, and as long as it was told."""
     agent = DynaQ.create((2, 1), planning_seconds=0.02, learning_rate=0.5)
     agent.learn(0, 0, 2.0, 1, True)

@@ -163,7 +163,7 @@ class A(NamedTuple):
 
 
 def test_builds_agree(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A build without reference counts, where nothing allocates, gives what one with them gives."""
+    """A build without reference counts gives what one with them gives; neither keeps what it was called with."""
     built = []
     original = compiler._compile
 
@@ -176,39 +176,19 @@ def test_builds_agree(monkeypatch: pytest.MonkeyPatch) -> None:
     for lean in (True, False):
         monkeypatch.setattr(compiler, "_built", {})
         if not lean:
-            monkeypatch.setattr(compiler, "_countless", lambda kind: False)
+            monkeypatch.setattr(compiler, "_needs_no_counts", lambda kind: False)
         table = np.zeros(4)
-        outcomes.append((both(plain_loop, 100, cell(LEAN)["A"](table)), table.tolist()))
+        thing, rng = cell(LEAN)["A"](table), np.random.default_rng(0)
+        outcomes.append((both(plain_loop, 100, thing), table.tolist()))
+        run = compiled(plain_loop, 1, thing, rng)
+        run(1, thing, rng)
+        before = [sys.getrefcount(value) for value in (table, rng, thing)]
+        for _ in range(100):
+            run(1, thing, rng)
+        assert [sys.getrefcount(value) for value in (table, rng, thing)] == before
     assert outcomes[0] == outcomes[1]
     assert [options.get("_nrt", True) for options in built] == [False, True]
     assert all(options["boundscheck"] for options in built)
-
-
-@pytest.mark.parametrize("lean", [True, False])
-def test_nothing_is_kept(lean: bool, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Machine code keeps no reference to what it was called with."""
-    monkeypatch.setattr(compiler, "_built", {})
-    if not lean:
-        monkeypatch.setattr(compiler, "_countless", lambda kind: False)
-    table, rng = np.zeros(4), np.random.default_rng(0)
-    thing = cell(LEAN)["A"](table)
-    run = compiled(plain_loop, 1, thing, rng)
-    run(1, thing, rng)
-    before = [sys.getrefcount(value) for value in (table, rng, thing)]
-    for _ in range(100):
-        run(1, thing, rng)
-    assert [sys.getrefcount(value) for value in (table, rng, thing)] == before
-
-
-def test_generators_as_numba_takes_them(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Where generators cannot be taken by their address, they are taken as Numba does it, with the same results."""
-    monkeypatch.setitem(sys.modules, "edugym.compiled.generators", None)
-    compiler._locate.cache_clear()
-    try:
-        interpreted, machine_code = both(plain_loop, 100, cell(EVERYTHING)["outer"])
-        assert interpreted == machine_code
-    finally:
-        compiler._locate.cache_clear()
 
 
 def test_allocation_needs_counts() -> None:
@@ -224,6 +204,55 @@ def test_allocation_needs_counts() -> None:
     run(1000, thing, np.random.default_rng(0))
     assert memory.memsys_get_stats_alloc() - made == memory.memsys_get_stats_free() - freed >= 1000
     memory.memsys_disable_stats()
+
+
+TABLE = "class A(NamedTuple):\n    t: np.ndarray\n"
+
+
+def rest_of_the_table(n: int, mdp: Any, rng: Any) -> tuple[int, Any]:
+    """Give back a part of an array, which owns nothing itself."""
+    return n, mdp.t[1:]
+
+
+def test_an_array_that_is_given_back_needs_counts(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without them the whole array would come in place of its part."""
+    monkeypatch.setattr(compiler, "_built", {})
+    arguments = 3, cell(TABLE)["A"](np.arange(4.0)), np.random.default_rng(0)
+    n, part = compiled(rest_of_the_table, *arguments)(*arguments)
+    assert (n, part.tolist()) == (3, [1.0, 2.0, 3.0])
+
+
+EVERYDAY = """x = self.t.max() + self.t.min() + np.max(self.t) + np.min(self.t) + max(self.t) + np.argmax(self.t)
+        self.t[self.t.argmax()] += rng.integers(3) + rng.integers(1, 3) + rng.integers(low=0, high=9, endpoint=True)
+        self.t[0] = self.t.sum() + np.mean(self.t) + np.dot(self.t, self.t) + rng.normal() + rng.uniform(0, 1)
+        self.t[:] *= 0.9
+        self.t[int(s) % 3 :] += np.clip(x, 0, 1) + rng.integers(3, dtype=int)
+        return s + x"""
+"""What students write in every agent."""
+
+
+@pytest.mark.parametrize(
+    ("body", "counts"), [("return s + self.t[0]", False), (EVERYDAY, False), ("return s + (2 * self.t).sum()", True)]
+)
+def test_counting_is_seen_in_machine_code(body: str, counts: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where something allocates there are calls that count, and they are named."""
+    monkeypatch.setattr(compiler, "_built", {})
+    builds: list[Any] = []
+    original = compiler._compile
+
+    def watched(*arguments: Any) -> Any:
+        builds.append(original(*arguments))
+        return builds[-1]
+
+    monkeypatch.setattr(compiler, "_compile", watched)
+    thing = cell(f"{TABLE}    def f(self, s, rng):\n        {body}\n")["A"](np.arange(4.0))
+    compiled(plain_loop, 1, thing, np.random.default_rng(0))
+    (build,) = builds[-1].overloads.values()
+    if counts:
+        with pytest.raises(CompilationError, match=r"it allocates \(NRT_\w+\)"):
+            compiler._check_no_counts(build)
+    else:
+        compiler._check_no_counts(build)
 
 
 def test_indices_are_checked() -> None:
@@ -289,7 +318,6 @@ def test_users_own_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Non
     monkeypatch.setattr(config, "CACHE_DIR", str(tmp_path))
     monkeypatch.setattr(compiler, "_built", {})  # as in a new process
     both(plain_loop, 3, Adder(0.5))
-    both(plain_loop, 3, cell(EVERYTHING)["outer"])
     thing = cell("class A(NamedTuple):\n    k: int\n    def f(self, s, rng): return s + self.missing")["A"](1)
     with pytest.raises(CompilationError):
         compiled(plain_loop, 1, thing, np.random.default_rng(0))
@@ -315,9 +343,8 @@ def test_cache_that_cannot_be_written(tmp_path: Path, monkeypatch: pytest.Monkey
     monkeypatch.setenv("EDUGYM_CACHE_DIR", str(tmp_path / "file" / "cache"))
 
     monkeypatch.setattr(compiler, "_built", {})  # as in a new process
-    for thing in (cell(EVERYTHING)["outer"], Adder(0.5)):
-        interpreted, machine_code = both(plain_loop, 10, thing)
-        assert interpreted == machine_code
+    interpreted, machine_code = both(plain_loop, 10, Adder(0.5))
+    assert interpreted == machine_code
 
 
 STUDENT = """

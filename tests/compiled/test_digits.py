@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from edugym.compiled.copies import difference
 from edugym.compiled.execution import executable
+from edugym.compiled.snapshot import difference
 from tests.compiled.cells import cell
 
 SAME = (

@@ -132,108 +132,84 @@ def folder(parent: Path, name: str, size: int) -> Path:
     return parent / name
 
 
-def test_the_latest_are_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Above the limit, what was not used for longest goes; a look uses it; what was left behind goes as well."""
-    monkeypatch.setattr(disk, "LIMIT", 2500)
-    left = tmp_path / "unfinished-old"
-    left.mkdir()
-    fresh = tmp_path / "unfinished-new"
-    fresh.mkdir()
-    for path, hours in ((left, 2.0), (fresh, 0.5)):
-        os.utime(path, (time.time() - 3600 * hours,) * 2)
-    first, second = folder(tmp_path, "a", 1000), folder(tmp_path, "b", 1000)
-    os.utime(first, (10, 10))
-    os.utime(second, (20, 20))
-    assert disk.is_whole(first)
-    folder(tmp_path, "c", 1000)
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["a", "b", "c", "unfinished-new"]
-    os.utime(tmp_path / "c", (30, 30))
-    folder(tmp_path, "d", 1000)
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["a", "c", "d", "unfinished-new"]
-
-
-def test_a_process_that_ended_too_soon(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """What it has begun stays for an hour, in which it may go on, whatever else has to go; then it goes first."""
-    kept = folder(tmp_path, "a", 1000)
-    begun = disk.new_folder(tmp_path / "b")
-    assert begun is not None
-    (begun / "data").write_bytes(b"x" * 1000)
-    now = time.time()
-    os.utime(begun, (now - 3000,) * 2)
-    os.utime(kept, (now - 2000,) * 2)
-    monkeypatch.setattr(disk, "LIMIT", 1)
-    last = folder(tmp_path, "c", 10)
-    assert sorted(tmp_path.iterdir()) == sorted([begun, last])
-    os.utime(begun, (now - 4000,) * 2)
-    monkeypatch.setattr(disk, "LIMIT", 10_000)
-    assert sorted([folder(tmp_path, "d", 10), last]) == sorted(tmp_path.iterdir())
+@pytest.mark.parametrize(
+    ("limit", "used", "left"),
+    [
+        (10_000, "abc", "abcd"),
+        (2_500, "abc", "bcd"),  # the oldest goes, whatever it is called
+        (2_500, "cab", "abd"),
+        (2_500, "bca", "acd"),
+        (1, "abc", "d"),  # the latest stays in any case
+    ],
+)
+def test_the_least_recently_used_go(
+    limit: int, used: str, left: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Above the limit; a look at a folder is a use."""
+    for name in "abc":
+        os.utime(folder(tmp_path, name, 1000), (10 + used.index(name),) * 2)
+    if limit == 10_000:
+        os.utime(tmp_path / "a", (5, 5))
+        assert disk.is_whole(tmp_path / "a")
+        assert (tmp_path / "a").stat().st_mtime > time.time() - 100
+    monkeypatch.setattr(disk, "LIMIT", limit)
+    folder(tmp_path, "d", 10)
+    assert {path.name for path in tmp_path.iterdir()} == set(left)
 
 
 def test_every_file_counts_up_to_the_limit(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """As many bytes may be kept as the limit says, and not one more."""
+    """As many bytes may be kept as the limit says, and not one more; the latest folder does not count."""
     kept = folder(tmp_path, "a", 1000)
     size = sum(file.stat().st_size for file in kept.iterdir())
-    monkeypatch.setattr(disk, "LIMIT", size)
-    other = folder(tmp_path, "b", 10)  # the latest stays in any case, and does not count
-    assert sorted(tmp_path.iterdir()) == [kept, other]
-    disk.remove(other)
-    monkeypatch.setattr(disk, "LIMIT", size - 1)
-    last = folder(tmp_path, "c", 10)
-    assert list(tmp_path.iterdir()) == [last]
+    for limit, stays in ((size, True), (size - 1, False)):
+        monkeypatch.setattr(disk, "LIMIT", limit)
+        disk.remove(folder(tmp_path, "b", 10))
+        assert kept.exists() == stays
 
 
-@pytest.mark.parametrize("oldest", ["a", "b", "c"])
-def test_the_oldest_goes_first(oldest: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Whatever it is called, and however the disk lists it."""
-    for name in "abc":
-        os.utime(folder(tmp_path, name, 1000), (10 if name == oldest else 20,) * 2)
-    monkeypatch.setattr(disk, "LIMIT", 2500)
-    folder(tmp_path, "d", 10)
-    assert {path.name for path in tmp_path.iterdir()} == set("abcd") - {oldest}
+def test_unfinished_folders(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Another process may go on with its own for an hour; then it was abandoned, and goes."""
+    for name, seconds in (("unfinished-new", 3_000), ("unfinished-old", 4_000)):
+        (tmp_path / name).mkdir()
+        os.utime(tmp_path / name, (time.time() - seconds,) * 2)
+    monkeypatch.setattr(disk, "LIMIT", 1)
+    folder(tmp_path, "a", 10)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a", "unfinished-new"]
 
 
-@pytest.mark.parametrize("damaged", ["data", disk.SEAL])
-def test_a_damaged_folder_is_removed(damaged: str, tmp_path: Path) -> None:
-    """So that another one can take its name."""
+DAMAGE: dict[str, Callable[[Path], object]] = {
+    "a flipped byte": lambda kept: change_byte(kept / "data"),
+    "a truncated file": lambda kept: (kept / "data").write_bytes(b"x"),
+    "a missing file": lambda kept: (kept / "data").unlink(),
+    "another file": lambda kept: (kept / "more").write_bytes(b"x"),
+    "a damaged seal": lambda kept: (kept / disk.SEAL).write_bytes(b"y"),
+    "a missing seal": lambda kept: (kept / disk.SEAL).unlink(),
+}
+
+
+@pytest.mark.parametrize("damage", DAMAGE)
+def test_a_damaged_folder_is_removed(damage: str, tmp_path: Path) -> None:
+    """So that another one can take its name. An empty folder inside, as a file manager makes it, does no harm."""
     kept = folder(tmp_path, "a", 10)
-    (kept / damaged).write_bytes(b"y")
+    (kept / "previews").mkdir()
+    assert disk.is_whole(kept)
+    DAMAGE[damage](kept)
     assert not disk.is_whole(kept)
     assert not kept.exists()
 
 
-def test_in_folders_that_are_not_there_yet(tmp_path: Path) -> None:
-    """A first run makes them all; to remove what another process has removed already is no error."""
+def test_folders_of_two_processes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of the same folder the first stays; parents are made; to remove what is gone, or write where one cannot, is fine.
+
+    The seal is written in the folder itself: the disk for temporary files may be another one.
+    """
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "another disk"))
     kept = folder(tmp_path / "of the user" / "of the program", "a", 10)
+    folder(kept.parent, "a", 20)
+    assert (kept / "data").stat().st_size == 10
     assert disk.is_whole(kept)
+    assert list(kept.parent.iterdir()) == [kept]
+    assert disk.new_folder(kept / "data" / "b") is None
     disk.remove(kept)
     disk.remove(kept)
     assert not disk.is_whole(kept)
-
-
-def test_the_faster_of_two_wins(tmp_path: Path) -> None:
-    """Two processes make the same folder: the first stays, the other's is removed."""
-    kept = folder(tmp_path, "a", 10)
-    folder(tmp_path, "a", 20)
-    assert (kept / "data").stat().st_size == 10
-    assert disk.is_whole(kept)
-    assert list(tmp_path.iterdir()) == [kept]
-
-
-def test_a_folder_is_sealed_from_within(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A file takes its name at once only on the disk where it is, and that for temporary files may be another one."""
-    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "another disk"))
-    assert disk.is_whole(folder(tmp_path, "a", 10))
-
-
-def test_a_folder_of_another_program_does_no_harm(tmp_path: Path) -> None:
-    """As a file manager makes one for its previews."""
-    kept = folder(tmp_path, "a", 10)
-    (kept / "previews").mkdir()
-    assert disk.is_whole(kept)
-
-
-def test_folders_that_cannot_be_made(tmp_path: Path) -> None:
-    """Nothing is written then."""
-    (tmp_path / "file").write_text("")
-    assert disk.new_folder(tmp_path / "file" / "a") is None
-    assert not disk.is_whole(tmp_path / "a")

@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edugym.compiled import bridge
+from edugym.compiled import namedtuples
 from edugym.compiled.code import Code
-from edugym.compiled.subset import _of_name, refusal
+from edugym.compiled.subset import _name_problem, refusal
 from tests.compiled.cells import cell
 from tests.compiled.test_code import loop, notebook
 
@@ -34,7 +34,7 @@ SAID: dict[str, tuple[Any, str | None]] = {
 def test_modules(name: str) -> None:
     """Before anything is compiled."""
     value, said = SAID[name]
-    assert _of_name(value, name) == said
+    assert _name_problem(value, name) == said
 
 
 @pytest.mark.parametrize(
@@ -74,6 +74,6 @@ def test_arrays_that_code_reaches() -> None:
 def test_nothing_is_left_of_a_build() -> None:
     """Not its options, nor functions, which would keep a notebook's old classes alive; after an error, too."""
     function: Any = loop
-    with pytest.raises(KeyError), bridge.building({"boundscheck": True}, {function}):
-        raise KeyError(len(bridge._helpers))
-    assert (bridge._options, bridge._helpers, bridge._parts) == ({}, set(), {})
+    with pytest.raises(KeyError), namedtuples.building({"boundscheck": True}, {function}):
+        raise KeyError(len(namedtuples._helpers))
+    assert (namedtuples._options, namedtuples._helpers, namedtuples._parts) == ({}, set(), {})

@@ -1,12 +1,11 @@
-"""What docs/machine-code.md says in numbers, and of which functions."""
+"""What docs/machine-code.md says in numbers."""
 
-import math
 from pathlib import Path
 
 import pytest
 
 from edugym.checks.mdps import CHECKED_STEPS
-from edugym.compiled import copies, disk, execution, subset, turns
+from edugym.compiled import disk, execution, interrupt_polling, snapshot
 from edugym.training import trainers
 
 PAGE = " ".join((Path(__file__).parents[2] / "docs" / "machine-code.md").read_text(encoding="utf-8").split())
@@ -17,9 +16,9 @@ PAGE = " ".join((Path(__file__).parents[2] / "docs" / "machine-code.md").read_te
     [
         ("The first 200 training steps", CHECKED_STEPS, 200),
         ("If 5 000 steps or more were asked for", execution.COMPILE_FROM, 5_000),
-        ("Where tables are large (1 MB or more)", copies.LARGE, 10**6),
+        ("Where tables are large (1 MB or more)", snapshot.LARGE, 10**6),
         ("returns to Python some fifty times a second", trainers.CALL_SECONDS, 1 / 50),
-        ("asks after every 4096 turns", turns.BETWEEN, 4096),
+        ("asks after every 4096 turns", interrupt_polling.ITERATIONS_BETWEEN_POLLS, 4096),
         ("never more than about 256 MB", disk.LIMIT, 256 * 2**20),
     ],
 )
@@ -27,21 +26,3 @@ def test_numbers(sentence: str, value: float, said: float) -> None:
     """Each is in a sentence of the page, and is that of the code."""
     assert sentence in PAGE
     assert value == said
-
-
-REST_OF_MATH = subset.words(
-    "cbrt comb dist erf erfc exp2 factorial fma fmax fmin fmod frexp fsum gamma gcd isclose isnormal isqrt "
-    "issubnormal lcm ldexp lgamma modf nextafter perm pow prod remainder signbit sumprod ulp"
-)
-
-
-def test_most_of_math() -> None:
-    """All but a few, which Numba lacks or does otherwise, and those that newer versions of Python have."""
-    assert {name for name in vars(math) if not name.startswith("_")} - REST_OF_MATH == subset.MATH
-
-
-@pytest.mark.parametrize("name", ["abs", "len", "max", "min", "range", "round", "sum", "zip"])
-def test_functions_without_a_module(name: str) -> None:
-    """Those that the page names."""
-    assert f" {name} " in PAGE.replace("`", " ")
-    assert name in subset.BUILTINS

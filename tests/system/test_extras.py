@@ -44,7 +44,15 @@ for package in (edugym, edugym_course):
 NEED_ONE = {
     *(
         f"edugym.compiled.{name}"
-        for name in ("arithmetic", "draws", "generators", "judging", "passes", "pipelines", "turns")
+        for name in (
+            "arithmetic",
+            "compiler_pipelines",
+            "draws",
+            "interrupt_polling",
+            "random_generators",
+            "typed_checks",
+            "untyped_checks",
+        )
     ),
     *(f"edugym.deep.{name}" for name in ("baselines", "curves", "ppo", "vec_env")),
     "edugym_course.lessons.dimensionality.layers",

@@ -30,6 +30,8 @@ from tests.training.tasks import (
     tell_tale,
 )
 
+pytestmark = pytest.mark.usefixtures("compiled_at_once")
+
 
 @pytest.fixture
 def compiled_loops(monkeypatch: pytest.MonkeyPatch) -> list[str]:

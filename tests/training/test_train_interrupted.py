@@ -66,7 +66,7 @@ def test_ctrl_c_ends_the_interpreter_where_machine_code_failed(given_up: bool, m
         ended.append(True)
 
     code: Any = SimpleNamespace(first_change=lambda: None)
-    run = execution._guarded(fails, presses, code, (lambda *_: None) if given_up else presses)
+    run = execution._with_replay(fails, presses, code, (lambda *_: None) if given_up else presses)
 
     def work() -> None:
         with SignalGuard() as work:

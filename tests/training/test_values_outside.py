@@ -14,6 +14,8 @@ from edugym.compiled import compiler
 from tests.compiled.cells import LEARNER, SLIPPERY, WALK, cell
 from tests.training.tasks import interpret
 
+pytestmark = pytest.mark.usefixtures("compiled_at_once")
+
 TABLE = "Q = np.zeros((6, 2))\n"
 GREEDY = "    def greedy(self, state, rng):\n        return int(self.Q[state, 1] > self.Q[state, 0])\n"
 ACTS, LEARNS = LEARNER.split("    def learn")

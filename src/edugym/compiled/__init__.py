@@ -1,1 +1,1 @@
-"""Everything that knows Numba: what may be compiled, its fingerprint, the compiler, random generators, execution."""
+"""Machine code of loops, MDPs and agents by Numba: what may be compiled, compiling, the disk cache, and running it."""

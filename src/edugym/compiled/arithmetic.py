@@ -1,11 +1,12 @@
-"""Arithmetic as Python does it, or an error: what users' code uses in place of the machine's own, once compiled.
+"""Checked arithmetic for students' machine code: it gives what Python gives, or raises an error.
 
-Where Python raises an error, or goes on with larger numbers than 64 bits hold, these raise one. The chunk of steps is
-then played again by the interpreter, which knows what to do.
+An error is raised where Python raises one, and where Python goes on with larger numbers than 64 bits hold. The
+interpreter then repeats the call (`edugym.compiled.execution`).
 
-`REPLACED` are ordinary functions, put in place of `math.exp` and the like by their names. `CHECKED` are operations on
-whole numbers, powers, and comparisons of whole with real numbers, put in place of the operators where both types are
-known. Comparisons with real numbers ask for whole numbers up to 2^53, which are real numbers as well.
+`REPLACED`, `CALLED` and `EXTREMES` are ordinary functions that replace `math.exp` and the like by name
+(`edugym.compiled.untyped_checks`). `CHECKED` are operations on whole numbers, powers, and comparisons of whole with
+real numbers; they replace operators once types are known (`edugym.compiled.typed_checks`). Whole numbers are compared
+with real ones only up to 2^53, below which each is a real number exactly.
 """
 
 import builtins
@@ -25,11 +26,11 @@ cgutils: Any = importlib.import_module("numba.core.cgutils")
 llvm: Any = importlib.import_module("llvmlite.ir")
 binding: Any = importlib.import_module("llvmlite.binding")
 Function = Callable[..., Any]
-EXACT = 2**53  # up to here every whole number is a real number of 64 bits
+LARGEST_EXACT = 2**53  # up to here every whole number is a real number of 64 bits
 TINY, BELOW_ONE, LARGEST = 5e-324, math.nextafter(1.0, 0.0), 1.7976931348623157e308
 
 
-def _within(function: Function, lowest: float, highest: float) -> Function:
+def _in_domain(function: Function, lowest: float, highest: float) -> Function:
     """A function of `math` that is defined from `lowest` to `highest`."""
 
     def checked(x: Any) -> Any:
@@ -52,7 +53,7 @@ def _finite(function: Function) -> Function:
     return checked
 
 
-def _whole(function: Function) -> Function:
+def _to_whole(function: Function) -> Function:
     """A function that makes whole numbers of real ones."""
 
     def checked(x: Any) -> Any:
@@ -166,15 +167,15 @@ _clip.__name__, _flatnonzero.__name__ = "np.clip", "np.flatnonzero"  # by which 
 
 
 REPLACED: dict[Any, Function] = {
-    **{function: _within(function, -LARGEST, LARGEST) for function in (math.sin, math.cos, math.tan)},
-    **{function: _within(function, TINY, math.inf) for function in (math.log, math.log2, math.log10)},
-    **{function: _within(function, -1.0, 1.0) for function in (math.acos, math.asin)},
-    math.sqrt: _within(math.sqrt, 0.0, math.inf),
-    math.log1p: _within(math.log1p, -BELOW_ONE, math.inf),
-    math.atanh: _within(math.atanh, -BELOW_ONE, BELOW_ONE),
-    math.acosh: _within(math.acosh, 1.0, math.inf),
+    **{function: _in_domain(function, -LARGEST, LARGEST) for function in (math.sin, math.cos, math.tan)},
+    **{function: _in_domain(function, TINY, math.inf) for function in (math.log, math.log2, math.log10)},
+    **{function: _in_domain(function, -1.0, 1.0) for function in (math.acos, math.asin)},
+    math.sqrt: _in_domain(math.sqrt, 0.0, math.inf),
+    math.log1p: _in_domain(math.log1p, -BELOW_ONE, math.inf),
+    math.atanh: _in_domain(math.atanh, -BELOW_ONE, BELOW_ONE),
+    math.acosh: _in_domain(math.acosh, 1.0, math.inf),
     **{function: _finite(function) for function in (math.exp, math.expm1, math.cosh, math.sinh)},
-    **{function: _whole(function) for function in (math.floor, math.ceil, math.trunc)},
+    **{function: _to_whole(function) for function in (math.floor, math.ceil, math.trunc)},
     builtins.any: _any,
     builtins.all: _all,
     np.median: _median,
@@ -183,24 +184,24 @@ REPLACED: dict[Any, Function] = {
     **{function: _extreme("np.max", operator.gt, lambda a: np.max(a)) for function in (np.max, np.amax)},
     **{function: _extreme("np.min", operator.lt, lambda a: np.min(a)) for function in (np.min, np.amin)},
 }
-"""What stands for functions of `math` and `np`, and for two of Python's own that Numba does not have."""
+"""Replacements of functions of `math` and `np`, and of two of Python's own that Numba does not have."""
 CALLED: dict[Any, Function] = {
-    builtins.int: _whole(int),
-    builtins.round: _whole(round),
+    builtins.int: _to_whole(int),
+    builtins.round: _to_whole(round),
     builtins.float: _float,
     builtins.sum: _sum,
     builtins.pow: _pow,
 }
-"""What stands for builtins where they are called (`int` may also be the type of an array)."""
+"""Replacements of builtins where they are called (`int` may also be the type of an array)."""
 EXTREMES: dict[str, Function] = {
     "max": _extreme("max", operator.gt, lambda a: a.max()),
     "min": _extreme("min", operator.lt, lambda a: a.min()),
 }
-"""What stands for methods of arrays where they are called without arguments."""
+"""Replacements of methods of arrays where they are called without arguments."""
 
 
 class Operation(NamedTuple):
-    """What stands for an operator.
+    """An operation that replaces an operator.
 
     Attributes:
         function: the name by which Numba knows it.
@@ -239,7 +240,7 @@ def _whole_operation(name: str) -> Operation:
     return _operation((types.int64, types.int64), types.int64, implementation)
 
 
-def _written(function: Function, kinds: tuple[Any, Any], result: Any) -> Operation:
+def _operation_in_python(function: Function, kinds: tuple[Any, Any], result: Any) -> Operation:
     """An operation written in Python."""
 
     def implementation(context: Any, builder: Any, signature: Any, values: Any) -> Any:
@@ -264,10 +265,10 @@ def _whole_power(base: int, exponent: int) -> int:
     return power
 
 
-def _pow_of_libm() -> Function:
-    """C's `pow`, as Python calls it: left to itself the compiler makes `x * x` of it where it can, which may differ."""
+def _declare_libm_pow() -> Function:
+    """C's `pow`, which Python calls too; the compiler would make `x * x` and the like of its own."""
 
-    def libms(base: Any, exponent: Any) -> Any:
+    def libm_pow(base: Any, exponent: Any) -> Any:
         raise NotImplementedError
 
     def implementation(context: Any, builder: Any, signature: Any, values: Any) -> Any:
@@ -282,12 +283,12 @@ def _pow_of_libm() -> Function:
         found = None
     if found:
         binding.add_symbol("edugym_pow", found)
-    extending.type_callable(libms)(lambda context: lambda x, y: types.float64)
-    extending.lower_builtin(libms, types.float64, types.float64)(implementation)
-    return libms
+    extending.type_callable(libm_pow)(lambda context: lambda x, y: types.float64)
+    extending.lower_builtin(libm_pow, types.float64, types.float64)(implementation)
+    return libm_pow
 
 
-_libms = _pow_of_libm()
+_libm_pow = _declare_libm_pow()
 
 
 def _power(base: Any, exponent: Any) -> Any:
@@ -295,25 +296,25 @@ def _power(base: Any, exponent: Any) -> Any:
         raise ZeroDivisionError("zero to a negative power")
     if base < 0.0 and exponent != math.floor(exponent) and not math.isinf(exponent):
         raise ValueError("a power that is a complex number")
-    power = _libms(base, exponent)
+    power = _libm_pow(base, exponent)
     if math.isinf(power) and not math.isinf(base) and not math.isinf(exponent):
         raise OverflowError("a power that is too large")
     return power
 
 
-def _divided(x: int, y: int) -> float:
-    if max(abs(x), abs(y)) > EXACT:
+def _quotient(x: int, y: int) -> float:
+    if max(abs(x), abs(y)) > LARGEST_EXACT:
         raise OverflowError("whole numbers too large for an exact division")
     return x / y
 
 
-def _left(x: int, y: int) -> int:
+def _left_shift(x: int, y: int) -> int:
     if y < 0 or y > 62 or (x << y) >> y != x:
         raise OverflowError("more than 64 bits")
     return x << y
 
 
-def _right(x: int, y: int) -> int:
+def _right_shift(x: int, y: int) -> int:
     if y < 0:
         raise ValueError("negative shift count")
     return x >> min(y, 63)
@@ -324,24 +325,24 @@ def _comparison(compare: Function, *, whole_first: bool) -> Operation:
 
     def compared(x: Any, y: Any) -> Any:
         whole = x if whole_first else y
-        if whole > EXACT or whole < -EXACT:
+        if whole > LARGEST_EXACT or whole < -LARGEST_EXACT:
             raise OverflowError("a whole number too large to be compared with a real one")
         return compare(float(x), float(y))
 
     kinds = (types.int64, types.float64) if whole_first else (types.float64, types.int64)
-    return _written(compared, kinds, types.boolean)
+    return _operation_in_python(compared, kinds, types.boolean)
 
 
 INT, REAL = types.int64, types.float64
-POWER = _written(_power, (REAL, REAL), REAL)
+POWER = _operation_in_python(_power, (REAL, REAL), REAL)
 CHECKED: dict[tuple[Any, Any, Any], Operation] = {
     (operator.add, INT, INT): _whole_operation("sadd_with_overflow"),
     (operator.sub, INT, INT): _whole_operation("ssub_with_overflow"),
     (operator.mul, INT, INT): _whole_operation("smul_with_overflow"),
-    (operator.pow, INT, INT): _written(_whole_power, (INT, INT), INT),
-    (operator.truediv, INT, INT): _written(_divided, (INT, INT), REAL),
-    (operator.lshift, INT, INT): _written(_left, (INT, INT), INT),
-    (operator.rshift, INT, INT): _written(_right, (INT, INT), INT),
+    (operator.pow, INT, INT): _operation_in_python(_whole_power, (INT, INT), INT),
+    (operator.truediv, INT, INT): _operation_in_python(_quotient, (INT, INT), REAL),
+    (operator.lshift, INT, INT): _operation_in_python(_left_shift, (INT, INT), INT),
+    (operator.rshift, INT, INT): _operation_in_python(_right_shift, (INT, INT), INT),
     **{(operator.pow, *kinds): POWER for kinds in ((REAL, REAL), (REAL, INT), (INT, REAL))},
     **{
         (compare, *((INT, REAL) if first else (REAL, INT))): _comparison(compare, whole_first=first)
@@ -349,4 +350,4 @@ CHECKED: dict[tuple[Any, Any, Any], Operation] = {
         for first in (True, False)
     },
 }
-"""What stands for an operator between two types of numbers."""
+"""Replacements of operators, by the operator and the types of its operands."""

@@ -1,4 +1,4 @@
-"""What code a loop can reach, and its fingerprint, so that machine code is never run for code that has changed."""
+"""The code that a loop can reach, and its fingerprint: machine code is never run for code that has changed."""
 
 import dis
 import hashlib
@@ -18,29 +18,29 @@ from edugym.system.packages import is_ours, package_of
 LIBRARIES = frozenset(
     {"builtins", "math", "numba", "numpy", "typing", "collections", "gymnasium", "operator", "sys", "enum"}
 )
-"""Packages whose code does not change under the feet of a session."""
+"""Packages whose code does not change while a program runs."""
 EXTENDED_ARG, LOAD_GLOBAL = dis.opmap["EXTENDED_ARG"], dis.opmap["LOAD_GLOBAL"]
-NAMEDTUPLE_OWN = frozenset({"_make", "_replace", "_asdict", "_fields", "_field_defaults"})
-"""What every NamedTuple has."""
+NAMEDTUPLE_MEMBERS = frozenset({"_make", "_replace", "_asdict", "_fields", "_field_defaults"})
+"""Members that every NamedTuple has."""
 _ABSENT = object()
-_walked: dict[tuple[Any, ...], "Code"] = {}
+_known: dict[tuple[Any, ...], "Code"] = {}
 
 
 def code_of(loop: Callable[..., Any], values: tuple[Any, ...]) -> "Code":
-    """Return the `Code` that `loop(*values)` can reach.
+    """The `Code` that `loop(*values)` can reach.
 
-    A walk takes some milliseconds, and an experiment has thousands of runs. So a walk through nothing but the package's
-    own code is kept, and serves as long as a look at all that it met finds everything in its place.
+    Collecting it takes some milliseconds, and an experiment has thousands of runs. So the package's own code is
+    remembered, and collected again once anything in it has changed.
     """
     key = (loop, *classes_of(values))
-    known = _walked.get(key)
+    known = _known.get(key)
     if known is not None and known.is_unchanged():
         return known
     code = Code(loop, values)
     if code.is_watchable:
-        _walked[key] = code
+        _known[key] = code
     else:
-        _walked.pop(key, None)
+        _known.pop(key, None)
     return code
 
 
@@ -48,52 +48,53 @@ class Code:
     """The code that a loop over some values can reach: its classes, its functions, and their fingerprint.
 
     A member of a class is reached if code that is reached uses its name: `create` or `scene`, which no loop names, are
-    neither hashed nor judged.
+    neither hashed nor checked.
 
     Attributes:
         classes: every NamedTuple class met: those of the values, and those that functions name.
         functions: every plain function met: the loop, methods, properties and helpers.
-        members: what every reached name stands for in a class: (class, name) -> method, property or constant.
-        globals: what every global name stands for that a function uses: (function, name) -> value.
-        cells: what every variable of an outer function stands for: (inner function, variable, value).
+        members: the reached members of classes: (class, name) -> method, property or constant.
+        globals: the global names that functions use: (function, name) -> value.
+        cells: the variables of outer functions: (inner function, variable, value).
+        attributes: what functions may take from modules: (function, module, name, value).
         fingerprint: a hash of all this code and of the global constants that it reads.
         is_watchable: whether `is_unchanged` can tell that something has changed. It cannot for code that is not the
             package's own, or reaches an array or the like, whose contents change while no name changes its meaning.
     """
 
     def __init__(self, loop: Callable[..., Any], values: tuple[Any, ...]) -> None:
-        """Walk through all that `loop(*values)` can reach."""
+        """Collects all that `loop(*values)` can reach."""
         self.classes: dict[type, None] = {}
         self.functions: dict[FunctionType, None] = {}
         self.members: dict[tuple[type, str], Any] = {}
         self.globals: dict[tuple[FunctionType, str], Any] = {}
         self.cells: list[tuple[FunctionType, CellType, Any]] = []
-        self.attributes: list[tuple[FunctionType, ModuleType, str, Any]] = []  # what functions may take from modules
+        self.attributes: list[tuple[FunctionType, ModuleType, str, Any]] = []
         self._names: dict[str, None] = {}
         self._owners: dict[type, None] = {}  # the classes whose members count
         self._looked_up: dict[tuple[int, str], tuple[dict[str, Any], str, Any]] = {}  # in globals and modules
-        self._changeable = False  # whether it met what can change while no name changes its meaning
+        self._has_mutable = False  # whether it reaches a value that can change in place
         self._seen: dict[int, int] = {}
         self._kept: list[Any] = []  # ids stay unique while the objects live
         self._hash = hashlib.sha256()
-        self._add(_compilers_own_code())
+        self._add(_hash_of_compiler())
         self._visit(loop)
         for kind in classes_of(values):
             self._visit(kind)
-        while missing := self._unvisited():
+        while missing := self._unvisited_members():
             for kind, name in missing:
-                self._member(kind, name)
+                self._visit_member(kind, name)
         self.fingerprint = self._hash.hexdigest()[:24]
-        self.is_watchable = not self._changeable and not self.foreign
-        self._were = [
+        self.is_watchable = not self._has_mutable and not self.foreign
+        self._array_bytes = [
             (name, array, array.tobytes())
             for of, name, value in self.named()
             if is_foreign(of)
             for array in arrays_in(value)
         ]
         self._shapes = [(kind, kind.__mro__, getattr(kind, "_fields", None)) for kind in self._owners]
-        self._contents = [(base, set(vars(base))) for base in self._bases()]
-        self._functions = [(one, one.__code__, one.__defaults__, one.__kwdefaults__) for one in self.functions]
+        self._member_names = [(base, set(vars(base))) for base in self._bases()]
+        self._function_parts = [(one, one.__code__, one.__defaults__, one.__kwdefaults__) for one in self.functions]
 
     @property
     def foreign(self) -> bool:
@@ -119,11 +120,8 @@ class Code:
         return ", ".join(own or [kind.__name__ for kind in self.classes])
 
     def first_change(self) -> str | None:
-        """Name a method, global or array in a student's code that is not what it was, if there is one.
-
-        It only looks at what the walk has found.
-        """
-        for name, array, before in self._were:
+        """The name of a method, global or array in a student's code that is not what it was, if there is one."""
+        for name, array, before in self._array_bytes:
             if array.tobytes() != before:
                 return name
         for (kind, name), member in self._watched_members:
@@ -142,14 +140,14 @@ class Code:
         return None if changed is None else "a variable of a function around it"
 
     def is_unchanged(self) -> bool:
-        """Whether another walk would find the same, if the code is watchable: a look at all that this walk met."""
+        """Whether the code, if it is watchable, is still what was collected."""
         return (
             all(kind.__mro__ is mro and getattr(kind, "_fields", None) is fields for kind, mro, fields in self._shapes)
-            and all(vars(base).keys() == names for base, names in self._contents)
+            and all(vars(base).keys() == names for base, names in self._member_names)
             and all(vars(kind).get(name) is member for (kind, name), member in self.members.items())
             and all(
                 one.__code__ is code and one.__defaults__ is defaults and one.__kwdefaults__ is named
-                for one, code, defaults, named in self._functions
+                for one, code, defaults, named in self._function_parts
             )
             and all(space.get(name, _ABSENT) is value for space, name, value in self._looked_up.values())
             and all(inside(cell) is value for _, cell, value in self.cells)
@@ -157,11 +155,11 @@ class Code:
 
     @cached_property
     def arrays(self) -> tuple[np.ndarray[Any, Any], ...]:
-        """The arrays that code reaches by a name of its own, and not as an argument."""
+        """The arrays that code reaches by a name, and not as an argument."""
         return tuple(arrays_in(*(value for *_, value in self.named())))
 
     def named(self) -> Iterator[tuple[FunctionType | type, str, Any]]:
-        """What code reaches by a name of its own, each with the function or class and the name."""
+        """The values that code reaches by a name, each with the function or class and the name."""
         yield from ((function, name, value) for (function, name), value in self.globals.items())
         yield from ((kind, name, value) for (kind, name), value in self.members.items())
         for function, cell, value in self.cells:
@@ -184,21 +182,21 @@ class Code:
     def _watched_cells(self) -> list[tuple[CellType, Any]]:
         return [(cell, value) for function, cell, value in self.cells if is_foreign(function)]
 
-    def _unvisited(self) -> list[tuple[type, str]]:
-        """Members whose names are reached by now, in an order that is the same in every process."""
+    def _unvisited_members(self) -> list[tuple[type, str]]:
+        """Members whose names are reached by now, in the same order in every process."""
         names = sorted(self._names)
         return [
             (base, name)
             for base in self._bases()
             for name in names
-            if name in vars(base) and (base, name) not in self.members and name not in NAMEDTUPLE_OWN
+            if name in vars(base) and (base, name) not in self.members and name not in NAMEDTUPLE_MEMBERS
         ]
 
     def _bases(self) -> Iterator[type]:
-        """The classes in which members are looked up, in order, some of them more than once."""
+        """The classes in which members are looked up, in order, some more than once."""
         return (base for kind in self._owners for base in kind.__mro__ if package_of(base) not in LIBRARIES)
 
-    def _member(self, kind: type, name: str) -> None:
+    def _visit_member(self, kind: type, name: str) -> None:
         if (kind, name) in self.members:
             return
         member = self.members[kind, name] = vars(kind)[name]
@@ -207,7 +205,7 @@ class Code:
         if isinstance(function, classmethod | staticmethod):
             function = function.__func__
         if isinstance(function, FunctionType):
-            self._function(function)
+            self._visit_function(function)
         elif type(function).__name__ != "_tuplegetter":  # a field
             self._visit(function)
 
@@ -223,11 +221,11 @@ class Code:
         self._add(package_of(thing), getattr(thing, "__qualname__", None), getattr(thing, "__name__", None))
         if isinstance(thing, FunctionType):
             if package_of(thing) not in LIBRARIES:
-                self._function(thing)
+                self._visit_function(thing)
         elif isinstance(thing, type):
-            self._class(thing)
+            self._visit_class(thing)
         elif isinstance(thing, np.ndarray):
-            self._changeable = True
+            self._has_mutable = True
             self._add(thing.dtype, thing.shape, thing.tobytes())
         elif isinstance(thing, tuple):
             self._add(len(thing))
@@ -235,11 +233,11 @@ class Code:
             for part in thing:
                 self._visit(part)
         elif package_of(type(thing)) == "numba":
-            self._compiled_by_its_author(thing)
+            self._visit_numba_object(thing)
 
-    def _compiled_by_its_author(self, thing: Any) -> None:
-        """What @njit, @vectorize, @guvectorize and @cfunc have made, or a type of Numba's."""
-        self._changeable = True
+    def _visit_numba_object(self, thing: Any) -> None:
+        """Visits what @njit, @vectorize, @guvectorize or @cfunc has made, or a type of Numba's."""
+        self._has_mutable = True
         self._add(type(thing).__qualname__)
         inner = getattr(thing, "gufunc_builder", thing)
         found = [getattr(inner, name, None) for name in ("py_func", "__wrapped__", "_pyfunc")]
@@ -249,7 +247,7 @@ class Code:
         else:
             self._add(re.sub(r"0x[0-9a-f]+", "", str(thing)))
 
-    def _class(self, kind: type) -> None:
+    def _visit_class(self, kind: type) -> None:
         if package_of(kind) in LIBRARIES:
             return
         self._add(kind.__qualname__, getattr(kind, "_fields", ()))
@@ -264,55 +262,55 @@ class Code:
             for member in kind:
                 self._visit(member)
 
-    def _function(self, function: FunctionType) -> None:
+    def _visit_function(self, function: FunctionType) -> None:
         if function in self.functions:
             return
         self.functions[function] = None
         self._add(function.__qualname__)
         self._visit(function.__defaults__)
         for name, value in sorted((function.__kwdefaults__ or {}).items()):
-            self._changeable = True
+            self._has_mutable = True
             self._add(name)
             self._visit(value)
-        names = self._code(function.__code__)
+        names = self._hash_bytecode(function.__code__)
         self._names.update(dict.fromkeys(names))
         loaded = _global_names(function.__code__)
-        self._look_up(function.__globals__, loaded)
+        self._remember(function.__globals__, loaded)
         for name in sorted(loaded & function.__globals__.keys()):
             self._add(name)
             self.globals[function, name] = function.__globals__[name]
-            self._reached(function, function.__globals__[name], names)
+            self._visit_global(function, function.__globals__[name], names)
         for cell in function.__closure__ or ():
             self.cells.append((function, cell, inside(cell)))
             self._visit(inside(cell))
 
-    def _reached(self, function: FunctionType, value: Any, names: set[str]) -> None:
-        """What a global name stands for; of a module, what the code may take from it by one of the names it uses."""
+    def _visit_global(self, function: FunctionType, value: Any, names: set[str]) -> None:
+        """Visits the value of a global name; of a module, what the code may take from it by the names it uses."""
         if not isinstance(value, ModuleType):
             self._visit(value)
             return
         self._add(value.__name__)
         if package_of(value) not in LIBRARIES:
-            self._look_up(vars(value), names)
+            self._remember(vars(value), names)
             for name in sorted(names & vars(value).keys()):
                 self._add(name)
                 self.attributes.append((function, value, name, vars(value)[name]))
-                self._reached(function, vars(value)[name], names - {name})
+                self._visit_global(function, vars(value)[name], names - {name})
 
-    def _look_up(self, space: dict[str, Any], names: set[str]) -> None:
-        """Remember what names stand for, those included that stand for nothing yet."""
+    def _remember(self, space: dict[str, Any], names: set[str]) -> None:
+        """Remembers what names stand for, including those that stand for nothing yet."""
         for name in names:
             self._looked_up[id(space), name] = (space, name, space.get(name, _ABSENT))
 
-    def _code(self, code: CodeType) -> set[str]:
-        """Hash the byte code and give the names it uses, those of inner functions and comprehensions included."""
+    def _hash_bytecode(self, code: CodeType) -> set[str]:
+        """Hashes the byte code and returns the names it uses, those of inner functions and comprehensions included."""
         names = set(code.co_names)
         self._add(code.co_code, code.co_names, code.co_varnames, code.co_freevars)
         for constant in code.co_consts:
             if isinstance(constant, CodeType):
-                names |= self._code(constant)
+                names |= self._hash_bytecode(constant)
             else:
-                self._add(type(constant), _stable(constant))
+                self._add(type(constant), _ordered(constant))
         return names
 
     def _add(self, *things: Any) -> None:
@@ -322,7 +320,7 @@ class Code:
 def _global_names(code: CodeType) -> set[str]:
     """The names that byte code looks up among the globals, and not as attributes, those of inner functions included.
 
-    Read by hand: `dis` takes ten times as long, and a run begins with some hundred functions.
+    Decoded by hand: `dis` takes ten times as long, and a run begins with some hundred functions.
     """
     names: set[str] = set()
     high = 0
@@ -334,9 +332,9 @@ def _global_names(code: CodeType) -> set[str]:
     return names.union(*(_global_names(constant) for constant in code.co_consts if isinstance(constant, CodeType)))
 
 
-def _stable(constant: Any) -> Any:
+def _ordered(constant: Any) -> Any:
     """A constant of code in a form whose `repr` is the same in every process: sets have no order."""
-    return ("set", sorted(repr(_stable(part)) for part in constant)) if isinstance(constant, frozenset) else constant
+    return ("set", sorted(repr(_ordered(part)) for part in constant)) if isinstance(constant, frozenset) else constant
 
 
 def arrays_in(*values: Any) -> Iterator[np.ndarray[Any, Any]]:
@@ -349,7 +347,7 @@ def arrays_in(*values: Any) -> Iterator[np.ndarray[Any, Any]]:
 
 
 def inside(cell: CellType, default: Any = None) -> Any:
-    """What a variable of an outer function stands for, or `default` where it has no value yet."""
+    """The value of a variable of an outer function, or `default` where it has none yet."""
     try:
         return cell.cell_contents
     except ValueError:
@@ -371,8 +369,8 @@ def classes_of(value: Any) -> Iterator[type]:
 
 
 @cache
-def _compilers_own_code() -> str:
-    """A hash of the files that decide how code is compiled: what an older version of them left on disk is not used."""
+def _hash_of_compiler() -> str:
+    """A hash of this package, which decides how code is compiled: other versions of it do not share a disk cache."""
     return hashlib.sha256(
         b"".join(file.read_bytes() for file in sorted(Path(__file__).parent.glob("*.py")))
     ).hexdigest()

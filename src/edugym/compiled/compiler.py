@@ -1,7 +1,7 @@
-"""From plain Python to machine code.
+"""Compiles plain Python to machine code.
 
 An MDP, an agent and a loop over them are plain Python. `compiled(loop, *arguments)` makes one machine-code function of
-them all: `edugym.compiled.bridge` teaches Numba how.
+them all, with `edugym.compiled.namedtuples` and `edugym.compiled.compiler_pipelines`.
 
 The machine code belongs to the *code* it was made from (`edugym.compiled.code`): redefine a class under its old name,
 edit a method in place or change a global number, and the next call compiles anew. The same fingerprint names the folder
@@ -10,9 +10,12 @@ of the disk cache.
 
 import hashlib
 import importlib
+import importlib.util
 import logging
+import os
 import re
 import threading
+import time
 import warnings
 from collections.abc import Callable
 from functools import cache
@@ -22,17 +25,17 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from edugym.compiled.bridge import building, take_scipy_for_granted, teach
 from edugym.compiled.code import Code, code_of
 from edugym.compiled.disk import SEAL, cache_directory, is_whole, new_folder, publish, remove, seal
-from edugym.compiled.reasons import reason
+from edugym.compiled.error_messages import reason
+from edugym.compiled.namedtuples import building, skip_check_of_scipy, teach
 from edugym.system.interrupts import call_interruptibly
 
 Function = Callable[..., Any]
 
 
 class _Key(NamedTuple):
-    """Of what there is a build: the loop, all code that it reaches, the types of the arguments, and the classes."""
+    """The key of a build: the loop, all code that it reaches, the types of the arguments, and the classes."""
 
     loop: Function
     fingerprint: str
@@ -41,13 +44,14 @@ class _Key(NamedTuple):
 
 
 _built: dict[_Key, Any] = {}
+_build_seconds = [1.5]  # that the last build took which was not on the disk; at first an estimate
 KEPT = 3
-"""How many builds of a loop are kept for classes of the same names."""
+"""The number of builds of a loop that are kept for classes of the same names."""
 _lock = threading.RLock()
-_taught: list[str] = []  # nothing yet; then what is wrong with this version of Numba, or ""
+_setup_error: list[str] = []  # empty until Numba is set up; then what is wrong with this version of it, or ""
 logger = logging.getLogger("edugym")
 LEAN = {"_nrt": False, "boundscheck": True}
-COUNTING = {"boundscheck": True}
+WITH_COUNTS = {"boundscheck": True}
 
 
 class CompilationError(Exception):
@@ -59,12 +63,12 @@ class NoCompiler(CompilationError):
 
 
 def compiled(loop: Function, *arguments: Any, code: Code | None = None) -> Function:
-    """The machine code of `loop` for arguments like these: same results, bit for bit, without the interpreter.
+    """Machine code of `loop` for arguments like these, with the same results, bit for bit.
 
     Args:
         loop: a plain function; positional arguments only.
         *arguments: what it will be called with, or values of the same types.
-        code: what the loop can reach, where the caller has walked through it already.
+        code: the code that the loop can reach, if the caller knows it.
 
     Returns:
         A function with the behaviour of `loop`; array indices are checked (a table made for another environment is an
@@ -78,15 +82,15 @@ def compiled(loop: Function, *arguments: Any, code: Code | None = None) -> Funct
     code = code or code_of(loop, arguments)
     streams = [k for k, argument in enumerate(arguments) if isinstance(argument, np.random.Generator)]
     try:
-        signature = tuple(map(numba.typeof, _located(arguments, streams)))
+        signature = tuple(map(numba.typeof, _with_located(arguments, streams)))
     except Exception as error:  # Numba has no one class for all that can be wrong
         raise CompilationError(_reason(error, code)) from error
-    machine_code = _made(numba, loop, signature, code)
-    namesake = False  # whether Numba's fast path, which compares names, takes a class for another one of the same name
+    machine_code = _find_or_build(numba, loop, signature, code)
+    namesake = False  # whether Numba's fast path confuses a class with another of the same name
 
     def run(*given: Any) -> Any:
         nonlocal namesake
-        arguments = _located(given, streams)
+        arguments = _with_located(given, streams)
         if not namesake:
             try:
                 return machine_code(*arguments)
@@ -101,29 +105,34 @@ def compiled(loop: Function, *arguments: Any, code: Code | None = None) -> Funct
     return run
 
 
-def _located(arguments: tuple[Any, ...], streams: list[int]) -> tuple[Any, ...]:
-    """The arguments, with the random generators in the places `streams` as machine code takes them."""
-    located, values = _locate(), list(arguments)
+def _with_located(arguments: tuple[Any, ...], streams: list[int]) -> tuple[Any, ...]:
+    """The arguments, with the random generators in the places `streams` passed by their addresses."""
+    located, values = _locator(), list(arguments)
     for k in streams:
         values[k] = located(values[k])
     return tuple(values)
 
 
 @cache
-def _locate() -> Callable[[Any], Any]:
-    """What finds the addresses of a random generator, or gives it back as it is where Numba is not as expected."""
+def _locator() -> Callable[[Any], Any]:
+    """The function that finds the addresses of a generator; where Numba is not as expected it returns its argument."""
     try:
-        located: Callable[[Any], Any] = importlib.import_module("edugym.compiled.generators").located
+        located: Callable[[Any], Any] = importlib.import_module("edugym.compiled.random_generators").located
     except (ImportError, AttributeError):
         return lambda rng: rng
     return located
 
 
+def may_compile() -> bool:
+    """Whether there seems to be a compiler: Numba is not loaded for that, which takes half a second."""
+    return importlib.util.find_spec("numba") is not None and os.environ.get("NUMBA_DISABLE_JIT", "0") in ("", "0")
+
+
 def check_compiler() -> None:
-    """Make sure that something can be compiled here.
+    """Loads Numba.
 
     Raises:
-        NoCompiler: nothing can.
+        NoCompiler: nothing can be compiled here.
     """
     _numba()
 
@@ -134,8 +143,13 @@ def is_built(loop: Function, code: Code) -> bool:
 
 
 def is_on_disk(code: Code) -> bool:
-    """Whether an earlier run has left machine code of it."""
-    return any(folder.exists() for folder in _folders(code))
+    """Whether an earlier run has left machine code of it; answered without loading Numba."""
+    return any(cache_directory().glob(f"{code.fingerprint}-*"))
+
+
+def seconds_to_build() -> float:
+    """Estimates how long the next build takes: as long as the last one. Before the first, Numba is loaded."""
+    return _build_seconds[-1]
 
 
 def _folders(code: Code) -> tuple[Path, Path]:
@@ -151,37 +165,37 @@ def _processor() -> str:
     return hashlib.sha256(repr(target.target_context.codegen().magic_tuple()).encode()).hexdigest()[:8]
 
 
-def _made(numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) -> Any:
+def _find_or_build(numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) -> Any:
     """The build, made when it is first needed; a build that has failed is not tried again.
 
-    Run the cell of a class again unchanged, and there is nothing to build: the same code has the same fingerprint, and
-    machine code that returns no value of the class serves both.
+    When the cell of a class is run again unchanged, nothing is built: the same code has the same fingerprint, and
+    machine code that returns no value of the class serves both classes.
     """
-    if _found(loop, signature, code) is None:
-        call_interruptibly(_make, numba, loop, signature, code)
-    made = _found(loop, signature, code)
+    if _find(loop, signature, code) is None:
+        call_interruptibly(_build_once, numba, loop, signature, code)
+    made = _find(loop, signature, code)
     if isinstance(made, CompilationError):
         raise CompilationError(str(made))
     return made
 
 
-def _found(loop: Function, signature: tuple[Any, ...], code: Code) -> Any:
+def _find(loop: Function, signature: tuple[Any, ...], code: Code) -> Any:
     """The build for these types and this code, or the error of building it; None if there is neither."""
     classes = tuple(code.classes)
     for key, made in list(_built.items()):
         same = key.loop is loop and key.fingerprint == code.fingerprint and _alike(key.signature, signature)
-        if same and (key.classes == classes or isinstance(made, CompilationError) or not _gives_classes(made)):
+        if same and (key.classes == classes or isinstance(made, CompilationError) or not _returns_class(made)):
             return made
     return None
 
 
-def _make(numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) -> None:
-    """Build it, unless another thread just did; one build at a time.
+def _build_once(numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) -> None:
+    """Builds it, unless another thread just did; one build at a time.
 
-    Of classes that have changed only the latest builds are kept: the 2 MB of each would add up.
+    Of classes that have changed only the latest builds are kept, since each takes 2 MB.
     """
     with _lock:
-        if _found(loop, signature, code) is not None:
+        if _find(loop, signature, code) is not None:
             return
         try:
             made = _build(numba, loop, signature, code)
@@ -194,7 +208,7 @@ def _make(numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) ->
 
 
 def _alike(one: tuple[Any, ...], other: tuple[Any, ...]) -> bool:
-    """Whether types are the same, but for NamedTuple classes that are others of the same name."""
+    """Whether types are the same, or differ only in NamedTuple classes of the same names and fields."""
     types = _numba().types
 
     def same(kind: Any, other_kind: Any) -> bool:
@@ -210,8 +224,8 @@ def _alike(one: tuple[Any, ...], other: tuple[Any, ...]) -> bool:
     return len(one) == len(other) and all(map(same, one, other))
 
 
-def _gives_classes(made: Any) -> bool:
-    """Whether machine code gives back a value of a NamedTuple class, which is of the class it was made for."""
+def _returns_class(made: Any) -> bool:
+    """Whether machine code returns a value of a NamedTuple class, which would be the class it was made for."""
     types = _numba().types
 
     def has_class(kind: Any) -> bool:
@@ -223,43 +237,53 @@ def _gives_classes(made: Any) -> bool:
 
 
 def _build(numba: Any, loop: Function, signature: tuple[Any, ...], code: Code) -> Any:
-    """Compile: if possible without reference counts, else with them.
-
-    Where nothing allocates, reference counts do nothing but cost: without them the loop is faster, and checks of array
-    indices are nearly free (Q-learning on Boulder 8 ns a step; with counts 6 unchecked, 70 checked).
-    """
+    """The build from the disk, or a new one."""
     lean, counting = _folders(code)
     keep = code.importable and Path(loop.__code__.co_filename).is_file()
-    for folder, options in ((lean, LEAN), (counting, COUNTING)) if keep else ():
-        if is_whole(folder):  # one with counts was kept because no other could be made
+    for folder, options in ((lean, LEAN), (counting, WITH_COUNTS)) if keep else ():
+        if is_whole(folder):  # a build with counts was kept because the lean one failed
             try:
                 return _compile(numba, loop, signature, folder, code, options)
             except Exception:  # made by a Numba that differs in something
                 remove(folder)
-    if all(_countless(kind) for kind in signature):
+    began = time.perf_counter()
+    made = _build_anew(numba, loop, signature, code, *((lean, counting) if keep else (None, None)))
+    _build_seconds[:] = [time.perf_counter() - began]
+    return made
+
+
+def _build_anew(
+    numba: Any, loop: Function, signature: tuple[Any, ...], code: Code, lean: Path | None, counting: Path | None
+) -> Any:
+    """Compiles without reference counts if possible, else with them.
+
+    Where nothing allocates, reference counts are useless. Without them the loop is faster, and checks of array indices
+    are nearly free (Q-learning on Boulder 8 ns a step; with counts 6 unchecked, 70 checked).
+    """
+    if all(_needs_no_counts(kind) for kind in signature):
         try:
-            return _kept(numba, loop, signature, lean if keep else None, code, LEAN)
-        except Exception as error:  # something allocates: what is wrong besides will show in the build that may
-            if isinstance(error, _refused()):
+            return _build_and_keep(numba, loop, signature, lean, code, LEAN)
+        except Exception as error:  # something allocates; any other mistake shows in the next build as well
+            if isinstance(error, _refused_error()):
                 raise
             logger.debug("no build of %s without reference counts: %s", code.names(), _reason(error, code))
-    return _kept(numba, loop, signature, counting if keep else None, code, COUNTING)
+    return _build_and_keep(numba, loop, signature, counting, code, WITH_COUNTS)
 
 
-def _kept(
+def _build_and_keep(
     numba: Any, loop: Function, signature: tuple[Any, ...], folder: Path | None, code: Code, options: dict[str, bool]
 ) -> Any:
-    """A new build, which is left in the folder as well where it can be written."""
+    """A new build, which is kept in the folder if that can be written."""
     unfinished = new_folder(folder) if folder else None
     try:
         made = _compile(numba, loop, signature, unfinished, code, options)
         if options is LEAN:
-            _check_that_nothing_counts(made.overloads[signature])
+            _check_no_counts(made.overloads[signature])
     except Exception as error:
         if unfinished:
             remove(unfinished)
         if isinstance(error, OSError) and unfinished:  # the disk is full
-            return _kept(numba, loop, signature, None, code, options)
+            return _build_and_keep(numba, loop, signature, None, code, options)
         raise
     if unfinished and folder:
         publish(unfinished, folder)
@@ -269,16 +293,16 @@ def _kept(
 def _compile(
     numba: Any, loop: Function, signature: tuple[Any, ...], folder: Path | None, code: Code, options: dict[str, bool]
 ) -> Any:
-    """One build by a dispatcher of its own, since Numba's fast path tells classes apart by their names alone."""
+    """Compiles with a dispatcher of its own, since Numba's fast path tells classes apart by their names alone."""
     users_own = numba.config.CACHE_DIR
     try:
         numba.config.CACHE_DIR = str(folder) if folder else users_own
-        pipeline = importlib.import_module("edugym.compiled.pipelines").Whole
+        pipeline = importlib.import_module("edugym.compiled.compiler_pipelines").Loop
         caching = {"cache": folder is not None, "nogil": True, "no_cfunc_wrapper": True}
         made = numba.njit(pipeline_class=pipeline, **caching, **options)(loop)
     finally:
         numba.config.CACHE_DIR = users_own
-    functions = {*code.functions, *_stand_ins()}
+    functions = {*code.functions, *_replacements()}
     with building(options, functions), warnings.catch_warnings():
         warnings.simplefilter("ignore", importlib.import_module("numba.core.errors").NumbaWarning)
         made.compile(signature)
@@ -288,20 +312,20 @@ def _compile(
     return made
 
 
-def _countless(kind: Any) -> bool:
+def _needs_no_counts(kind: Any) -> bool:
     """Whether a value of this type is safe in a build without reference counts: numbers, arrays, and tuples of them."""
     types = _numba().types
     if isinstance(kind, types.BaseTuple):
-        return all(_countless(part) for part in kind)
+        return all(_needs_no_counts(part) for part in kind)
     generator = types.NumPyRandomGeneratorType
     return isinstance(kind, types.Number | types.Boolean | types.NoneType | types.Array | generator)
 
 
-def _check_that_nothing_counts(build: Any) -> None:
-    """Make sure that no reference counting crept in after all: it would leak, as would an array that is returned.
+def _check_no_counts(build: Any) -> None:
+    """Makes sure that a lean build counts no references after all, and returns no array: both would leak.
 
     Raises:
-        CompilationError: it did.
+        CompilationError: it does.
     """
     types = _numba().types
 
@@ -309,7 +333,7 @@ def _check_that_nothing_counts(build: Any) -> None:
         return all(map(only_numbers, kind)) if isinstance(kind, types.BaseTuple) else not isinstance(kind, types.Array)
 
     result = build.signature.return_type
-    if not (_countless(result) and only_numbers(result)):
+    if not (_needs_no_counts(result) and only_numbers(result)):
         raise CompilationError(f"it gives back a value of type {result}")
     if found := re.search(r"call [^\n]*@(NRT_(?!meminfo_new_from_pyobject)\w*)", build.library.get_llvm_str()):
         raise CompilationError(f"it allocates ({found[1]})")
@@ -317,49 +341,49 @@ def _check_that_nothing_counts(build: Any) -> None:
 
 def _reason(error: Exception, code: Code) -> str:
     """Why it cannot be compiled, in a few words."""
-    return str(error) if isinstance(error, CompilationError | _refused()) else reason(error, code)
+    return str(error) if isinstance(error, CompilationError | _refused_error()) else reason(error, code)
 
 
 @cache
 def _numba() -> Any:
-    """Numba, with its knowledge of NamedTuple methods; imported when it is first needed."""
+    """Numba, imported when it is first needed, and taught about NamedTuples."""
     return call_interruptibly(_load_numba)
 
 
 def _load_numba() -> Any:
-    with _lock:  # a thread for which nobody waits any more may still be loading it
+    with _lock:  # an abandoned thread may still be loading it
         try:
             numba = importlib.import_module("numba")
         except ImportError as error:
             raise NoCompiler("Numba is not installed") from error
         if numba.config.DISABLE_JIT:
             raise NoCompiler("Numba is switched off by NUMBA_DISABLE_JIT")
-        if not _taught:
+        if not _setup_error:
             try:
-                take_scipy_for_granted()
-                teach(numba, importlib.import_module("edugym.compiled.pipelines"))
+                skip_check_of_scipy()
+                teach(numba, importlib.import_module("edugym.compiled.compiler_pipelines"))
                 _processor()
-            except Exception as error:  # what may be missing, and how that shows, is Numba's business
-                _taught.append(f"{type(error).__name__}: {error}")
+            except Exception as error:  # anything may be missing in another version of Numba
+                _setup_error.append(f"{type(error).__name__}: {error}")
                 message = f"this version of Numba ({numba.__version__}) is not known to EduGym"
-                warnings.warn(f"{message}: everything runs interpreted ({_taught[0]})", stacklevel=2)
+                warnings.warn(f"{message}: everything runs interpreted ({_setup_error[0]})", stacklevel=2)
             else:
-                _taught.append("")
-        if _taught[0]:
-            raise NoCompiler(f"this version of Numba is not known: {_taught[0]}")
+                _setup_error.append("")
+        if _setup_error[0]:
+            raise NoCompiler(f"this version of Numba is not known: {_setup_error[0]}")
         return numba
 
 
-def _refused() -> Any:
-    """The error of what is not in the subset that may be compiled."""
-    return importlib.import_module("edugym.compiled.passes").Refused
+def _refused_error() -> Any:
+    """The class `Refused`, imported late since it needs Numba."""
+    return importlib.import_module("edugym.compiled.untyped_checks").Refused
 
 
 @cache
-def _stand_ins() -> frozenset[FunctionType]:
-    """The functions that passes put into code: checked ones that stand for Python's own, and what counts turns."""
+def _replacements() -> frozenset[FunctionType]:
+    """The functions that compiler passes put into code: checked ones in place of Python's own, and polling."""
     arithmetic: Any = importlib.import_module("edugym.compiled.arithmetic")
-    turn: Any = importlib.import_module("edugym.compiled.turns").turn
+    polling: Any = importlib.import_module("edugym.compiled.interrupt_polling").count_iteration
     drawn: Any = importlib.import_module("edugym.compiled.draws").DRAWN
     tables = arithmetic.REPLACED, arithmetic.CALLED, arithmetic.EXTREMES, drawn
-    return frozenset({turn, *(function for table in tables for function in table.values())})
+    return frozenset({polling, *(function for table in tables for function in table.values())})

@@ -1,7 +1,8 @@
-"""Machine code on the disk: folders that are whole or not there, found by name and checked before use.
+"""The disk cache of machine code: one folder for each build, which is whole or counts as missing.
 
-A folder is filled under another name, sealed with a checksum of every file, and renamed. So a process that is killed, a
-full disk and flipped bits cost one more compilation. What has not been used for longest goes when there is too much.
+A folder is filled under a temporary name, sealed with a checksum of every file, and renamed. So a killed process, a
+full disk or a flipped bit costs no more than another compilation. When there is too much, the least recently used
+folders are removed.
 """
 
 import contextlib
@@ -15,9 +16,9 @@ from pathlib import Path
 
 SEAL = "checksums.json"
 LIMIT = 256 * 2**20
-"""How many bytes are kept in all."""
+"""The bytes that are kept in all."""
 ABANDONED = 3600
-"""After how many seconds a folder that was never finished is one that was left behind."""
+"""The seconds after which an unfinished folder counts as abandoned."""
 
 
 def cache_directory() -> Path:
@@ -27,7 +28,7 @@ def cache_directory() -> Path:
 
 
 def is_whole(folder: Path) -> bool:
-    """Whether a folder is there with all that it was sealed with; what is left of another one is removed."""
+    """Whether a folder exists as it was sealed; a damaged one is removed."""
     if not folder.exists():
         return False
     try:
@@ -43,7 +44,7 @@ def is_whole(folder: Path) -> bool:
 
 
 def new_folder(folder: Path) -> Path | None:
-    """A folder to be filled and then put in the place of `folder`; None where nothing can be written."""
+    """A temporary folder to fill and `publish` as `folder`; None where nothing can be written."""
     try:
         folder.parent.mkdir(parents=True, exist_ok=True)
         return Path(tempfile.mkdtemp(prefix="unfinished-", dir=folder.parent))
@@ -52,7 +53,7 @@ def new_folder(folder: Path) -> Path | None:
 
 
 def publish(unfinished: Path, folder: Path) -> None:
-    """Put a filled folder in its place, unless the disk is full or another process was faster."""
+    """Seals a filled folder and renames it, unless the disk is full or another process was faster."""
     try:
         seal(unfinished)
         unfinished.rename(folder)
@@ -63,7 +64,7 @@ def publish(unfinished: Path, folder: Path) -> None:
 
 
 def seal(folder: Path) -> None:
-    """Note the checksum of every file."""
+    """Writes down the checksum of every file."""
     text = json.dumps(_checksums(folder))
     handle, name = tempfile.mkstemp(dir=folder)
     with os.fdopen(handle, "w") as file:
@@ -72,7 +73,7 @@ def seal(folder: Path) -> None:
 
 
 def remove(folder: Path) -> None:
-    """Remove it, as far as that is possible."""
+    """Removes a folder, as far as that is possible."""
     shutil.rmtree(folder, ignore_errors=True)
 
 
@@ -82,7 +83,7 @@ def _checksums(folder: Path) -> dict[str, str]:
 
 
 def _prune(directory: Path, keep: Path) -> None:
-    """Remove what was left behind, and the folders that were not used for longest until the rest is small enough."""
+    """Removes abandoned folders, and the least recently used ones until the rest is small enough."""
     try:
         folders = sorted((path.stat().st_mtime, path) for path in directory.iterdir() if path.is_dir())
         for used, path in folders:

@@ -1,9 +1,7 @@
-"""Draws as NumPy makes them, or an error: what users' code uses in place of Numba's own, once compiled.
+"""Checked random draws for students' machine code: they give what NumPy gives, or raise an error.
 
-Numba checks no parameters, draws one whole number as an array, and has no `rng.choice`. As in
-`edugym.compiled.arithmetic`, the interpreter plays a chunk of steps again where these raise an error.
-
-`DRAWN` are ordinary functions, put in place of methods of `rng` by their names.
+Numba checks no parameters, draws one whole number as an array, and has no `rng.choice`. Where one of these raises an
+error the interpreter repeats the call, as in `edugym.compiled.arithmetic`.
 """
 
 import importlib
@@ -57,34 +55,34 @@ def _binomial(rng: Any, n: Any, p: Any) -> Any:
     return rng.binomial(n, p)
 
 
-def _nothing(kind: Any) -> bool:
+def _is_none(kind: Any) -> bool:
     """Whether a parameter, which is None by default, is None or is left out."""
     return kind is None or isinstance(kind, types.NoneType | types.Omitted)
 
 
-def _any_integers(rng: Any, low: Any, high: Any, size: Any, dtype: Any, endpoint: Any) -> Any:
+def _integers_of_kind(rng: Any, low: Any, high: Any, size: Any, dtype: Any, endpoint: Any) -> Any:
     raise NotImplementedError
 
 
 def _choose_integers(rng: Any, low: Any, high: Any, size: Any, dtype: Any, endpoint: Any) -> Any:
-    """Which one it is, from the types: this is asked while compiling."""
-    if not _nothing(dtype) and getattr(dtype, "dtype", None) != types.int64:
+    """Chooses the implementation for these types, while compiling."""
+    if not _is_none(dtype) and getattr(dtype, "dtype", None) != types.int64:
         return None
-    if _nothing(size) and _nothing(high):
-        return lambda rng, low, high, size, dtype, endpoint: _drawn(rng, 0, low, endpoint)
-    if _nothing(size):
-        return lambda rng, low, high, size, dtype, endpoint: _drawn(rng, low, high, endpoint)
-    if _nothing(high):
+    if _is_none(size) and _is_none(high):
+        return lambda rng, low, high, size, dtype, endpoint: _bounded_integer(rng, 0, low, endpoint)
+    if _is_none(size):
+        return lambda rng, low, high, size, dtype, endpoint: _bounded_integer(rng, low, high, endpoint)
+    if _is_none(high):
         return lambda rng, low, high, size, dtype, endpoint: rng.integers(0, low, size, np.int64, endpoint)
     return lambda rng, low, high, size, dtype, endpoint: rng.integers(low, high, size, np.int64, endpoint)
 
 
 def _integers(rng: Any, low: Any, high: Any = None, size: Any = None, dtype: Any = None, endpoint: Any = False) -> Any:
     """`rng.integers(high)` or `rng.integers(low, high)`; Numba knows only the second, and its one draw is an array."""
-    return _any_integers(rng, low, high, size, dtype, endpoint)
+    return _integers_of_kind(rng, low, high, size, dtype, endpoint)
 
 
-def _drawn(rng: Any, low: Any, high: Any, endpoint: Any) -> Any:
+def _bounded_integer(rng: Any, low: Any, high: Any, endpoint: Any) -> Any:
     """A whole number from `low` to `high`, drawn as NumPy draws it."""
     limits, bits = range(low | 0, high | 0), rng.bit_generator  # only whole numbers have |
     low, high = limits.start, limits.stop
@@ -104,7 +102,7 @@ def _drawn(rng: Any, low: Any, high: Any, endpoint: Any) -> Any:
     return np.int64(np.uint64(low) + drawn)  # a sum of signed numbers may not overflow on its way
 
 
-def _weighted(rng: Any, n: Any, p: Any) -> Any:
+def _weighted_index(rng: Any, n: Any, p: Any) -> Any:
     """A number from 0 to n - 1, each with its probability."""
     if len(p) != n:
         raise ValueError("a and p must have the same size")
@@ -122,7 +120,7 @@ def _weighted(rng: Any, n: Any, p: Any) -> Any:
     return i
 
 
-def _in_a_row(kind: Any) -> bool:
+def _is_sequence(kind: Any) -> bool:
     """Whether it is a list, a tuple or an array of one dimension, with numbers of one type."""
     row = isinstance(kind, types.List | types.UniTuple) or (isinstance(kind, types.Array) and kind.ndim == 1)
     return row and isinstance(kind.dtype, types.Number | types.Boolean)
@@ -131,24 +129,24 @@ def _in_a_row(kind: Any) -> bool:
 def _choice(rng: Any, a: Any, size: Any = None, replace: Any = True, p: Any = None) -> Any:
     """`rng.choice(n)` or `rng.choice(values)`, with probabilities `p` or without, for one draw."""
     number = isinstance(a, types.Integer)
-    fits = (number or _in_a_row(a)) and (_nothing(p) or _in_a_row(p))
+    fits = (number or _is_sequence(a)) and (_is_none(p) or _is_sequence(p))
     replaced = getattr(replace, "literal_value", getattr(replace, "value", replace))
-    if not fits or not _nothing(size) or replaced is not True:
+    if not fits or not _is_none(size) or replaced is not True:
         return None
-    if _nothing(p) and number:
-        return lambda rng, a, size=None, replace=True, p=None: _drawn(rng, 0, a, False)
-    if _nothing(p):
-        return lambda rng, a, size=None, replace=True, p=None: a[_drawn(rng, 0, len(a), False)]
+    if _is_none(p) and number:
+        return lambda rng, a, size=None, replace=True, p=None: _bounded_integer(rng, 0, a, False)
+    if _is_none(p):
+        return lambda rng, a, size=None, replace=True, p=None: a[_bounded_integer(rng, 0, len(a), False)]
     if number:
-        return lambda rng, a, size=None, replace=True, p=None: _weighted(rng, a, p)
-    return lambda rng, a, size=None, replace=True, p=None: a[_weighted(rng, len(a), p)]
+        return lambda rng, a, size=None, replace=True, p=None: _weighted_index(rng, a, p)
+    return lambda rng, a, size=None, replace=True, p=None: a[_weighted_index(rng, len(a), p)]
 
 
-extending.register_jitable(_drawn)
-extending.register_jitable(_weighted)
-extending.overload(_any_integers, strict=False)(_choose_integers)
+extending.register_jitable(_bounded_integer)
+extending.register_jitable(_weighted_index)
+extending.overload(_integers_of_kind, strict=False)(_choose_integers)
 extending.overload_method(types.NumPyRandomGeneratorType, "choice", strict=False)(_choice)
-_any_integers.__name__, _choice.__name__ = "rng.integers", "rng.choice"  # by which messages call them
+_integers_of_kind.__name__, _choice.__name__ = "rng.integers", "rng.choice"  # by which messages call them
 
 DRAWN: dict[str, Function] = {
     "normal": _normal,
@@ -158,4 +156,4 @@ DRAWN: dict[str, Function] = {
     "binomial": _binomial,
     "integers": _integers,
 }
-"""What stands for methods of `rng`."""
+"""Replacements of methods of `rng`, by name."""

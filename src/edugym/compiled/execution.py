@@ -1,13 +1,17 @@
-"""Running a loop: as machine code where that pays and is possible, else interpreted, with the same results.
+"""Runs a loop as machine code where that pays and is possible, and interpreted elsewhere, with the same results.
 
-What a student meets is ordinary Python. Code that is not the package's own is compiled only if it is in a stated subset
-(`edugym.compiled.subset`). Such code changes nothing but its arguments, so a few hundred steps can be rehearsed on
-copies, interpreted and then by machine code: both must come to the same. A mistake shows in the rehearsal, as an
-ordinary traceback at its line; a later one stops machine code, and the call is played again interpreted from where it
-began: being the same, it stops at the very line.
+A student meets ordinary Python. Code that is not the package's own is compiled only if it is in a stated subset
+(`edugym.compiled.subset`). Such code changes nothing but its arguments, so it can be rehearsed: a few hundred steps are
+run on copies of the arguments, first by the interpreter and then by machine code, and both must give the same. A
+mistake in the first steps shows in the rehearsal, as an ordinary traceback at its line. A later mistake stops machine
+code. The interpreter then repeats that call from its start, and stops at the very line.
+
+The rehearsal also measures the interpreter's pace. Code of a student's that has not been compiled yet is compiled once
+the interpreter would take longer than the compiler.
 """
 
 import inspect
+import math
 import os
 import sys
 import time
@@ -18,55 +22,84 @@ from enum import Enum
 from typing import Any
 
 from edugym.compiled.code import LIBRARIES, Code, code_of, is_foreign
-from edugym.compiled.compiler import CompilationError, NoCompiler, check_compiler, compiled, is_built, is_on_disk
-from edugym.compiled.copies import Snapshot, copied, difference
+from edugym.compiled.compiler import (
+    CompilationError,
+    NoCompiler,
+    check_compiler,
+    compiled,
+    is_built,
+    is_on_disk,
+    may_compile,
+    seconds_to_build,
+)
+from edugym.compiled.snapshot import Snapshot, copied, difference
 from edugym.compiled.subset import refusal
 from edugym.system.interrupts import Stopped, deferring_signals
 from edugym.system.packages import OURS
 
 Loop = Callable[..., Any]
 
-COMPILE_FROM = 5_000  # steps; fewer take the interpreter some 15 ms, and compiling takes a second or more
-REHEARSED = 200  # steps
-MOST_SURPRISES = 3  # calls in which machine code fails and the interpreter does not, before machine code is given up
-COPYING = 10.0  # large arrays are copied before a call once calls have taken this many times as long as the copying
+COMPILE_FROM = 5_000
+"""Runs of fewer steps are interpreted, in some 15 ms, unless there is machine code already."""
+REHEARSED = 200
+"""The steps of a rehearsal."""
+PACE_MEASUREMENTS = 2
+"""How often the interpreter's pace is measured before it is called slow: another program may have been in its way."""
+REHEARSALS_PER_RUN = 25
+"""A run is not rehearsed unless it is at least this many times as long as the rehearsal."""
+MOST_SURPRISES = 3
+"""After this many calls in which machine code fails and the interpreter does not, machine code is given up."""
+COPYING = 10.0
+"""Large arrays are copied before a call once calls have taken this many times as long as the copying."""
 _warned: set[Any] = set()  # what was said: a text, or the classes of which it was said
+_interpreted: dict[tuple[Loop, str], float] = {}  # seconds of runs that were not compiled, by loop and fingerprint
 
 
 def executable(
     loop: Loop,
     arguments: tuple[Any, ...],
     *,
-    expected: int = COMPILE_FROM,
+    expected: float = math.inf,
     rehearsed: int = REHEARSED,
     replayed: bool = True,
     replay: Loop | None = None,
 ) -> Loop:
-    """The fastest safe way to call `loop(n, *arguments)`.
+    """Returns the fastest safe way to call `loop(n, *arguments)`.
 
     Args:
         loop: a plain function whose first argument says how many steps (or episodes, or copies) it does.
         arguments: what follows the first argument, or values of the same types.
-        expected: how many steps it will be asked for in all; fewer than `COMPILE_FROM` are not worth compiling.
+        expected: how many steps it will be asked for in all; without it, enough to be worth compiling.
         rehearsed: how many are rehearsed by the interpreter, on copies, before code that is not the package's is
             compiled.
-        replayed: whether a call that fails in such code is played again by the interpreter, which stops at the very
-            line, or goes on where only machine code could not. Without it the caller sees to that, and to changed code.
-        replay: does what the loop does, interpreted, and says better what is wrong; by default the loop itself.
+        replayed: whether the interpreter repeats a call that fails in such code, to stop at the very line, or to go on
+            where only machine code could not. Otherwise the caller does that, and notices changed code.
+        replay: does what the loop does, interpreted, and explains errors better; by default the loop itself.
 
     Returns:
         A function with the arguments of `loop`: machine code, or where that does not pay or is not possible, `loop`
         itself.
     """
     code = code_of(loop, arguments)
-    if expected < COMPILE_FROM and not is_built(loop, code):
+    foreign, is_ready = code.foreign, is_built(loop, code)
+    if not is_ready and expected < (REHEARSALS_PER_RUN * rehearsed if foreign else COMPILE_FROM):
+        return loop
+    if not may_compile():
         return loop
     try:
-        check_compiler()
         names = tuple(inspect.signature(loop).parameters)[1:]
         if reason := refusal(code, arguments, names):
             raise CompilationError(reason)
-        return _machine_code(loop, arguments, code, rehearsed, replay or loop if replayed else None)
+        if not foreign:
+            check_compiler()
+            _announce(code)
+            return compiled(loop, rehearsed, *arguments, code=code)
+        rehearsed = min(rehearsed, REHEARSED)
+        interpreted = _rehearse(replay or loop, rehearsed, arguments, code)
+        if not (is_ready or is_on_disk(code) or _pays(loop, arguments, code, expected, rehearsed)):
+            return loop
+        fast = _rehearsed_machine_code(loop, arguments, code, rehearsed, interpreted)
+        return _with_replay(fast, loop, code, replay or loop) if replayed else fast
     except NoCompiler:
         return loop
     except CompilationError as error:
@@ -74,64 +107,92 @@ def executable(
     return loop
 
 
-def _machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, rehearsed: int, replay: Loop | None) -> Loop:
-    """Machine code of the loop; that of foreign code has shown on copies that it does what the interpreter does.
+def _rehearse(loop: Loop, n: int, arguments: tuple[Any, ...], code: Code) -> tuple[Any, Any]:
+    """Runs the loop interpreted on copies of its arguments, and returns its result and the copies.
 
     Raises:
-        CompilationError: there is none, or it does not.
+        CompilationError: it changes an array that is not among the arguments.
+        Exception: any mistake in the first steps, at its line.
     """
-    if not code.foreign:
-        _announce(code)
-        return compiled(loop, rehearsed, *arguments, code=code)
-    rehearsed = min(rehearsed, REHEARSED)
-    rehearsal, constants = copied(arguments), code.arrays
-    as_before, before = copied(constants), Snapshot()
-    before.take(constants)
+    copies, constants = copied(arguments), code.arrays
+    constants_before, snapshot = copied(constants), Snapshot()
+    snapshot.take(constants)
     try:
-        result = (replay or loop)(rehearsed, *rehearsal)  # a mistake in it ends here, at its line
+        result = loop(n, *copies)
     finally:
-        changed = difference(constants, as_before, "an array", close=0.0)
-        before.put_back()
+        changed = difference(constants, constants_before, "an array", close=0.0)
+        snapshot.put_back()
     if changed:
         raise CompilationError("it changes an array that is not its own: pass it as a field")
+    return result, copies
+
+
+def _pays(loop: Loop, arguments: tuple[Any, ...], code: Code, expected: float, n: int) -> bool:
+    """Whether the interpreter would take longer than the compiler for so many steps, at its pace in `n` of them.
+
+    Earlier runs that were interpreted count as well: when the same code is run again and again, compiling pays.
+    """
+    if math.isinf(expected):
+        return True
+    key = (loop, code.fingerprint)
+    total = math.inf
+    for _ in range(PACE_MEASUREMENTS):
+        copies = copied(arguments)
+        began = time.perf_counter()
+        loop(n, *copies)
+        seconds = expected * (time.perf_counter() - began) / n
+        total = min(total, _interpreted.get(key, 0.0) + seconds)
+        if total <= seconds_to_build():
+            _interpreted[key] = total
+            return False
+    return True
+
+
+def _rehearsed_machine_code(loop: Loop, arguments: tuple[Any, ...], code: Code, n: int, interpreted: Any) -> Loop:
+    """Returns machine code that did in `n` steps, on copies, what the interpreter did.
+
+    Raises:
+        CompilationError: there is none, or it does something else.
+    """
+    check_compiler()
     _announce(code)
-    fast = compiled(loop, rehearsed, *arguments, code=code)
-    shadow = copied(arguments)
+    fast = compiled(loop, n, *arguments, code=code)
+    copies = copied(arguments)
     try:
         with deferring_signals():
-            shadowed = fast(rehearsed, *shadow)
+            result = fast(n, *copies)
     except Exception as error:
         raise CompilationError(_surprise(error)) from error
-    found = difference((result, rehearsal), (shadowed, shadow), "the result")
-    if found:
+    if found := difference(interpreted, (result, copies), "the result"):
         raise CompilationError(f"machine code comes to something else than Python in the first steps ({found})")
-    return fast if replay is None else _guarded(fast, loop, code, replay)
+    return fast
 
 
 def _surprise(error: Exception) -> str:
-    """What is said of an error of machine code where Python has none."""
+    """Describes an error of machine code where Python has none."""
     if isinstance(error, OverflowError) and str(error) == "more than 64 bits":
         return "it computes a whole number of more than 64 bits, as a product of large ones: keep them smaller by %"
     said = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
     return f"machine code stops where Python goes on ({said})"
 
 
-def _guarded(fast: Loop, loop: Loop, code: Code, replay: Loop) -> Loop:
-    """Machine code of foreign code, with the interpreter at its side.
+def _with_replay(fast: Loop, loop: Loop, code: Code, replay: Loop) -> Loop:
+    """Returns a function that calls machine code of a student's code, and lets the interpreter step in for it.
 
-    Where machine code fails, the call is played again by the interpreter from the same start, to stop at the very line,
-    or to go on where Python does. Once code has changed, or a value outside that it reads, the interpreter goes on
-    alone: such a value may change at every step.
+    Where machine code fails, the interpreter repeats the call from the same start. It stops at the very line, or goes
+    on where Python does. Once code has changed, or a value outside that it reads, every call is interpreted, since such
+    a value may change at every step.
 
-    For that the arguments are copied before a call: large arrays only as often as that costs a tenth of the time. A
-    call that fails without a copy of them is played again on what it has left of them, and always ends in an error.
+    To be repeated, a call needs a copy of its arguments: small arrays are copied before every call, large ones only as
+    often as that costs a tenth of the time. A call that fails without a copy of the large ones is repeated with what
+    they hold by then, and always ends in an error.
     """
     before = Snapshot()
     surprises = 0
-    cost = spent = 0.0  # seconds: what copying everything took the last time, and what calls took since
+    copying = calling = 0.0  # seconds: the last time that everything was copied, and all calls since
 
     def run(*arguments: Any) -> Any:
-        nonlocal fast, surprises, cost, spent
+        nonlocal fast, surprises, copying, calling
         if fast is not loop and (changed := code.first_change()):
             fast = loop
             _warn_once(code, arguments, f"{changed} changes during the run: what changes should be a field")
@@ -139,10 +200,10 @@ def _guarded(fast: Loop, loop: Loop, code: Code, replay: Loop) -> Loop:
             with deferring_signals(machine_code=False):
                 return loop(*arguments)
         began = time.perf_counter()
-        before.take(arguments, large=spent >= COPYING * cost)
+        before.take(arguments, large=calling >= COPYING * copying)
         taken = time.perf_counter()
         if before.is_whole:
-            cost, spent = taken - began, 0.0
+            copying, calling = taken - began, 0.0
         try:
             result = fast(*arguments)
         except Stopped:
@@ -151,7 +212,7 @@ def _guarded(fast: Loop, loop: Loop, code: Code, replay: Loop) -> Loop:
         except Exception as error:
             failure = error
         else:
-            spent += time.perf_counter() - taken
+            calling += time.perf_counter() - taken
             return result
         before.put_back()
         with deferring_signals(machine_code=False):
@@ -171,7 +232,7 @@ def _guarded(fast: Loop, loop: Loop, code: Code, replay: Loop) -> Loop:
 
 
 def _announce(code: Code) -> None:
-    """Say once that something new is being compiled, to a person who waits for it."""
+    """Tells a person who waits, once, that something new is being compiled."""
     ipython = sys.modules.get("IPython")
     in_notebook = ipython is not None and type(ipython.get_ipython()).__name__ == "ZMQInteractiveShell"
     names = code.names()
@@ -184,14 +245,14 @@ def _announce(code: Code) -> None:
 
 
 def _warn_once(code: Code, arguments: tuple[Any, ...], reason: str) -> None:
-    """Say once for the same classes what keeps them from being compiled; a class that is defined again is another."""
+    """Warns, once for the same classes, that they run interpreted; a class that is defined again is another."""
     plain = next(_plain_objects(arguments), None)
     names = code.names() if plain is None else type(plain).__name__
     reason = reason if plain is None else "it is no NamedTuple"
     classes = {kind for kind in code.classes if is_foreign(kind)} if plain is None else {type(plain)}
-    what: Any = frozenset(map(weakref.ref, classes)) if classes else f"cannot: {reason}"
-    if what not in _warned:
-        _warned.add(what)
+    key: Any = frozenset(map(weakref.ref, classes)) if classes else f"cannot: {reason}"
+    if key not in _warned:
+        _warned.add(key)
         message = f"{names} cannot be compiled and runs interpreted, some hundred times slower: {reason}"
         warnings.warn(message, stacklevel=_callers_level())
 
@@ -205,7 +266,7 @@ def _callers_level() -> int:
 
 
 def _plain_objects(value: Any) -> Iterator[Any]:
-    """What is in a value that machine code knows nothing of: objects of ordinary classes."""
+    """The objects of ordinary classes in a value, which cannot be compiled."""
     if isinstance(value, tuple):
         for part in tuple.__iter__(value):
             yield from _plain_objects(part)

@@ -1,4 +1,4 @@
-"""What may be compiled of code that is not the package's own: the subset in which machine code does as Python does.
+"""The subset of Python in which machine code does as Python does: what may be compiled of students' code.
 
 *Values* (fields, states, arguments, global constants): numbers of 64 bits, bool, str and None, tuples and NamedTuples
 of these, arrays of int64, float64 and bool, and generators passed as `rng`.
@@ -6,8 +6,10 @@ of these, arrays of int64, float64 and bool, and generators passed as `rng`.
 *Names*: the builtins, the functions of `math` and `np` below, helper functions, NamedTuple classes and modules of the
 author's own.
 
-*Statements*: no try, no with, no yield, no global variable that is assigned. What operations may do with which types is
-judged while compiling, where types are known (`edugym.compiled.judging`). Everything else runs interpreted.
+*Statements*: no try, no with, no yield, no global variable that is assigned. The types of operations are checked while
+compiling, where types are known (`edugym.compiled.typed_checks`). Everything else runs interpreted.
+
+The functions here return a problem in a few words, or None.
 """
 
 import dis
@@ -48,20 +50,20 @@ NUMPY = words(
     "outer pi prod searchsorted sign sin sinh sort sqrt square std subtract sum tan tanh trunc var where zeros "
     "zeros_like add float32 uint8 int8 int16 int32"
 )
-"""Functions that give what NumPy gives, but for the last digits of sums, means, powers and exp."""
-HARMLESS = words(
+"""Functions of NumPy's that give the same as machine code, but for the last digits of sums, means, powers and exp."""
+HARMLESS_SPECIAL_NAMES = words(
     "__abstractmethods__ __annotate__ __annotate_func__ __annotations__ __annotations_cache__ __class_getitem__ "
     "__classdictcell__ __copy__ __deepcopy__ __dict__ __doc__ __firstlineno__ __format__ __getnewargs__ __getstate__ "
     "__init_subclass__ __match_args__ __module__ __orig_bases__ __parameters__ __qualname__ __reduce__ __reduce_ex__ "
     "__replace__ __repr__ __setstate__ __sizeof__ __slots__ __static_attributes__ __str__ __type_params__ "
     "__weakref__"
 )
-"""Special names of a class that no operation of machine code would look up."""
+"""Special names that a class may define, since no operation looks them up."""
 DRAWS_WITH_CHECKS = words("binomial exponential integers normal poisson uniform")
 """Draws whose parameters are checked; see `edugym.compiled.draws`."""
 CARRIED = ("a state", "an observation", "an action")
-"""What is between two steps of a loop, which may have other numbers in place of the action."""
-OTHERWISE = {
+"""The parts of `carry`, which a loop carries from step to step; there may be other numbers in place of the action."""
+MESSAGES = {
     "print": "it prints",
     "isinstance": "it asks for the type of a value",
     "type": "it asks for the type of a value",
@@ -71,11 +73,11 @@ OTHERWISE = {
     "dict": "it makes a dict",
     "super": "it uses super()",
 }
-"""How to say that one of Python's own functions is used; by default "it uses NAME"."""
+"""What is said of the use of Python's own functions; by default "it uses NAME"."""
 
 
 def refusal(code: Code, arguments: tuple[Any, ...], names: tuple[str, ...]) -> str | None:
-    """Why this is not to be compiled, in a few words that name the line where there is one; None if it may be.
+    """Why this may not be compiled, in a few words that name the line where there is one; None if it may.
 
     Args:
         code: what would be compiled.
@@ -87,22 +89,26 @@ def refusal(code: Code, arguments: tuple[Any, ...], names: tuple[str, ...]) -> s
         known = name == "carry" and isinstance(argument, tuple)  # a student knows the names of its first parts
         if not isinstance(argument, np.random.Generator):
             parts += zip(argument, CARRIED, strict=False) if known else [(argument, f"the argument {name}")]
-    found = next(filter(None, (_of_values(one, of, all_kinds=not foreign, owner=None) for one, of in parts)), None)
+    found = next(filter(None, (_value_problem(one, of, all_kinds=not foreign, owner=None) for one, of in parts)), None)
     if found or not foreign:
         return found
     fields = arrays_in(*(argument for argument, name in zip(arguments, names, strict=True) if name != "carry"))
-    judged = [_of_shared(code, list(fields)), *map(_of_class, filter(is_foreign, code.classes)), *_of_members(code)]
-    judged += [_of_function(function) for function in code.functions if is_foreign(function)]
-    return next(filter(None, judged), None)
+    problems = [
+        _shared_array_problem(code, list(fields)),
+        *map(_class_problem, filter(is_foreign, code.classes)),
+        *_constant_problems(code),
+        *map(_function_problem, filter(is_foreign, code.functions)),
+    ]
+    return next(filter(None, problems), None)
 
 
-def _of_values(value: Any, name: str, *, all_kinds: bool, owner: type | None) -> str | None:
-    """What is wrong with a value, or with one in it.
+def _value_problem(value: Any, name: str, *, all_kinds: bool, owner: type | None) -> str | None:
+    """The problem with a value, or with a part of it.
 
     Args:
         value: any.
         name: what it is called in a message.
-        all_kinds: whether arrays of all types will do: where all code is the package's own.
+        all_kinds: whether arrays of all types are allowed, as they are where all code is the package's own.
         owner: the class of which it is a field.
     """
     if isinstance(value, tuple):
@@ -114,7 +120,7 @@ def _of_values(value: Any, name: str, *, all_kinds: bool, owner: type | None) ->
             part_name = (
                 f"{re.sub('^an? ', '', name)}[{k}]" if fields is None else f"the field {fields[k]} of {kind.__name__}"
             )
-            if found := _of_values(part, part_name, all_kinds=all_kinds, owner=kind if fields else owner):
+            if found := _value_problem(part, part_name, all_kinds=all_kinds, owner=kind if fields else owner):
                 return found
         return None
     adapters = owner is not None and owner.__module__.startswith(("edugym.adapters", "edugym.compiled"))
@@ -130,11 +136,11 @@ def _of_values(value: Any, name: str, *, all_kinds: bool, owner: type | None) ->
         return f"{name} is a random generator: take it as rng" if is_foreign(owner) else None
     if adapters and package_of(type(value)) == "numba":
         return None
-    return _of_constant(value, name)
+    return _number_problem(value, name)
 
 
-def _of_constant(value: Any, name: str) -> str | None:
-    """What is wrong with a value that is no tuple, array or generator."""
+def _number_problem(value: Any, name: str) -> str | None:
+    """The problem with a value that is no tuple, array or generator."""
     if isinstance(value, bool | float | str | Enum | np.bool_ | None) and not isinstance(value, np.str_):
         return None
     if isinstance(value, int | np.int64):
@@ -148,8 +154,8 @@ def _of_constant(value: Any, name: str) -> str | None:
     return f"{name} is a value of {type(value).__name__}, which is no NamedTuple"
 
 
-def _of_class(kind: type) -> str | None:
-    """What operations would do with its values that machine code would not."""
+def _class_problem(kind: type) -> str | None:
+    """The member by which values of a class do something else than those of a plain NamedTuple."""
     for base in kind.__mro__:
         if package_of(base) in LIBRARIES or not is_foreign(base):
             continue
@@ -157,7 +163,7 @@ def _of_class(kind: type) -> str | None:
             if name in getattr(kind, "_fields", ()) and type(member).__name__ != "_tuplegetter":
                 return f"{base.__name__} replaces the field {name} by something else"
             function = getattr(member, "__func__", member)
-            special = name.startswith("__") and name not in HARMLESS and callable(function)
+            special = name.startswith("__") and name not in HARMLESS_SPECIAL_NAMES and callable(function)
             own = getattr(function, "__globals__", {}).get("__name__", "").startswith("namedtuple_")
             ours = is_ours(function)  # as what the decorator `wrapper` adds
             if special and not ours and not own:
@@ -167,73 +173,74 @@ def _of_class(kind: type) -> str | None:
     return None
 
 
-def _of_shared(code: Code, fields: list[Any]) -> str | None:
-    """What is wrong with an array that is both a constant, which machine code reads once, and a field that changes."""
+def _shared_array_problem(code: Code, fields: list[Any]) -> str | None:
+    """An array that is both a constant, which machine code reads once, and a field, which changes."""
     for of, name, value in code.named():
         if any(np.shares_memory(one, field) for one in arrays_in(value) for field in fields):
             found = f"the array {name} is a field as well: use only the field"
-            return _at(found, of.__code__, None) if isinstance(of, FunctionType) else found
+            return _with_place(found, of.__code__, None) if isinstance(of, FunctionType) else found
     return None
 
 
-def _of_members(code: Code) -> Iterator[str | None]:
-    """What is wrong with constants of classes that are used."""
+def _constant_problems(code: Code) -> Iterator[str | None]:
+    """The problems with the constants of classes that are used."""
     for (kind, name), member in code.members.items():
         constant = not isinstance(member, FunctionType | property | classmethod | staticmethod | type)
         if is_foreign(kind) and constant and type(member).__name__ != "_tuplegetter":
-            yield _of_values(member, f"{kind.__name__}.{name}", all_kinds=False, owner=None)
+            yield _value_problem(member, f"{kind.__name__}.{name}", all_kinds=False, owner=None)
 
 
-def _of_function(function: FunctionType) -> str | None:
-    """What is wrong with the names and statements of a function, and in which line."""
+def _function_problem(function: FunctionType) -> str | None:
+    """The problem with the names and statements of a function, and its line."""
     if function.__code__.co_flags & inspect.CO_VARKEYWORDS:
-        return _at(f"{function.__name__} takes **: name its parameters", function.__code__, None)
+        return _with_place(f"{function.__name__} takes **: name its parameters", function.__code__, None)
     if function.__code__.co_kwonlyargcount:
-        return _at(f"{function.__name__} has parameters after *: leave the * out", function.__code__, None)
+        return _with_place(f"{function.__name__} has parameters after *: leave the * out", function.__code__, None)
     for value in function.__defaults__ or ():
-        if found := _of_values(value, f"a default of {function.__name__}", all_kinds=False, owner=None):
-            return _at(found, function.__code__, function.__code__.co_firstlineno)
+        if found := _value_problem(value, f"a default of {function.__name__}", all_kinds=False, owner=None):
+            return _with_place(found, function.__code__, function.__code__.co_firstlineno)
         if isinstance(value, np.ndarray):
-            return _at(f"a default of {function.__name__} is an array", function.__code__, None)
-    return _of_code(function.__code__, function)
+            return _with_place(f"a default of {function.__name__} is an array", function.__code__, None)
+    return _code_problem(function.__code__, function)
 
 
-def _of_code(code: CodeType, function: FunctionType) -> str | None:
+def _code_problem(code: CodeType, function: FunctionType) -> str | None:
     line: int | None = code.co_firstlineno
-    value: Any = _UNKNOWN  # what the instruction before has taken from a global name
+    value: Any = UNKNOWN  # what the instruction before has loaded by a global name
     path = ""
     for instruction in dis.get_instructions(code):
         line = getattr(instruction.positions, "lineno", None) or line
         name, found = instruction.argval, None
-        if instruction.opname in GLOBAL or (instruction.opname in OUTER and name in function.__code__.co_freevars):
-            path, value = name, _looked_up(function, name)
-            found = _of_name(value, path)
+        is_outer = name in function.__code__.co_freevars
+        if instruction.opname in GLOBAL_LOADS or (is_outer and instruction.opname in OUTER_LOADS):
+            path, value = name, _value_of_name(function, name)
+            found = _name_problem(value, path)
         elif instruction.opname in ("LOAD_ATTR", "LOAD_METHOD"):
             path = f"{path}.{name}"
-            found, value = _of_attribute(value, name, path)
+            found, value = _attribute_problem(value, name, path)
         elif instruction.opname in ("STORE_ATTR", "DELETE_ATTR"):
             found = f"it assigns the attribute {name}"
-        elif instruction.opname == "STORE_DEREF" and name in function.__code__.co_freevars:
+        elif is_outer and instruction.opname == "STORE_DEREF":
             found = f"it assigns {name}, a variable of the function around it"
-        elif instruction.opname in STATEMENTS:
+        elif instruction.opname in INSTRUCTIONS:
             generates = instruction.opname == "YIELD_VALUE" and code.co_name == "<genexpr>"
-            found = "a for in a call needs [ ], as in sum([...])" if generates else STATEMENTS[instruction.opname]
+            found = "a for in a call needs [ ], as in sum([...])" if generates else INSTRUCTIONS[instruction.opname]
         elif instruction.opname not in ("PRECALL", "CACHE", "NOP", "PUSH_NULL"):
-            value = _UNKNOWN
+            value = UNKNOWN
         if found:
-            return _at(found, code, line)
-    inner = (_of_code(constant, function) for constant in code.co_consts if isinstance(constant, CodeType))
+            return _with_place(found, code, line)
+    inner = (_code_problem(constant, function) for constant in code.co_consts if isinstance(constant, CodeType))
     return next(filter(None, inner), None)
 
 
-class _Unknown:
-    """What is known when code runs only."""
+class Unknown:
+    """A value that is known only when code runs."""
 
 
-_UNKNOWN = _Unknown()
-GLOBAL = ("LOAD_GLOBAL", "LOAD_NAME")
-OUTER = ("LOAD_DEREF", "LOAD_CLASSDEREF", "LOAD_FROM_DICT_OR_DEREF")
-STATEMENTS = {
+UNKNOWN = Unknown()
+GLOBAL_LOADS = ("LOAD_GLOBAL", "LOAD_NAME")
+OUTER_LOADS = ("LOAD_DEREF", "LOAD_CLASSDEREF", "LOAD_FROM_DICT_OR_DEREF")
+INSTRUCTIONS = {
     "STORE_GLOBAL": "it assigns a global variable",
     "DELETE_GLOBAL": "it deletes a global variable",
     "PUSH_EXC_INFO": "it has a try or with",
@@ -247,76 +254,76 @@ STATEMENTS = {
     "BUILD_STRING": "it makes text",
     "LOAD_BUILD_CLASS": "it makes a class",
 }
-"""Instructions of Python that machine code does otherwise, or not at all."""
+"""Instructions that machine code executes otherwise, or not at all."""
 
 
-def _looked_up(function: FunctionType, name: str) -> Any:
+def _value_of_name(function: FunctionType, name: str) -> Any:
     if name in function.__code__.co_freevars:
         cell = (function.__closure__ or ())[function.__code__.co_freevars.index(name)]
-        return inside(cell, _UNKNOWN)
+        return inside(cell, UNKNOWN)
     if name in function.__globals__:
         return function.__globals__[name]
     builtins: Any = function.__globals__.get("__builtins__", {})
     # a misspelt name is an error of the program, which its first steps will show
-    return builtins.get(name, _UNKNOWN) if isinstance(builtins, dict) else getattr(builtins, name, _UNKNOWN)
+    return builtins.get(name, UNKNOWN) if isinstance(builtins, dict) else getattr(builtins, name, UNKNOWN)
 
 
-def _of_name(value: Any, name: str) -> str | None:
-    """What is wrong with what a global name stands for."""
-    if value is _UNKNOWN or isinstance(value, FunctionType):
+def _name_problem(value: Any, name: str) -> str | None:
+    """The problem with the value of a global name."""
+    if value is UNKNOWN or isinstance(value, FunctionType):
         return None
     if isinstance(value, ModuleType):
         own = package_of(value) not in LIBRARIES and value.__name__ not in {"random", "time", "os"}
-        return None if own or value in (math, np) else _of_module(value.__name__)
-    if _known_function(value):
+        return None if own or value in (math, np) else _module_problem(value.__name__)
+    if _is_allowed_function(value):
         return None
     if isinstance(value, type):
         plain = (
             f"it uses {name}" if package_of(value) in LIBRARIES else f"it uses the class {name}, which is no NamedTuple"
         )
-        return None if _is_own_class(value) else OTHERWISE.get(name, plain)
+        return None if _is_allowed_class(value) else MESSAGES.get(name, plain)
     if package_of(type(value)) == "numba" and hasattr(value, "py_func"):
         return None
     module = getattr(value, "__module__", None) or ""
     if callable(value):
         if module.startswith(("numpy.random", "random")) or "random" in type(getattr(value, "__self__", 0)).__module__:
-            return _of_module("random")
-        return OTHERWISE.get(name, f"it uses {name}")
-    return _of_values(value, f"the global {name}", all_kinds=False, owner=None)
+            return _module_problem("random")
+        return MESSAGES.get(name, f"it uses {name}")
+    return _value_problem(value, f"the global {name}", all_kinds=False, owner=None)
 
 
-def _is_own_class(value: type) -> bool:
+def _is_allowed_class(value: type) -> bool:
     return issubclass(value, Enum) or (issubclass(value, tuple) and hasattr(value, "_fields"))
 
 
-def _of_module(name: str) -> str:
+def _module_problem(name: str) -> str:
     if "random" in name.split("."):
         return f"it draws from {name}, which no seed of a run reaches: draw from rng"
     return f"it uses the module {name}"
 
 
-def _of_attribute(value: Any, name: str, path: str) -> tuple[str | None, Any]:
-    """What is wrong with an attribute of what a global name stands for, and its value if that is known."""
+def _attribute_problem(value: Any, name: str, path: str) -> tuple[str | None, Any]:
+    """The problem with an attribute of the value of a global name, and the attribute's value if that is known."""
     if value is np:
         if name == "random":
-            return _of_module("np.random"), _UNKNOWN
-        return (None if name in NUMPY else f"it uses {path}"), _UNKNOWN
+            return _module_problem("np.random"), UNKNOWN
+        return (None if name in NUMPY else f"it uses {path}"), UNKNOWN
     if isinstance(value, ModuleType) and hasattr(value, name):
         inner = getattr(value, name)
-        return _of_name(inner, path), inner
-    return None, _UNKNOWN
+        return _name_problem(inner, path), inner
+    return None, UNKNOWN
 
 
-def _known_function(value: Any) -> bool:
-    """Whether it is one of the functions, or classes, above."""
+def _is_allowed_function(value: Any) -> bool:
+    """Whether it is one of the functions, or classes, listed above."""
     try:
-        return value in _FUNCTIONS
+        return value in FUNCTIONS
     except TypeError:  # it has no hash
         return False
 
 
 _BUILTIN: dict[str, Any] = __builtins__ if isinstance(__builtins__, dict) else vars(__builtins__)
-_FUNCTIONS = frozenset(
+FUNCTIONS = frozenset(
     value
     for value in (
         *(_BUILTIN[name] for name in BUILTINS),
@@ -327,13 +334,13 @@ _FUNCTIONS = frozenset(
 )
 
 
-def _at(found: str, code: CodeType, line: int | None) -> str:
-    """The same with the place: of a cell its line, of a module the file as well."""
+def _with_place(found: str, code: CodeType, line: int | None) -> str:
+    """The problem with its place: of a cell the line, of a module the file as well."""
     return f"{found} ({place(code.co_filename, line or code.co_firstlineno)})"
 
 
 def place(file: str, line: int) -> str:
-    """A line, in words that mean something to its author: a notebook's cells have files with names of digits alone."""
+    """A line as its author knows it: without the file of a notebook's cell, whose name is made of digits."""
     name = file.replace("\\", "/").rpartition("/")[2]
     stem = name.partition(".")[0]
     return f"line {line}" if stem.isdigit() or name.startswith("<ipython") else f"{name}, line {line}"

@@ -1,4 +1,4 @@
-"""NamedTuple classes that are written for a shape or a signature, which machine code needs to know beforehand."""
+"""NamedTuple classes that are generated for a shape or a signature, since machine code has to know it beforehand."""
 
 import hashlib
 import sys
@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 
 def generated_class(name: str, lines: list[str], kinds: dict[str, type]) -> Any:
-    """The NamedTuple class with these lines: one for each text and classes, in a module of its own.
+    """The NamedTuple class with these lines; the same lines and classes give the same class, in a module of its own.
 
     The names of both are the same in every process, so that the disk cache of machine code finds the class again. They
     differ where the texts do, since Numba's fast path tells classes apart by their names.
@@ -31,5 +31,5 @@ def generated_class(name: str, lines: list[str], kinds: dict[str, type]) -> Any:
 
 
 def _value(name: str, lines: list[str], kinds: dict[str, type], fields: tuple[Any, ...]) -> Any:
-    """A value of such a class, as another process reads it that has not made the class yet."""
+    """A value of such a class: how another process unpickles it, which has not generated the class yet."""
     return generated_class(name, lines, kinds)(*fields)

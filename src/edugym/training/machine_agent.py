@@ -20,7 +20,7 @@ class MachineAgent:
         """See the class."""
         self._agent, self._expected = agent, expected
         self._learn: Any = None
-        self._act: Any = executable(act_once, (agent, state, rng), expected=expected)
+        self._act: Any = executable(act_once, (agent, state, rng), expected=expected, rehearsed=1)
 
     def act(self, state: Any, rng: Random) -> Any:
         """The agent's action."""
@@ -29,7 +29,7 @@ class MachineAgent:
     def learn(self, *told: Any) -> None:
         """Let the agent learn."""
         if self._learn is None:
-            self._learn = executable(learn_once, (self._agent, told), expected=self._expected)
+            self._learn = executable(learn_once, (self._agent, told), expected=self._expected, rehearsed=1)
         self._learn(1, self._agent, told)
 
 

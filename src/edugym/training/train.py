@@ -34,8 +34,8 @@ def train(
     Three kinds of environments are trained by the loops of `edugym.training.gymnasium_loops`, which are never compiled:
     (1) Gymnasium environments that do not come from EduGym; (2) EduGym environments inside a wrapper that you have
     added; (3) the environment Supermarket if you set its `step_timeout`, which makes each step last some time. All
-    others, such as your own MDP in an `edugym.MDPEnv`, are trained by the loops of `edugym.training.loops`. If
-    `n_steps` is 5000 or more, these are compiled to machine code where possible.
+    others, such as your own MDP in an `edugym.MDPEnv`, are trained by the loops of `edugym.training.loops`. From 5000
+    steps on, these are compiled to machine code where possible; your own classes, if that is faster than to interpret.
 
     Ctrl-C ends the run within a fifth of a second. The agent keeps what it has learned, and `train` raises
     `Interrupted`. Its attribute `partial` holds the `Run` so far. In a notebook or at the prompt, read it as

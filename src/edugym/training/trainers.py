@@ -20,7 +20,7 @@ from edugym.checks.contract import Contract, actor, contract_of, forget_episode,
 from edugym.checks.envs import checked_env
 from edugym.checks.mdps import CHECKED_STEPS, checked_mdp
 from edugym.checks.values import deep_copy
-from edugym.compiled.execution import executable
+from edugym.compiled.execution import COMPILE_FROM, executable
 from edugym.mdp.guards import GUARDS, guarded
 from edugym.mdp.task import Task, task_of
 from edugym.system.interrupts import deferring_signals
@@ -33,6 +33,8 @@ CALL_SECONDS = 0.02
 """About how long one call of `learn` takes: signals are looked at between two calls."""
 FIRST_STEPS = 50
 """How many steps the first call takes, when it is not known how long a step takes."""
+EPISODES = 100
+"""After so many interpreted evaluation episodes it is asked again whether machine code pays; most runs have as many."""
 NO_LIMIT = 2**62
 MOST_STEPS = 10_000
 """The steps that evaluation takes in one call of machine code, unless one episode is longer: some milliseconds."""
@@ -102,7 +104,8 @@ class MDPTrainer:
         training, self._playing = (
             DoubleBuffer(task.played, self.agent, on_policy, guarded) for on_policy in (contract.is_on_policy, False)
         )
-        self._steps_to_check = 0 if contract.is_own and task.is_own else CHECKED_STEPS
+        self._is_own = contract.is_own and task.is_own
+        self._steps_to_check = 0 if self._is_own else CHECKED_STEPS
         self._rest = (
             training.mdp,
             training.of(learner(contract)),
@@ -120,8 +123,8 @@ class MDPTrainer:
         else:
             self._loop, self._carry = loops.off_policy, loops.start_off_policy(mdp, environment_rng)
         self._advance, self._play = self._loop, loops.play_episodes
-        self._has_played = not self._steps_to_check
-        if not self._steps_to_check:
+        self._interpreted_episodes = 0
+        if self._is_own:
             self._compile_training()
             self._compile_playing()
 
@@ -159,12 +162,12 @@ class MDPTrainer:
         with deferring_signals(machine_code=compiled):
             if compiled:
                 self._play(n_episodes, *evaluation)
-            elif self._has_played:
-                self._play(n_episodes, *self._checked(*evaluation, steps=0))
             else:
-                self._has_played = True
-                loops.play_episodes(1, *self._checked(*evaluation))
-                self._compile_playing()
+                steps = 0 if self._is_own or self._interpreted_episodes else CHECKED_STEPS
+                self._play(n_episodes, *self._checked(*evaluation, steps=steps))
+                self._interpreted_episodes += 1
+                if not self._is_own and self._interpreted_episodes % EPISODES == 1:
+                    self._compile_playing()
         returns: list[float] = evaluation[-1].tolist()
         return returns
 
@@ -186,7 +189,7 @@ class MDPTrainer:
         self._play = executable(
             loops.play_episodes,
             (mdp, agent, min(limit, CHECKED_STEPS), *rest),
-            expected=self._expected,
+            expected=self._expected if self._is_own else EPISODES * (self._expected >= COMPILE_FROM),
             rehearsed=1,
             replay=lambda n, *rest: loops.play_episodes(n, *self._checked(*rest, steps=math.inf)),
         )

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from edugym.compiled import compiler, generators
+from edugym.compiled import compiler, random_generators
 from edugym.compiled.compiler import compiled
 from edugym.mdp.protocol import Random
 
@@ -131,20 +131,20 @@ def test_no_call_keeps_a_reference() -> None:
 def test_fall_back(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """Where this file cannot be used generators are passed as they are, to the same effect."""
     expected = drawn(draw, np.random.default_rng(4))
-    assert isinstance(compiler._locate()(np.random.default_rng(4)), generators.LocatedGenerator)
+    assert isinstance(compiler._locator()(np.random.default_rng(4)), random_generators.LocatedGenerator)
     monkeypatch.setenv("EDUGYM_CACHE_DIR", str(tmp_path))
-    monkeypatch.setitem(sys.modules, "edugym.compiled.generators", None)
-    compiler._locate.cache_clear()
+    monkeypatch.setitem(sys.modules, "edugym.compiled.random_generators", None)
+    compiler._locator.cache_clear()
     try:
         rng = np.random.default_rng(4)
-        assert compiler._locate()(rng) is rng
+        assert compiler._locator()(rng) is rng
         assert drawn(compiled(draw, 1, rng, np.zeros((1, 5))), rng) == expected
     finally:
-        compiler._locate.cache_clear()
+        compiler._locator.cache_clear()
 
 
 def test_unexpected_numba(monkeypatch: pytest.MonkeyPatch) -> None:
     """If Numba made generators of other parts than these, importing the file would fail, and say so."""
-    monkeypatch.setattr(generators, "WORDS", ("state_address", "state"))
+    monkeypatch.setattr(random_generators, "WORDS", ("state_address", "state"))
     with pytest.raises(ImportError, match="random generators of other parts"):
-        generators._teach_numba()
+        random_generators._teach_numba()

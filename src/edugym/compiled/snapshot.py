@@ -1,4 +1,4 @@
-"""Copies of what a loop is called with: to play steps twice, to put tables back as they were, and to compare."""
+"""Copies, snapshots and comparisons of a loop's arguments, to rehearse steps and to undo calls."""
 
 import copy
 from collections.abc import Iterator
@@ -8,6 +8,9 @@ import numpy as np
 
 CLOSE = 1e-12
 """How much real numbers may differ, as a share: sums, powers and exp are rounded differently in the last digits."""
+LARGE = 1_000_000
+"""From how many bytes on an array may be left out of a snapshot."""
+ARRAYS_AND_STREAMS = (np.ndarray, np.random.Generator)  # a union would take longer at each call
 
 
 def copied(value: Any, known: dict[int, Any] | None = None) -> Any:
@@ -24,19 +27,13 @@ def copied(value: Any, known: dict[int, Any] | None = None) -> Any:
     elif isinstance(value, np.random.Generator):
         made = np.random.Generator(copied(value.bit_generator, known))
     elif isinstance(value, tuple):
-        parts = [copied(part, known) for part in tuple.__iter__(value)]
-        made = tuple.__new__(type(value), parts)
-    elif type(value).__module__.startswith("numba.typed"):
+        made = tuple.__new__(type(value), [copied(part, known) for part in tuple.__iter__(value)])
+    elif _is_typed_list(value):
         made = type(value)([copied(part, known) for part in value])
     else:
         made = copy.deepcopy(value)
     known[id(value)] = made, value  # kept, so that its id stays its own
     return made
-
-
-def _pairs(one: tuple[Any, ...], other: tuple[Any, ...]) -> Iterator[tuple[Any, Any]]:
-    """The parts of two tuples, whatever their classes make of `for`."""
-    return zip(tuple.__iter__(one), tuple.__iter__(other), strict=True)
 
 
 def _copied_array(array: Any, known: dict[int, Any]) -> Any:
@@ -54,8 +51,9 @@ def _copied_array(array: Any, known: dict[int, Any]) -> Any:
     return made
 
 
-LARGE = 1_000_000
-"""From how many bytes on an array is left out where copying it would cost too much."""
+def _is_typed_list(value: Any) -> bool:
+    """Whether it is one of Numba's lists."""
+    return type(value).__module__.startswith("numba.typed")
 
 
 class Snapshot:
@@ -66,48 +64,46 @@ class Snapshot:
     """
 
     def __init__(self) -> None:
-        """Of nothing yet."""
+        """An empty snapshot: `take` fills it."""
         self.is_whole = True
         self._leaves: list[Any] = []
-        self._kept: list[Any] = []
-        self._left_out: set[int] = set()  # places
+        self._saved: list[Any] = []
+        self._left_out: set[int] = set()  # places in these lists
 
     def take(self, values: tuple[Any, ...], *, large: bool = True) -> None:
-        """Note how everything in these values is now; large arrays only if asked for."""
+        """Saves what these values hold now; large arrays only if asked for."""
         leaves: list[Any] = []
         _collect(values, leaves)
         self._left_out = set() if large else {k for k, leaf in enumerate(leaves) if getattr(leaf, "nbytes", 0) >= LARGE}
         self.is_whole = not self._left_out
-        old = self._kept if len(self._kept) == len(leaves) else [None] * len(leaves)
-        self._kept = [old[k] if k in self._left_out else _noted(leaf, old[k]) for k, leaf in enumerate(leaves)]
+        old = self._saved if len(self._saved) == len(leaves) else [None] * len(leaves)
+        self._saved = [old[k] if k in self._left_out else _saved(leaf, old[k]) for k, leaf in enumerate(leaves)]
         self._leaves = leaves
 
     def put_back(self) -> None:
-        """Let everything be as it was, but for what was left out and what cannot be written to."""
-        for k, (leaf, kept) in enumerate(zip(self._leaves, self._kept, strict=True)):
+        """Restores what was saved, except in what cannot be written to."""
+        for k, (leaf, saved) in enumerate(zip(self._leaves, self._saved, strict=True)):
             if k in self._left_out:
                 continue
             if isinstance(leaf, np.random.Generator):
-                leaf.bit_generator.state = kept
+                leaf.bit_generator.state = saved
             elif not isinstance(leaf, np.ndarray):
-                for place, part in enumerate(kept):
+                for place, part in enumerate(saved):
                     leaf[place] = part
             elif leaf.flags.writeable:
-                np.copyto(leaf, kept)
-
-
-ARRAYS_AND_STREAMS = (np.ndarray, np.random.Generator)  # a union would take longer at each call
+                np.copyto(leaf, saved)
 
 
 def _collect(values: tuple[Any, ...], leaves: list[Any]) -> None:
     for value in tuple.__iter__(values):
         if isinstance(value, tuple):
             _collect(value, leaves)
-        elif isinstance(value, ARRAYS_AND_STREAMS) or type(value).__module__.startswith("numba.typed"):
+        elif isinstance(value, ARRAYS_AND_STREAMS) or _is_typed_list(value):
             leaves.append(value)
 
 
-def _noted(leaf: Any, old: Any) -> Any:
+def _saved(leaf: Any, old: Any) -> Any:
+    """A copy of what a leaf holds, in the memory of an old copy if that fits."""
     if isinstance(leaf, np.random.Generator):
         return leaf.bit_generator.state
     fits = isinstance(leaf, np.ndarray) and isinstance(old, np.ndarray) and old.shape == leaf.shape
@@ -137,18 +133,22 @@ def difference(one: Any, other: Any, name: str, close: float = CLOSE) -> str | N
         return None
     if isinstance(one, np.random.Generator):
         return None if str(one.bit_generator.state) == str(other.bit_generator.state) else "a random stream"
-    if type(one).__module__.startswith("numba.typed"):
-        one, other = tuple(one), tuple(other)
-        return difference(one, other, name, close)
+    if _is_typed_list(one):
+        return difference(tuple(one), tuple(other), name, close)
     try:
         first, second = np.asarray(one), np.asarray(other)
-        same = first.shape == second.shape and _same(first, second, close)
+        same = first.shape == second.shape and _are_close(first, second, close)
     except (TypeError, ValueError):
         same = False
     return None if same else name
 
 
-def _same(one: np.ndarray[Any, Any], other: np.ndarray[Any, Any], close: float) -> bool:
+def _pairs(one: tuple[Any, ...], other: tuple[Any, ...]) -> Iterator[tuple[Any, Any]]:
+    """The parts of two tuples, whatever their classes make of `for`."""
+    return zip(tuple.__iter__(one), tuple.__iter__(other), strict=True)
+
+
+def _are_close(one: np.ndarray[Any, Any], other: np.ndarray[Any, Any], close: float) -> bool:
     if one.dtype.kind in "biu" and other.dtype.kind in "biu":
         return bool(np.array_equal(one, other))
     if one.dtype.kind in "biuf" and other.dtype.kind in "biuf":

@@ -1,7 +1,7 @@
-"""What Numba learns about NamedTuples: their methods, properties and constants are looked up in their classes.
+"""Methods, properties and constants of NamedTuples, which Numba does not know by itself.
 
-Numba compiles functions of NamedTuples but does not know their methods. `teach` adds that, once, for *any* NamedTuple
-class, so a class from a notebook cell works as the package's own do, and plain helper functions compile along.
+`teach` makes Numba look them up in the class of *any* NamedTuple, so that a class from a notebook cell compiles as the
+package's own do, together with the plain functions that its methods call.
 """
 
 import importlib
@@ -13,10 +13,10 @@ from functools import cache
 from types import FunctionType
 from typing import Any
 
-from edugym.compiled.code import NAMEDTUPLE_OWN, is_foreign
+from edugym.compiled.code import NAMEDTUPLE_MEMBERS, is_foreign
 
-# Of the build in progress, of which there is one at a time: Numba's options, the plain functions that may be compiled
-# along, and those that were so far.
+# The build in progress, of which there is one at a time: Numba's options, the plain functions that may be compiled with
+# it, and those that were so far.
 _options: dict[str, Any] = {}
 _helpers: set[FunctionType] = set()
 _parts: dict[FunctionType, Any] = {}
@@ -24,7 +24,7 @@ _parts: dict[FunctionType, Any] = {}
 
 @contextmanager
 def building(options: dict[str, Any], functions: set[FunctionType]) -> Iterator[None]:
-    """Let these functions be compiled along, with these options, wherever a method or function calls them."""
+    """Allows these functions to be compiled along, with these options, wherever a method or function calls them."""
     _options.update(options)
     _helpers.update(functions)
     try:
@@ -37,32 +37,32 @@ def building(options: dict[str, Any], functions: set[FunctionType]) -> Iterator[
 
 def _member(kind: Any, name: str) -> Any:
     """The method, property or constant `name` of a NamedTuple class, or None (fields are Numba's own business)."""
-    if name in kind.fields or name in NAMEDTUPLE_OWN:
+    if name in kind.fields or name in NAMEDTUPLE_MEMBERS:
         return None
     return inspect.getattr_static(kind.instance_class, name, None)
 
 
-def take_scipy_for_granted() -> None:
-    """Let Numba believe that linear algebra works where SciPy is installed.
+def skip_check_of_scipy() -> None:
+    """Loads Numba's arrays without its check that SciPy has linear algebra.
 
-    To see it for itself it would import scipy.linalg, a sixth of the time to the first result. Code that needs linear
-    algebra still imports it when it is compiled.
+    The check imports scipy.linalg, which takes a sixth of the time to the first result. Code that needs linear algebra
+    still imports it when it is compiled.
     """
     if importlib.util.find_spec("scipy") is None:
         return
     with suppress(AttributeError, ImportError):  # another Numba, which sees to that in another way
         linalg: Any = importlib.import_module("numba.np.linalg")
-        look = linalg.ensure_blas
+        check = linalg.ensure_blas
         try:
             linalg.ensure_blas = lambda: None
             arraymath: Any = importlib.import_module("numba.np.arraymath")
-            arraymath.ensure_blas = look
+            arraymath.ensure_blas = check
         finally:
-            linalg.ensure_blas = look
+            linalg.ensure_blas = check
 
 
 def teach(numba: Any, pipelines: Any) -> None:
-    """Look up what Numba does not know of a NamedTuple in its class; compile that by the pipelines given."""
+    """Makes Numba look up members of NamedTuples in their classes, and compile them by the pipelines given."""
     registry: Any = importlib.import_module("numba.core.registry")
     pipelines.share_function_passes(registry.cpu_target.target_context.codegen())
     types, typeof, extending = numba.types, numba.typeof, numba.extending
@@ -74,7 +74,7 @@ def teach(numba: Any, pipelines: Any) -> None:
     def part(function: FunctionType) -> Any:
         """The type of a method or helper, compiled with the options of the build in progress."""
         if function not in _parts:
-            pipeline = pipelines.JudgedPart if is_foreign(function) else pipelines.Part
+            pipeline = pipelines.CheckedPart if is_foreign(function) else pipelines.Part
             _parts[function] = numba.njit(pipeline_class=pipeline, forceinline=True, **_options)(function)
         return types.Dispatcher(_parts[function])
 
@@ -87,7 +87,7 @@ def teach(numba: Any, pipelines: Any) -> None:
 
     @cache
     def lower_method(name: str) -> None:
-        """How any NamedTuple's method of this name is called."""
+        """Defines how a method of this name is called, of any NamedTuple."""
 
         def method(context: Any, builder: Any, signature: Any, values: Any) -> Any:
             if len(values) < len(signature.args):  # Numba leaves out a self without fields

@@ -1,11 +1,11 @@
-"""Random generators that machine code takes by their address: ten times as fast as asking NumPy at every call.
+"""Random generators that are passed to machine code by their address, which is ten times as fast as Numba's way.
 
-Numba asks a `numpy.random.Generator` for the addresses of its state and functions whenever one is passed (5 µs, more
-than a step of five hundred copies of a small environment takes), and in builds without reference counts it keeps a
-reference to the generator for ever. But a generator never moves: here it is asked once, and machine code reads what it
-said (0.5 µs). The numbers drawn, and the state that they leave behind, are those of the generator itself.
+Whenever a `numpy.random.Generator` is passed, Numba asks it for the addresses of its state and functions. That takes
+5 µs, more than a step of five hundred copies of a small environment, and in builds without reference counts it keeps a
+reference to the generator for ever. But a generator never moves. Here it is asked once, and machine code reads the
+answer (0.5 µs). The numbers drawn, and the state that they leave behind, are those of the generator itself.
 
-This rests on how Numba lays out a generator. Importing this file raises `ImportError` where that is not as expected;
+This depends on how Numba lays out a generator. Importing this file raises `ImportError` where that is not as expected;
 then `edugym.compiled.compiler`, its only user, passes generators as they are.
 """
 
@@ -20,15 +20,15 @@ from numba.core import types
 from edugym.mdp.protocol import Random
 
 WORDS = ("state_address", "state", "fnptr_next_uint64", "fnptr_next_uint32", "fnptr_next_double")
-"""What Numba keeps of a bit generator, in the order of `LocatedGenerator.words`."""
+"""The fields of Numba's bit generator, in the order of `LocatedGenerator.words`."""
 
 
 class LocatedGeneratorType(types.NumPyRandomGeneratorType):
-    """Numba's type of a generator taken by its address: a generator in all but how it is handed over."""
+    """Numba's type of a generator that is passed by its address: like its own but for how it is passed."""
 
 
 class LocatedGenerator:
-    """A generator, and where it is.
+    """A generator and its addresses.
 
     Attributes:
         rng: the generator, which must not go away.
@@ -39,7 +39,7 @@ class LocatedGenerator:
     _numba_type_ = LocatedGeneratorType("generator")
 
     def __init__(self, rng: Random) -> None:
-        """Ask for the addresses."""
+        """Asks the generator for its addresses."""
         asked = rng.bit_generator.ctypes
         functions = (asked.next_uint64, asked.next_uint32, asked.next_double)
         self.rng = rng
@@ -52,12 +52,12 @@ class LocatedGenerator:
 
 @lru_cache(maxsize=64)
 def located(rng: Random) -> LocatedGenerator:
-    """The generator with its addresses, which the latest generators are asked for only once."""
+    """The generator with its addresses; the latest ones are remembered."""
     return LocatedGenerator(rng)
 
 
 def _teach_numba() -> None:
-    """How a located generator is laid out (as any other) and made: of its five words.
+    """Tells Numba how a located generator is laid out (as any other) and unboxed (from its five words).
 
     Raises:
         ImportError: Numba is not as expected.

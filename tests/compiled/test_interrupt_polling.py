@@ -7,10 +7,10 @@ from typing import Any
 import pytest
 from numba.core import compiler, ir
 
-from edugym.compiled.turns import count_turns
+from edugym.compiled.interrupt_polling import insert_polling
 
 EXPECTED = {
-    "training": ["in the loop at line 37 of your code", "False True 0.0", "Timeout", "False"],
+    "training": ["in the loop at line 38 of your code", "False True 0.0", "Timeout", "False"],
     "in_threads": ["Interrupted True", "Interrupted True"],
     "vector": ["True 300 300"],
     "planning": ["Interrupted"],
@@ -18,9 +18,12 @@ EXPECTED = {
 }
 
 
-@pytest.mark.parametrize("how", EXPECTED)
+SLOW = ("in_threads", "evaluation")
+
+
+@pytest.mark.parametrize("how", [pytest.param(how, marks=[pytest.mark.slow] * (how in SLOW)) for how in EXPECTED])
 def test_what_never_ends_can_be_stopped(how: str) -> None:
-    """See `unending.py`. Without `edugym.compiled.turns` these programs go on until they are killed."""
+    """See `unending.py`. Without `edugym.compiled.interrupt_polling` these programs go on until they are killed."""
     done = subprocess.run(
         [sys.executable, "-m", "tests.compiled.unending", how],
         capture_output=True,
@@ -49,11 +52,11 @@ def test_which_loops_count(foreign: bool, lines: list[int]) -> None:
     """A student's `for` with a loop inside as well, each with its line; the package's only where the end is open."""
     frontend: Any = compiler.run_frontend
     function = frontend(loops)
-    count_turns(function, foreign)
+    insert_polling(function, foreign)
     assigned: list[Any] = [
         one for block in function.blocks.values() for one in block.body if isinstance(one, ir.Assign)
     ]
     given = [one.value.value for one in assigned if one.target.name.startswith("$line")]
     assert sorted(line and line - loops.__code__.co_firstlineno for line in given) == lines
-    called = [one.value.value.__name__ for one in assigned if one.target.name.startswith("$turn.")]
-    assert called == ["turn"] * len(lines)
+    called = [one.value.value.__name__ for one in assigned if one.target.name.startswith("$count.")]
+    assert called == ["count_iteration"] * len(lines)

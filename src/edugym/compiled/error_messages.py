@@ -1,4 +1,4 @@
-"""Why something cannot be compiled, in a few words: Numba's long messages, put so that an author of the code knows."""
+"""Numba's long error messages in a few words that the author of the code understands."""
 
 import inspect
 import re
@@ -7,9 +7,9 @@ from pathlib import Path
 from edugym.compiled.code import Code
 from edugym.compiled.subset import place
 
-MOST_WORDS = 150
-"""How many letters of a message of Numba's are shown."""
-WORDS = (
+MAX_LENGTH = 150
+"""How many letters of a message are shown."""
+MESSAGES = (
     (r"Unknown attribute '(\w+)' of type NumPyRandomGeneratorType.*", r"it uses rng's \1"),
     (
         r"Unknown attribute '(\w+)' of type class\(<class '(?:.*\.)?(\w+)'>\).*",
@@ -69,7 +69,7 @@ WORDS = (
     (r"Int value is too large.*", "it has a whole number of more than 64 bits"),
     (r"Illegal IR, del found.*", "it deletes a variable"),
 )
-"""What Numba says, and what is said in its place."""
+"""Patterns of Numba's messages, and what is said in their place."""
 TYPES = (
     (r"Literal\[(\w+)\]\([^)]*\)", r"\1"),
     (r"OptionalType\((\w+)\)", r"\1 or None"),
@@ -86,31 +86,31 @@ TYPES = (
     (r"\bnone\b", "None"),
     (r"values of two types, (.+) and \1$", r"values of \1 with fields of two types, as 0 and 0.0 are"),
 )
-"""How Numba writes types, and how Python does."""
+"""Patterns of Numba's names of types, and how Python writes them."""
 
 
 def reason(error: Exception, code: Code) -> str:
-    """Return what an error of Numba's says, and the innermost line of the student's code among those that it names.
+    """What an error of Numba's says, and the innermost line of the student's code among those that it names.
 
     Args:
         error: what compiling has raised.
         code: what was compiled.
     """
-    if not type(error).__module__.startswith("numba"):  # something in it that Numba is not prepared for
+    if not type(error).__module__.startswith("numba"):  # an internal error of Numba
         return f"Numba cannot compile it ({type(error).__name__})"
     text = re.sub(r"\x1b\[[0-9;]*m", "", str(error))
-    says = re.split(r"^(?:During: |File )", text, maxsplit=1, flags=re.MULTILINE)[0].splitlines()
+    lines = re.split(r"^(?:During: |File )", text, maxsplit=1, flags=re.MULTILINE)[0].splitlines()
     own = {Path(file).name: file for file in code.foreign_files}
     places = re.findall(r'(?:File "| at |Raised from )([^"\n]+?)"?(?:, line | \()(\d+)', text)
-    lines = [place(own[name], int(line)) for file, line in places if (name := Path(file).name) in own]
-    if not lines and re.search(r">>> isfinite\(array", text):  # in a guard around the student's MDP
+    own_lines = [place(own[name], int(line)) for file, line in places if (name := Path(file).name) in own]
+    if not own_lines and re.search(r">>> isfinite\(array", text):  # in a guard around the student's MDP
         return "the reward is an array, but should be a number: for np.where write `... if ... else ...`"
-    said = _of_other_methods(text, code) or _said(says)
-    return f"{said} ({lines[0]})" if lines else said
+    said = _method_without_self(text, code) or _translated(lines)
+    return f"{said} ({own_lines[0]})" if own_lines else said
 
 
-def _of_other_methods(text: str, code: Code) -> str | None:
-    """Say of a member that Numba does not know that it is a class method or a static method, if it is one."""
+def _method_without_self(text: str, code: Code) -> str | None:
+    """A sentence about a class method or a static method, if that is the member that Numba does not know."""
     if found := re.search(r"Unknown attribute '(\w+)' of type", text):
         for kind in code.classes:
             member = inspect.getattr_static(kind, found[1], None)
@@ -120,15 +120,15 @@ def _of_other_methods(text: str, code: Code) -> str | None:
     return None
 
 
-def _said(lines: list[str]) -> str:
-    """Return Numba's message in other words, if there are some for one of its lines; else its first line."""
-    says = [re.sub(r"^\w+Error: ", "", line.strip()) for line in lines if line.strip()]
-    for pattern, words in WORDS:
-        for line in says:
+def _translated(lines: list[str]) -> str:
+    """Numba's message in other words, if there are some for one of its lines; else its first line."""
+    messages = [re.sub(r"^\w+Error: ", "", line.strip()) for line in lines if line.strip()]
+    for pattern, words in MESSAGES:
+        for line in messages:
             if found := re.fullmatch(pattern, line):
                 said = found.expand(words)
                 for written, plain in TYPES:
                     said = re.sub(written, plain, said)
-                return said[:MOST_WORDS]
-    first = next((line for line in says if not line.startswith(("Failed in", "- "))), "Numba does not say why")
-    return first[:MOST_WORDS]
+                return said[:MAX_LENGTH]
+    first = next((line for line in messages if not line.startswith(("Failed in", "- "))), "Numba does not say why")
+    return first[:MAX_LENGTH]

@@ -1,7 +1,7 @@
-"""What Numba does besides, when types are known, with code that is not the package's own: judge it.
+"""A compiler pass over students' code after Numba has inferred types: it refuses what Python would do otherwise.
 
-This is a pass in Numba's pipeline (`edugym.compiled.pipelines`). Every value must be of a type, and every operation of
-a kind, that machine code treats as Python does. Operators of whole numbers are replaced by checked ones.
+Every value must be of a type, and every operation of a kind, that machine code treats as Python does. Operators of
+whole numbers are replaced by checked ones (`edugym.compiled.arithmetic`).
 """
 
 import importlib
@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 
 from edugym.compiled.arithmetic import CHECKED
-from edugym.compiled.passes import refuse, statements
 from edugym.compiled.subset import words
+from edugym.compiled.untyped_checks import refuse, statements
 
 ir: Any = importlib.import_module("numba.core.ir")
 types: Any = importlib.import_module("numba.core.types")
@@ -20,61 +20,54 @@ typing: Any = importlib.import_module("numba.core.typing")
 ir_utils: Any = importlib.import_module("numba.core.ir_utils")
 
 ARRAY = words(
-    "T all any argmax argmin copy cumsum dot fill flatten max mean min ndim prod ravel reshape shape size std"
+    "T all any argmax argmin copy cumsum dot fill flatten max mean min ndim prod ravel reshape shape size std sum var"
 )
-ARRAY |= words("sum var")
 DRAWS = words(
     "binomial choice exponential integers normal permutation poisson random shuffle standard_exponential "
     "standard_normal uniform"
 )
 MEMBERS = ((types.Array, ARRAY, "an array's"), (types.NumPyRandomGeneratorType, DRAWS, "rng's"))
-"""What may be asked of arrays and generators."""
-FITTING = (
+"""The members of arrays and generators that may be used."""
+ALLOWED = (
     types.Array | types.BoundFunction | types.Callable | types.DType | types.EllipsisType | types.EnumClass
     | types.EnumMember | types.ExceptionClass | types.ExceptionInstance | types.IteratorType | types.Module
     | types.NoneType | types.NumberClass | types.NumPyRandomGeneratorType | types.RangeType | types.SliceType
     | types.UnicodeType | types.Omitted | types.Phantom
 )  # fmt: skip
-"""Types that will do; those of numbers and of what holds other values are looked at closer."""
+"""Allowed types, besides numbers and what holds other values, which are looked at closer."""
 FILLING = (np.array, np.full, np.full_like)
 """Functions that put what they are given into an array of the type that is asked for."""
-BOOLEANS: set[Any] = {
-    operator.add,
-    operator.sub,
-    operator.mul,
-    operator.truediv,
-    operator.floordiv,
-    operator.mod,
-    operator.pow,
-}
-BOOLEANS |= {operator.lshift, operator.rshift, operator.invert, operator.neg, operator.pos}
-"""Operations with which Python's and NumPy's booleans do different things."""
+NOT_WITH_BOOLEANS: set[Any] = {
+    operator.add, operator.sub, operator.mul, operator.truediv, operator.floordiv, operator.mod, operator.pow,
+    operator.lshift, operator.rshift, operator.invert, operator.neg, operator.pos,
+}  # fmt: skip
+"""Operations in which Python's and NumPy's booleans do different things."""
 
 
-def after_typing(state: Any) -> bool:
-    """Refuse types and operations, and replace operators."""
+def check_typed(state: Any) -> bool:
+    """Refuses types and operations, and replaces operators: the pass."""
     kinds = state.typemap
     for block, statement in statements(state.func_ir):
         if isinstance(statement, ir.Assign):
-            _judge_type(kinds[statement.target.name], statement.loc)
-            _judge_flag(statement.value, kinds, kinds[statement.target.name], statement.loc)
+            _check_type(kinds[statement.target.name], statement.loc)
+            _check_boolean(statement.value, kinds, kinds[statement.target.name], statement.loc)
             if isinstance(statement.value, ir.Expr):
-                _judge(statement.value, kinds, state.calltypes, statement)
+                _check_expression(statement.value, kinds, state.calltypes, statement)
         elif isinstance(statement, ir.Return):
-            _judge_flag(statement.value, kinds, state.return_type, statement.loc)
+            _check_boolean(statement.value, kinds, state.return_type, statement.loc)
         elif isinstance(statement, ir.SetItem | ir.StaticSetItem):
-            if isinstance(statement, ir.SetItem):  # another one has a constant for an index
-                _judge_index(kinds[statement.index.name], statement.loc)
+            if isinstance(statement, ir.SetItem):  # the other has a constant for an index
+                _check_index(kinds[statement.index.name], statement.loc)
             target, value = kinds[statement.target.name], kinds[statement.value.name]
             if isinstance(target, types.Array):
-                _judge_stored(target, value, statement.loc)
-            if isinstance(value, types.Array) and _puts_back(state.func_ir, statement):
-                block.body.remove(statement)  # for which memory and reference counts would be needed
+                _check_stored(target, value, statement.loc)
+            if isinstance(value, types.Array) and _stores_itself(state.func_ir, statement):
+                block.body.remove(statement)  # it would need memory and reference counts
     return True
 
 
-def _puts_back(func_ir: Any, statement: Any) -> bool:
-    """Whether it is the second half of `E[:] *= 0.9`: it puts a part of an array, changed in place, where it is."""
+def _stores_itself(func_ir: Any, statement: Any) -> bool:
+    """Whether a part of an array, changed in place, is stored where it is: the second half of `E[:] *= 0.9`."""
 
     def definition(variable: Any) -> Any:
         return ir_utils.guard(ir_utils.get_definition, func_ir, variable)
@@ -93,47 +86,48 @@ def _puts_back(func_ir: Any, statement: Any) -> bool:
     return all(one is not None and one is other for one, other in zip(place(part), place(statement), strict=True))
 
 
-def _judge_type(kind: Any, loc: Any) -> None:
+def _check_type(kind: Any, loc: Any) -> None:
+    """Refuses numbers of other than 64 bits, collections of other things than numbers, and unknown types."""
     kind = types.unliteral(kind)
     if isinstance(kind, types.Optional):
-        return _judge_type(kind.type, loc)
-    if isinstance(kind, types.RecursiveCall):
-        return refuse("it calls itself", loc)
-    if isinstance(kind, types.Pair):
-        return _judge_type(kind.first_type, loc)
-    if isinstance(kind, types.BaseTuple):
+        _check_type(kind.type, loc)
+    elif isinstance(kind, types.RecursiveCall):
+        refuse("it calls itself", loc)
+    elif isinstance(kind, types.Pair):
+        _check_type(kind.first_type, loc)
+    elif isinstance(kind, types.BaseTuple):
         for part in kind:
-            _judge_type(part, loc)
-        return None
-    if isinstance(kind, types.Number | types.Boolean):
+            _check_type(part, loc)
+    elif isinstance(kind, types.Number | types.Boolean):
         if kind not in (types.int64, types.intp, types.float64, types.boolean):
             refuse(f"it computes with numbers of type {kind}", loc)
-        return None
-    if isinstance(kind, types.Array):
+    elif isinstance(kind, types.Array):
         if not isinstance(kind.dtype, types.Number | types.Boolean):
             refuse(f"it has an array of {kind.dtype}", loc)
-        return None
-    if isinstance(kind, types.List):
-        if not isinstance(kind.dtype, types.Number | types.Boolean):
+    elif isinstance(kind, types.List | types.Poison | types.LiteralList):
+        if not isinstance(kind, types.List) or not isinstance(kind.dtype, types.Number | types.Boolean):
             refuse("it makes a list of other things than numbers", loc)
-        return _judge_type(kind.dtype, loc)
-    if isinstance(kind, types.Poison | types.LiteralList):
-        refuse("it makes a list of other things than numbers", loc)
-    if isinstance(kind, types.NumpyFlatType) or not isinstance(kind, FITTING):
-        refuse("it uses .flat" if isinstance(kind, types.NumpyFlatType) else f"it makes a value of type {kind}", loc)
-    return None
+        _check_type(kind.dtype, loc)
+    elif isinstance(kind, types.NumpyFlatType):
+        refuse("it uses .flat", loc)
+    elif not isinstance(kind, ALLOWED):
+        refuse(f"it makes a value of type {kind}", loc)
 
 
-def _judge_flag(value: Any, kinds: Any, target: Any, loc: Any) -> None:
-    """Refuse to make a number of a boolean that Python leaves as it is, since `Q[True]` is not `Q[1]`."""
+def _check_boolean(value: Any, kinds: Any, target: Any, loc: Any) -> None:
+    """Refuses to make a number of a boolean that Python leaves as it is, since `Q[True]` is not `Q[1]`."""
     joins = value.op if isinstance(value, ir.Expr) else ""
     sources = value.incoming_values if joins == "phi" else [value.value] if joins == "cast" else [value]
-    flags = [isinstance(types.unliteral(kinds[one.name]), types.Boolean) for one in sources if isinstance(one, ir.Var)]
-    if any(flags) and isinstance(types.unliteral(target), types.Number):
+    booleans = [_is_boolean(kinds[one.name]) for one in sources if isinstance(one, ir.Var)]
+    if any(booleans) and isinstance(types.unliteral(target), types.Number):
         refuse("one name stands for True or False and for numbers", loc)
 
 
-def _narrow(kind: Any) -> bool:
+def _is_boolean(kind: Any) -> bool:
+    return isinstance(types.unliteral(kind), types.Boolean)
+
+
+def _is_narrow(kind: Any) -> bool:
     """Whether it is an array of other numbers than those of 64 bits: to be filled and passed on, but not computed with.
 
     (Numba and NumPy do not agree on what such numbers become when they meet others.)
@@ -141,34 +135,34 @@ def _narrow(kind: Any) -> bool:
     return isinstance(kind, types.Array) and kind.dtype not in (types.int64, types.float64, types.boolean)
 
 
-def _judge_stored(target: Any, value: Any, loc: Any) -> None:
-    """Look at what is put into an array."""
-    if _real(value) and not _real(target):
+def _is_real(kind: Any) -> bool:
+    return isinstance(kind, types.Float) or (isinstance(kind, types.Array) and isinstance(kind.dtype, types.Float))
+
+
+def _check_stored(target: Any, value: Any, loc: Any) -> None:
+    """Refuses to put a number into an array that may not hold it."""
+    if _is_real(value) and not _is_real(target):
         refuse("it puts a real number in an array of whole numbers", loc)
-    if _narrow(target) and not _real(target) and getattr(value, "dtype", None) != target.dtype:
+    if _is_narrow(target) and not _is_real(target) and getattr(value, "dtype", None) != target.dtype:
         known = value.literal_value if isinstance(value, types.IntegerLiteral) else -1
         if not 0 <= known < 128:  # which fits in all of them; of others some raise an error and some do not
             refuse(f"it puts a number that may not fit in an array of {target.dtype}", loc)
 
 
-def _real(kind: Any) -> bool:
-    return isinstance(kind, types.Float) or (isinstance(kind, types.Array) and isinstance(kind.dtype, types.Float))
-
-
-def _judge_index(kind: Any, loc: Any) -> None:
+def _check_index(kind: Any, loc: Any) -> None:
     for part in kind if isinstance(kind, types.BaseTuple) else [kind]:
         if isinstance(part, types.Array | types.List):
             refuse("it picks by an array, or list, of indices or booleans", loc)
 
 
-def _judge(expr: Any, kinds: Any, calltypes: Any, statement: Any) -> None:
-    """Look at one operation, and replace its operator where there is something to check."""
+def _check_expression(expr: Any, kinds: Any, calltypes: Any, statement: Any) -> None:
+    """Checks one operation, and replaces its operator where there is something to check."""
     loc, result = statement.loc, kinds[statement.target.name]
     if isinstance(result, types.UnicodeType) and expr.op not in ("getattr", "static_getitem", "getitem", "cast", "phi"):
         refuse("it makes text", loc)
-    _judge_narrow(expr, kinds, loc)
+    _check_narrow(expr, kinds, loc)
     if expr.op == "getitem":
-        _judge_index(kinds[expr.index.name], loc)
+        _check_index(kinds[expr.index.name], loc)
     elif expr.op == "getattr":
         for kind, members, whose in MEMBERS:
             if isinstance(kinds[expr.value.name], kind) and expr.attr not in members:
@@ -176,18 +170,18 @@ def _judge(expr: Any, kinds: Any, calltypes: Any, statement: Any) -> None:
     elif expr.op == "call":
         function = kinds[expr.func.name]
         to_whole = isinstance(function, types.NumberClass) and isinstance(function.dtype, types.Integer)
-        if to_whole and any(_real(kinds[part.name]) for part in expr.args):
+        if to_whole and any(_is_real(kinds[part.name]) for part in expr.args):
             refuse("it makes a real number a whole one: use int()", loc)
-        _judge_filled(expr, function, result, kinds, loc)
+        _check_filled(expr, function, result, kinds, loc)
     elif expr.op == "unary":
-        if expr.fn in BOOLEANS and isinstance(types.unliteral(kinds[expr.value.name]), types.Boolean):
+        if expr.fn in NOT_WITH_BOOLEANS and _is_boolean(kinds[expr.value.name]):
             refuse("it computes with True and False as if they were numbers", loc)
     elif expr.op in ("binop", "inplace_binop"):
-        _judge_operator(expr, kinds, calltypes, loc)
+        _check_operator(expr, kinds, calltypes, loc)
 
 
-def _judge_filled(expr: Any, function: Any, result: Any, kinds: Any, loc: Any) -> None:
-    """Refuse to fill an array of whole numbers with real ones: NaN and large ones are errors in Python."""
+def _check_filled(expr: Any, function: Any, result: Any, kinds: Any, loc: Any) -> None:
+    """Refuses to fill an array of whole numbers with real ones: NaN and large ones are errors in Python."""
     filled = result if getattr(function, "typing_key", None) in FILLING else None
     if isinstance(function, types.BoundFunction) and function.typing_key == (types.Array, "fill"):
         filled = function.this
@@ -202,8 +196,8 @@ def _holds_reals(kind: Any) -> bool:
     return isinstance(getattr(kind, "dtype", kind), types.Float)
 
 
-def _judge_narrow(expr: Any, kinds: Any, loc: Any) -> None:
-    """Refuse to compute with arrays of other numbers than those of 64 bits."""
+def _check_narrow(expr: Any, kinds: Any, loc: Any) -> None:
+    """Refuses to compute with arrays of other numbers than those of 64 bits."""
     if expr.op in ("getattr", "getitem", "static_getitem", "build_tuple", "cast", "phi"):
         return  # single numbers are refused by their type
     called = kinds[expr.func.name] if expr.op == "call" else None
@@ -212,22 +206,25 @@ def _judge_narrow(expr: Any, kinds: Any, loc: Any) -> None:
         return  # a function or method of the author's, or one that asks for no number
     for variable in expr.list_vars():
         kind = kinds[variable.name]
-        if _narrow(kind) or _narrow(getattr(kind, "this", None)):
+        if _is_narrow(kind) or _is_narrow(getattr(kind, "this", None)):
             refuse(f"it computes with numbers of type {getattr(kind, 'this', kind).dtype}", loc)
 
 
-def _judge_operator(expr: Any, kinds: Any, calltypes: Any, loc: Any) -> None:
+def _check_operator(expr: Any, kinds: Any, calltypes: Any, loc: Any) -> None:
+    """Refuses operators that do something else in Python, and replaces those that need a check."""
     function = expr.fn if expr.op == "binop" else expr.immutable_fn
     both = [types.unliteral(kinds[side.name]) for side in (expr.lhs, expr.rhs)]
     plain = [kind.dtype if isinstance(kind, types.Array) else kind for kind in both]
-    if function in BOOLEANS and all(isinstance(kind, types.Boolean) for kind in plain):
+    if function in NOT_WITH_BOOLEANS and all(map(_is_boolean, plain)):
         refuse("it computes with True and False as if they were numbers", loc)
     if function in (operator.is_, operator.is_not) and not any(isinstance(kind, types.NoneType) for kind in both):
         refuse("it compares with 'is'", loc)
     if isinstance(both[0], types.Array) and expr.op == "inplace_binop":
         if isinstance(both[1], types.Array | types.BaseTuple | types.List):
             refuse("it changes an array in place by another array: write a loop", loc)
-        if not isinstance(plain[0], types.Float) and (_real(both[1]) or function in (operator.truediv, operator.pow)):
+        if not isinstance(plain[0], types.Float) and (
+            _is_real(both[1]) or function in (operator.truediv, operator.pow)
+        ):
             refuse("it changes an array of whole numbers in place by real ones", loc)
     operation = CHECKED.get((function, *both))
     if operation:

@@ -1,0 +1,213 @@
+"""A compiler pass over students' code before Numba infers types: it refuses or replaces what Python does otherwise.
+
+Every variable must have a value wherever it is used. Functions of `math`, `np` and `rng` are replaced by those of
+`edugym.compiled.arithmetic` and `edugym.compiled.draws`, and arguments are written as Numba knows them. Once types are
+known, `edugym.compiled.typed_checks` goes on.
+"""
+
+import importlib
+import math
+from collections.abc import Iterator
+from enum import Enum
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+from edugym.compiled.arithmetic import CALLED, EXTREMES, REPLACED
+from edugym.compiled.draws import DRAWN
+from edugym.compiled.interrupt_polling import insert_polling
+from edugym.compiled.subset import place, words
+
+ir: Any = importlib.import_module("numba.core.ir")
+analysis: Any = importlib.import_module("numba.core.analysis")
+ir_utils: Any = importlib.import_module("numba.core.ir_utils")
+
+
+class Refused(Exception):
+    """Code is not in the subset that may be compiled: `str(error)` says what, and where."""
+
+
+NEVER_NONE = words("initial transition reward terminal observation act greedy")
+"""Methods of MDPs and agents that have to return something."""
+OF_64_BITS: dict[Any, Any] = {int: np.int64, float: np.float64, bool: np.bool_}
+"""What Numba calls the types of arrays that are named by types of Python."""
+
+
+def refuse(found: str, loc: Any) -> None:
+    """Raises `Refused`, with the place of the line."""
+    raise Refused(f"{found} ({place(loc.filename, loc.line)})")
+
+
+def statements(func_ir: Any) -> Iterator[tuple[Any, Any]]:
+    """All statements of a function, each with its block, which may change meanwhile."""
+    for block in func_ir.blocks.values():
+        for statement in list(block.body):
+            yield block, statement
+
+
+def check_untyped(state: Any) -> bool:
+    """Refuses variables without a value, replaces functions, and adds polling: the pass for students' code."""
+    _require_values(state.func_ir)
+    if state.func_ir.func_id.func_name in NEVER_NONE:
+        _raise_instead_of_none(state.func_ir)
+    for block, statement in statements(state.func_ir):
+        value = getattr(statement, "value", None)
+        if isinstance(statement, ir.Assign) and isinstance(value, ir.Expr):
+            if value.op == "make_function":
+                refuse("it has a function, or a lambda, inside a function", statement.loc)
+            library = _global(state.func_ir, value.value) if value.op == "getattr" else None
+            if library is math or library is np:
+                _replace_function(statement, getattr(library, value.attr, None))
+            elif value.op == "call":
+                _rewrite_arguments(state.func_ir, block, statement)
+                _replace_call(state.func_ir, block, statement)
+        elif isinstance(value, ir.Global | ir.FreeVar):
+            _replace_function(statement, value.value)
+    insert_polling(state.func_ir, foreign=True)
+    return True
+
+
+def add_polling_only(state: Any) -> bool:
+    """Adds polling to every `while`: the pass for the package's own code."""
+    insert_polling(state.func_ir, foreign=False)
+    return True
+
+
+def _require_values(func_ir: Any) -> None:
+    """Refuses a variable that has no value on some way to where it is used."""
+    blocks = func_ir.blocks
+    graph = analysis.compute_cfg_from_blocks(blocks)
+    everything = {s.target.name for _, s in statements(func_ir) if isinstance(s, ir.Assign)}
+    after: dict[Any, set[str]] = {}  # the variables that have a value at the end of a block
+
+    def before(label: Any) -> set[str]:
+        incoming = [after.get(source, everything) for source, _ in graph.predecessors(label)]
+        return set.intersection(*incoming) if incoming and label != graph.entry_point() else set()
+
+    changed = True
+    while changed:
+        changed = False
+        for label in graph.topo_order():
+            assigned = before(label) | {s.target.name for s in blocks[label].body if isinstance(s, ir.Assign)}
+            if after.get(label) != assigned:
+                after[label], changed = assigned, True
+    for label in graph.topo_order():
+        assigned = set(before(label))
+        for statement in blocks[label].body:
+            for variable in _variables_used(statement):
+                if variable.name in everything and variable.name not in assigned and not variable.is_temp:
+                    refuse(f"the variable {variable.unversioned_name} may have no value", statement.loc)
+            if isinstance(statement, ir.Assign):
+                assigned.add(statement.target.name)
+
+
+def _variables_used(statement: Any) -> list[Any]:
+    used = statement.value if isinstance(statement, ir.Assign) else statement
+    if isinstance(used, ir.Var):
+        return [used]
+    return used.list_vars() if hasattr(used, "list_vars") and not isinstance(used, ir.Del) else []
+
+
+def _raise_instead_of_none(func_ir: Any) -> None:
+    """Raises an error where nothing is returned: the interpreter then says so, and the rest returns one type."""
+    last = [(block, block.terminator) for block in func_ir.blocks.values()]
+    returns = [(block, end) for block, end in last if isinstance(end, ir.Return)]
+    nothing = [(block, end) for block, end in returns if _returns_none(func_ir, end.value)]
+    for block, end in nothing if len(nothing) < len(returns) else []:
+        block.body[-1] = ir.StaticRaise(ValueError, ("nothing is returned",), end.loc)
+
+
+def _returns_none(func_ir: Any, variable: Any) -> bool:
+    cast = _definition(func_ir, variable)
+    value = _definition(func_ir, cast.value) if getattr(cast, "op", "") == "cast" else cast
+    return isinstance(value, ir.Const) and value.value is None
+
+
+def _definition(func_ir: Any, variable: Any) -> Any:
+    """What is assigned to a variable, or None if that is not one thing."""
+    return ir_utils.guard(ir_utils.get_definition, func_ir, variable)
+
+
+def _global(func_ir: Any, variable: Any) -> Any:
+    """The value of a global name, or of what a module has, if the variable stands for one."""
+    definition = _definition(func_ir, variable)
+    if isinstance(definition, ir.Expr) and definition.op == "getattr":
+        owner = _global(func_ir, definition.value)
+        return getattr(owner, definition.attr, None) if isinstance(owner, ModuleType) else None
+    return definition.value if isinstance(definition, ir.Global | ir.FreeVar) else None
+
+
+def _replace_function(statement: Any, value: Any) -> None:
+    """Puts a checked function in the place of one of `math` or `np`."""
+    if function := _entry(REPLACED, value):
+        statement.value = ir.Global(function.__name__, function, statement.loc)
+
+
+def _entry(table: dict[Any, Any], value: Any) -> Any:
+    try:
+        return table.get(value)
+    except TypeError:  # it has no hash
+        return None
+
+
+def _rewrite_arguments(func_ir: Any, block: Any, statement: Any) -> None:
+    """Writes the arguments of a call as Numba knows them: types of arrays, the start of `enumerate`, and defaults."""
+    call = statement.value
+    for given in (*call.args, *(variable for _, variable in call.kws)):
+        kind = _definition(func_ir, given)
+        if isinstance(kind, ir.Global) and (named := _entry(OF_64_BITS, kind.value)):
+            kind.value = named
+    called = _global(func_ir, call.func)
+    if called is enumerate:
+        call.args, call.kws = [*call.args, *(variable for _, variable in call.kws)], ()
+    elif called is zip and call.kws:
+        refuse("it calls zip with strict", statement.loc)
+    elif isinstance(called, type) and issubclass(called, tuple) and hasattr(called, "_field_defaults"):
+        _add_defaults(func_ir, block, statement, called)
+
+
+def _add_defaults(func_ir: Any, block: Any, statement: Any, kind: Any) -> None:
+    """Makes a NamedTuple of all its fields: Numba would make a shorter one where defaults are left out."""
+    call = statement.value
+    if call.vararg is None:
+        given = {*kind._fields[: len(call.args)], *(name for name, _ in call.kws)}
+        missing = {name: value for name, value in kind._field_defaults.items() if name not in given}
+        for name, value in missing.items():
+            fits = -(2**63) <= value < 2**63 if isinstance(value, int) else isinstance(value, float | str | Enum | None)
+            if not fits:
+                refuse(f"it makes a {kind.__name__} without {name}", statement.loc)
+        more = [(name, _assigned(func_ir, block, statement, value)) for name, value in missing.items()]
+        call.kws = [*call.kws, *more]
+
+
+def _replace_call(func_ir: Any, block: Any, statement: Any) -> None:
+    """Replaces a call of `int`, or of a method such as `rng.normal`, by a call of the checked function."""
+    call = statement.value
+    definition = _definition(func_ir, call.func)
+    if isinstance(definition, ir.Expr) and definition.op == "getattr":
+        if isinstance(_global(func_ir, definition.value), ModuleType):
+            return  # a function of a module, which may have any name
+        table = DRAWN if call.args or call.kws else {**DRAWN, **EXTREMES}
+        if definition.attr not in table:
+            return
+        function, owner = table[definition.attr], [definition.value]
+    elif isinstance(definition, ir.Global | ir.FreeVar) and (function := _entry(CALLED, definition.value)):
+        owner = []
+        if definition.value is round and len(call.args) + len(call.kws) > 1:
+            refuse("it rounds to decimals", statement.loc)
+        given = _definition(func_ir, call.args[0]) if call.args else None
+        if not call.args or (isinstance(given, ir.Const) and isinstance(given.value, str)):
+            return  # int(), float("inf")
+    else:
+        return
+    call.func, call.args = _assigned(func_ir, block, statement, function), [*owner, *call.args]
+
+
+def _assigned(func_ir: Any, block: Any, statement: Any, value: Any) -> Any:
+    """A new variable to which the value is assigned before the statement."""
+    variable = ir.Var(block.scope, ir_utils.mk_unique_var("$checked"), statement.loc)
+    assign = ir.Assign(ir.Global(variable.name, value, statement.loc), variable, statement.loc)
+    block.body.insert(block.body.index(statement), assign)
+    func_ir._definitions[variable.name].append(assign.value)
+    return variable
