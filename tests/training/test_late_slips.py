@@ -23,6 +23,8 @@ from tests.training.slips import (
 )
 from tests.training.tasks import interpret
 
+pytestmark = pytest.mark.usefixtures("compiled_at_once")
+
 COUNTED = f"self.count[0] += 1\n        {MOVE}"
 
 

@@ -70,7 +70,7 @@ def test_ctrl_c_ends_the_interpreter_where_machine_code_failed(given_up: bool, m
 
     def work() -> None:
         with SignalGuard() as work:
-            work.hold(machine_code=True)
+            work.defer(machine_code=True)
             for _ in range(1 + given_up):
                 run(1)
 

@@ -139,6 +139,7 @@ def compiled_from(agent: Any, task: Any = WALL) -> Callable[[], Any]:
     return lambda: train(task, agent, execution.COMPILE_FROM, max_steps=9, evaluate_every=5_000)
 
 
+@pytest.mark.usefixtures("compiled_at_once")
 @pytest.mark.parametrize(
     ("statement", "names"),
     [("print(state)", "prints"), ("x = {}", "dict"), ("rng.geometric(0.5)", "geometric line")],
