@@ -18,7 +18,7 @@ from edugym import finite_model, read_mdp, share, value_iteration, wrapper
 from edugym.adapters.playing import Game
 from edugym.adapters.sharing import _home, source_of
 from edugym_course.commands import app
-from edugym_course.lessons.own_problem import Morning, WithBonus
+from edugym_course.lessons.own_problem.morning import Morning, WithBonus
 
 CELLS = """
 import math
@@ -122,7 +122,7 @@ def test_classes_of_installed_packages_are_imported(tmp_path: Path) -> None:
     """And wrappers keep what is inside them."""
     mdp = WithBonus(Morning(late=7.5), 3.0)
     path = share(mdp, tmp_path / "bonus.py")
-    assert "from edugym_course.lessons.own_problem import Morning" in path.read_text(encoding="utf-8")
+    assert "from edugym_course.lessons.own_problem.morning import Morning" in path.read_text(encoding="utf-8")
     assert read_mdp(path) == mdp
     assert gymnasium.spec("WithBonus-v0").id == "WithBonus-v0"
 

@@ -15,7 +15,7 @@ from edugym.training.checked_env import CheckedEnv, checked_env
 from edugym.training.checking import CheckedAgent, checked_agent, shared_by_class, students_parts
 from edugym.training.contract import GreedyActor, learner
 from edugym.training.guarded import GUARDS, ActionsOfASpace, FiniteRewards, RowsOfATable, guarded
-from edugym_course.lessons.own_problem import WithBonus
+from edugym_course.lessons.own_problem.morning import WithBonus
 from tests.training.tasks import Stairs, StudentsQLearning
 
 RNG = np.random.default_rng(0)

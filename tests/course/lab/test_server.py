@@ -150,9 +150,9 @@ def test_what_is_compiled_in_the_background(monkeypatch: pytest.MonkeyPatch) -> 
         raise RuntimeError
 
     modules = {
-        "edugym_course.lessons.a": SimpleNamespace(warm_up=fails),
-        "edugym_course.lessons.b": SimpleNamespace(warm_up=lambda: done.append("b"), report=fails),
-        "edugym_course.lessons.c": SimpleNamespace(report=lambda **how: done.append(how)),
+        "edugym_course.lessons.a.experiments": SimpleNamespace(warm_up=fails),
+        "edugym_course.lessons.b.experiments": SimpleNamespace(warm_up=lambda: done.append("b"), report=fails),
+        "edugym_course.lessons.c.experiments": SimpleNamespace(report=lambda **how: done.append(how)),
     }
     monkeypatch.setattr(warnings, "simplefilter", done.append)
     monkeypatch.setattr(importlib, "import_module", modules.__getitem__)
@@ -182,4 +182,4 @@ def test_the_process_that_compiles(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(warnings, "simplefilter", lambda action: None)
     monkeypatch.setattr(importlib, "import_module", load)
     runpy.run_path(warm_up.__file__, run_name="__main__")
-    assert asked == ["read", 0, "edugym_course.lessons.a", "edugym_course.lessons.b"]
+    assert asked == ["read", 0, "edugym_course.lessons.a.experiments", "edugym_course.lessons.b.experiments"]

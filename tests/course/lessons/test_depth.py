@@ -10,30 +10,29 @@ from edugym.exact.model import finite_model
 from edugym.exact.policy_evaluation import policy_evaluation
 from edugym.exact.value_iteration import value_iteration
 from edugym.experiments.figures import Sheet
-from edugym_course.lessons.depth import (
-    MONTE_CARLO,
+from edugym_course.lessons.depth.credit import credit_maps, handed_back
+from edugym_course.lessons.depth.figures import (
     best_rates,
-    best_returns,
     bias_series,
-    compare,
-    credit_maps,
     episodes_until,
-    expected_returns,
-    greedy_return,
-    handed_back,
-    layouts,
-    met_exam,
-    off_policy_sheet,
-    passes,
-    pupil,
     rate_series,
-    shortfall,
     split,
     through_rates,
-    uncorrected,
     variance_sheet,
-    weighted_deviation,
 )
+from edugym_course.lessons.depth.methods import (
+    MONTE_CARLO,
+    best_returns,
+    compare,
+    expected_returns,
+    greedy_return,
+    layouts,
+    met_exam,
+    passes,
+    pupil,
+    shortfall,
+)
+from edugym_course.lessons.depth.off_policy import off_policy_sheet, uncorrected, weighted_deviation
 from edugym_course.lessons.depth.targets import DAYS, noise_share, soft_policy, target, true_values
 from tests.course.lessons.figures import check_legends
 

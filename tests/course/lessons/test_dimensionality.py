@@ -9,46 +9,29 @@ from edugym.agents.dqn import DQN
 from edugym.deep import baselines
 from edugym.envs.catch import Catch, Fall
 from edugym.mdp.brightness import Brightness
-from edugym_course.lessons.dimensionality import (
-    COLUMN,
-    COLUMNS,
+from edugym_course.lessons.dimensionality.baird import Baird, bairds_weights, weights_of_solid
+from edugym_course.lessons.dimensionality.boards import Offset
+from edugym_course.lessons.dimensionality.figures import ever_learned, policy_maps, shared_by_column, stored_networks
+from edugym_course.lessons.dimensionality.layers import SmallCNN
+from edugym_course.lessons.dimensionality.methods import (
     GENERAL,
     LINEAR,
     NETWORK,
     NUMBERS,
     OFFSET,
-    PPO_IMAGE,
-    ROWS,
-    SMALL,
     TABLE,
     TILES,
-    TRAINED,
-    WITHHELD,
-    OpenDQN,
-    bairds_weights,
-    catch,
-    different_boards,
-    ever_learned,
+    catch_numbers,
     generalise,
     learn,
     linear,
-    n_weights,
     network,
-    new_share,
     pixels,
-    policy_maps,
+    play_on,
     returns_by_column,
-    rows_of_table,
     seen,
-    shared_by_column,
-    stored_networks,
-    train_network,
-    w_to_2w,
+    thrown,
 )
-from edugym_course.lessons.dimensionality.baird import Baird, weights_of_solid
-from edugym_course.lessons.dimensionality.boards import Offset
-from edugym_course.lessons.dimensionality.layers import SmallCNN
-from edugym_course.lessons.dimensionality.methods import catch_numbers, play_on, thrown
 from edugym_course.lessons.dimensionality.networks import (
     CNN_SETTINGS,
     DQN_GRID,
@@ -56,9 +39,16 @@ from edugym_course.lessons.dimensionality.networks import (
     DQN_SETTINGS,
     PPO_DARK,
     PPO_GRID,
+    PPO_IMAGE,
     PPO_SETTINGS,
+    train_network,
     with_cnn,
 )
+from edugym_course.lessons.dimensionality.open_dqn import OpenDQN
+from edugym_course.lessons.dimensionality.sharing import COLUMN, SMALL
+from edugym_course.lessons.dimensionality.sizes import different_boards, n_weights, new_share, rows_of_table
+from edugym_course.lessons.dimensionality.tasks import COLUMNS, ROWS, TRAINED, WITHHELD, catch
+from edugym_course.lessons.dimensionality.triad import w_to_2w
 from tests.course.lessons.figures import check_legends
 
 

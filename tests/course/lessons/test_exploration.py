@@ -16,22 +16,19 @@ from edugym.experiments.results.claims import Above, Below
 from edugym.experiments.results.statistics import proportion_interval
 from edugym.rendering.palette import CRACK, STONE
 from edugym.rendering.shapes import Circle
-from edugym_course.lessons import exploration
-from edugym_course.lessons.exploration import (
+from edugym_course.lessons.exploration import experiments, methods
+from edugym_course.lessons.exploration.climbs import first_at_top, frontier, random_search_steps, share_of_climbs
+from edugym_course.lessons.exploration.figures import highest_so_far, progress
+from edugym_course.lessons.exploration.fork import Fork, branches, returns_to, turns
+from edugym_course.lessons.exploration.methods import (
     EPSILON_GREEDY,
     GO_EXPLORE,
     METHODS,
     NOVELTY,
     best_return,
     compare,
-    frontier,
-    random_search_steps,
-    share_of_climbs,
     visits_of,
 )
-from edugym_course.lessons.exploration.climbs import first_at_top
-from edugym_course.lessons.exploration.figures import highest_so_far, progress
-from edugym_course.lessons.exploration.fork import Fork, branches, returns_to, turns
 from edugym_course.lessons.exploration.stalling import record_frontier
 
 SOLVES, FAILS = Above(0.5), Below(0.5)
@@ -114,12 +111,12 @@ def test_what_was_learned_is_the_wall() -> None:
 @pytest.mark.slow
 def test_everything_that_the_lesson_claims(tmp_path: Any) -> None:
     """With the lesson's own settings and seed; and its data is where it says."""
-    report = exploration.report(folder=tmp_path)
+    report = experiments.report(folder=tmp_path)
     assert len(report.claims) == 32
     assert [claim.statement for claim in report.claims if not claim.holds] == []
     assert [figure.name for figure in report.figures] == ["exploration", "visits", "climbs", "frontier", "fork"]
     assert [len(row) for figure in report.figures for row in figure.rows] == [2, 2, 3, 3, 1, 1, 2]
-    for height in exploration.HEIGHTS:
+    for height in methods.HEIGHTS:
         assert Results.load(tmp_path / f"height_{height}.csv").complete
 
 
@@ -127,7 +124,7 @@ def test_an_interrupted_lesson_prepares_no_figures() -> None:
     """They would be thrown away."""
     stop = threading.Event()
     stop.set()
-    assert exploration.report(repetitions=2, stop=stop).figures == []
+    assert experiments.report(repetitions=2, stop=stop).figures == []
 
 
 def test_random_search_formula() -> None:
@@ -157,7 +154,7 @@ def test_visits_of_the_figure() -> None:
     """Every step of every run is somewhere on the wall."""
     for method in METHODS:
         for visits in visits_of(trained(30), method):
-            assert visits[:, :30].sum() == exploration.N_STEPS
+            assert visits[:, :30].sum() == methods.N_STEPS
 
 
 def test_frontier_recorder_by_hand() -> None:
@@ -220,7 +217,7 @@ def test_visits_of_two_branches_by_hand() -> None:
 def test_progress_is_drawn_over_the_whole_training() -> None:
     """From the ground at the start to the top of a low wall at the end."""
     ax = progress(compare(2, repetitions=2), 2).draw()
-    assert ax.get_xlim() == (0.0, exploration.N_STEPS)
+    assert ax.get_xlim() == (0.0, methods.N_STEPS)
     curves = [np.asarray(line.get_ydata()) for line in ax.get_lines()]
     assert [(curve[0], curve[-1]) for curve in curves] == [(0, 2)] * 3
 

@@ -5,8 +5,32 @@ import numpy as np
 import pytest
 
 from edugym.exact.value_iteration import value_iteration
-from edugym_course.lessons.loop import (
+from edugym_course.lessons.loop.exact import (
+    best_table,
+    best_way,
+    discounted,
+    items_on,
+    leaving_return,
+    misled,
+    model,
+    myopic_return,
+    random_return,
+    returns_along,
+    rewards_along,
+    right_choices,
+    untried,
+)
+from edugym_course.lessons.loop.experiments import warm_up
+from edugym_course.lessons.loop.figures import (
     BAGS,
+    agent_after,
+    learned_beside_exact,
+    nine_challenges,
+    race,
+    rewards_and_returns,
+    with_discount,
+)
+from edugym_course.lessons.loop.methods import (
     DISCOUNT,
     ITEMS,
     MAX_STEPS,
@@ -14,28 +38,8 @@ from edugym_course.lessons.loop import (
     OPTIMUM,
     Q_LEARNING,
     RANDOM,
-    agent_after,
-    best_table,
-    best_way,
-    discounted,
-    items_on,
-    learned_beside_exact,
-    leaving_return,
-    misled,
-    model,
-    myopic_return,
-    nine_challenges,
     play_and_learn,
     play_at_random,
-    race,
-    random_return,
-    returns_along,
-    rewards_along,
-    rewards_and_returns,
-    right_choices,
-    untried,
-    warm_up,
-    with_discount,
 )
 from edugym_course.lessons.loop.panels import ValueMap
 from tests.course.lessons.figures import check_legends

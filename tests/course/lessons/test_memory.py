@@ -7,24 +7,18 @@ import numpy as np
 import pytest
 
 from edugym.envs.memory_corridor import MemoryCorridor
-from edugym_course.lessons.memory import (
-    Window,
+from edugym_course.lessons.memory.figures import race, twin_figure, walk_figure
+from edugym_course.lessons.memory.lake import Window, blind_lake
+from edugym_course.lessons.memory.players import late, learn, name, remember
+from edugym_course.lessons.memory.windows import (
     action_law,
     best_play,
-    blind_lake,
     dense_table,
     is_enough,
-    late,
-    learn,
-    name,
     never_errs,
     perfect_play,
-    race,
-    remember,
     smallest_window,
-    twin_figure,
     twins,
-    walk_figure,
     window_law,
 )
 

@@ -16,7 +16,28 @@ from edugym.agents.tabular_model import TabularModel
 from edugym.envs.supermarket import Supermarket
 from edugym.exact.value_iteration import value_iteration
 from edugym.experiments.figures import Sheet
-from edugym_course.lessons.model_based import (
+from edugym_course.lessons.model_based.experiments import difference, early, warm_up
+from edugym_course.lessons.model_based.figures import (
+    OWN,
+    STROKES,
+    Clock,
+    Close,
+    Knowledge,
+    look_ahead_lines,
+    race,
+    steps_to,
+    strokes_of,
+)
+from edugym_course.lessons.model_based.maps import (
+    FloorMap,
+    after_walk,
+    dynamic_programming,
+    random_walk,
+    spreading,
+    who_knows_the_way,
+    wrong_plan,
+)
+from edugym_course.lessons.model_based.methods import (
     DYNA_10,
     GIVEN,
     LEARNED,
@@ -26,35 +47,20 @@ from edugym_course.lessons.model_based import (
     R_MAX,
     REMEDIES,
     SWEEPING,
-    Clock,
-    Close,
-    FloorMap,
-    Knowledge,
-    best_by_what_was_seen,
+    CountingSweeping,
     compare,
     compare_planners,
-    difference,
-    dynamic_programming,
-    early,
     exact_model,
+    make,
+    targets_computed,
+)
+from edugym_course.lessons.model_based.plans import (
+    best_by_what_was_seen,
     follow_plan,
     items_found,
     look_ahead,
-    look_ahead_lines,
-    make,
-    race,
-    random_walk,
-    spreading,
-    steps_to,
-    targets_computed,
     used_and_seen,
-    warm_up,
-    who_knows_the_way,
-    wrong_plan,
 )
-from edugym_course.lessons.model_based.figures import OWN, STROKES, strokes_of
-from edugym_course.lessons.model_based.maps import after_walk
-from edugym_course.lessons.model_based.methods import CountingSweeping
 from tests.course.lessons.figures import check_legends
 from tests.course.lessons.made_up import finals
 

@@ -5,31 +5,32 @@ import pytest
 
 from edugym import Results, finite_model, make_mdp
 from edugym.experiments.figures import Sheet
-from edugym_course.lessons import on_off_policy
-from edugym_course.lessons.on_off_policy import (
-    EXPECTED_SARSA,
+from edugym_course.lessons.on_off_policy import figures, methods
+from edugym_course.lessons.on_off_policy.exact import (
     FAST,
-    KINDS,
-    Q_LEARNING,
     ROAD,
-    SARSA_,
     best_run,
     best_soft_return,
+    deadly_actions,
+    share_lost,
+    soft_return_of,
+    switch,
+)
+from edugym_course.lessons.on_off_policy.figures import in_the_plane, shortfall_against_epsilon, switch_lines
+from edugym_course.lessons.on_off_policy.methods import (
+    EXPECTED_SARSA,
+    KINDS,
+    Q_LEARNING,
+    SARSA_,
     compare,
     first_fall,
     greedy_run,
-    in_the_plane,
     mean_values,
+    most_frequent,
     online_lead,
-    share_lost,
-    shortfall_against_epsilon,
-    soft_return_of,
     stopping_places,
-    switch,
-    switch_lines,
+    walk,
 )
-from edugym_course.lessons.on_off_policy.exact import deadly_actions
-from edugym_course.lessons.on_off_policy.methods import most_frequent, walk
 from tests.course.lessons.figures import check_legends
 
 
@@ -116,12 +117,12 @@ def test_figures(trained: Results) -> None:
     assert switch_lines(finite_model(ROAD)).change == pytest.approx(0.032, abs=0.001)
     shortfall = shortfall_against_epsilon([0.05, 0.1], repetitions=2, n_steps=2_000)
     assert [*shortfall.measured] == [*KINDS]
-    rates = on_off_policy.online_against_rate([0.03, 0.5], repetitions=2, n_steps=2_000)
+    rates = figures.online_against_rate([0.03, 0.5], repetitions=2, n_steps=2_000)
     sheets = [
-        on_off_policy.learning_curves(trained),
-        on_off_policy.learning_curves(trained, epsilon=None, title="ε falls"),
+        figures.learning_curves(trained),
+        figures.learning_curves(trained, epsilon=None, title="ε falls"),
         Sheet("more", [[in_the_plane(), switch_lines(finite_model(ROAD)), shortfall, rates]]),
-        on_off_policy.race({"mine": KINDS[SARSA_].create}, repetitions=2, n_steps=2_000),
+        figures.race({"mine": KINDS[SARSA_].create}, repetitions=2, n_steps=2_000),
     ]
     for sheet in sheets:
         check_legends(sheet)
@@ -134,7 +135,7 @@ def test_figures(trained: Results) -> None:
 
 def test_another_cliff() -> None:
     """The walk begins in the lower left corner; the most frequent path is found."""
-    results = on_off_policy.compare_on_cliff(n_steps=600, repetitions=1)
+    results = methods.compare_on_cliff(n_steps=600, repetitions=1)
     assert walk(results.agents[Q_LEARNING][0], max_steps=5)[0] == (0, 3)
-    assert len(on_off_policy.cliff_figure(results).draw().axes) == 2
+    assert len(figures.cliff_figure(results).draw().axes) == 2
     assert most_frequent([[(0, 0)], [(1, 1)], [(1, 1)]]) == [(1, 1)]

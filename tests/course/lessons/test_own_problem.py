@@ -19,24 +19,25 @@ from edugym.rendering.ansi import to_text
 from edugym.rendering.icons import smiley
 from edugym.rendering.palette import ORANGE, PAPER, RED
 from edugym.rendering.shapes import Arc, Text
-from edugym_course.lessons import own_problem
-from edugym_course.lessons.own_problem import (
+from edugym_course.lessons.own_problem import everything, exact, experiments, figures
+from edugym_course.lessons.own_problem.bedroom import clock
+from edugym_course.lessons.own_problem.everything import Tour
+from edugym_course.lessons.own_problem.exact import (
     BEST_GUESS,
     MEANT,
     POTENTIAL,
-    TASKS,
     WAKEFULNESS,
     WAKINGS,
-    Morning,
-    WithBonus,
     best_blind,
     best_policy,
+    in_words,
+    random_return,
     what_happens,
+    worth,
 )
-from edugym_course.lessons.own_problem.bedroom import clock
-from edugym_course.lessons.own_problem.everything import Tour
-from edugym_course.lessons.own_problem.exact import in_words, random_return, worth
+from edugym_course.lessons.own_problem.experiments import TASKS
 from edugym_course.lessons.own_problem.figures import PolicyMap, can_be_drawn, initials, names_of
+from edugym_course.lessons.own_problem.morning import Morning, WithBonus
 from tests.course.lessons.figures import check_legends
 
 
@@ -60,7 +61,7 @@ def test_the_lesson_writes_the_same_class() -> None:
 
 def test_with_the_best_guess_nothing_is_left_to_learn() -> None:
     """Where the potential is v*, the reward of the best action is 0 in every state: v*(s) - φ(s)."""
-    shaped = value_iteration(finite_model(own_problem.REWARDS[BEST_GUESS]))
+    shaped = value_iteration(finite_model(experiments.REWARDS[BEST_GUESS]))
     np.testing.assert_allclose(shaped.V, 0.0, atol=1e-9)
     plain = value_iteration(finite_model(Morning()))
     assert np.abs(plain.V).max() > 1
@@ -104,8 +105,8 @@ def test_blind_clocks_are_the_best_of_all() -> None:
 
 def test_roadrunner_gives_up() -> None:
     """With R = -1 it stalls at once; with -100 it runs."""
-    assert own_problem.first_stall(-1.0) == (-1.0, -1)
-    assert own_problem.first_stall(-100.0) == (-2.0, 1)
+    assert experiments.first_stall(-1.0) == (-1.0, -1)
+    assert experiments.first_stall(-100.0) == (-2.0, 1)
 
 
 class Queue(NamedTuple):
@@ -146,7 +147,7 @@ class Queue(NamedTuple):
 
 def test_a_problem_goes_through_everything() -> None:
     """It is checked, solved up to its step limit, learned, drawn and told in words."""
-    tour = own_problem.take_through_everything(Queue(), n_steps=2_000, repetitions=3)
+    tour = everything.take_through_everything(Queue(), n_steps=2_000, repetitions=3)
     assert random_return(Queue(), 12) == tour.random < tour.values.start
     assert all((returns <= tour.values.start + 1e-9).all() for returns in tour.learned.values())
     words = str(tour)
@@ -160,7 +161,7 @@ def test_a_problem_goes_through_everything() -> None:
         check_legends(sheet)
     assert "state" in to_text(tour.picture)
     with pytest.raises(ValueError, match="mdp must be"):
-        own_problem.take_through_everything(3)
+        everything.take_through_everything(3)
 
 
 class Circle(Queue):
@@ -184,20 +185,20 @@ class Circle(Queue):
 
 def test_problems_whose_episodes_may_never_end() -> None:
     """A policy that walks in a circle is cut off; one that is paid for it is no problem."""
-    tour = own_problem.take_through_everything(Circle(), n_steps=300, repetitions=2)
+    tour = everything.take_through_everything(Circle(), n_steps=300, repetitions=2)
     assert tour.values.start == pytest.approx(-8.0)
     assert all((returns <= -8.0 + 1e-6).all() for returns in tour.learned.values())
     paid = type("Paid", (Circle,), {"__slots__": (), "reward": lambda self, s, a, n, rng: 1.0})
     with pytest.raises(ValueError, match="episodes of Paid may never end, and gather reward without limit"):
-        own_problem.take_through_everything(paid())
+        everything.take_through_everything(paid())
     endless = type("Endless", (Circle,), {"__slots__": (), "transition": lambda self, s, a, rng: 0})
     with pytest.raises(ValueError, match="no state of Endless is terminal"):
-        own_problem.take_through_everything(endless())
+        everything.take_through_everything(endless())
 
 
 def test_a_tour_in_words() -> None:
     """From each state half of the steps go on, and half of those by chance: 2 steps a state at best, 4 at random."""
-    tour = Tour(Circle(), own_problem.solve(Circle()), random_return(Circle()), Results(pd.DataFrame()), {})
+    tour = Tour(Circle(), exact.solve(Circle()), random_return(Circle()), Results(pd.DataFrame()), {})
     words = str(replace(tour, learned={"A": np.array([-9.0, -11.7]), "long label": np.array([-8.0, -8.0])}))
     assert words.splitlines() == [
         "Checked: 200 random steps of it are as they must be.",
@@ -220,7 +221,7 @@ def test_a_tour_in_words() -> None:
     assert "earns hardly more than random actions" not in str(easy)
     assert "earns hardly more than random actions" in str(replace(easy, random=-8.39))
     sure = type("Sure", (Circle,), {"__slots__": (), "transition": lambda self, s, a, rng: min(s + 1 + a, 4)})
-    assert "The dynamics are not random." in str(replace(tour, mdp=sure(), values=own_problem.solve(sure())))
+    assert "The dynamics are not random." in str(replace(tour, mdp=sure(), values=exact.solve(sure())))
 
 
 def test_a_policy_that_walks_in_a_circle() -> None:
@@ -235,27 +236,27 @@ def test_returns_that_are_too_large() -> None:
     """Each reward is a finite number, but their sum is none."""
     rich = type("Rich", (Queue,), {"__slots__": (), "reward": lambda self, s, a, n, rng: 1e308})
     with pytest.raises(ValueError, match="the returns of Rich are too large to be computed: give smaller rewards"):
-        own_problem.take_through_everything(rich())
+        everything.take_through_everything(rich())
 
 
 def test_problems_without_a_decision_are_told() -> None:
     """Where one action is always best, or nothing can be won."""
     free = type("Free", (Queue,), {"__slots__": (), "reward": lambda self, s, a, n, rng: -1.0 * n})
-    said = str(own_problem.take_through_everything(free(), n_steps=200, repetitions=2))
+    said = str(everything.take_through_everything(free(), n_steps=200, repetitions=2))
     assert "one action is best in every state" in said
 
 
 def test_figures() -> None:
     """They draw, with names on every axis that has a meaning."""
-    values = own_problem.solve(Morning())
+    values = exact.solve(Morning())
     assert can_be_drawn(values)
     assert names_of(Morning()) == ["stay quiet", "chime", "ring"]
     assert initials(["up", "under"]) == ["0", "1"]
     assert "(7, 2): ring (value -4.9)" in in_words(values, dict(enumerate(names_of(Morning()))))
-    for sheet in (own_problem.policies(TASKS), own_problem.weights_sheet(ring=1.0, late=3.0, bonus=2.0)):
+    for sheet in (figures.policies(TASKS), figures.weights_sheet(ring=1.0, late=3.0, bonus=2.0)):
         assert all(ax.get_xlabel() == "time" for ax in sheet.draw().axes)
         check_legends(sheet)
-    assert own_problem.morning_map(Morning()).draw().get_legend() is not None
+    assert figures.morning_map(Morning()).draw().get_legend() is not None
     assert [clock(time, 8) for time in (0, 8)] == ["7:10", "8:30"]
     for state, words in (((8, 1), "overslept"), ((8, 0), "in time"), ((3, 2), "fast asleep")):
         assert words in to_text(Morning().scene(state, 2))
@@ -263,7 +264,7 @@ def test_figures() -> None:
 
 def test_a_map_of_states_that_are_single_numbers() -> None:
     """They stand side by side, and there is nothing to read upwards."""
-    values = own_problem.solve(Circle())
+    values = exact.solve(Circle())
     assert can_be_drawn(values)
     ax = PolicyMap(values, ["stay", "go"]).draw()
     assert [(text.get_position(), text.get_text()) for text in ax.texts] == [((x, 0), "g") for x in range(4)]
@@ -291,11 +292,11 @@ def test_the_film_shows_the_best_policy() -> None:
     """A player acts on observations as Gymnasium gives them."""
     env = MDPEnv(Morning())
     seen, _ = env.reset(seed=1)
-    assert own_problem.player(Morning())(seen) == 0
+    assert exact.player(Morning())(seen) == 0
 
 
 def test_every_reward_has_a_line() -> None:
     """There are looks for five rewards; a sixth has the first look again."""
     measured = {f"reward {i}": np.full((2, 3), float(i)) for i in range(6)}
-    ax = own_problem.Bands((1, 2), measured).draw()
+    ax = figures.Bands((1, 2), measured).draw()
     assert [line.get_label() for line in ax.lines] == [*measured]

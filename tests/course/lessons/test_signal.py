@@ -9,14 +9,8 @@ import pytest
 
 from edugym.envs.tamagotchi import Tamagotchi
 from edugym.experiments.figures import Sheet
-from edugym_course.lessons import signal
-from edugym_course.lessons.signal import (
-    LENGTHS,
-    OPTIMUM,
-    play,
-    rows_of_table,
-    vote,
-)
+from edugym_course.lessons.signal import figures, methods, moody
+from edugym_course.lessons.signal.methods import LENGTHS, OPTIMUM, play, rows_of_table, vote
 from edugym_course.lessons.signal.players import Coin, RoundRobin, Voter
 from edugym_course.lessons.signal.words import bits, information, joint_table, states_met
 from tests.course.lessons.figures import check_legends
@@ -105,12 +99,12 @@ def test_table_of_words() -> None:
 
 def test_a_mood_lowers_one_variable() -> None:
     """Each of the four as often; the others stay as the toy left them, and none falls below 0."""
-    moody: Any = signal.moody_toy(1.0, 20)
+    toys: Any = moody.moody_toy(1.0, 20)
     fell = np.zeros(4)
-    start = moody.initial(np.random.default_rng(0))._replace(variables=(80, 60, 40, 22), wanted=3)
+    start = toys.initial(np.random.default_rng(0))._replace(variables=(80, 60, 40, 22), wanted=3)
     for seed in range(100):
-        toy = moody.transition(start, 0, np.random.default_rng(seed))
-        calm = moody.mdp.transition(start, 0, np.random.default_rng(seed))
+        toy = toys.transition(start, 0, np.random.default_rng(seed))
+        calm = toys.mdp.transition(start, 0, np.random.default_rng(seed))
         drops = np.subtract(calm.variables, toy.variables)
         fell += drops > 0
         assert sorted(drops) in ([0, 0, 0, 20], [0, 0, 0, 7])
@@ -120,11 +114,11 @@ def test_a_mood_lowers_one_variable() -> None:
 
 def test_moody_toy() -> None:
     """The optimum without moods is that of the toy; obeying without noise gets the optimum with moods, turns do not."""
-    assert signal.best_return(0.0, 20) == pytest.approx(OPTIMUM, abs=0.01)
-    best = signal.best_return(0.1, 20)
-    obeyed = play(Voter.create, environment=signal.moody_toy(), repetitions=4)
+    assert moody.best_return(0.0, 20) == pytest.approx(OPTIMUM, abs=0.01)
+    best = moody.best_return(0.1, 20)
+    obeyed = play(Voter.create, environment=moody.moody_toy(), repetitions=4)
     assert obeyed.mean() == pytest.approx(best, rel=0.01)
-    assert play(RoundRobin.create, environment=signal.moody_toy(), repetitions=2).mean() < best / 4
+    assert play(RoundRobin.create, environment=moody.moody_toy(), repetitions=2).mean() < best / 4
 
 
 def test_coin() -> None:
@@ -136,42 +130,45 @@ def test_coin() -> None:
 def test_blind_walk() -> None:
     """The shortest way is always right on firm ice, and hardly ever on slippery ice."""
     way = [1, 1, 2, 1, 2, 2]
-    assert signal.walk(gymnasium.make("FrozenLake-v1", is_slippery=False), way, episodes=3) == 1.0
-    assert signal.walk(gymnasium.make("FrozenLake-v1", is_slippery=True), way, episodes=50) < 0.2
+    assert methods.walk(gymnasium.make("FrozenLake-v1", is_slippery=False), way, episodes=3) == 1.0
+    assert methods.walk(gymnasium.make("FrozenLake-v1", is_slippery=True), way, episodes=50) < 0.2
 
 
 def test_figures_of_the_lesson() -> None:
     """They draw, and the same player has the same colour everywhere."""
     brief = {"n_steps": 2_000, "evaluate_every": 500, "repetitions": 2}
-    by_tau = signal.compare_noise((0.0, 0.1), **brief)
-    long = {f"α = {rate}": signal.learn_long(2, rate, n_steps=2_000, repetitions=2) for rate in (0.02, 0.1)}
-    memory = {"with": signal.learn_with_memory(**brief), "without": signal.learn(parameters={"vocab_size": 1}, **brief)}
-    learned = {signal.LEARNED: {1: signal.late(by_tau[0.1], "Q-learning")}}
-    panels = signal.one_word_panel(by_tau, 2), signal.messages_panel((1, 2), learned, repetitions=2)
+    by_tau = methods.compare_noise((0.0, 0.1), **brief)
+    long = {f"α = {rate}": methods.learn_long(2, rate, n_steps=2_000, repetitions=2) for rate in (0.02, 0.1)}
+    memory = {
+        "with": methods.learn_with_memory(**brief),
+        "without": methods.learn(parameters={"vocab_size": 1}, **brief),
+    }
+    learned = {figures.LEARNED: {1: methods.late(by_tau[0.1], "Q-learning")}}
+    panels = figures.one_word_panel(by_tau, 2), figures.messages_panel((1, 2), learned, repetitions=2)
     colours = [{line.get_label(): line.get_color() for line in panel.draw().lines} for panel in panels]
     shared = colours[0].keys() & colours[1].keys()
-    assert {signal.OBEY, signal.LEARNED} <= shared
+    assert {figures.OBEY, figures.LEARNED} <= shared
     assert all(colours[0][label] == colours[1][label] for label in shared)
-    answered = signal.answers(by_tau[0.0], 0.0)
+    answered = figures.answers(by_tau[0.0], 0.0)
     assert answered.shares.sum(axis=1) == pytest.approx(1.0)
     sheets = [
-        signal.joint_tables(),
-        signal.noise_sheet(by_tau),
-        signal.lengths_sheet(long, 1_800.0),
-        signal.memory_sheet(memory),
-        signal.vocabulary_sheet(signal.compare_vocabularies([4, 16], **brief)),
-        signal.one_toy(vocab_size=2, **brief),
+        figures.joint_tables(),
+        figures.noise_sheet(by_tau),
+        figures.lengths_sheet(long, 1_800.0),
+        figures.memory_sheet(memory),
+        figures.vocabulary_sheet(methods.compare_vocabularies([4, 16], **brief)),
+        figures.one_toy(vocab_size=2, **brief),
         Sheet("answers", [[answered]]),
     ]
     for sheet in sheets:
         assert all(ax.get_xlabel() for ax in sheet.draw().axes)
         check_legends(sheet)
-    assert signal.median_late(memory["with"]).shape == (2,)
-    assert signal.after(by_tau[0.0], 2_000).shape == (2,)
+    assert methods.median_late(memory["with"]).shape == (2,)
+    assert methods.after(by_tau[0.0], 2_000).shape == (2,)
 
 
 def test_race() -> None:
     """A player of the reader's own stands beside the others."""
-    sheet = signal.race({"mine": RoundRobin.create}, (1, 2), repetitions=2)
+    sheet = figures.race({"mine": RoundRobin.create}, (1, 2), repetitions=2)
     labels = sheet.draw().axes[0].get_legend_handles_labels()[1]
     assert "mine" in labels

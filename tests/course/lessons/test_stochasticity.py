@@ -6,17 +6,7 @@ import pytest
 from edugym import QLearning, Results
 from edugym.envs.golf import SWINGS, Golf
 from edugym.experiments.figures import Sheet
-from edugym_course.lessons import stochasticity
-from edugym_course.lessons.stochasticity import (
-    AVERSE,
-    LEVEL,
-    NEUTRAL,
-    RISKS,
-    SEEKING,
-    Player,
-    learn,
-    play,
-)
+from edugym_course.lessons.stochasticity import figures, methods
 from edugym_course.lessons.stochasticity.exact import (
     certain_value,
     crossing,
@@ -29,12 +19,20 @@ from edugym_course.lessons.stochasticity.exact import (
 )
 from edugym_course.lessons.stochasticity.figures import Dots
 from edugym_course.lessons.stochasticity.methods import (
+    AVERSE,
     FAST_RULE,
+    LEVEL,
+    NEUTRAL,
+    RISKS,
     SAFE_RULE,
+    SEEKING,
     Played,
+    Player,
     lake_optimum,
     landings,
+    learn,
     learned_value,
+    play,
     play_by_rules,
     share_learned,
     values_on_the_tee,
@@ -195,27 +193,27 @@ def test_bad_luck_and_patience(trained: Results) -> None:
     """The drive is valued too low, and half of the runs do not drive; a patient player does, and is at the optimum."""
     believed, played = values_on_the_tee(trained), play(trained)
     assert believed[NEUTRAL][2] < from_the_tee(LEVEL)["drive"] - 0.05
-    assert 0.2 < stochasticity.share_of_drivers(played[NEUTRAL]) < 0.85
-    patient = play(stochasticity.patient(repetitions=4, seed=7))[NEUTRAL]
-    assert stochasticity.share_of_drivers(patient) == 1.0
+    assert 0.2 < methods.share_of_drivers(played[NEUTRAL]) < 0.85
+    patient = play(methods.patient(repetitions=4, seed=7))[NEUTRAL]
+    assert methods.share_of_drivers(patient) == 1.0
     assert patient.mean.mean() == pytest.approx(optimum(LEVEL), abs=0.01)
 
 
 def test_the_order_of_swings(trained: Results) -> None:
     """Runs that drive first earn most, and those that seek risk and chip first lose more balls than they."""
-    groups = stochasticity.by_first_swing(trained, play(trained))
+    groups = methods.by_first_swing(trained, play(trained))
     for swings in groups.values():
         assert sum(runs for runs, _, _ in swings.values()) == len(trained.complete_agents(NEUTRAL))
-    seeking = groups[stochasticity.SEEKING]
+    seeking = groups[methods.SEEKING]
     assert seeking["drive"][1] > seeking["chip"][1]
     assert seeking["drive"][2] < seeking["chip"][2]
 
 
 def test_first_swings_with_the_hits_hidden() -> None:
     """The tee has another row of the table then."""
-    results = stochasticity.learn(observe_hits=False, risks={NEUTRAL: 0.0}, n_steps=2_000, repetitions=2)
+    results = methods.learn(observe_hits=False, risks={NEUTRAL: 0.0}, n_steps=2_000, repetitions=2)
     played = play(results, observe_hits=False)
-    groups = stochasticity.by_first_swing(results, played, observe_hits=False)[NEUTRAL]
+    groups = methods.by_first_swing(results, played, observe_hits=False)[NEUTRAL]
     task = Golf.create()
     rng = np.random.default_rng(0)
     tee = np.ravel_multi_index(task.observation(task.initial(rng), rng), (task.width, task.length))
@@ -235,37 +233,37 @@ def test_figures(trained: Results) -> None:
     played = play(trained)
     rules = play_by_rules(n_steps=2_000)
     sheets = [
-        stochasticity.landings_figure(),
-        stochasticity.weights_figure(),
-        stochasticity.learning_curves(trained),
-        stochasticity.outcomes(played),
-        stochasticity.games_figure(played),
-        stochasticity.slider_figure(trained, played, 0.0, 0.1),
-        stochasticity.race({"own": QLearning.create}, played, repetitions=2, n_steps=2_000),
-        Sheet("more", [[stochasticity.frontier_figure(rules, [SAFE_RULE], played)]]),
-        Sheet("levels", [[*stochasticity.against_level((0.01, 0.02), repetitions=2, n_steps=2_000)]]),
+        figures.landings_figure(),
+        figures.weights_figure(),
+        figures.learning_curves(trained),
+        figures.outcomes(played),
+        figures.games_figure(played),
+        figures.slider_figure(trained, played, 0.0, 0.1),
+        figures.race({"own": QLearning.create}, played, repetitions=2, n_steps=2_000),
+        Sheet("more", [[figures.frontier_figure(rules, [SAFE_RULE], played)]]),
+        Sheet("levels", [[*figures.against_level((0.01, 0.02), repetitions=2, n_steps=2_000)]]),
     ]
     for sheet in sheets:
         assert all(ax.get_xlabel() for ax in sheet.draw().axes)
         check_legends(sheet)
-    players = stochasticity.frontier_figure(rules, [SAFE_RULE], played).draw()
+    players = figures.frontier_figure(rules, [SAFE_RULE], played).draw()
     assert players.get_legend_handles_labels()[1] == ["players with rules", "your frontier", *played]
     assert len(np.asarray(players.lines[0].get_xdata())) == len(rules)
-    attitudes = stochasticity.crossing_by_attitude((0.015, 0.02))
+    attitudes = figures.crossing_by_attitude((0.015, 0.02))
     assert [*attitudes.lines] == [*RISKS] == [*played]
-    assert stochasticity.crossing_lines((0.015, 0.02)).change == pytest.approx(0.0187, abs=1e-4)
+    assert figures.crossing_lines((0.015, 0.02)).change == pytest.approx(0.0187, abs=1e-4)
     alone = [panel for sheet in sheets[:1] + sheets[3:5] for panel in sheet.rows[0]]
-    for panel in (stochasticity.crossing_lines((0.015, 0.02)), attitudes, *sheets[-1].rows[0], *alone):
+    for panel in (figures.crossing_lines((0.015, 0.02)), attitudes, *sheets[-1].rows[0], *alone):
         assert panel.draw().get_legend() is not None
 
 
 def test_the_lake() -> None:
     """Within 100 steps the best walker arrives in three of four walks; α = 1 is fine where nothing slips."""
     assert lake_optimum() == pytest.approx(0.74, abs=0.01)
-    dry = stochasticity.compare_on_lake(slippery=False, rates=(1.0,), n_steps=2_000, repetitions=2)
+    dry = methods.compare_on_lake(slippery=False, rates=(1.0,), n_steps=2_000, repetitions=2)
     assert (dry.final("α = 1") == 1.0).all()
-    icy = stochasticity.compare_on_lake(slippery=True, rates=(1.0,), n_steps=500, repetitions=1)
-    assert len(stochasticity.lake_figure(dry, icy, 0.74).draw().axes) == 2
+    icy = methods.compare_on_lake(slippery=True, rates=(1.0,), n_steps=500, repetitions=1)
+    assert len(figures.lake_figure(dry, icy, 0.74).draw().axes) == 2
 
 
 def test_every_number_of_theory_is_drawn() -> None:

@@ -11,12 +11,11 @@ import pandas as pd
 import pytest
 from rules import is_code, without_marks
 
-from edugym_course.lessons import signal
+from edugym_course.lessons.signal import methods
 from tests.course.lessons.transcripts import NOTEBOOKS
 
-BEST, CHANCE = signal.OPTIMUM, signal.RANDOM_PLAY
+BEST, CHANCE = methods.OPTIMUM, methods.RANDOM_PLAY
 RUNS = SimpleNamespace(turns=lambda run: run[0], returns_to=lambda run: run[1], higher_frontier=lambda run: 0)
-SLOW = SimpleNamespace(SLOW_DYNA="slow")
 
 
 def words(early: float, late: float) -> pd.Series:
@@ -36,7 +35,7 @@ VERDICTS: dict[tuple[str, str], list[tuple[dict[str, Any], Any]]] = {
         ({"solvers": []}, "neither"), ({"solvers": ["optimism"]}, "optimism only"), ({"solvers": ["a", "b"]}, "both"),
     ],
     ("exploration", "two_branches"): [
-        ({"runs": runs, "exploration": RUNS}, answer)
+        ({"runs": runs, "fork": RUNS}, answer)
         for runs, answer in [
             ([(1, True), (0, True)], "stays with one branch"),
             ([(1, True), (1, True), (1, False)], "turns to the other branch and comes back"),
@@ -73,7 +72,7 @@ VERDICTS: dict[tuple[str, str], list[tuple[dict[str, Any], Any]]] = {
         ({"curves": [np.ones(2), np.ones(2)]}, 2), ({"curves": [np.ones(2), np.array([1.0, 2.0])]}, 1),
     ],
     ("dimensionality", "sees"): [
-        ({"late": {k: {"it": x} for k, x in enumerate(means)}, "lesson": SimpleNamespace(PIXELS="it")}, answer)
+        ({"late": {k: {"it": x} for k, x in enumerate(means)}, "methods": SimpleNamespace(PIXELS="it")}, answer)
         for means, answer in [((1, 0.5, 0.5, 0.5), 0), ((1, 0.5, 0.51, 0.5), 1), ((1, 0.51, 0.51, 0.51), 3)]
     ],
     ("dimensionality", "cnns"): [
@@ -173,7 +172,7 @@ VERDICTS: dict[tuple[str, str], list[tuple[dict[str, Any], Any]]] = {
         ({"knows": ("Dyna", "prioritised sweeping")}, "both"),
     ],
     ("model_based", "saved"): [
-        ({"model_based": SLOW, "wrong": SimpleNamespace(methods=found, final=found.get)}, k)
+        ({"SLOW_DYNA": "slow", "wrong": SimpleNamespace(methods=found, final=found.get)}, k)
         for k, found in enumerate({"slow": [slow], "Dyna-10": [fast]} for fast in (50, 51) for slow in (50, 51))
     ],
     ("own_problem", "mild"): [({"change": -1}, "stalls at once"), ({"change": 1}, "runs as before")],
@@ -225,6 +224,6 @@ def test_what_an_outcome_is_called(lesson: str, name: str) -> None:
         said: list[Any] = []
         prediction = SimpleNamespace(options=options, measured=lambda value, *_, said=said: said.append(value))
         code = compile(ast.Module(deciding(bodies[f"{name}.measured"], {*found}), []), lesson, "exec")
-        exec(code, {name: prediction, "signal": signal, "np": np, **found})
+        exec(code, {name: prediction, "methods": methods, "np": np, **found})
         assert said == [options[answer] if isinstance(answer, int) else answer]
         assert said[0] in options

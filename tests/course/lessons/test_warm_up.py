@@ -95,7 +95,7 @@ def test_what_a_lesson_warms_up(lesson: str, monkeypatch: pytest.MonkeyPatch) ->
 
     experiments = load_experiments(lesson)
     for name, module in [*sys.modules.items()]:
-        if name.partition(".")[0] == "edugym" and vars(module).get("train") is train:
+        if name.startswith(("edugym.", "edugym_course.")) and vars(module).get("train") is train:
             monkeypatch.setattr(module, "train", noted)
     if hasattr(experiments, "warm_up"):
         experiments.warm_up()

@@ -11,10 +11,17 @@ import pytest
 from edugym.envs.golf import Golf
 from edugym.experiments.figures.style import STROKES
 from edugym.experiments.results.statistics import mean_interval
-from edugym_course.lessons import depth, model_based, signal, stochasticity
+from edugym_course.lessons.depth import figures as depth_figures
+from edugym_course.lessons.depth import methods as depth_methods
 from edugym_course.lessons.dimensionality import methods
 from edugym_course.lessons.dimensionality.figures import Dots as Columns
+from edugym_course.lessons.model_based import figures as model_based_figures
+from edugym_course.lessons.model_based import plans as model_based_plans
+from edugym_course.lessons.signal import figures as signal_figures
+from edugym_course.lessons.signal import methods as signal_methods
 from edugym_course.lessons.signal.figures import Greedy
+from edugym_course.lessons.stochasticity import figures as stochasticity_figures
+from edugym_course.lessons.stochasticity import methods as stochasticity_methods
 from edugym_course.lessons.stochasticity.figures import Dots, Games
 from edugym_course.lessons.stochasticity.methods import Played, played
 from tests.course.lessons.made_up import Curve, made_up
@@ -61,14 +68,14 @@ def test_mean_spread_and_lost_balls() -> None:
     lost = np.array([0.0, 0.01, 0.011, 0.02])
     one = Played(np.full(4, 0.7), np.full(4, 0.2), lost, np.zeros((4, 11)))
     other = Played(np.full(4, 0.6), np.full(4, 0.3), lost[::-1], np.zeros((4, 11)))
-    panels: Any = stochasticity.outcomes({"one": one, "other": other}).rows[0]
+    panels: Any = stochasticity_figures.outcomes({"one": one, "other": other}).rows[0]
     assert [panel.title for panel in panels] == ["mean", "spread", "lost balls"]
     assert [[values.tolist()[0] for values in panel.measured.values()] for panel in panels] == [
         [0.7, 0.6], [0.2, 0.3], [0.0, 0.02],
     ]  # fmt: skip
-    assert stochasticity.share_of_drivers(one) == 0.5
-    assert stochasticity.lead(one, other).estimate == pytest.approx(0.1)
-    learned: Any = stochasticity.frontier_figure({"a": (0.5, 0.1), "b": (0.6, 0.2)}, ["b"], {"one": one})
+    assert stochasticity_methods.share_of_drivers(one) == 0.5
+    assert stochasticity_methods.lead(one, other).estimate == pytest.approx(0.1)
+    learned: Any = stochasticity_figures.frontier_figure({"a": (0.5, 0.1), "b": (0.6, 0.2)}, ["b"], {"one": one})
     assert learned.learned == {"one": (pytest.approx(0.7), pytest.approx(0.2))}
 
 
@@ -81,12 +88,12 @@ def test_runs_by_their_first_swing() -> None:
     agents = [SimpleNamespace(Q=np.zeros((int(np.prod(shape)), 3))) for _ in range(3)]
     for agent, swing in zip(agents, (2, 1, 2), strict=True):
         agent.Q[tee, swing] = swing
-    label = stochasticity.NEUTRAL
+    label = stochasticity_methods.NEUTRAL
     results = made_up({label: [{10: 0.0}] * 3}, agents={label: agents})
     one = Played(np.array([0.5, 0.7, 0.9]), np.zeros(3), np.array([0.02, 0.0, 0.04]), np.zeros((3, 11)))
-    groups = stochasticity.by_first_swing(results, {label: one})[label]
+    groups = stochasticity_methods.by_first_swing(results, {label: one})[label]
     assert groups == {"chip": (1, 0.7, 0.0), "drive": (2, pytest.approx(0.7), pytest.approx(0.03))}
-    assert stochasticity.values_on_the_tee(results)[label] == pytest.approx([0.0, 1 / 3, 4 / 3])
+    assert stochasticity_methods.values_on_the_tee(results)[label] == pytest.approx([0.0, 1 / 3, 4 / 3])
 
 
 def test_items_that_were_found() -> None:
@@ -101,15 +108,17 @@ def test_items_that_were_found() -> None:
     ]
     for agents in kinds:
         results = made_up({"one": [{10: 0.0}] * 2}, agents={"one": agents})
-        assert model_based.items_found(results, "one").tolist() == [1.0, 0.5, 0.0]
+        assert model_based_plans.items_found(results, "one").tolist() == [1.0, 0.5, 0.0]
 
 
 def test_the_best_rate_of_each_depth() -> None:
     """By the return averaged over training, not by that of the end."""
-    names = [depth.methods.label(n) for n in depth.BY_DEPTH]
+    names = [depth_methods.label(n) for n in depth_methods.BY_DEPTH]
     low = made_up({name: [{0: 0.0, 5: 2.0 * k, 10: 0.0}] for k, name in enumerate(names)})
     high = made_up({name: [{0: 0.0, 5: 3.0, 10: 9.0 - 4.0 * k}] for k, name in enumerate(names)})
-    assert depth.best_rates({0.1: low, 0.3: high}) == dict(zip(depth.BY_DEPTH, (0.3, 0.3, 0.1, 0.1), strict=True))
+    assert depth_figures.best_rates({0.1: low, 0.3: high}) == dict(
+        zip(depth_methods.BY_DEPTH, (0.3, 0.3, 0.1, 0.1), strict=True)
+    )
 
 
 SLOW_AND_FAST: list[Curve] = [
@@ -124,8 +133,8 @@ SELDOM = [SLOW_AND_FAST[0], *[{0: 0.0, 10: 0.5, 20: 0.5, 60: 0.5}] * 2]
 def test_the_run_in_the_middle(curves: list[Curve], median: float, monkeypatch: pytest.MonkeyPatch) -> None:
     """A level counts when it is reached for the first time; a run that never gets there takes for ever."""
     results = made_up({"one": curves}, 60)
-    assert model_based.steps_to(results, "one", 0.99) == median
-    clock = model_based.Clock(results, {"one": np.ones((1, 60), np.int64)}, step_ms=1000.0, target_us=1.0)
+    assert model_based_figures.steps_to(results, "one", 0.99) == median
+    clock = model_based_figures.Clock(results, {"one": np.ones((1, 60), np.int64)}, step_ms=1000.0, target_us=1.0)
     assert clock.seconds_to("one", 0.99) == pytest.approx(median)
     monkeypatch.setattr(methods, "learn", lambda task, label, *more, **how: made_up({label: curves}, 60))
     assert {*methods.steps_to_solve(3).values()} == {median}
@@ -136,10 +145,10 @@ def test_the_second_half_of_training() -> None:
     results = made_up(
         {"Q-learning": [{0: 0.0, 10: 1.0, 20: 5.0, 30: 9.0, 40: 2.0}, dict.fromkeys(range(0, 50, 10), 4.0)]}, 40
     )
-    assert signal.late(results, "Q-learning").tolist() == pytest.approx([16 / 3, 4.0])
-    assert signal.median_late(results).tolist() == [5.0, 4.0]
-    assert signal.time_below(results, "Q-learning", 5.0).tolist() == pytest.approx([1 / 3, 1.0])
-    assert signal.after(results, 30).tolist() == [9.0, 4.0]
+    assert signal_methods.late(results, "Q-learning").tolist() == pytest.approx([16 / 3, 4.0])
+    assert signal_methods.median_late(results).tolist() == [5.0, 4.0]
+    assert signal_methods.time_below(results, "Q-learning", 5.0).tolist() == pytest.approx([1 / 3, 1.0])
+    assert signal_methods.after(results, 30).tolist() == [9.0, 4.0]
 
 
 def test_how_words_are_answered() -> None:
@@ -148,7 +157,7 @@ def test_how_words_are_answered() -> None:
         SimpleNamespace(greedy=lambda row, rng, of=of: of[row % 4]) for of in ((0, 1, 2, 3), (1, 0, 2, 3))
     )
     shares = [
-        signal.answers(made_up({"Q-learning": [{10: 0.0}]}, agents={"Q-learning": [agent]}), 0.0).shares
+        signal_figures.answers(made_up({"Q-learning": [{10: 0.0}]}, agents={"Q-learning": [agent]}), 0.0).shares
         for agent in (obeys, confused)
     ]
     assert shares[0].tolist() == np.eye(4).tolist()
@@ -179,5 +188,5 @@ def test_returns_on_columns_of_training_and_on_others() -> None:
 
 def test_levels_at_which_attitudes_are_compared() -> None:
     """From 0.0075 to 0.0225: that takes too long for the transcript."""
-    levels = inspect.signature(stochasticity.crossing_by_attitude).parameters["levels"].default
+    levels = inspect.signature(stochasticity_figures.crossing_by_attitude).parameters["levels"].default
     assert levels == pytest.approx(np.arange(0.0075, 0.0226, 0.0015))
