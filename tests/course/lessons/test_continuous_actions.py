@@ -1,18 +1,12 @@
 """Bins and continuous actions on Trashbot: the parts of the lesson are right, and its claims hold."""
 
-from types import SimpleNamespace
-from typing import Any
-
-import build
 import numpy as np
 import pytest
 
 from edugym.envs.trashbot.planning import best_plan
 from edugym.envs.trashbot.task import Trashbot
-from edugym_course.lessons.continuous_actions import exact, figures, methods, ppo, release
-from edugym_course.lessons.continuous_actions.experiments import exact_claims, gradient_claims, peak_claims, ppo_claims
-from edugym_course.lessons.continuous_actions.methods import Drawing
-from tests.course.lessons.transcripts import NOTEBOOKS
+from edugym_course.lessons.continuous_actions import exact, experiments, figures, methods, ppo, release
+from tests.course.lessons.made_up import made_up, measured
 
 
 @pytest.mark.parametrize("n_bins", [2, 3, 4])
@@ -61,16 +55,14 @@ def test_a_policy_without_a_baseline_leaves_the_container_when_it_is_narrow() ->
     assert wide[-1].sum() == 0
 
 
-def test_the_title_tells_the_share_at_the_rich_container() -> None:
-    """So that it is seen beside the sliders, too."""
-    figure, found = figures.peaks(mu=0.0, sigma=2.0)
-    assert found["Gaussian"] > 0.9
-    assert f"Gaussian {found['Gaussian']:.0%}" in repr(figure)
-
-
 def test_claims_that_need_no_training() -> None:
     """They hold."""
-    claims = [*exact_claims(), *gradient_claims(), *peak_claims(), *ppo_claims(ppo.STORED.load())]
+    claims = [
+        *experiments.exact_claims(),
+        *experiments.gradient_claims(),
+        *experiments.peak_claims(),
+        *experiments.ppo_claims(ppo.STORED.load()),
+    ]
     assert [claim.statement for claim in claims if not claim.holds] == []
     assert len(claims) >= 12
 
@@ -84,6 +76,7 @@ def test_holding_the_box_is_seen() -> None:
     assert before[-1] != after[-1]
 
 
+@pytest.mark.slow
 def test_three_bins_are_learned() -> None:
     """With other seeds than the lesson's."""
     results = methods.learn_bins(3, n_steps=50_000, repetitions=5, seed=7)
@@ -99,49 +92,13 @@ def test_steps_to_a_goal() -> None:
     assert methods.steps_to(results, "3 bins", 10.0).tolist() == [500.0, 500.0]
 
 
-def test_stored_runs() -> None:
-    """Ten seeds of each, by the code that is there."""
-    assert ppo.STORED.is_current()
-    assert {label: len(ppo.STORED.load().final(label)) for label in ppo.ACTIONS} == dict.fromkeys(ppo.ACTIONS, 10)
-
-
+@pytest.mark.slow
 def test_a_short_run_of_ppo() -> None:
     """Its policy can be drawn from, and the same seed draws the same."""
     run = ppo.trainer("continuous", 16_384)(16_384, seed=0)
     seen = np.zeros(7, np.float32)
-    actions = [Drawing(run.agent, seed)(seen).tolist() for seed in (0, 0, 1)]
+    actions = [methods.Drawing(run.agent, seed)(seen).tolist() for seed in (0, 0, 1)]
     assert actions[0] == actions[1] != actions[2]
-
-
-def test_the_live_run_of_ppo(capsys: pytest.CaptureFixture[str]) -> None:
-    """The cell asks for that run, and shows every fourth return after the first, both σ, and its drawn actions."""
-    run = SimpleNamespace(
-        training_returns=np.arange(11.0),
-        agent=SimpleNamespace(log_std=SimpleNamespace(exp=lambda: np.array([0.3, 0.2]))),
-    )
-    asked: list[Any] = []
-
-    def trainer(label: str, n_steps: int) -> Any:
-        def started(*arguments: int, **how: int) -> Any:
-            asked.append((arguments, how))
-            return run
-
-        asked.append((label, n_steps))
-        return started
-
-    cells = (cell.source for cell in build.read_lesson(NOTEBOOKS["continuous_actions"]).cells)
-    cell = next(source for source in cells if "ppo.trainer(" in source)
-    drawing = SimpleNamespace(Drawing=lambda agent: ("drawing", agent is run.agent))
-    names = {"ppo": SimpleNamespace(trainer=trainer), "methods": drawing, "np": np}
-    exec(cell, names | {"frames": lambda *film, **how: asked.append((film, how))})
-    assert asked == [
-        ("continuous", 262_144),
-        ((262_144,), {"seed": 3}),
-        (("Trashbot", ("drawing", True)), {"max_steps": 40}),
-    ]
-    shown, spread = capsys.readouterr().out.splitlines()
-    assert shown == "return with drawn actions: 1.0, 5.0, 9.0"
-    assert spread == "σ of the shoulder 0.30, of the elbow 0.20; both were 0.61 at first"
 
 
 def test_the_mean_of_a_policy_in_bins_is_its_likeliest_action() -> None:
@@ -154,3 +111,20 @@ def test_the_mean_of_a_policy_in_bins_is_its_likeliest_action() -> None:
     assert (found.means[:2] == -3.0).all()
     assert (found.means[-20:] == 3.0).all()
     assert 0.8 < found.values[-20:].mean() < 1.0
+
+
+def test_continuous_actions() -> None:
+    """Steps to a return of 3.5, and the late returns: the mean of the last five points."""
+    three, five, nine = ({0: 0.0, step: 3.5, 60: 4.0, 70: 4.0, 80: 4.0, 90: 4.0, 100: 4.0} for step in (10, 20, 50))
+    curves = {"3 bins": [three, three], "5 bins": [five, five], "9 bins": [nine, nine]}
+    fast: dict[int, float] = {0: 0.0, 10: 3.49, 30: 3.6, 60: 4.3, 70: 4.3, 80: 4.3, 90: 4.3, 100: 4.3}
+    curves[ppo.CONTINUOUS] = [
+        fast,
+        {step: value + 0.02 * (step > 50) for step, value in fast.items()},
+    ]
+    narrow = {
+        method: [{step: value - shift for step, value in run.items()} for run in runs]
+        for (method, runs), shift in zip(curves.items(), (4.0, 1.0, 0.0, 2.0), strict=True)
+    }
+    claims = experiments.learning_claims(made_up(curves, 100), made_up(narrow, 100))
+    assert measured(claims) == [0.0, 0.5, -10.0, -30.0, -20.0, 0.0, -1.0, -2.0]

@@ -9,7 +9,16 @@ import numpy as np
 from edugym.envs.trashbot.geometry import REACH
 from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.panel import ALONE, Place
-from edugym.experiments.figures.style import REFERENCE, SOFT_REFERENCE, add_legend, dress, own_axes, stroke
+from edugym.experiments.figures.style import (
+    REFERENCE,
+    SOFT_REFERENCE,
+    TEAL,
+    VERMILION,
+    add_legend,
+    dress,
+    own_axes,
+    stroke,
+)
 from edugym.mdp.protocol import Reals
 from edugym.rendering.palette import INK
 from edugym_course.lessons.continuous_actions.exact import best_return, deliveries, room
@@ -22,7 +31,7 @@ if TYPE_CHECKING:
 
 COLOURS: Mapping[str, str] = MappingProxyType({label: stroke(i).color for i, label in enumerate(ACTIONS)})
 """The colour of each kind of actions, in every figure of the lesson."""
-BOX_RED = "#d55e00"
+BOX_RED = VERMILION
 
 
 def shade(share: float) -> tuple[float, float, float]:
@@ -102,7 +111,7 @@ class Places(NamedTuple):
                 ax.text(0, y, "nowhere", ha="center", va="center", fontsize=8, color=INK)
         ax.axvline(0, **REFERENCE)
         for wall in (-free, free):
-            ax.axvline(wall, color="#009e73", linewidth=2, alpha=0.5)
+            ax.axvline(wall, color=TEAL, linewidth=2, alpha=0.5)
         ax.set_yticks(range(len(rows)), [str(n) if n else "real" for n in rows])
         ax.set_xlim(-1.15 * free, 1.15 * free)
         ax.set_ylim(-0.6, len(rows) - 0.4)

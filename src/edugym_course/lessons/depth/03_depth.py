@@ -181,9 +181,8 @@ watch(math.inf, episodes=4_000)
 
 # %%
 for n in (1, math.inf):
-    print(
-        f"{methods.label(n):12} return without noise: {methods.greedy_return(study, methods.pupil(n, study, 4_000)):.2f}"
-    )
+    learned = methods.greedy_return(study, methods.pupil(n, study, 4_000))
+    print(f"{methods.label(n):12} return without noise: {learned:.2f}")
 print(f"optimum      {study.reward_threshold:.2f}")
 
 # %% [markdown]

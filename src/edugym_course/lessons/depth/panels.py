@@ -6,13 +6,13 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from edugym.experiments.figures.panel import ALONE, Place
-from edugym.experiments.figures.style import REFERENCE, add_legend, dress, own_axes, stroke
+from edugym.experiments.figures.style import GREY, REFERENCE, VERMILION, add_legend, dress, own_axes, stroke
 from edugym.mdp.protocol import Reals
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-PART_COLOURS = ("#d55e00", "#4d4d4d")
+PART_COLOURS = (VERMILION, GREY)
 """The colours of the parts of a variance, which are not those of methods."""
 
 

@@ -11,7 +11,20 @@ from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.lines import Lines
 from edugym.experiments.figures.panel import ALONE, Place
 from edugym.experiments.figures.sheet import Sheet
-from edugym.experiments.figures.style import REFERENCE, Stroke, add_legend, dress, own_axes, stroke
+from edugym.experiments.figures.style import (
+    BLACK,
+    BROWN,
+    DEEP_BLUE,
+    PURPLE,
+    REFERENCE,
+    SKY_BLUE,
+    VERMILION,
+    Stroke,
+    add_legend,
+    dress,
+    own_axes,
+    stroke,
+)
 from edugym.experiments.results.statistics import mean_interval
 from edugym.experiments.results.tables import Results
 from edugym.mdp.protocol import Reals
@@ -52,36 +65,30 @@ from edugym_course.lessons.dimensionality.triad import w_to_2w
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-GREY, BROWN, PURPLE, BLACK = (
-    stroke(6),
-    Stroke("#8c510a", "solid"),
-    Stroke("#762a83", "solid"),
-    Stroke("#000000", "solid"),
-)
 LOOKS: Mapping[str, Stroke] = {
     TABLE: stroke(0),
     PIXELS: stroke(0),
-    POSITIONS: Stroke("#56b4e9", "solid"),
+    POSITIONS: Stroke(SKY_BLUE, "solid"),
     LINEAR: stroke(1),
     OFFSET: stroke(2),
     TILES: stroke(3),
     NETWORK: stroke(5),
-    NUMBERS: Stroke("#d55e00", (0, (1, 1))),
-    SMALL: GREY,
-    COLUMN: BROWN,
-    DQN_GRID: Stroke("#d55e00", "solid"),
-    DQN_IMAGE: Stroke("#d55e00", "solid"),
-    PPO_GRID: GREY,
-    OUR_PPO: PURPLE,
-    PPO_IMAGE: GREY,
+    NUMBERS: Stroke(VERMILION, (0, (1, 1))),
+    SMALL: stroke(6),
+    COLUMN: Stroke(BROWN, "solid"),
+    DQN_GRID: Stroke(VERMILION, "solid"),
+    DQN_IMAGE: Stroke(VERMILION, "solid"),
+    PPO_GRID: stroke(6),
+    OUR_PPO: Stroke(PURPLE, "solid"),
+    PPO_IMAGE: stroke(6),
     PPO_DARK: Stroke("#8c8c8c", (0, (1, 1))),
     "dense table, image": Stroke("#08306b", "solid"),
-    "dense table, grid": Stroke("#0072b2", (0, (6, 1.5))),
-    "dense table, positions": Stroke("#56b4e9", (0, (2, 1))),
-    "boards that occur": Stroke("#0072b2", (0, (1, 2))),
-    "weights of a network (64 hidden units)": Stroke("#d55e00", (0, (6, 1.5))),
+    "dense table, grid": Stroke(DEEP_BLUE, (0, (6, 1.5))),
+    "dense table, positions": Stroke(SKY_BLUE, (0, (2, 1))),
+    "boards that occur": Stroke(DEEP_BLUE, (0, (1, 2))),
+    "weights of a network (64 hidden units)": Stroke(VERMILION, (0, (6, 1.5))),
 }
-OWN = (BLACK, Stroke("#666600", (0, (6, 1.5))), Stroke("#762a83", (0, (2, 1))))
+OWN = (Stroke(BLACK, "solid"), Stroke("#666600", (0, (6, 1.5))), Stroke(PURPLE, (0, (2, 1))))
 """The strokes of methods that are not in `LOOKS`, in their order."""
 FEW = 3
 CAR_RANGE = (-1_030.0, -100.0)
@@ -344,7 +351,7 @@ class WithRuns(NamedTuple):
         """Draw the curves on `ax`, by default in a new figure, and return the axes."""
         ax = self.curves.draw(ax, place)
         for label, run in self.runs.items():
-            ax.plot(run.steps, run.returns, color=BLACK.color, linewidth=1.0, label=label)
+            ax.plot(run.steps, run.returns, color=BLACK, linewidth=1.0, label=label)
         return ax
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from edugym.adapters.registration import make_environment
 from edugym.envs.supermarket import Supermarket
 from edugym.experiments.figures.panel import ALONE, Place
-from edugym.experiments.figures.style import add_legend, dress, own_axes, plot_line
+from edugym.experiments.figures.style import VERMILION, add_legend, dress, own_axes, plot_line
 from edugym.mdp.protocol import Reals
 from edugym.rendering.palette import INK
 from edugym.rendering.pixels import to_pixels
@@ -48,7 +48,7 @@ class ValueMap(NamedTuple):
         ax.quiver(x, y, dx, dy, color=INK, pivot="mid", **size)
         if self.way:
             y, x = np.array(self.way) // 80, np.array(self.way) // 8 % 10
-            ax.plot(x, y, color="#d55e00", linewidth=3.0, alpha=0.55, solid_capstyle="round")
+            ax.plot(x, y, color=VERMILION, linewidth=3.0, alpha=0.55, solid_capstyle="round")
         return ax
 
     def arrows(self) -> list[tuple[float, float, float, float]]:

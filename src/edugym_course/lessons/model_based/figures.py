@@ -12,7 +12,17 @@ from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.lines import Lines
 from edugym.experiments.figures.panel import ALONE, Place
 from edugym.experiments.figures.sheet import Sheet
-from edugym.experiments.figures.style import REFERENCE, Stroke, add_legend, dress, own_axes, stroke
+from edugym.experiments.figures.style import (
+    BLACK,
+    BROWN,
+    PURPLE,
+    REFERENCE,
+    Stroke,
+    add_legend,
+    dress,
+    own_axes,
+    stroke,
+)
 from edugym.experiments.results.statistics import mean_interval
 from edugym.experiments.results.tables import Results
 from edugym.mdp.protocol import Integers, Reals
@@ -59,9 +69,9 @@ STROKES: Mapping[str, int] = MappingProxyType(
 
 OWN = (
     stroke(6),
-    Stroke("#8c510a", "solid"),
-    Stroke("#762a83", (0, (6, 1.5))),
-    Stroke("#000000", (0, (6, 1.5, 1.5, 1.5))),
+    Stroke(BROWN, "solid"),
+    Stroke(PURPLE, (0, (6, 1.5))),
+    Stroke(BLACK, (0, (6, 1.5, 1.5, 1.5))),
 )
 """The strokes of a reader's own methods, in their order."""
 

@@ -10,11 +10,22 @@ from edugym.exact.values import Values
 from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.panel import ALONE, Place
 from edugym.experiments.figures.sheet import Sheet
-from edugym.experiments.figures.style import REFERENCE, SOFT_REFERENCE, Stroke, add_legend, dress, own_axes, stroke
+from edugym.experiments.figures.style import (
+    PALE_AMBER,
+    PALE_BLUE,
+    PALE_GREEN,
+    REFERENCE,
+    SOFT_REFERENCE,
+    Stroke,
+    add_legend,
+    dress,
+    own_axes,
+    stroke,
+)
 from edugym.experiments.results.statistics import by_point, mean_interval
 from edugym.experiments.results.tables import Results
 from edugym.mdp.protocol import Reals, named_actions
-from edugym.rendering.palette import INK, SHADE
+from edugym.rendering.palette import INK, RED, SHADE
 from edugym_course.lessons.own_problem.bedroom import SLEEP, clock
 from edugym_course.lessons.own_problem.exact import best_policy, solve, what_happens
 from edugym_course.lessons.own_problem.morning import Morning, WithBonus
@@ -22,7 +33,7 @@ from edugym_course.lessons.own_problem.morning import Morning, WithBonus
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-ACTION_COLOURS = ("#dfe6ee", "#f2c078", "#e8505b", "#8fb8de", "#9fd3b6", "#cdb4db", "#d9c7a3")
+ACTION_COLOURS = ("#dfe6ee", PALE_AMBER, RED, PALE_BLUE, PALE_GREEN, "#cdb4db", "#d9c7a3")
 """Of the first, second, ... action on a map of a policy; after the last the first comes again."""
 MOST_CELLS = 40
 """How many places a map has on each side at most."""

@@ -13,11 +13,20 @@ from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.lines import Lines
 from edugym.experiments.figures.panel import ALONE, Panel, Place
 from edugym.experiments.figures.sheet import Sheet
-from edugym.experiments.figures.style import REFERENCE, SOFT_REFERENCE, add_legend, dress, own_axes, plot_line, stroke
+from edugym.experiments.figures.style import (
+    REFERENCE,
+    SOFT_REFERENCE,
+    VERMILION,
+    add_legend,
+    dress,
+    own_axes,
+    plot_line,
+    stroke,
+)
 from edugym.experiments.results.statistics import mean_interval
 from edugym.experiments.results.tables import Results
 from edugym.mdp.protocol import Reals
-from edugym.rendering.palette import GRASS, GREEN, WATER, blend
+from edugym.rendering.palette import GRASS, GREEN, WATER, WHITE, blend
 from edugym_course.lessons.stochasticity.exact import crossing, from_the_tee, optimum, soft_optimum, weighted
 from edugym_course.lessons.stochasticity.methods import (
     EPSILON,
@@ -59,11 +68,11 @@ class Course(NamedTuple):
 
         ax, golf = own_axes(ax), Golf.create()
         flag = golf.width / 2, golf.length - golf.width / 2
-        ax.add_patch(Rectangle((0, 0), golf.width, golf.length, facecolor=blend(GRASS, "#ffffff", 0.3), zorder=0))
+        ax.add_patch(Rectangle((0, 0), golf.width, golf.length, facecolor=blend(GRASS, WHITE, 0.3), zorder=0))
         ax.add_patch(Circle(flag, golf.green_radius, facecolor=blend(GRASS, GREEN, 0.7), zorder=0.5))
         ax.set_facecolor(WATER)
         ax.plot(*self.balls.T, ".", color="#222222", markersize=2, alpha=0.5, label="balls")
-        ax.plot(*self.aim, "+", color="#d55e00", markersize=9, markeredgewidth=2, label="aim")
+        ax.plot(*self.aim, "+", color=VERMILION, markersize=9, markeredgewidth=2, label="aim")
         ax.plot(golf.width / 2, 0.15, "^", color="white", markeredgecolor="#222222", markersize=6, label="tee")
         ax.set_aspect("equal")
         ax.set_xlim(-2.5, golf.width + 2.5)
