@@ -11,6 +11,7 @@ import re
 import sys
 import warnings
 from collections.abc import Sequence
+from contextlib import suppress
 from types import ModuleType
 from typing import Any
 
@@ -94,10 +95,10 @@ class Moved(ModuleType):
         if name.startswith("__") and name != "__all__":
             raise AttributeError(name)
         module = importlib.import_module(self._new)
-        lesson = re.fullmatch(r"edugym_course\.lessons\.\w+", self._new)
-        found = _handed_on(module, name) if lesson else getattr(module, name, None)
-        if found is None and lesson:
-            found = getattr(module, name, None)
+        found = getattr(module, name, None)
+        if re.fullmatch(r"edugym_course\.lessons\.\w+", self._new):
+            handed_on = _handed_on(module, name)
+            found = found if handed_on is None else handed_on
         if isinstance(found, ModuleType):
             return importlib.import_module(f"{self.__name__}.{name}")
         if found is None and not hasattr(module, name):
@@ -107,13 +108,16 @@ class Moved(ModuleType):
 
 def _handed_on(lesson: ModuleType, name: str) -> Any:
     """What a lesson's package once called by this name: it is in its experiments, or else in another of its files."""
+    from gymnasium.error import DependencyNotInstalled  # here, since `import edugym` should not take its time
+
     if name == "attempt":
         return importlib.import_module("edugym.training.attempt").attempt
     files = [inner.name for inner in pkgutil.iter_modules(lesson.__path__) if inner.name.isidentifier()]
     for file in sorted({*files} - {"exercises"}, key=lambda file: (file != "experiments", file)):
-        found = getattr(importlib.import_module(f"{lesson.__name__}.{file}"), name, None)
-        if found is not None and not isinstance(found, ModuleType):
-            return found
+        with suppress(ImportError, DependencyNotInstalled):  # another file may have the name
+            found = getattr(importlib.import_module(f"{lesson.__name__}.{file}"), name, None)
+            if found is not None and not isinstance(found, ModuleType):
+                return found
     return None
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from edugym.envs.catch import Fall
 from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.lines import Lines
-from edugym.experiments.figures.panel import ALONE, Place
+from edugym.experiments.figures.panel import ALONE, Place, on_axes
 from edugym.experiments.figures.sheet import Sheet
 from edugym.experiments.figures.style import (
     BLACK,
@@ -22,7 +22,6 @@ from edugym.experiments.figures.style import (
     Stroke,
     add_legend,
     dress,
-    own_axes,
     stroke,
 )
 from edugym.experiments.results.statistics import mean_interval
@@ -155,9 +154,9 @@ class Dots(NamedTuple):
     tests: Mapping[str, Reals]
     title: str = ""
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw both on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw both."""
         for row, (by_column, look) in enumerate(zip(self.tests.values(), looks_of(self.tests), strict=True)):
             for at, columns, filled in ((row - 0.14, TRAINED, True), (row + 0.14, WITHHELD, False)):
                 found = mean_interval(by_column[[*columns]].mean(axis=0))
@@ -170,9 +169,6 @@ class Dots(NamedTuple):
         ax.set_yticks(range(len(self.tests)), [*self.tests])
         ax.invert_yaxis()
         dress(ax, "return (greedy)", "", self.title)
-        if place.alone:
-            add_legend(ax)
-        return ax
 
 
 class PolicyMap(NamedTuple):
@@ -192,11 +188,12 @@ class PolicyMap(NamedTuple):
     ball_y: int
     title: str = ""
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the arrows on `ax`, by default in a new figure, and return the axes."""
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw the arrows."""
         from matplotlib.patches import Rectangle
 
-        ax, rng = own_axes(ax), np.random.default_rng(0)
+        rng = np.random.default_rng(0)
         for ball in range(COLUMNS):
             for paddle in range(COLUMNS):
                 state = Fall(ball, self.ball_y, paddle)
@@ -211,7 +208,6 @@ class PolicyMap(NamedTuple):
         ax.set_xticks(range(COLUMNS))
         ax.set_yticks(range(COLUMNS))
         dress(ax, "column of the paddle", "column of the ball", self.title)
-        return ax
 
 
 def _listed(columns: Sequence[int]) -> str:

@@ -8,7 +8,7 @@ import numpy as np
 
 from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.lines import Lines
-from edugym.experiments.figures.panel import ALONE, Place
+from edugym.experiments.figures.panel import ALONE, Place, on_axes
 from edugym.experiments.figures.sheet import Sheet
 from edugym.experiments.figures.style import (
     DEEP_BLUE,
@@ -112,11 +112,11 @@ class Walk(NamedTuple):
     title: str = ""
     pointing: bool = True
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the cells on `ax`, by default in a new figure, and return the axes."""
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw the cells."""
         from matplotlib.patches import Polygon
 
-        ax = own_axes(ax)
         steps = [(length, p) for length in range(1, len(self.doors) + 1) for p in range(length)]
         for t, (length, p) in enumerate(steps[: self.step + 1]):
             marked = p == length - 1
@@ -145,7 +145,6 @@ class Walk(NamedTuple):
         dress(ax, "step", "", self.title)
         ax.spines[["left", "bottom"]].set_visible(False)
         ax.tick_params(length=0)
-        return ax
 
     def _cell(self, ax: "Axes", x: float, y: float, colour: str, text: str) -> None:
         from matplotlib.patches import Rectangle
@@ -298,9 +297,9 @@ class Worth(NamedTuple):
     title: str
     top: float
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw lines and points on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw lines and points."""
         ax.step(
             [*self.ks, self.ks[-1] + 0.6],
             [*self.sure, self.sure[-1]],
@@ -327,9 +326,6 @@ class Worth(NamedTuple):
         ax.set_ylim(0, self.top)
         ax.set_xticks(self.ks)
         dress(ax, "observations in the window, k", "return (greedy)", self.title)
-        if place.alone:
-            add_legend(ax)
-        return ax
 
 
 def worth(tables: Sequence[Results], networks: Results, windows: int = 7) -> Sheet:

@@ -8,7 +8,7 @@ import numpy as np
 
 from edugym.exact.values import Values
 from edugym.experiments.figures.curves import Curves
-from edugym.experiments.figures.panel import ALONE, Place
+from edugym.experiments.figures.panel import ALONE, Place, on_axes
 from edugym.experiments.figures.sheet import Sheet
 from edugym.experiments.figures.style import (
     PALE_AMBER,
@@ -19,7 +19,6 @@ from edugym.experiments.figures.style import (
     Stroke,
     add_legend,
     dress,
-    own_axes,
     stroke,
 )
 from edugym.experiments.results.statistics import by_point, mean_interval
@@ -67,12 +66,12 @@ class PolicyMap(NamedTuple):
     x_ticks: Sequence[str] | None = None
     y_ticks: Sequence[str] | None = None
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the map on `ax`, by default in a new figure, and return the axes."""
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw the map."""
         from matplotlib.patches import Rectangle
         from matplotlib.ticker import MaxNLocator
 
-        ax = own_axes(ax)
         model, policy = self.values.model, self.values.greedy_policy()
         letters = initials(self.names)
         used: set[int] = set()
@@ -105,9 +104,6 @@ class PolicyMap(NamedTuple):
             ax.set_yticks(range(len(self.y_ticks)), self.y_ticks)
         elif max(ys) == min(ys):
             ax.set_yticks([])
-        if place.alone:
-            add_legend(ax)
-        return ax
 
 
 def can_be_drawn(values: Values) -> bool:
@@ -162,9 +158,9 @@ class Bands(NamedTuple):
     y_label: str = ""
     optimum: float | None = None
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the lines on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw the lines."""
         x = np.asarray(self.x, float)
         for look, (label, values) in zip(cycle(REWARD_STROKES), self.measured.items(), strict=False):
             mean, low, high = by_point(values).T
@@ -176,9 +172,6 @@ class Bands(NamedTuple):
         ax.set_xticks(x, [f"{value:g}" for value in x], rotation=45)
         ax.minorticks_off()
         dress(ax, self.x_label, self.y_label, self.title)
-        if place.alone:
-            add_legend(ax)
-        return ax
 
 
 class Compared(NamedTuple):
@@ -194,9 +187,9 @@ class Compared(NamedTuple):
     title: str = ""
     optimum: float | None = None
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw a dot for each method on `ax`, by default in a new figure, and return the axes."""
-        ax = own_axes(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw a dot for each method."""
         for i, values in enumerate(self.measured.values()):
             interval = mean_interval(values)
             ax.plot(i, interval.estimate, "o", color=stroke(i).color, markersize=7)
@@ -206,9 +199,6 @@ class Compared(NamedTuple):
         ax.set_xlim(-0.6, len(self.measured) - 0.4)
         dress(ax, "", "expected return", self.title)
         ax.set_xticks(range(len(self.measured)), self.measured, rotation=20)
-        if place.alone:
-            add_legend(ax)
-        return ax
 
 
 class WithRandom(NamedTuple):
