@@ -1,5 +1,5 @@
 # %% read from the figure
-# says: three steps cost 1 each, and the last one pays 1
+# says: Right: three steps cost 1 each, and the last one pays 1.
 best_return = -2
 
 # %% computed

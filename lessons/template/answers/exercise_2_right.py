@@ -1,5 +1,5 @@
 # %% with a condition
-# says: what comes after the end of an episode counts nothing
+# says: Right: what comes after the end of an episode counts nothing.
 def target(reward, values, discount, terminated):
     return reward if terminated else reward + discount * max(values)
 

@@ -363,7 +363,7 @@ def test_an_unsolved_notebook_runs_to_its_end(source: Path) -> None:
 TEMPLATE = build.ROOT / "lessons" / "template"
 
 
-def test_answers_of_the_template(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_answers_of_the_template(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     """Its checks tell right answers from wrong ones, in the sentences that the answers name."""
     monkeypatch.setattr(edugym_course.lessons, "__path__", [*edugym_course.lessons.__path__, str(TEMPLATE.parent)])
     monkeypatch.setattr(build, "lesson_sources", lambda: {"99_template": TEMPLATE / "99_template.py"})
@@ -372,8 +372,9 @@ def test_answers_of_the_template(monkeypatch: pytest.MonkeyPatch) -> None:
     setup, answers = read_answers("99_template")
     for answer in answers:
         said = verdict(answer, exercises[answer.exercise - 1], (imports, setup))
+        told = capsys.readouterr().out if answer.right else said
         assert (said == "") == answer.right
-        assert answer.right or all(words in said for words in answer.says)
+        assert [words for words in answer.says if (f"✓ {words}\n" if answer.right else words) not in told] == []
     assert {(answer.exercise, answer.right) for answer in answers} == {(k, r) for k in (1, 2) for r in (True, False)}
 
 
