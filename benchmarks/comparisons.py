@@ -12,7 +12,7 @@ from benchmarks.contenders import copies, made, steps_of, unwrapped
 from benchmarks.measure import Comparison, Contender, Work
 from edugym import EpsilonGreedy, QLearning, make_mdp, train
 from edugym.mdp.task import table_size
-from edugym_course.lessons.exploration import HEIGHTS, METHODS, N_STEPS, compare
+from edugym_course.lessons.exploration.methods import HEIGHTS, METHODS, N_STEPS, compare
 
 ALPHA, GAMMA, EPSILON = 0.1, 0.99, 0.1
 FROZEN_LAKE, CLIFF_WALKING, CART_POLE = (

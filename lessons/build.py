@@ -14,7 +14,7 @@ The command line:
     python lessons/build.py --execute         execute solutions again though their source has not changed
     python lessons/build.py --check           write nothing; fail if a notebook is not what its source makes
 
-CONTRIBUTING.md tells how to write a lesson; `rules.py` checks it.
+A new lesson begins as a copy of the folder `template`. CONTRIBUTING.md tells how to write one; `rules.py` checks it.
 """
 
 import argparse

@@ -7,9 +7,11 @@ import importlib
 import importlib.abc
 import importlib.machinery
 import pkgutil
+import re
 import sys
 import warnings
 from collections.abc import Sequence
+from contextlib import suppress
 from types import ModuleType
 from typing import Any
 
@@ -109,17 +111,29 @@ class Moved(ModuleType):
             raise AttributeError(name)
         module = importlib.import_module(self._new)
         found = getattr(module, name, None)
+        if re.fullmatch(r"edugym_course\.lessons\.\w+", self._new):
+            handed_on = _handed_on(module, name)
+            found = found if handed_on is None else handed_on
         if isinstance(found, ModuleType) and found.__name__ == f"{self._new}.{name}":
             return importlib.import_module(f"{self.__name__}.{name}")
-        if hasattr(module, name):
-            return getattr(module, name)
-        files = [inner.name for inner in pkgutil.iter_modules(getattr(module, "__path__", ()))]
-        if self._new.startswith("edugym_course.lessons."):
-            for file in filter(str.isidentifier, files):
-                found = getattr(importlib.import_module(f"{self._new}.{file}"), name, None)
-                if found is not None:
-                    return found
-        raise AttributeError(f"module {self.__name__!r} has no attribute {name!r}")
+        if found is None and not hasattr(module, name):
+            raise AttributeError(f"module {self.__name__!r} has no attribute {name!r}")
+        return found
+
+
+def _handed_on(lesson: ModuleType, name: str) -> Any:
+    """What a lesson's package once called by this name: it is in its experiments, or else in another of its files."""
+    from gymnasium.error import DependencyNotInstalled  # here, since `import edugym` should not take its time
+
+    if name == "attempt":
+        return importlib.import_module("edugym.training.attempt").attempt
+    files = [inner.name for inner in pkgutil.iter_modules(lesson.__path__) if inner.name.isidentifier()]
+    for file in sorted({*files} - {"exercises"}, key=lambda file: (file != "experiments", file)):
+        with suppress(ImportError, DependencyNotInstalled):  # another file may have the name
+            found = getattr(importlib.import_module(f"{lesson.__name__}.{file}"), name, None)
+            if found is not None and not isinstance(found, ModuleType):
+                return found
+    return None
 
 
 def install() -> None:

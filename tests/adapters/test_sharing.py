@@ -16,7 +16,7 @@ from gymnasium.spaces import Box
 from edugym import finite_model, read_mdp, share, value_iteration, wrapper
 from edugym.adapters.playing import Game
 from edugym.adapters.sharing import _home, source_of
-from edugym_course.lessons.own_problem import Morning, WithBonus
+from edugym_course.lessons.own_problem.morning import Morning, WithBonus
 from tests.adapters.playing.tasks import Walk
 
 CELLS = """
@@ -127,7 +127,7 @@ def test_classes_of_installed_packages_are_imported(tmp_path: Path) -> None:
     """And wrappers keep what is inside them."""
     mdp = WithBonus(Morning(late=7.5), 3.0)
     text, read = shared({"mdp": mdp}, "mdp", tmp_path)
-    assert "from edugym_course.lessons.own_problem import Morning" in text
+    assert "from edugym_course.lessons.own_problem.morning import Morning" in text
     assert read == mdp
     assert gymnasium.spec("WithBonus-v0").id == "WithBonus-v0"
 

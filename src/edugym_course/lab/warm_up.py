@@ -35,7 +35,7 @@ def warming_up(lessons: Sequence[str]) -> Iterator["subprocess.Popen[bytes]"]:
 def main(lessons: Sequence[str]) -> None:
     """Call what compiles the code of each lesson.
 
-    It is the function `warm_up()` of the lesson's module; without one, all of its experiments run with two repetitions.
+    It is the function `warm_up()` of the lesson's experiments; without one, all of them run with two repetitions.
     A lesson that fails here says so when the student runs it.
     """
     if hasattr(os, "nice"):
@@ -44,7 +44,7 @@ def main(lessons: Sequence[str]) -> None:
     warnings.simplefilter("ignore")
     for lesson in lessons:
         with contextlib.suppress(Exception):
-            experiments = importlib.import_module(f"edugym_course.lessons.{lesson}")
+            experiments = importlib.import_module(f"edugym_course.lessons.{lesson}.experiments")
             if hasattr(experiments, "warm_up"):
                 experiments.warm_up()
             else:

@@ -1,4 +1,4 @@
-"""The lessons' own code: experiments, claims and figures. Each lesson has a module or a folder here.
+"""The lessons. Each is a folder with its text, experiments, figures, exercises and sample answers.
 
 They are found by their place; there is no list of them.
 """
@@ -15,28 +15,28 @@ from edugym_course.reporting import Reporter
 
 
 class Experiments(Protocol):
-    """The module of a lesson."""
+    """The module `experiments` of a lesson."""
 
     report: Reporter
 
 
 def lesson_names() -> list[str]:
-    """Return the names of all lessons with experiments, in order: by "(lesson 1)" in the first lines of the files."""
+    """Return the names of all lessons, in order: by "(lesson 1)" in the first line of each folder's `__init__.py`."""
 
     def place(name: str) -> tuple[float, str]:
-        files = (Path(path, file) for path in __path__ for file in (f"{name}.py", f"{name}/__init__.py"))
+        files = (Path(path, name, "__init__.py") for path in __path__)
         with next(file for file in files if file.exists()).open(encoding="utf-8") as file:
             number = re.search(r"\(lesson (\d+)\)", file.readline())
         return (int(number[1]) if number else math.inf), name
 
-    return sorted((module.name for module in pkgutil.iter_modules(__path__)), key=place)
+    return sorted((module.name for module in pkgutil.iter_modules(__path__) if module.ispkg), key=place)
 
 
 def load_experiments(lesson: str) -> Experiments:
-    """Import the module of a lesson.
+    """Import the experiments of a lesson.
 
     Raises:
         ValueError: there is no such lesson.
     """
     one_of("lesson", lesson, lesson_names())
-    return cast(Experiments, importlib.import_module(f"{__name__}.{lesson}"))
+    return cast(Experiments, importlib.import_module(f"{__name__}.{lesson}.experiments"))

@@ -6,9 +6,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edugym_course.lessons.continuous_actions import exercises, gaussian
+from edugym_course.lessons.continuous_actions import exercises
 from edugym_course.lessons.continuous_actions.exercises import episodes
 from edugym_course.lessons.continuous_actions.exercises.episodes import MISTAKES, after, cases
+from edugym_course.lessons.continuous_actions.methods import gaussian
 from tests.course.lessons.answers import solution
 
 

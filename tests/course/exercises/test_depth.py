@@ -9,7 +9,12 @@ import pytest
 from edugym import EpsilonGreedy, NStepSARSA, QLearning, TreeBackup
 from edugym.experiments.figures import Curves
 from edugym_course.grading import WrongAnswer
-from edugym_course.lessons.depth import (
+from edugym_course.lessons.depth.exercises import CHALLENGE, exercise_1
+from edugym_course.lessons.depth.exercises.cutting import MISTAKES, alike, cases, hand_back, outcomes
+from edugym_course.lessons.depth.exercises.episodes import Episode, learn_from
+from edugym_course.lessons.depth.exercises.ratio import ratio
+from edugym_course.lessons.depth.figures import race
+from edugym_course.lessons.depth.methods import (
     BY_DEPTH,
     MONTE_CARLO,
     ONE_STEP,
@@ -18,12 +23,7 @@ from edugym_course.lessons.depth import (
     label,
     maker,
     passes,
-    race,
 )
-from edugym_course.lessons.depth.exercises import CHALLENGE, exercise_1
-from edugym_course.lessons.depth.exercises.cutting import MISTAKES, alike, cases, hand_back, outcomes
-from edugym_course.lessons.depth.exercises.episodes import Episode, learn_from
-from edugym_course.lessons.depth.exercises.ratio import ratio
 from tests.course.lessons.answers import solution
 
 LESSON = "03_depth"

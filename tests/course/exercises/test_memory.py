@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 from edugym import repeat
-from edugym_course.lessons.memory import exercises, window_law
+from edugym_course.lessons.memory import exercises
 from edugym_course.lessons.memory.secret import SECRET_DOORS, secret_corridor
+from edugym_course.lessons.memory.windows import window_law
 
 
 def test_every_mistake_in_rows_is_one() -> None:

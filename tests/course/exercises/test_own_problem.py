@@ -12,7 +12,9 @@ from gymnasium.spaces import Discrete
 from edugym.exact.branching import branches
 from edugym_course.grading.patience import LIMIT
 from edugym_course.grading.wrong import WrongAnswer
-from edugym_course.lessons.own_problem import Morning, exercises, solve
+from edugym_course.lessons.own_problem import exercises
+from edugym_course.lessons.own_problem.exact import solve
+from edugym_course.lessons.own_problem.morning import Morning
 
 
 @pytest.mark.parametrize(("late", "action"), [(exercises.LATE - 0.001, 0), (exercises.LATE + 0.001, 2)])

@@ -3,8 +3,10 @@
 import numpy as np
 import pytest
 
-from edugym_course.lessons.signal import best_return, bits, exercises, information
+from edugym_course.lessons.signal import exercises
 from edugym_course.lessons.signal.exercises.listener import HEARD, LISTENER_MISTAKES, probabilities
+from edugym_course.lessons.signal.moody import best_return
+from edugym_course.lessons.signal.words import bits, information
 
 
 def test_the_number_of_words() -> None:

@@ -127,9 +127,9 @@ def test_what_is_compiled_in_the_background(monkeypatch: pytest.MonkeyPatch) -> 
         raise RuntimeError
 
     modules = {
-        "edugym_course.lessons.a": SimpleNamespace(warm_up=fails),
-        "edugym_course.lessons.b": SimpleNamespace(warm_up=lambda: done.append("b"), report=fails),
-        "edugym_course.lessons.c": SimpleNamespace(report=lambda **how: done.append(how)),
+        "edugym_course.lessons.a.experiments": SimpleNamespace(warm_up=fails),
+        "edugym_course.lessons.b.experiments": SimpleNamespace(warm_up=lambda: done.append("b"), report=fails),
+        "edugym_course.lessons.c.experiments": SimpleNamespace(report=lambda **how: done.append(how)),
     }
     monkeypatch.setattr(warnings, "simplefilter", done.append)
     monkeypatch.setattr(importlib, "import_module", modules.__getitem__)

@@ -1,17 +1,13 @@
 """Tests of the builder of notebooks, on a tiny lesson, and of every lesson that is there."""
 
 import ast
-import asyncio
 import importlib.metadata
 import importlib.util
+import os
 import shutil
 import subprocess
 import sys
-from contextlib import nullcontext
 from pathlib import Path
-from queue import Empty
-from types import SimpleNamespace
-from typing import Any, cast
 
 import build
 import nbformat
@@ -19,6 +15,10 @@ import pytest
 from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_notebook
 from rules import is_code, without_solutions
+
+import edugym_course.lessons
+from edugym_course.lessons import lesson_names
+from tests.course.lessons.answers import read_answers, read_exercises, verdict
 
 LESSON = '''\
 # %% [markdown]
@@ -348,34 +348,6 @@ def test_what_a_reader_would_see_go_wrong_fails_the_build(code: str, message: st
         build.execute(notebook, "one", seconds=1 if "sleep" in code else 5)
 
 
-class Channel:
-    """A channel that only notices at its second look that a reply has come, or never."""
-
-    def __init__(self, *, ever: bool) -> None:
-        """Make a channel that nobody has looked at."""
-        self.looks, self.ever = list[float](), ever
-
-    async def get_msg(self, timeout: float) -> dict[str, str]:
-        """Return the reply, or raise `Empty` when the time is over, as a channel of Jupyter does."""
-        self.looks.append(timeout)
-        if self.ever and len(self.looks) == 2:
-            return {"msg_type": "execute_reply"}
-        await asyncio.sleep(timeout)
-        raise Empty
-
-
-def test_a_reply_that_was_missed_is_found_at_the_next_look() -> None:
-    """The builder looks once a second; it gives up when the time of the cell is over."""
-    for timeout, ever, looks in ((60, True, 2), (1.2, False, 2), (0, False, 1)):
-        client, channel = build.LessonClient(new_notebook()), Channel(ever=ever)
-        client.kc = cast(Any, SimpleNamespace(shell_channel=channel))
-        client.begin(client.nb)
-        with nullcontext() if ever else pytest.raises(Empty):
-            assert asyncio.run(channel.get_msg(timeout)) == {"msg_type": "execute_reply"}
-        assert len(channel.looks) == looks
-        assert sum(channel.looks) == pytest.approx(2 if ever else timeout, abs=0.1)
-
-
 @pytest.mark.slow
 def test_an_unsolved_notebook_runs_to_its_end(source: Path) -> None:
     """Checks say what is missing, nothing else fails; a demonstration that needs a solution is an error."""
@@ -388,11 +360,32 @@ def test_an_unsolved_notebook_runs_to_its_end(source: Path) -> None:
         build.execute(all_editions(source)["student"], "01_doubling")
 
 
+TEMPLATE = build.ROOT / "lessons" / "template"
+
+
+def test_answers_of_the_template(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    """Its checks tell right answers from wrong ones, in the sentences that the answers name."""
+    monkeypatch.setattr(edugym_course.lessons, "__path__", [*edugym_course.lessons.__path__, str(TEMPLATE.parent)])
+    monkeypatch.setattr(build, "lesson_sources", lambda: {"99_template": TEMPLATE / "99_template.py"})
+    assert lesson_names()[-1] == "template"
+    imports, exercises = read_exercises(TEMPLATE / "99_template.py")
+    setup, answers = read_answers("99_template")
+    for answer in answers:
+        said = verdict(answer, exercises[answer.exercise - 1], (imports, setup))
+        told = capsys.readouterr().out if answer.right else said
+        assert (said == "") == answer.right
+        assert [words for words in answer.says if (f"✓ {words}\n" if answer.right else words) not in told] == []
+    assert {(answer.exercise, answer.right) for answer in answers} == {(k, r) for k in (1, 2) for r in (True, False)}
+
+
 @pytest.mark.slow
-def test_the_template_builds(tmp_path: Path) -> None:
-    """Copied to the place of a lesson it makes three notebooks, and it runs from top to bottom."""
-    source = tmp_path / "lessons" / "99_new.py"
-    source.parent.mkdir()
-    shutil.copy(build.ROOT / "lessons" / "template.py", source)
-    assert len(build.build(source, tmp_path / "notebooks")) == 3
-    assert build.outdated(source, tmp_path / "notebooks") == []
+def test_the_template_is_a_lesson(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Copied to the place of a lesson it makes three notebooks, runs from top to bottom, and its claims hold."""
+    course = tmp_path / "src" / "edugym_course"
+    shutil.copytree(build.ROOT / "src" / "edugym_course", course, ignore=shutil.ignore_patterns("[0-9]*_*.py"))
+    shutil.copytree(TEMPLATE, course / "lessons" / "template")
+    monkeypatch.setenv("PYTHONPATH", os.pathsep.join(map(str, (course.parent, build.ROOT / "src"))))
+    assert build.main([], tmp_path) == 0
+    assert len([*(tmp_path / "notebooks").rglob("99_template.ipynb")]) == 3
+    code = "from edugym_course.lessons.template.experiments import report; print(all(c.holds for c in report().claims))"
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout == "True\n"

@@ -1,23 +1,18 @@
 """Bins and continuous actions on Trashbot: the parts of the lesson are right, and its claims hold."""
 
-from types import SimpleNamespace
-from typing import Any
-
-import build
 import numpy as np
 import pytest
 
 from edugym.envs.trashbot.planning import best_plan
 from edugym.envs.trashbot.task import Trashbot
-from edugym_course.lessons import continuous_actions as arms
-from edugym_course.lessons.continuous_actions import Drawing, exact_claims, gradient_claims, peak_claims, ppo_claims
-from tests.course.lessons.transcripts import NOTEBOOKS
+from edugym_course.lessons.continuous_actions import exact, experiments, figures, methods, ppo, release
+from tests.course.lessons.made_up import made_up, measured
 
 
 @pytest.mark.parametrize("n_bins", [2, 3, 4])
 def test_deliveries_are_those_of_the_exact_search(n_bins: int) -> None:
     """The best return, the number of places, and the place nearest to the middle."""
-    plan, found = best_plan(Trashbot.create(n_bins)), arms.deliveries(n_bins)
+    plan, found = best_plan(Trashbot.create(n_bins)), exact.deliveries(n_bins)
     assert found.best_return == pytest.approx(3.0 + plan.centring)
     assert len(found.places) == plan.places
     assert found.fewest_steps == plan.fewest_steps
@@ -26,8 +21,8 @@ def test_deliveries_are_those_of_the_exact_search(n_bins: int) -> None:
 
 def test_no_delivery_is_worth_nothing() -> None:
     """Three bins cannot bring the box into a container 0.3 wide."""
-    assert arms.deliveries(3, 0.3)[1:] == (0.0, 0)
-    assert len(arms.deliveries(3, 0.3).places) == 0
+    assert exact.deliveries(3, 0.3)[1:] == (0.0, 0)
+    assert len(exact.deliveries(3, 0.3).places) == 0
 
 
 def test_scores_are_derivatives_of_the_logarithm() -> None:
@@ -35,9 +30,9 @@ def test_scores_are_derivatives_of_the_logarithm() -> None:
     a, mean, spread, h = 0.7, 0.2, 0.6, 1e-6
 
     def log_density(mean: float, log_spread: float) -> float:
-        return float(np.log(arms.density(np.array(a), mean, np.exp(log_spread))))
+        return float(np.log(release.density(np.array(a), mean, np.exp(log_spread))))
 
-    of_mean, of_log_spread = arms.scores(a, mean, spread)
+    of_mean, of_log_spread = release.scores(a, mean, spread)
     log_spread = np.log(spread)
     by_mean = (log_density(mean + h, log_spread) - log_density(mean - h, log_spread)) / (2 * h)
     by_spread = (log_density(mean, log_spread + h) - log_density(mean, log_spread - h)) / (2 * h)
@@ -48,98 +43,62 @@ def test_scores_are_derivatives_of_the_logarithm() -> None:
 @pytest.mark.parametrize("baseline", [0.0, 3.0])
 def test_the_estimate_is_right_on_average(baseline: float) -> None:
     """Of both slopes, whatever the baseline."""
-    found = arms.estimates(0.6, 0.5, 200_000, baseline=baseline, seed=5)
-    assert found.mean(axis=1) == pytest.approx(arms.slopes(0.6, 0.5), abs=0.05)
+    found = release.estimates(0.6, 0.5, 200_000, baseline=baseline, seed=5)
+    assert found.mean(axis=1) == pytest.approx(release.slopes(0.6, 0.5), abs=0.05)
 
 
 def test_a_policy_without_a_baseline_leaves_the_container_when_it_is_narrow() -> None:
     """All do at some time, most lie outside in the end; none does where σ stays wide."""
-    narrow, wide = (np.abs(arms.climb(baseline=False, smallest=s).means) > 1.0 for s in (0.02, 0.2))
+    narrow, wide = (np.abs(release.climb(baseline=False, smallest=s).means) > 1.0 for s in (0.02, 0.2))
     assert narrow.any(axis=0).all()
     assert narrow[-1].mean() > 0.5
     assert wide[-1].sum() == 0
 
 
-def test_the_title_tells_the_share_at_the_rich_container() -> None:
-    """So that it is seen beside the sliders, too."""
-    figure, found = arms.peaks(mu=0.0, sigma=2.0)
-    assert found["Gaussian"] > 0.9
-    assert f"Gaussian {found['Gaussian']:.0%}" in repr(figure)
-
-
 def test_claims_that_need_no_training() -> None:
     """They hold."""
-    claims = [*exact_claims(), *gradient_claims(), *peak_claims(), *ppo_claims(arms.STORED.load())]
+    claims = [
+        *experiments.exact_claims(),
+        *experiments.gradient_claims(),
+        *experiments.peak_claims(),
+        *experiments.ppo_claims(ppo.STORED.load()),
+    ]
     assert [claim.statement for claim in claims if not claim.holds] == []
     assert len(claims) >= 12
 
 
 def test_holding_the_box_is_seen() -> None:
     """In the table, as in the tiles."""
-    task, rng = arms.in_a_table(5), np.random.default_rng(0)
+    task, rng = methods.in_a_table(5), np.random.default_rng(0)
     state = task.initial(rng)
     before, after = (tuple(task.observation(state._replace(holding=held), rng)) for held in (False, True))
     assert before[:-1] == after[:-1]
     assert before[-1] != after[-1]
 
 
+@pytest.mark.slow
 def test_three_bins_are_learned() -> None:
     """With other seeds than the lesson's."""
-    results = arms.learn_bins(3, n_steps=50_000, repetitions=5, seed=7)
+    results = methods.learn_bins(3, n_steps=50_000, repetitions=5, seed=7)
     assert results.late("3 bins").mean() > 3.5
     agent = results.agents["3 bins"][0]
-    assert arms.way(arms.in_a_table(3), agent)[0] == pytest.approx([-1.46, 0.395], abs=0.01)
+    assert figures.way(methods.in_a_table(3), agent)[0] == pytest.approx([-1.46, 0.395], abs=0.01)
 
 
 def test_steps_to_a_goal() -> None:
     """A run that never gets there counts with all its steps."""
-    results = arms.learn_bins(3, n_steps=500, repetitions=2)
-    assert arms.steps_to(results, "3 bins", -10.0).tolist() == [0.0, 0.0]
-    assert arms.steps_to(results, "3 bins", 10.0).tolist() == [500.0, 500.0]
+    results = methods.learn_bins(3, n_steps=500, repetitions=2)
+    assert methods.steps_to(results, "3 bins", -10.0).tolist() == [0.0, 0.0]
+    assert methods.steps_to(results, "3 bins", 10.0).tolist() == [500.0, 500.0]
 
 
-def test_stored_runs() -> None:
-    """Ten seeds of each, by the code that is there."""
-    assert arms.STORED.is_current()
-    assert {label: len(arms.STORED.load().final(label)) for label in arms.ACTIONS} == dict.fromkeys(arms.ACTIONS, 10)
-
-
+@pytest.mark.slow
 def test_a_short_run_of_ppo() -> None:
     """Its policy can be drawn from, and the same seed draws the same."""
-    run = arms.trainer("continuous", 16_384)(16_384, seed=0)
+    run = ppo.trainer("continuous", 16_384)(16_384, seed=0)
     seen = np.zeros(7, np.float32)
-    actions = [Drawing(run.agent, seed)(seen).tolist() for seed in (0, 0, 1)]
+    actions = [methods.Drawing(run.agent, seed)(seen).tolist() for seed in (0, 0, 1)]
     assert actions[0] == actions[1] != actions[2]
-
-
-def test_the_live_run_of_ppo(capsys: pytest.CaptureFixture[str]) -> None:
-    """The cell asks for that run, and shows every fourth return after the first, both σ, and its drawn actions."""
-    run = SimpleNamespace(
-        training_returns=np.arange(11.0),
-        agent=SimpleNamespace(log_std=SimpleNamespace(exp=lambda: np.array([0.3, 0.2]))),
-    )
-    asked: list[Any] = []
-
-    def trainer(label: str, n_steps: int) -> Any:
-        def started(*arguments: int, **how: int) -> Any:
-            asked.append((arguments, how))
-            return run
-
-        asked.append((label, n_steps))
-        return started
-
-    lesson = SimpleNamespace(trainer=trainer, Drawing=lambda agent: ("drawing", agent is run.agent))
-    cells = (cell.source for cell in build.read_lesson(NOTEBOOKS["continuous_actions"]).cells)
-    cell = next(source for source in cells if "arms.trainer(" in source)
-    exec(cell, {"arms": lesson, "np": np, "frames": lambda *film, **how: asked.append((film, how))})
-    assert asked == [
-        ("continuous", 262_144),
-        ((262_144,), {"seed": 3}),
-        (("Trashbot", ("drawing", True)), {"max_steps": 40}),
-    ]
-    shown, spread = capsys.readouterr().out.splitlines()
-    assert shown == "return with drawn actions: 1.0, 5.0, 9.0"
-    assert spread == "σ of the shoulder 0.30, of the elbow 0.20; both were 0.61 at first"
 
 
 def test_the_mean_of_a_policy_in_bins_is_its_likeliest_action() -> None:
@@ -147,8 +106,25 @@ def test_the_mean_of_a_policy_in_bins_is_its_likeliest_action() -> None:
 
     The first update changes nothing, since the baseline is the first reward.
     """
-    found = arms.climb_in_bins(2, n_updates=300, n_runs=50, pays=lambda a: np.where(a > 0, 1.0, 0.0))
+    found = release.climb_in_bins(2, n_updates=300, n_runs=50, pays=lambda a: np.where(a > 0, 1.0, 0.0))
     assert found.means.shape == (301, 50)
     assert (found.means[:2] == -3.0).all()
     assert (found.means[-20:] == 3.0).all()
     assert 0.8 < found.values[-20:].mean() < 1.0
+
+
+def test_continuous_actions() -> None:
+    """Steps to a return of 3.5, and the late returns: the mean of the last five points."""
+    three, five, nine = ({0: 0.0, step: 3.5, 60: 4.0, 70: 4.0, 80: 4.0, 90: 4.0, 100: 4.0} for step in (10, 20, 50))
+    curves = {"3 bins": [three, three], "5 bins": [five, five], "9 bins": [nine, nine]}
+    fast: dict[int, float] = {0: 0.0, 10: 3.49, 30: 3.6, 60: 4.3, 70: 4.3, 80: 4.3, 90: 4.3, 100: 4.3}
+    curves[ppo.CONTINUOUS] = [
+        fast,
+        {step: value + 0.02 * (step > 50) for step, value in fast.items()},
+    ]
+    narrow = {
+        method: [{step: value - shift for step, value in run.items()} for run in runs]
+        for (method, runs), shift in zip(curves.items(), (4.0, 1.0, 0.0, 2.0), strict=True)
+    }
+    claims = experiments.learning_claims(made_up(curves, 100), made_up(narrow, 100))
+    assert measured(claims) == [0.0, 0.5, -10.0, -30.0, -20.0, 0.0, -1.0, -2.0]

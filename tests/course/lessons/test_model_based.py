@@ -15,66 +15,19 @@ from edugym.agents.prioritised_sweeping import PrioritisedSweeping
 from edugym.agents.tabular_model import TabularModel
 from edugym.envs.supermarket import Supermarket
 from edugym.exact.value_iteration import value_iteration
-from edugym.experiments.figures import Sheet
-from edugym_course.lessons.model_based import (
-    DYNA_10,
-    GIVEN,
-    LEARNED,
-    LOST,
-    OPTIMUM,
-    Q_LEARNING,
-    R_MAX,
-    REMEDIES,
-    SWEEPING,
-    Clock,
-    Close,
-    FloorMap,
-    Knowledge,
-    best_by_what_was_seen,
-    compare,
-    compare_planners,
-    difference,
-    dynamic_programming,
-    early,
-    exact_model,
-    follow_plan,
-    items_found,
-    look_ahead,
-    look_ahead_lines,
-    make,
-    race,
-    random_walk,
-    spreading,
-    steps_to,
-    targets_computed,
-    used_and_seen,
-    warm_up,
-    who_knows_the_way,
-    wrong_plan,
-)
-from edugym_course.lessons.model_based.figures import OWN, STROKES, strokes_of
-from edugym_course.lessons.model_based.maps import after_walk
-from edugym_course.lessons.model_based.methods import CountingSweeping
-from tests.course.lessons.figures import check_legends
-from tests.course.lessons.made_up import finals
+from edugym_course.lessons.model_based import experiments, figures, maps, methods, plans
+from tests.course.lessons.made_up import finals, made_up, measured
 
 
 def test_plans() -> None:
     """A plan with the right model is the best way; with large errors some plan never ends, most of them at a wall."""
-    best = follow_plan(0.0, 3)
+    best = plans.follow_plan(0.0, 3)
     assert best.ends
-    assert best.total == OPTIMUM == value_iteration(exact_model()).start
-    wrong = [follow_plan(1.5, seed) for seed in range(12)]
+    assert best.total == methods.OPTIMUM == value_iteration(methods.exact_model()).start
+    wrong = [plans.follow_plan(1.5, seed) for seed in range(12)]
     assert any(plan.bumps for plan in wrong)
-    assert all(plan.total <= OPTIMUM for plan in wrong)
+    assert all(plan.total <= methods.OPTIMUM for plan in wrong)
     assert not any(plan.ends for plan in wrong if plan.bumps)
-
-
-def test_layouts_differ_and_repeat() -> None:
-    """The errors belong to the layout."""
-    totals = [follow_plan(1.0, seed).total for seed in range(30)]
-    assert len(set(totals)) > 1
-    assert totals[:3] == [follow_plan(1.0, seed).total for seed in range(3)]
 
 
 def test_a_policy_that_ends_returns_more_than_lost() -> None:
@@ -82,87 +35,96 @@ def test_a_policy_that_ends_returns_more_than_lost() -> None:
 
     (A way passes through at most 4 of the 8 bags.)
     """
-    assert -len(exact_model().states) / 2 > LOST > -500.0
+    assert -len(methods.exact_model().states) / 2 > methods.LOST > -500.0
 
 
 def test_a_given_model_needs_no_experience() -> None:
     """Planned to the end before the first step; with a learned model one step teaches next to nothing."""
-    methods = {
-        kind: partial(make, PrioritisedSweeping, given=kind == "given", planning_steps=np.inf)
+    makers = {
+        kind: partial(methods.make, PrioritisedSweeping, given=kind == "given", planning_steps=np.inf)
         for kind in ("given", "learned")
     }
-    results = compare(methods, n_steps=1, repetitions=2)
-    assert results.final("given").tolist() == [OPTIMUM, OPTIMUM]
-    assert (results.final("learned") < OPTIMUM).all()
+    results = methods.compare(makers, n_steps=1, repetitions=2)
+    assert results.final("given").tolist() == [methods.OPTIMUM, methods.OPTIMUM]
+    assert (results.final("learned") < methods.OPTIMUM).all()
 
 
+@pytest.mark.slow
 def test_without_planning_dyna_has_no_head_start() -> None:
     """Negative control of the speed: with no updates it learns at the pace of Q-learning, which ten updates beat."""
-    methods = {"none": partial(make, DynaQ, planning_steps=0), DYNA_10: partial(make, DynaQ, planning_steps=10)}
-    results = compare(methods, n_steps=4_000, repetitions=10, seed=2)
-    assert early(results, "none").mean() < -200.0 < early(results, DYNA_10).mean()
+    updates = {"none": 0, methods.DYNA_10: 10}
+    makers = {label: partial(methods.make, DynaQ, planning_steps=n) for label, n in updates.items()}
+    results = methods.compare(makers, n_steps=4_000, repetitions=10, seed=2)
+    assert experiments.early(results, "none").mean() < -200.0 < experiments.early(results, methods.DYNA_10).mean()
 
 
 def test_a_plan_keeps_its_path() -> None:
     """From the entrance to the exit with all items; a bump ends where it was."""
-    best = follow_plan(0.0, 0)
+    best = plans.follow_plan(0.0, 0)
     assert len(best.path) == 31
     assert (best.path[0], best.path[-1]) == (8, 80 * 9 + 8 * 8 + 7)
-    lost = next(plan for plan in (follow_plan(1.5, seed) for seed in range(12)) if plan.bumps)
+    lost = next(plan for plan in (plans.follow_plan(1.5, seed) for seed in range(12)) if plan.bumps)
     assert lost.path[-1] == lost.path[-2]
 
 
 def test_planning_to_act() -> None:
     """With the optimal values no look ahead is needed; with none it must see the next reward."""
-    values = value_iteration(exact_model(), 0.99).table()
-    assert look_ahead(np.nan_to_num(values), 0) == OPTIMUM
-    assert look_ahead(None, 7) == -500.0
-    assert look_ahead(None, 12) == OPTIMUM
+    values = value_iteration(methods.exact_model(), 0.99).table()
+    assert plans.look_ahead(np.nan_to_num(values), 0) == methods.OPTIMUM
+    assert plans.look_ahead(None, 7) == -500.0
+    assert plans.look_ahead(None, 12) == methods.OPTIMUM
 
 
 def test_the_walk_of_the_maps() -> None:
     """It leaves with an empty bag, and 200 updates in the right places are enough to know the way."""
-    walk = random_walk()
+    walk = maps.random_walk()
     assert len(walk) == 518
     assert all(step[3] % 8 == 0 for step in walk)
     assert [step[4] for step in walk] == [False] * 517 + [True]
-    assert who_knows_the_way(0) == ()
-    assert who_knows_the_way(200) == ("prioritised sweeping",)
-    assert np.nanmax(after_walk(DynaQ, 0)) == 49.0
-    assert np.isnan(FloorMap(after_walk(DynaQ, 0)).values()[7, 2])  # the blue item was never seen
+    assert maps.who_knows_the_way(0) == ()
+    assert maps.who_knows_the_way(200) == ("prioritised sweeping",)
+    assert np.nanmax(maps.after_walk(DynaQ, 0)) == 49.0
+    assert np.isnan(maps.FloorMap(maps.after_walk(DynaQ, 0)).values()[7, 2])  # the blue item was never seen
 
 
+@pytest.mark.slow
 def test_planning_invents_no_knowledge() -> None:
     """Perfect planning makes nothing more of what planners have seen, and something more of what Q-learning has."""
-    results = compare({label: LEARNED[label] for label in (Q_LEARNING, DYNA_10, R_MAX)}, repetitions=20, seed=4)
-    known = used_and_seen(results)
+    results = methods.compare(
+        {label: methods.LEARNED[label] for label in (methods.Q_LEARNING, methods.DYNA_10, methods.R_MAX)},
+        repetitions=20,
+        seed=4,
+    )
+    known = plans.used_and_seen(results)
     for policy, seen in known.values():
         assert (seen >= policy).mean() > 0.9  # the best by discounted returns
-    assert known[DYNA_10][1].mean() - known[DYNA_10][0].mean() < 1.0
-    assert known[Q_LEARNING][1].mean() > known[Q_LEARNING][0].mean()
-    assert items_found(results, R_MAX).tolist() == [1.0, 1.0, 1.0]
-    assert best_by_what_was_seen(DynaQ.create((800, 4))) == -500.0
+    assert known[methods.DYNA_10][1].mean() - known[methods.DYNA_10][0].mean() < 1.0
+    assert known[methods.Q_LEARNING][1].mean() > known[methods.Q_LEARNING][0].mean()
+    assert plans.items_found(results, methods.R_MAX).tolist() == [1.0, 1.0, 1.0]
+    assert plans.best_by_what_was_seen(DynaQ.create((800, 4))) == -500.0
 
 
 def test_the_clock() -> None:
     """A step takes as long as the world or as its targets need, whichever is longer."""
-    methods = {label: LEARNED[label] for label in (Q_LEARNING, DYNA_10, SWEEPING)}
-    results = compare(methods, n_steps=2_000, repetitions=4)
-    targets = targets_computed(results)
-    clock = Clock(results, targets, step_ms=0.05, target_us=10.0)
-    assert clock.seconds(Q_LEARNING)[-1] == pytest.approx([2_000 * 5e-5] * 4)
-    assert clock.seconds(DYNA_10)[[0, 1]] == pytest.approx(np.array([[0.0] * 4, [50 * 1.1e-4] * 4]))
-    assert clock.seconds(SWEEPING)[-1] == pytest.approx(np.maximum(targets[SWEEPING] * 1e-5, 5e-5).sum(axis=1))
-    assert steps_to(results, DYNA_10, 1_000.0) == clock.seconds_to(DYNA_10, 1_000.0) == math.inf
-    assert steps_to(results, DYNA_10, -600.0) == clock.seconds_to(DYNA_10, -600.0) == 0.0
+    makers = {label: methods.LEARNED[label] for label in (methods.Q_LEARNING, methods.DYNA_10, methods.SWEEPING)}
+    results = methods.compare(makers, n_steps=2_000, repetitions=4)
+    targets = methods.targets_computed(results)
+    clock = figures.Clock(results, targets, step_ms=0.05, target_us=10.0)
+    assert clock.seconds(methods.Q_LEARNING)[-1] == pytest.approx([2_000 * 5e-5] * 4)
+    assert clock.seconds(methods.DYNA_10)[[0, 1]] == pytest.approx(np.array([[0.0] * 4, [50 * 1.1e-4] * 4]))
+    assert clock.seconds(methods.SWEEPING)[-1] == pytest.approx(
+        np.maximum(targets[methods.SWEEPING] * 1e-5, 5e-5).sum(axis=1)
+    )
+    assert figures.steps_to(results, methods.DYNA_10, 1_000.0) == clock.seconds_to(methods.DYNA_10, 1_000.0) == math.inf
+    assert figures.steps_to(results, methods.DYNA_10, -600.0) == clock.seconds_to(methods.DYNA_10, -600.0) == 0.0
 
 
 def test_each_run_has_a_clock_of_its_own() -> None:
     """Of two runs the fast one learns from second 10 to 20, the slow one nothing: from second 20 on the mean is 50."""
     curves = pd.DataFrame({0: [0.0, 0.0, 100.0], 1: [0.0, 0.0, 0.0]}, index=[0, 10, 20])
     results: Any = SimpleNamespace(curves=lambda method: curves)
-    targets = {SWEEPING: np.array([[1] * 20, [10] * 20])}
-    moments, returns = Clock(results, targets, step_ms=0.0, target_us=1e6).mean(SWEEPING)
+    targets = {methods.SWEEPING: np.array([[1] * 20, [10] * 20])}
+    moments, returns = figures.Clock(results, targets, step_ms=0.0, target_us=1e6).mean(methods.SWEEPING)
     assert moments[[0, -1]] == pytest.approx([10.0, 200.0])
     assert np.interp([15.0, 20.0, 100.0, 200.0], moments, returns) == pytest.approx([25.0, 50.0, 50.0, 50.0], abs=1.0)
 
@@ -170,10 +132,10 @@ def test_each_run_has_a_clock_of_its_own() -> None:
 def test_the_targets_of_prioritised_sweeping() -> None:
     """What counts them learns the same; priorities count, and with an empty queue one target a step is left."""
     how: dict[str, Any] = {"n_steps": 2_000, "repetitions": 3}
-    results = compare({SWEEPING: LEARNED[SWEEPING]}, **how)
-    counting = compare({SWEEPING: partial(CountingSweeping.create, n_steps=2_000)}, **how)
-    assert counting.curves(SWEEPING).equals(results.curves(SWEEPING))
-    targets = targets_computed(results)[SWEEPING]
+    results = methods.compare({methods.SWEEPING: methods.LEARNED[methods.SWEEPING]}, **how)
+    counting = methods.compare({methods.SWEEPING: partial(methods.CountingSweeping.create, n_steps=2_000)}, **how)
+    assert counting.curves(methods.SWEEPING).equals(results.curves(methods.SWEEPING))
+    targets = methods.targets_computed(results)[methods.SWEEPING]
     assert targets.shape == (3, 2_000)
     assert targets.min() == 1
     assert targets[:, :500].sum(axis=1).min() > 1_000
@@ -190,7 +152,7 @@ def test_the_count_is_that_of_the_code(monkeypatch: pytest.MonkeyPatch) -> None:
         return expected_target(self, *rest)
 
     shop, rng = Supermarket.create(), np.random.default_rng(0)
-    agent = CountingSweeping.create(shop, 600)
+    agent = methods.CountingSweeping.create(shop, 600)
     monkeypatch.setattr(TabularModel, "expected_target", counted)
     state = shop.initial(rng)
     for _ in range(600):
@@ -206,41 +168,14 @@ def test_the_count_is_that_of_the_code(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_difference_is_paired_by_the_runs_of_both(runs: int, others: int, mean: float) -> None:
     """Of 1, 4, 9 and 20 less 0, 0, 2 and 4; the first result comes first."""
     one, other = finals({"a": [1.0, 4.0, 9.0, 20.0][:runs]}), finals({"b": [0.0, 0.0, 2.0, 4.0][:others]})
-    found = difference(one, "a", other, "b")
+    found = experiments.difference(one, "a", other, "b")
     assert (found.estimate, found.n) == (mean, min(runs, others))
-
-
-def test_methods_keep_their_colours() -> None:
-    """Whatever else is in a figure; each of a reader's own has another one."""
-    assert strokes_of(["Dyna-30"])["Dyna-30"] == strokes_of(LEARNED)[DYNA_10]
-    methods = {*LEARNED, *GIVEN}
-    looks = strokes_of([*LEARNED, *GIVEN, "mine", "Dyna-Q+", "Dyna-30", "last"])
-    assert len({look["color"] for look in looks.values()}) == len(methods) + len(OWN) == len(looks)
-    assert methods <= {*STROKES}
-    assert len({look["color"] for look in strokes_of([DYNA_10, *REMEDIES]).values()}) == 1 + len(REMEDIES)
 
 
 def test_thirty_sweeps_are_enough() -> None:
     """As the lesson says: with an empty bag, and with any other."""
-    after_30, at_last = (value_iteration(exact_model(), 0.99, horizon=sweeps).V for sweeps in (30, 200))
+    after_30, at_last = (value_iteration(methods.exact_model(), 0.99, horizon=sweeps).V for sweeps in (30, 200))
     assert np.allclose(after_30, at_last)
-
-
-def test_figures_are_drawn() -> None:
-    """Each of them, from few runs; the warm-up trains what they need."""
-    warm_up()
-    results = compare_planners(4, 0.1, 1.0, 0.99, n_steps=400, repetitions=2)
-    assert results.methods == [Q_LEARNING, "Dyna-4", "prioritised sweeping"]
-    for sheet in (
-        spreading(20),
-        dynamic_programming((1, 2)),
-        wrong_plan(1.5, 0),
-        Sheet("one", [[Knowledge(used_and_seen(results)), Clock(results, targets_computed(results), 1.0, 1.0)]]),
-        Sheet("two", [[look_ahead_lines(results, (0, 1)), Close(look_ahead_lines(results, (0, 1)), (50.0, 100.0))]]),
-        race({"mine": lambda shop: DynaQ.create(shop)}, 2, n_steps=400),
-    ):
-        assert sheet._repr_png_()[:4] == b"\x89PNG"
-        check_legends(sheet)
 
 
 def test_arrows_where_something_is_known() -> None:
@@ -248,6 +183,68 @@ def test_arrows_where_something_is_known() -> None:
     Q = np.full((800, 4), np.nan)
     Q[[8 * 5, 80 * 3 + 8 * 4, 80 * 6 + 8 * 2]] = 1.0  # in the row of the entrance, and in two others
     Q[80 * 7] = -1.0
-    axes = FloorMap(Q, arrows=True).draw()
+    axes = maps.FloorMap(Q, arrows=True).draw()
     arrows = [text for text in axes.texts if isinstance(text, Annotation)]
     assert [(round(arrow.xy[0]), round(arrow.xy[1])) for arrow in arrows] == [(4, 3), (2, 6)]
+
+
+def test_model_based() -> None:
+    """Shares of runs with 95 after 2000 steps and at the end, and of those that lose less than 50."""
+    early = methods.EARLY
+    names = methods.Q_LEARNING, methods.DYNA_10, methods.DYNA_50, methods.SWEEPING, methods.R_MAX
+    shares = {method: k / 4 for k, method in enumerate(names)}
+    learned = made_up(
+        {
+            method: [{early: 95.0 if i < 4 * share else 94.0, 10_000: 0.0} for i in range(4)]
+            for method, share in shares.items()
+        },
+        10_000,
+    )
+    random, decaying = methods.REMEDIES
+    remedied = finals({methods.DYNA_10: [10.0, 10.0], random: [15.0, 15.0], decaying: [20.0, 40.0]})
+    assert measured(experiments.remedy_claims(learned, remedied)) == [20.0, 5.0, 1.0, 0.0, 0.25, 0.5, 0.75]
+    right = finals({methods.SWEEPING: [95.0, 94.0], methods.DYNA_10: [95.0, 95.0]})
+    assert measured(experiments.given_claims(right, right)) == [0.5, 1.0]
+
+
+def test_model_based_by_what_was_seen() -> None:
+    """Who has tried everything can plan for 95, who has tried nothing never ends; one Dyna-10 of four tried all."""
+    everything, nothing = SimpleNamespace(known=np.ones((800, 4))), SimpleNamespace(known=np.zeros((800, 4)))
+    many = {methods.Q_LEARNING: 4, methods.DYNA_10: 1, methods.DYNA_50: 2, methods.SWEEPING: 0}
+    tried = {method: [everything] * k + [nothing] * (4 - k) for method, k in many.items()}
+    learned = made_up({method: [{10: 2.0**k}] * 4 for k, method in enumerate(tried)}, agents=tried)
+    remedied = finals({[*methods.REMEDIES][1]: [50.0] * 5})
+    assert measured(experiments.end_claims(learned, remedied)) == [
+        1.0, 3.0, 7.0, -595.0 * 3 / 4, -595.0 / 2, -595.0, -46.0, -42.0,
+    ]  # fmt: skip
+
+
+def test_model_based_with_a_wrong_model() -> None:
+    """A loss of 50 is not less than 50; of plans the share is that of those that never end."""
+    names = (methods.SWEEPING, methods.DYNA_10, methods.SLOW_DYNA)
+    right = finals(dict(zip(names, ([95.0] * 2, [90.0] * 2, [95.0] * 2), strict=True)))
+    wrong = finals(dict(zip(names, ([-500.0] * 2, [-400.0] * 2, [46.0, 45.0]), strict=True)))
+    assert measured(experiments.noise_claims(right, wrong)) == [-595.0, -490.0, 0.5]
+    ends, bumps, walks = plans.Plan(95.0, False), plans.Plan(-500.0, True), plans.Plan(-500.0, False)
+    planned = {noise: [ends] * 4 for noise in methods.NOISES} | {
+        0.5: [ends, ends, ends, walks],
+        1.0: [ends, ends, bumps, walks],
+        1.5: [bumps, bumps, walks, ends, ends],
+    }
+    assert measured(experiments.plan_claims(planned)) == pytest.approx([0.25, 0.5, 0.6, 2 / 3], abs=1e-6)
+    assert [plans.Plan(total, False).ends for total in (-299.0, -300.0)] == [True, False]
+
+
+def test_items_that_were_found() -> None:
+    """Item 1 counts 4 in a state, item 2 counts 2 and item 3 counts 1; a run has found what it has acted with."""
+    tables = np.zeros((2, 800, 4))
+    tables[0, 8 * 50 + 4, 2] = tables[0, 8 * 20 + 6, 0] = tables[1, 8 * 30 + 4, 1] = 1.0
+    kinds = [
+        [SimpleNamespace(Q=-table) for table in tables],
+        [SimpleNamespace(Q=table, known=table) for table in tables],
+        [SimpleNamespace(Q=table, last=table) for table in tables],
+        [SimpleNamespace(Q=0 * table, model=SimpleNamespace(visits=table)) for table in tables],
+    ]
+    for agents in kinds:
+        results = made_up({"one": [{10: 0.0}] * 2}, agents={"one": agents})
+        assert plans.items_found(results, "one").tolist() == [1.0, 0.5, 0.0]

@@ -1,79 +1,51 @@
 """On- and off-policy learning on Roadrunner: the claims hold with other seeds than those the lesson shows."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
-from edugym import Results, finite_model, make_mdp
-from edugym.experiments.figures import Sheet
-from edugym_course.lessons import on_off_policy
-from edugym_course.lessons.on_off_policy import (
-    EXPECTED_SARSA,
-    FAST,
-    KINDS,
-    Q_LEARNING,
-    ROAD,
-    SARSA_,
-    best_run,
-    best_soft_return,
-    compare,
-    first_fall,
-    greedy_run,
-    in_the_plane,
-    mean_values,
-    online_lead,
-    share_lost,
-    shortfall_against_epsilon,
-    soft_return_of,
-    stopping_places,
-    switch,
-    switch_lines,
-)
-from edugym_course.lessons.on_off_policy.exact import deadly_actions
-from edugym_course.lessons.on_off_policy.methods import most_frequent, walk
-from tests.course.lessons.figures import check_legends
+from edugym.adapters.registration import make_mdp
+from edugym.agents.q_learning import QLearning
+from edugym.envs.roadrunner import Roadrunner
+from edugym.exact.model import finite_model
+from edugym.exact.value_iteration import value_iteration
+from edugym.experiments.results.tables import Results
+from edugym_course.lessons.on_off_policy import exact, experiments, figures, methods
+from tests.course.lessons.made_up import made_up, measured
 
 
 def test_exact_returns() -> None:
     """At ε = 0 the fast run returns -2 and the safe one -3; a soft policy is never better than the best one."""
     model = finite_model(make_mdp("Roadrunner"))
-    assert best_soft_return(model, 0.0) == -2.0
-    assert soft_return_of(model, 0.0, planned_for=0.1) == -3.0
+    assert exact.best_soft_return(model, 0.0) == -2.0
+    assert exact.soft_return_of(model, 0.0, planned_for=0.1) == -3.0
     for epsilon in (0.01, 0.05, 0.1):
-        best = best_soft_return(model, epsilon)
-        runs = [soft_return_of(model, epsilon, planned_for) for planned_for in (0.01, 0.1)]
+        best = exact.best_soft_return(model, epsilon)
+        runs = [exact.soft_return_of(model, epsilon, planned_for) for planned_for in (0.01, 0.1)]
         assert max(runs) <= best + 1e-9
         assert best == pytest.approx(max(runs), abs=0.05)
-    assert 0.03 < switch(model) < 0.05
+    assert 0.03 < exact.switch(model) < 0.05
 
 
 def test_without_exploring_nobody_pays_for_slips() -> None:
     """Negative control of the online lead: at ε = 0 there is none, and both find the optimum or no better."""
-    results = compare(epsilon=0.0, n_steps=4_000, repetitions=4, seed=3)
-    assert online_lead(results, SARSA_).estimate == pytest.approx(0.0, abs=0.5)
-    for method in (Q_LEARNING, SARSA_):
-        assert (results.final(method) == FAST).all()
-
-
-def test_stopping_places() -> None:
-    """A trained runner ends within the stop zone or at the edge."""
-    results = compare(epsilon=0.2, learning_rate=0.1, parameters={"stop_zone": 2}, n_steps=20_000, repetitions=3)
-    for method in (Q_LEARNING, SARSA_, EXPECTED_SARSA):
-        assert set(stopping_places(results, method, stop_zone=2)) <= {7, 8, 9}
-    assert np.mean(stopping_places(results, Q_LEARNING, stop_zone=2)) >= np.mean(
-        stopping_places(results, SARSA_, stop_zone=2)
-    )
+    results = methods.compare(epsilon=0.0, n_steps=4_000, repetitions=4, seed=3)
+    assert methods.online_lead(results, methods.SARSA_).estimate == pytest.approx(0.0, abs=0.5)
+    for method in (methods.Q_LEARNING, methods.SARSA_):
+        assert (results.final(method) == exact.FAST).all()
 
 
 def test_best_runs() -> None:
     """The fast run passes the state where one action of three is deadly, and the safe one does not."""
-    fast, safe = best_run(0.0), best_run(0.1)
+    fast, safe = exact.best_run(0.0), exact.best_run(0.1)
     assert [tuple(state) for state in fast] == [(0, 0), (1, 1), (3, 2), (6, 3), (9, 3)]
     assert len(safe) == 6
     assert tuple(safe[-2]) == (6, 2)
     second = [(0, 0), (1, 1), (3, 2), (4, 1), (6, 2), (9, 3)]
-    assert [tuple(state) for state in best_run(0.1, start=fast[2])] == second[2:]
-    assert [*in_the_plane().paths.values()] == [[*map(tuple, fast)], [*map(tuple, safe)], second]
-    deadly = deadly_actions(ROAD)
+    assert [tuple(state) for state in exact.best_run(0.1, start=fast[2])] == second[2:]
+    assert [*figures.in_the_plane().paths.values()] == [[*map(tuple, fast)], [*map(tuple, safe)], second]
+    deadly = exact.deadly_actions(exact.ROAD)
     assert deadly[3, 6] == 1
     assert deadly[2, 6] == 0
     assert deadly[3, 8] == 3
@@ -82,59 +54,81 @@ def test_best_runs() -> None:
 
 def test_share_lost() -> None:
     """Nobody is lost without slips. Of the safe runs nearly all losses are stalls at the start, ε/3."""
-    model = finite_model(ROAD)
-    assert share_lost(model, 0.0, 0.01) == share_lost(model, 0.0, 0.1) == 0.0
-    assert share_lost(model, 0.1, 0.01) == pytest.approx(0.068, abs=0.001)
-    assert share_lost(model, 0.1, 0.1) == pytest.approx(0.041, abs=0.001)
-    assert share_lost(model, 0.1, 0.1) > 0.1 / 3
+    model = finite_model(exact.ROAD)
+    assert exact.share_lost(model, 0.0, 0.01) == exact.share_lost(model, 0.0, 0.1) == 0.0
+    assert exact.share_lost(model, 0.1, 0.01) == pytest.approx(0.068, abs=0.001)
+    assert exact.share_lost(model, 0.1, 0.1) == pytest.approx(0.041, abs=0.001)
+    assert exact.share_lost(model, 0.1, 0.1) > 0.1 / 3
     with pytest.raises(ValueError, match="model must be that of a road, but is <model of Catch"):
-        share_lost(finite_model(make_mdp("Catch", observation_type="vectorised")), 0.1, 0.1)
+        exact.share_lost(finite_model(make_mdp("Catch", observation_type="vectorised")), 0.1, 0.1)
 
 
 @pytest.fixture(scope="module")
 def trained() -> Results:
     """The three methods, trained for a quarter of the lesson's steps."""
-    return compare(n_steps=50_000, repetitions=4, seed=5)
+    return methods.compare(n_steps=50_000, repetitions=4, seed=5)
 
 
 def test_runs_of_trained_agents(trained: Results) -> None:
     """Greedy runs are those of the text; a fall is found, and it ends beyond the edge."""
-    assert greedy_run(trained.agents[Q_LEARNING][0]) == best_run(0.0)
-    assert len(greedy_run(trained.agents[EXPECTED_SARSA][0])) == 6
-    actions, episodes = first_fall(trained.agents[Q_LEARNING][0])
-    state = ROAD.initial(np.random.default_rng(0))
+    assert methods.greedy_run(trained.agents[methods.Q_LEARNING][0]) == exact.best_run(0.0)
+    assert len(methods.greedy_run(trained.agents[methods.EXPECTED_SARSA][0])) == 6
+    actions, episodes = methods.first_fall(trained.agents[methods.Q_LEARNING][0])
+    state = exact.ROAD.initial(np.random.default_rng(0))
     for action in actions:
-        state = ROAD.transition(state, action, np.random.default_rng(0))
-    assert state.x == ROAD.size
+        state = exact.ROAD.transition(state, action, np.random.default_rng(0))
+    assert state.x == exact.ROAD.size
     assert episodes >= 1
-    slower, _, faster = mean_values(trained, Q_LEARNING, x=3, dx=2)
+    slower, _, faster = methods.mean_values(trained, methods.Q_LEARNING, x=3, dx=2)
     assert faster > slower
-
-
-def test_figures(trained: Results) -> None:
-    """They show the three methods in the same order, and draw."""
-    assert switch_lines(finite_model(ROAD)).change == pytest.approx(0.032, abs=0.001)
-    shortfall = shortfall_against_epsilon([0.05, 0.1], repetitions=2, n_steps=2_000)
-    assert [*shortfall.measured] == [*KINDS]
-    rates = on_off_policy.online_against_rate([0.03, 0.5], repetitions=2, n_steps=2_000)
-    sheets = [
-        on_off_policy.learning_curves(trained),
-        on_off_policy.learning_curves(trained, epsilon=None, title="ε falls"),
-        Sheet("more", [[in_the_plane(), switch_lines(finite_model(ROAD)), shortfall, rates]]),
-        on_off_policy.race({"mine": KINDS[SARSA_].create}, repetitions=2, n_steps=2_000),
-    ]
-    for sheet in sheets:
-        check_legends(sheet)
-        figure = sheet.draw()
-        assert all(ax.get_xlabel() for ax in figure.axes)
-    for panel in (in_the_plane(), shortfall):
-        ax = panel.draw()
-        assert ax.get_legend() is not None
 
 
 def test_another_cliff() -> None:
     """The walk begins in the lower left corner; the most frequent path is found."""
-    results = on_off_policy.compare_on_cliff(n_steps=600, repetitions=1)
-    assert walk(results.agents[Q_LEARNING][0], max_steps=5)[0] == (0, 3)
-    assert len(on_off_policy.cliff_figure(results).draw().axes) == 2
-    assert most_frequent([[(0, 0)], [(1, 1)], [(1, 1)]]) == [(1, 1)]
+    results = methods.compare_on_cliff(n_steps=600, repetitions=1)
+    assert methods.walk(results.agents[methods.Q_LEARNING][0], max_steps=5)[0] == (0, 3)
+    assert len(figures.cliff_figure(results).draw().axes) == 2
+    assert methods.most_frequent([[(0, 0)], [(1, 1)], [(1, 1)]]) == [(1, 1)]
+
+
+def test_on_off_policy_at_the_edge() -> None:
+    """Longer runs count only if they are the safe one; the lead is that of the second half of training."""
+    q, sarsa, expected = methods.KINDS
+    ends = {q: (-2.0, -3.0, -2.0, -2.0), sarsa: (-3.0, -2.0, -4.0, -3.0), expected: (-3.0, -3.0, -3.0, -100.0)}
+    edge = made_up({method: [{0: -50.0, 5: -60.0, 10: end} for end in returns] for method, returns in ends.items()})
+    leads = [-3.0 + 2.25, -27.25 + 2.25]
+    assert measured(experiments.edge_claims(edge)) == [0.75, 0.5, 0.75, *leads]
+
+
+def road(epsilon: float, **parameters: Any) -> QLearning:
+    """Return a runner who has learned what is best with such exploration; it never stands still on its way."""
+    task = Roadrunner.create(**parameters)
+    best = value_iteration(finite_model(task), epsilon=epsilon)
+    agent = QLearning.create(task)
+    for (x, speed), values in zip(best.model.states, best.Q, strict=True):
+        if speed >= 0:
+            agent.Q[x * (task.max_speed + 1) + speed] = values
+    return agent
+
+
+def test_on_off_policy_elsewhere() -> None:
+    """Every share counts the runs with the return that its claim names."""
+    q, sarsa, expected = methods.KINDS
+    ends = {q: [-2.0, -2.0, -3.0, -3.0], sarsa: [-3.0, -2.0, -4.0, -5.0], expected: [-2.0, -2.0, -2.0, -3.0]}
+    runs, cliff = (
+        made_up({method: [{0: 0.0, 5: 0.0, 10: end} for end in found] for method, found in of.items()})
+        for of in (ends, {q: [-13.0, -14.0], sarsa: [-15.0, -13.0], expected: [-15.0, -15.0]})
+    )
+    assert measured(experiments.condition_claims(runs, runs, runs, runs)) == [
+        -1.0, 0.25, 0.25, -1.0, 0.25, -1.0, 0.25, 0.75,
+    ]  # fmt: skip
+    ice = made_up({q: [{10: 0.0}] * 4}, agents={q: [road(0.1), road(0.1), road(0.1), road(0.0)]})
+    assert measured(experiments.other_cliff_claims(ice, cliff)) == [0.75, 0.5, 0.5, 1.0, -0.5, -1.5]
+
+
+def test_on_off_policy_in_the_zone() -> None:
+    """Where the greedy runs of agents end that have learned the best run with slips and without."""
+    q, sarsa, expected = methods.KINDS
+    bold, careful = road(0.0, stop_zone=2), road(0.2, stop_zone=2)
+    zone = made_up({method: [{10: 0.0}] for method in (q, sarsa, expected)}, agents={q: [bold], sarsa: [careful]})
+    assert measured(experiments.zone_claims(zone)) == [9.0, -1.0]

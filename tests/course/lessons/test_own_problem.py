@@ -12,31 +12,11 @@ import pytest
 from gymnasium.spaces import Discrete
 from rules import is_code
 
-from edugym import MDPEnv, finite_model, policy_evaluation, value_iteration
+from edugym import finite_model, policy_evaluation, value_iteration
 from edugym.experiments.results.statistics import mean_interval
 from edugym.experiments.results.tables import Results
 from edugym.rendering.ansi import to_text
-from edugym.rendering.icons import smiley
-from edugym.rendering.palette import ORANGE, PAPER, RED
-from edugym.rendering.shapes import Arc, Text
-from edugym_course.lessons import own_problem
-from edugym_course.lessons.own_problem import (
-    BEST_GUESS,
-    MEANT,
-    POTENTIAL,
-    TASKS,
-    WAKEFULNESS,
-    WAKINGS,
-    Morning,
-    WithBonus,
-    best_blind,
-    best_policy,
-    what_happens,
-)
-from edugym_course.lessons.own_problem.bedroom import clock
-from edugym_course.lessons.own_problem.everything import Tour
-from edugym_course.lessons.own_problem.exact import in_words, random_return, worth
-from edugym_course.lessons.own_problem.figures import PolicyMap, can_be_drawn, initials, names_of
+from edugym_course.lessons.own_problem import bedroom, everything, exact, experiments, figures, morning
 from tests.course.lessons.figures import check_legends
 
 
@@ -52,7 +32,7 @@ def test_the_lesson_writes_the_same_class() -> None:
             break
     variants: tuple[dict[str, Any], ...] = ({}, {"length": 5, "ring": 1.5, "late": 7.0})
     for fields in variants:
-        mine, theirs = (finite_model(kind(**fields)) for kind in (Morning, names["Morning"]))
+        mine, theirs = (finite_model(kind(**fields)) for kind in (morning.Morning, names["Morning"]))
         assert mine.states == theirs.states
         np.testing.assert_array_equal(mine.p, theirs.p)
         np.testing.assert_array_equal(mine.r, theirs.r)
@@ -60,52 +40,58 @@ def test_the_lesson_writes_the_same_class() -> None:
 
 def test_with_the_best_guess_nothing_is_left_to_learn() -> None:
     """Where the potential is v*, the reward of the best action is 0 in every state: v*(s) - φ(s)."""
-    shaped = value_iteration(finite_model(own_problem.REWARDS[BEST_GUESS]))
+    shaped = value_iteration(finite_model(experiments.REWARDS[exact.BEST_GUESS]))
     np.testing.assert_allclose(shaped.V, 0.0, atol=1e-9)
-    plain = value_iteration(finite_model(Morning()))
+    plain = value_iteration(finite_model(morning.Morning()))
     assert np.abs(plain.V).max() > 1
     assert np.array_equal(shaped.greedy_policy(), plain.greedy_policy())
 
 
 def test_what_happens_by_hand() -> None:
     """In silence nobody wakes; sleep is worth its depth; a single ring in the last step wakes her with 0.9."""
-    mdp, model = Morning(), finite_model(Morning())
-    silent = what_happens(mdp, np.eye(3)[np.zeros(len(model.states), int)])
+    mdp, model = morning.Morning(), finite_model(morning.Morning())
+    silent = exact.what_happens(mdp, np.eye(3)[np.zeros(len(model.states), int)])
     assert silent == pytest.approx((6.0, 80.0, 0.0, 0.0, 1.0))
     actions = np.array([2 if state[0] == 7 else 0 for state in model.states])
-    loud = what_happens(mdp, np.eye(3)[actions])
+    loud = exact.what_happens(mdp, np.eye(3)[actions])
     assert loud == pytest.approx((14 - 4 + 0.1 * (1 - 10), 71.0, 1.0, 0.9, 0.1))
 
 
 def test_rewards_teach() -> None:
     """The values that the lesson tells."""
-    nights = {label: what_happens(Morning(), best_policy(task)) for label, task in TASKS.items()}
-    assert nights[MEANT].late == pytest.approx(0.135, abs=5e-4)
-    assert nights[WAKEFULNESS].sleep == pytest.approx(18.6, abs=0.05)
-    assert nights[WAKINGS].wakings == pytest.approx(2.38, abs=5e-3)
-    assert nights[POTENTIAL] == pytest.approx(nights[MEANT])
-    tricks = [what_happens(Morning(), best_policy(WithBonus(Morning(), b))).wakings > 2 for b in (5.0, 6.0)]
+    nights = {
+        label: exact.what_happens(morning.Morning(), exact.best_policy(task))
+        for label, task in experiments.TASKS.items()
+    }
+    assert nights[exact.MEANT].late == pytest.approx(0.135, abs=5e-4)
+    assert nights[exact.WAKEFULNESS].sleep == pytest.approx(18.6, abs=0.05)
+    assert nights[exact.WAKINGS].wakings == pytest.approx(2.38, abs=5e-3)
+    assert nights[exact.POTENTIAL] == pytest.approx(nights[exact.MEANT])
+    tricks = [
+        exact.what_happens(morning.Morning(), exact.best_policy(morning.WithBonus(morning.Morning(), b))).wakings > 2
+        for b in (5.0, 6.0)
+    ]
     assert tricks == [False, True]
 
 
 def test_blind_clocks_are_the_best_of_all() -> None:
     """The search over fixed rules agrees with evaluating each by itself."""
-    mdp = Morning(length=3)
+    mdp = morning.Morning(length=3)
     model = finite_model(mdp)
     for part in (0, 1):
         returns = {}
         for actions in product(range(3), repeat=3):
             rule = np.array([actions[min(state[part], 2)] for state in model.states])
             returns[actions] = policy_evaluation(model, rule).start
-        value, actions = best_blind(mdp, itemgetter(part))
+        value, actions = exact.best_blind(mdp, itemgetter(part))
         assert value == pytest.approx(max(returns.values()))
         assert returns[actions] == pytest.approx(value)
 
 
 def test_roadrunner_gives_up() -> None:
     """With R = -1 it stalls at once; with -100 it runs."""
-    assert own_problem.first_stall(-1.0) == (-1.0, -1)
-    assert own_problem.first_stall(-100.0) == (-2.0, 1)
+    assert experiments.first_stall(-1.0) == (-1.0, -1)
+    assert experiments.first_stall(-100.0) == (-2.0, 1)
 
 
 class Queue(NamedTuple):
@@ -146,8 +132,8 @@ class Queue(NamedTuple):
 
 def test_a_problem_goes_through_everything() -> None:
     """It is checked, solved up to its step limit, learned, drawn and told in words."""
-    tour = own_problem.take_through_everything(Queue(), n_steps=2_000, repetitions=3)
-    assert random_return(Queue(), 12) == tour.random < tour.values.start
+    tour = everything.take_through_everything(Queue(), n_steps=2_000, repetitions=3)
+    assert exact.random_return(Queue(), 12) == tour.random < tour.values.start
     assert all((returns <= tour.values.start + 1e-9).all() for returns in tour.learned.values())
     words = str(tour)
     assert "States: 5, of which 0 are terminal. Actions: 0, 1." in words
@@ -160,7 +146,7 @@ def test_a_problem_goes_through_everything() -> None:
         check_legends(sheet)
     assert "state" in to_text(tour.picture)
     with pytest.raises(ValueError, match="mdp must be"):
-        own_problem.take_through_everything(3)
+        everything.take_through_everything(3)
 
 
 class Circle(Queue):
@@ -184,118 +170,59 @@ class Circle(Queue):
 
 def test_problems_whose_episodes_may_never_end() -> None:
     """A policy that walks in a circle is cut off; one that is paid for it is no problem."""
-    tour = own_problem.take_through_everything(Circle(), n_steps=300, repetitions=2)
+    tour = everything.take_through_everything(Circle(), n_steps=300, repetitions=2)
     assert tour.values.start == pytest.approx(-8.0)
     assert all((returns <= -8.0 + 1e-6).all() for returns in tour.learned.values())
     paid = type("Paid", (Circle,), {"__slots__": (), "reward": lambda self, s, a, n, rng: 1.0})
     with pytest.raises(ValueError, match="episodes of Paid may never end, and gather reward without limit"):
-        own_problem.take_through_everything(paid())
+        everything.take_through_everything(paid())
     endless = type("Endless", (Circle,), {"__slots__": (), "transition": lambda self, s, a, rng: 0})
     with pytest.raises(ValueError, match="no state of Endless is terminal"):
-        own_problem.take_through_everything(endless())
+        everything.take_through_everything(endless())
 
 
 def test_a_tour_in_words() -> None:
     """From each state half of the steps go on, and half of those by chance: 2 steps a state at best, 4 at random."""
-    tour = Tour(Circle(), own_problem.solve(Circle()), random_return(Circle()), Results(pd.DataFrame()), {})
+    tour = everything.Tour(Circle(), exact.solve(Circle()), exact.random_return(Circle()), Results(pd.DataFrame()), {})
     words = str(replace(tour, learned={"A": np.array([-9.0, -11.7]), "long label": np.array([-8.0, -8.0])}))
-    assert words.splitlines() == [
-        "Checked: 200 random steps of it are as they must be.",
-        "States: 5, of which 1 are terminal. Actions: 0, 1.",
-        "The dynamics are random.",
-        "Expected return of random actions: -16. Optimum: -8.",
-        "The best action in each state:",
-        *(f"           {state}: 1 (value {2 * state - 8})" for state in range(4)),
-        "What the agents' policies are worth in the end (mean over runs, 95 % interval):",
-        f"           A: {mean_interval([-9.0, -11.7])}",
-        f"  long label: {mean_interval([-8.0, -8.0])}",
-        "Look again: one action is best in every state, so there is nothing to decide.",
-    ]
-    told = in_words(tour.values, {0: "wait", 1: "go"}, most=3).splitlines()
-    assert (len(told), told[-1]) == (4, "... and 1 more")
-    assert len(in_words(tour.values, {0: "wait", 1: "go"}, most=4).splitlines()) == 4
-    far = replace(tour, learned={"A": np.array([-9.0, -11.9])})  # 30 % of the way from -8 to -16 is -10.4
-    assert str(far).splitlines()[-1].startswith("An agent is far from the optimum")
-    easy = replace(tour, random=-8.41, learned={})
-    assert "earns hardly more than random actions" not in str(easy)
-    assert "earns hardly more than random actions" in str(replace(easy, random=-8.39))
+    told = ["-16. Optimum: -8.", f"  long label: {mean_interval([-8.0, -8.0])}", "one action is best in every state"]
+    told += [f"{state}: 1 (value {2 * state - 8})" for state in range(4)]
+    assert [line for line in told if line not in words] == []
+    for most, lines in ((3, 4), (4, 4)):
+        assert len(exact.in_words(tour.values, {0: "wait", 1: "go"}, most=most).splitlines()) == lines
+    for learned, far in ((-11.7, False), (-11.9, True)):  # 30 % of the way from -8 to -16 is -10.4
+        said = str(replace(tour, learned={"A": np.array([-9.0, learned])}))
+        assert ("far from the optimum" in said) == far
+    for random, easy in ((-8.41, False), (-8.39, True)):
+        assert ("hardly more than random actions" in str(replace(tour, random=random))) == easy
     sure = type("Sure", (Circle,), {"__slots__": (), "transition": lambda self, s, a, rng: min(s + 1 + a, 4)})
-    assert "The dynamics are not random." in str(replace(tour, mdp=sure(), values=own_problem.solve(sure())))
+    assert "are not random." in str(replace(tour, mdp=sure(), values=exact.solve(sure())))
 
 
 def test_a_policy_that_walks_in_a_circle() -> None:
     """It is worth what it gets in a thousand steps; with a step limit, what it gets until then."""
     model = finite_model(Circle())
     idle = np.eye(2)[np.zeros(5, int)]
-    assert worth(model, idle, None) == -1_000.0
-    assert worth(model, idle, 7) == -7.0
+    assert exact.worth(model, idle, None) == -1_000.0
+    assert exact.worth(model, idle, 7) == -7.0
 
 
-def test_returns_that_are_too_large() -> None:
-    """Each reward is a finite number, but their sum is none."""
-    rich = type("Rich", (Queue,), {"__slots__": (), "reward": lambda self, s, a, n, rng: 1e308})
-    with pytest.raises(ValueError, match="the returns of Rich are too large to be computed: give smaller rewards"):
-        own_problem.take_through_everything(rich())
-
-
-def test_problems_without_a_decision_are_told() -> None:
-    """Where one action is always best, or nothing can be won."""
-    free = type("Free", (Queue,), {"__slots__": (), "reward": lambda self, s, a, n, rng: -1.0 * n})
-    said = str(own_problem.take_through_everything(free(), n_steps=200, repetitions=2))
-    assert "one action is best in every state" in said
-
-
-def test_figures() -> None:
-    """They draw, with names on every axis that has a meaning."""
-    values = own_problem.solve(Morning())
-    assert can_be_drawn(values)
-    assert names_of(Morning()) == ["stay quiet", "chime", "ring"]
-    assert initials(["up", "under"]) == ["0", "1"]
-    assert "(7, 2): ring (value -4.9)" in in_words(values, dict(enumerate(names_of(Morning()))))
-    for sheet in (own_problem.policies(TASKS), own_problem.weights_sheet(ring=1.0, late=3.0, bonus=2.0)):
-        assert all(ax.get_xlabel() == "time" for ax in sheet.draw().axes)
-        check_legends(sheet)
-    assert own_problem.morning_map(Morning()).draw().get_legend() is not None
-    assert [clock(time, 8) for time in (0, 8)] == ["7:10", "8:30"]
+def test_names() -> None:
+    """Of actions, of hours, and of what is seen in the bedroom."""
+    names = figures.names_of(morning.Morning())
+    assert names == ["stay quiet", "chime", "ring"]
+    assert figures.initials(["up", "under"]) == ["0", "1"]
+    assert "(7, 2): ring (value -4.9)" in exact.in_words(exact.solve(morning.Morning()), dict(enumerate(names)))
+    assert [bedroom.clock(time, 8) for time in (0, 8)] == ["7:10", "8:30"]
     for state, words in (((8, 1), "overslept"), ((8, 0), "in time"), ((3, 2), "fast asleep")):
-        assert words in to_text(Morning().scene(state, 2))
+        assert words in to_text(morning.Morning().scene(state, 2))
 
 
 def test_a_map_of_states_that_are_single_numbers() -> None:
     """They stand side by side, and there is nothing to read upwards."""
-    values = own_problem.solve(Circle())
-    assert can_be_drawn(values)
-    ax = PolicyMap(values, ["stay", "go"]).draw()
+    values = exact.solve(Circle())
+    assert figures.can_be_drawn(values)
+    ax = figures.PolicyMap(values, ["stay", "go"]).draw()
     assert [(text.get_position(), text.get_text()) for text in ax.texts] == [((x, 0), "g") for x in range(4)]
     assert (ax.get_xlim(), ax.get_ylim()) == ((-0.5, 3.5), (-0.5, 0.5))
     assert (ax.get_ylabel(), len(ax.get_yticks())) == ("", 0)
-
-
-def test_the_bedroom() -> None:
-    """A wave for a chime and three for a ring, a face that is glad when awake, deeper sleep, and a sun that rises."""
-    shapes: list[list[Any]] = [
-        [[*Morning().scene((time, depth), depth).shapes] for depth in (0, 1, 2)] for time in range(9)
-    ]
-    waves = [[s.colour for s in drawn if isinstance(s, Arc) and (s.x, s.y) == (9.4, 5.05)] for drawn in shapes[0]]
-    assert waves == [[], [ORANGE], [RED] * 3]
-    faces = [[*smiley(2.1, 4.0, 0.75)], *([*smiley(1.9, 4.75, 0.75, "flat")] for _ in range(2))]
-    assert [all(part in drawn for part in face) for face, drawn in zip(faces, shapes[0], strict=True)] == [True] * 3
-    letters = [[s.content for s in drawn if isinstance(s, Text) and s.content in ("z", "Z")] for drawn in shapes[0]]
-    assert letters == [[], ["z", "z"], ["Z", "Z", "Z"]]
-    suns = [s.y for drawn, *_ in shapes for s in drawn if getattr(s, "glyph", "") == "☼"]
-    assert suns == pytest.approx([3.35, 3.35, 3.35, 3.25, 3.0, 2.75, 2.5, 2.25, 2.0])
-    assert Morning().scene((0, 0)).background != Morning().scene((8, 0)).background == PAPER
-
-
-def test_the_film_shows_the_best_policy() -> None:
-    """A player acts on observations as Gymnasium gives them."""
-    env = MDPEnv(Morning())
-    seen, _ = env.reset(seed=1)
-    assert own_problem.player(Morning())(seen) == 0
-
-
-def test_every_reward_has_a_line() -> None:
-    """There are looks for five rewards; a sixth has the first look again."""
-    measured = {f"reward {i}": np.full((2, 3), float(i)) for i in range(6)}
-    ax = own_problem.Bands((1, 2), measured).draw()
-    assert [line.get_label() for line in ax.lines] == [*measured]

@@ -9,7 +9,7 @@ import pytest
 from edugym import EpsilonGreedy
 from edugym.training.run import Run
 from edugym.training.train import train
-from edugym_course.lessons import lesson_names, load_experiments
+from edugym_course.lessons import load_experiments
 
 DECAY = "ScheduledEpsilonGreedy(LinearDecay)"
 NETWORK = "DQN(Layers, Layers, Layers, Layers, Layers, ReplayMemory, {})"
@@ -71,6 +71,7 @@ TRAINED: dict[str, dict[str, list[str]]] = {
     },
 }  # fmt: skip
 """By lesson and task, the agents, each with the classes of what is inside; ε is `EpsilonGreedy`."""
+COMPILE_LONG = {"dimensionality", "memory", "signal", "continuous_actions", "model_based"}
 
 
 def kind(value: Any) -> str:
@@ -84,7 +85,9 @@ def kind(value: Any) -> str:
     return f"{name}({', '.join(inside)})" if inside else name
 
 
-@pytest.mark.parametrize("lesson", lesson_names())
+@pytest.mark.parametrize(
+    "lesson", [pytest.param(lesson, marks=[pytest.mark.slow] * (lesson in COMPILE_LONG)) for lesson in TRAINED]
+)
 def test_what_a_lesson_warms_up(lesson: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """All that is trained in it once, for a few steps."""
     found: dict[str, set[str]] = {}
@@ -95,7 +98,7 @@ def test_what_a_lesson_warms_up(lesson: str, monkeypatch: pytest.MonkeyPatch) ->
 
     experiments = load_experiments(lesson)
     for name, module in [*sys.modules.items()]:
-        if name.partition(".")[0] == "edugym" and vars(module).get("train") is train:
+        if name.startswith(("edugym.", "edugym_course.")) and vars(module).get("train") is train:
             monkeypatch.setattr(module, "train", noted)
     if hasattr(experiments, "warm_up"):
         experiments.warm_up()

@@ -27,6 +27,7 @@ from edugym.rendering.svg import to_svg
 from edugym.training.train import train
 from edugym_course.grading.challenge import Challenge
 from edugym_course.lessons import load_experiments
+from edugym_course.lessons.dimensionality import networks
 from edugym_course.notebook.prediction import Prediction
 from tests.course.lessons.drawn import drawn, numbers
 from tests.course.lessons.few_runs import ANY_RETURN, SOLVED_OR_NOT, few_runs, made_up_run, told
@@ -41,7 +42,7 @@ AT_LENGTH = {"exploration": (8, 50), "depth": (4, 1_500)}
 """How many runs there are, and for how many steps agents really train: in some lessons more, for claims on shares."""
 LEFT_OUT = (
     "importlib.util",  # installs the package
-    "arms.trainer(",  # trains a network
+    "ppo.trainer(",  # trains a network
     "best_return(0.1", "crossing_by_attitude()", "repetitions=24)", "play_at_random(env", "after=300",
 )  # fmt: skip
 """What is in the cells that are not run; the others in the list take seconds, and show what further cells show."""
@@ -55,13 +56,13 @@ def transcript(lesson: str) -> str:
     module = load_experiments(lesson)
     returns = RETURNS.get(lesson, ANY_RETURN)
     with warnings.catch_warnings(action="ignore"):
-        with short_training(module, returns, *AT_LENGTH.get(lesson, IN_SHORT)) as runs:
+        with short_training(returns, *AT_LENGTH.get(lesson, IN_SHORT)) as runs:
             report = module.report(repetitions=runs, seed=1, jobs=1)
         lines = [line for claim in report.claims for line in claimed(claim)]
         for sheet in report.figures:
             lines += drawn(sheet)
             check_legends(sheet)
-        with short_training(module, returns, *IN_SHORT):
+        with short_training(returns, *IN_SHORT):
             lines += shown_by_cells(NOTEBOOKS[lesson])
     return "\n".join(lines) + "\n"
 
@@ -77,7 +78,7 @@ def claimed(claim: Any) -> list[str]:
 
 
 @contextlib.contextmanager
-def short_training(lesson: Any, returns: tuple[float, float], runs: int, most: int) -> Iterator[int]:
+def short_training(returns: tuple[float, float], runs: int, most: int) -> Iterator[int]:
     """Let agents train for a few steps, in a few runs, with returns that depend on nothing but the arguments."""
     made_up = partial(made_up_run, returns=returns, most=most)
 
@@ -85,12 +86,13 @@ def short_training(lesson: Any, returns: tuple[float, float], runs: int, most: i
         return few_runs(*arguments, most=runs, **how | {"jobs": 1})
 
     with contextlib.ExitStack() as stack:
-        for module in [module for name, module in sys.modules.items() if name.partition(".")[0] == "edugym"]:
+        for module in [
+            module for name, module in sys.modules.items() if name.startswith(("edugym.", "edugym_course."))
+        ]:
             for name, real, instead in (("train", train, made_up), ("repeat", repeat, seldom)):
                 if vars(module).get(name) is real:
                     stack.enter_context(patch.object(module, name, instead))
-        if hasattr(lesson, "train_network"):
-            stack.enter_context(patch.object(lesson, "train_network", side_effect=ImportError))
+        stack.enter_context(patch.object(networks, "train_network", side_effect=ImportError))
         stack.enter_context(patch.object(Challenge, "score", scored))
         stack.enter_context(patch.object(Prediction, "measured", lambda _, value, *more: measured(value)))
         yield runs

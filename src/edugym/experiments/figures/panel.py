@@ -1,7 +1,10 @@
 """What a panel is: one set of axes with everything drawn on them."""
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple, Protocol
+from collections.abc import Callable, Sequence
+from functools import wraps
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
+
+from edugym.experiments.figures.style import add_legend, axes_or_new
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -45,3 +48,20 @@ class Panel(Protocol):
         Returns:
             The axes.
         """
+
+
+def on_axes(draw: Callable[[Any, "Axes"], None]) -> Callable[..., "Axes"]:
+    """Make the method `draw` of a panel from one that draws on the axes that it is given.
+
+    Without axes it draws in a new figure. A panel that is drawn by itself gets a legend if it labels anything.
+    """
+
+    @wraps(draw)
+    def drawn(self: Any, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
+        ax = axes_or_new(ax)
+        draw(self, ax)
+        if place.alone and ax.get_legend_handles_labels()[1]:
+            add_legend(ax)
+        return ax
+
+    return drawn

@@ -33,17 +33,23 @@ class Stroke(NamedTuple):
     linestyle: Any
 
 
+DEEP_BLUE, AMBER, TEAL, PINK, SKY_BLUE, VERMILION = "#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00"
+"""The colours of Okabe and Ito (2008), which readers with any colour vision can tell apart."""
+GREY, BROWN, PURPLE, BLACK = "#4d4d4d", "#8c510a", "#762a83", "#000000"
+"""Further colours, for more methods."""
+PALE_BLUE, PALE_AMBER, PALE_GREEN = "#8fb8de", "#f2c078", "#9fd3b6"
+"""Grounds on which text can be read."""
+
 STROKES = (
-    Stroke("#0072b2", "solid"),
-    Stroke("#e69f00", (0, (6, 1.5))),
-    Stroke("#009e73", (0, (2, 1))),
-    Stroke("#cc79a7", (0, (6, 1.5, 1.5, 1.5))),
-    Stroke("#56b4e9", "solid"),
-    Stroke("#d55e00", (0, (6, 1.5))),
-    Stroke("#4d4d4d", (0, (2, 1))),
+    Stroke(DEEP_BLUE, "solid"),
+    Stroke(AMBER, (0, (6, 1.5))),
+    Stroke(TEAL, (0, (2, 1))),
+    Stroke(PINK, (0, (6, 1.5, 1.5, 1.5))),
+    Stroke(SKY_BLUE, "solid"),
+    Stroke(VERMILION, (0, (6, 1.5))),
+    Stroke(GREY, (0, (2, 1))),
 )
-"""The strokes of the first, second, ... method. The colours are those of Okabe and Ito (2008), which readers with any
-colour vision can tell apart; the dashes distinguish them in black and white."""
+"""The strokes of the first, second, ... method; the dashes distinguish them in black and white."""
 
 REFERENCE: Mapping[str, Any] = MappingProxyType({"color": INK, "linewidth": 0.9, "linestyle": (0, (5, 3)), "zorder": 1})
 """The look of a line to compare with: the optimum, or what theory predicts."""

@@ -24,9 +24,9 @@ from edugym.agents.softmax import draw_action, follow_log_gradient, softmax
 from edugym.agents.tables import greedy_action
 from edugym.deep.ppo import clipped_gain
 from edugym.envs.trashbot.task import TrashbotInBins
-from edugym_course.lessons import continuous_actions as arms
-from edugym_course.notebook import frames, play, predict, sliders, source
 from edugym.experiments.figures import Sheet
+from edugym_course.lessons.continuous_actions import exact, figures, methods, ppo, release
+from edugym_course.notebook import frames, play, predict, sliders, source
 
 # %% [markdown]
 # ## Meet the environment: an arm, a box and a container
@@ -93,10 +93,10 @@ finer = predict("The best possible return is higher with ...", ["4 bins", "5 bin
 finer
 
 # %%
-display(arms.exact_figure())
-best = {n: arms.best_return(n) for n in arms.SHOWN_BINS}
+display(figures.exact_figure())
+best = {n: exact.best_return(n) for n in figures.SHOWN_BINS}
 for n, value in best.items():
-    print(f"{n} bins: {len(arms.deliveries(n).places):3} places, best return {value:.2f}")
+    print(f"{n} bins: {len(exact.deliveries(n).places):3} places, best return {value:.2f}")
 gap = best[5] - best[4]
 finer.measured("the same, up to 0.005" if abs(gap) <= 0.005 else "5 bins" if gap > 0 else "4 bins")
 
@@ -121,7 +121,7 @@ finer.measured("the same, up to 0.005" if abs(gap) <= 0.005 else "5 bins" if gap
 # %%
 def container(width=0.45):
     """Draw where the box can be let go in a container of this width."""
-    return arms.exact_figure(width, bins=(2, 3, 4, 5))
+    return figures.exact_figure(width, bins=(2, 3, 4, 5))
 
 
 sliders(container, width=(0.28, 0.6, 0.02))
@@ -204,7 +204,7 @@ source(follow_log_gradient)
 # the box. So it has 3.)
 
 # %%
-source(arms.in_a_table)
+source(methods.in_a_table)
 
 # %% [markdown]
 # ### Real numbers: a Gaussian policy
@@ -234,10 +234,10 @@ source(arms.in_a_table)
 # The policy gradient does not need one.
 
 # %%
-source(arms.scores)
+source(release.scores)
 
 # %%
-source(arms.estimates)
+source(release.estimates)
 
 # %% [markdown]
 # Let $J$ be the expected reward of this policy. Each of 100 000 actions gives one estimate of the slope of $J$ in
@@ -251,12 +251,12 @@ source(arms.estimates)
 
 # %%
 for mu, sigma in ((0.6, 0.5), (-0.8, 1.0), (0.1, 0.1)):
-    found = arms.estimates(mu, sigma, 100_000, baseline=1.0)
-    for of, exact, each in zip(("μ", "ln σ"), arms.slopes(mu, sigma), found, strict=True):
+    found = release.estimates(mu, sigma, 100_000, baseline=1.0)
+    for of, slope, each in zip(("μ", "ln σ"), release.slopes(mu, sigma), found, strict=True):
         error = 1.96 * each.std() / len(each) ** 0.5
         by_actions = f"from actions {each.mean():5.2f} ± {error:.2f}"
-        print(f"μ = {mu:4}, σ = {sigma}, slope in {of + ':':5} finite differences {exact:5.2f}, {by_actions}")
-display(arms.gradient_figure())
+        print(f"μ = {mu:4}, σ = {sigma}, slope in {of + ':':5} finite differences {slope:5.2f}, {by_actions}")
+display(figures.gradient_figure())
 
 # %% [markdown]
 # They agree. Move the sliders: when is the estimate good, and when is it wild?
@@ -265,7 +265,7 @@ display(arms.gradient_figure())
 # %%
 def gradient(mu=0.6, sigma=0.5, actions=1_000, b=0.0):
     """Draw a Gaussian policy, and the slope of J beside its estimate."""
-    return arms.gradient_figure(mu, sigma, actions, b)
+    return figures.gradient_figure(mu, sigma, actions, b)
 
 
 sliders(gradient, mu=(-2.0, 2.0, 0.1), sigma=(0.1, 1.5, 0.1), actions=[10, 100, 1_000, 10_000], b=(-2.0, 6.0, 0.5))
@@ -284,11 +284,11 @@ noise
 
 # %%
 policies = {"early: μ = 0.6, σ = 0.5": (0.6, 0.5), "late: μ = 0.1, σ = 0.1": (0.1, 0.1)}
-display(arms.noise_figure(policies))
+display(figures.noise_figure(policies))
 ratios = []
 for label, (mu, sigma) in policies.items():
-    J = arms.value(mu, sigma)
-    without, with_it = (arms.estimates(mu, sigma, 100_000, baseline=b)[0].std() for b in (0.0, J))
+    J = release.value(mu, sigma)
+    without, with_it = (release.estimates(mu, sigma, 100_000, baseline=b)[0].std() for b in (0.0, J))
     ratios.append(with_it / without)
     print(f"{label}: J = {J:.2f}, standard deviation {without:.1f} without a baseline, {with_it:.1f} with b = J")
 noise.measured("less than a tenth" if ratios[1] < 0.1 else "half as large" if ratios[1] < 0.75 else "the same")
@@ -310,9 +310,9 @@ noise.measured("less than a tenth" if ratios[1] < 0.1 else "half as large" if ra
 # 0.02 and 2.7. What if it keeps $\sigma$ at 0.2 or above?
 
 # %%
-display(arms.baseline_figure())
+display(figures.baseline_figure())
 for smallest in (0.02, 0.2):
-    outside = abs(arms.climb(baseline=False, smallest=smallest).means) > 1
+    outside = abs(release.climb(baseline=False, smallest=smallest).means) > 1
     left, end = outside.any(axis=0).sum(), outside[-1].sum()
     print(f"No baseline, σ at least {smallest}: {left} of 100 means leave the container, {end} are outside in the end")
 
@@ -329,7 +329,7 @@ for smallest in (0.02, 0.2):
 # %%
 def learn_to_release(mu=-0.8, sigma=1.0, alpha=0.01, baseline=True):
     """Draw a Gaussian policy while it learns."""
-    return arms.narrowing(mu, sigma, alpha, baseline)
+    return figures.narrowing(mu, sigma, alpha, baseline)
 
 
 sliders(learn_to_release, mu=(-2.0, 2.0, 0.1), sigma=(0.1, 2.0, 0.1), alpha=(0.005, 0.1, 0.005), baseline=True)
@@ -391,9 +391,9 @@ first = predict("The first to reach a return of 3.5:", ["3 bins", "5 bins", "9 b
 first
 
 # %%
-learned = arms.learn_all(repetitions=20, jobs=2)
-display(Sheet("learning", [[arms.curves(learned, "table and tiles")]]))
-soon = {label: arms.steps_to(learned, label, 3.5).mean() for label in learned.methods}
+learned = methods.learn_all(repetitions=20, jobs=2)
+display(Sheet("learning", [[figures.curves(learned, "table and tiles")]]))
+soon = {label: methods.steps_to(learned, label, 3.5).mean() for label in learned.methods}
 for label in learned.methods:
     end = learned.late(label).mean()
     print(f"{label:10}: {soon[label]:6.0f} steps to 3.5 (mean), return {end:.2f} (mean of the last five points)")
@@ -414,7 +414,7 @@ first.measured(min(soon, key=soon.get))
 # Watch both at work: three bins, and the continuous agent. (The films step with the slider or the button.)
 
 # %%
-frames(arms.in_a_table(3), learned.agents["3 bins"][0], max_steps=40)
+frames(methods.in_a_table(3), learned.agents["3 bins"][0], max_steps=40)
 
 # %%
 frames("Trashbot", learned.agents["continuous"][0], max_steps=40)
@@ -438,7 +438,7 @@ frames("Trashbot", learned.agents["continuous"][0], max_steps=40)
 # %%
 def one_setting(bins=5, cells=30, alpha=0.4, sigma=0.5, actor_rate=0.02, gamma=0.99, width=0.45):
     """Draw learning curves with these settings."""
-    return arms.one_setting(bins, cells, alpha=alpha, sigma=sigma, actor_rate=actor_rate, gamma=gamma, width=width)
+    return figures.one_setting(bins, cells, alpha=alpha, sigma=sigma, actor_rate=actor_rate, gamma=gamma, width=width)
 
 
 sliders(
@@ -459,7 +459,7 @@ sliders(
 # The orange line is the way of the wrist in a greedy episode, from the box on the left to the container on the right.
 
 # %%
-arms.maps(learned.agents["5 bins"][0], learned.agents["continuous"][0])
+figures.maps(learned.agents["5 bins"][0], learned.agents["continuous"][0])
 
 # %% [markdown]
 # Both have learned a corridor of good places. The table knows each cell for itself, and knows nothing of a cell where
@@ -505,9 +505,9 @@ slower = predict(
 slower
 
 # %%
-stored = arms.STORED.load()
-display(arms.ppo_figure(stored))
-steps = {label: arms.steps_to(stored, label, 3.0, "training_return") for label in stored.methods}
+stored = ppo.STORED.load()
+display(figures.ppo_figure(stored))
+steps = {label: methods.steps_to(stored, label, 3.0, "training_return") for label in stored.methods}
 for label in stored.methods:
     drawn, likeliest = stored.late(label, column="training_return"), stored.final(label)
     print(f"{label:10}: {steps[label].mean():6.0f} steps to 3, return at the end {drawn.mean():.2f} (means, drawn)")
@@ -543,11 +543,11 @@ slower.measured(more if difference.low > 0 else fewer if difference.high < 0 els
 # One seed live, with real numbers and 262 144 steps, in some seconds. Then a film in which it draws its actions.
 
 # %%
-run = arms.trainer("continuous", 262_144)(262_144, seed=3)
+run = ppo.trainer("continuous", 262_144)(262_144, seed=3)
 print("return with drawn actions:", ", ".join(f"{value:.1f}" for value in run.training_returns[1::4]))
 spread = run.agent.log_std.exp().tolist()
 print(f"σ of the shoulder {spread[0]:.2f}, of the elbow {spread[1]:.2f}; both were {np.exp(-0.5):.2f} at first")
-frames("Trashbot", arms.Drawing(run.agent), max_steps=40)
+frames("Trashbot", methods.Drawing(run.agent), max_steps=40)
 
 # %% [markdown]
 # ### A narrower container
@@ -560,8 +560,8 @@ narrow = predict("In the narrower container more return is lost by ...", ["3 bin
 narrow
 
 # %%
-tight = arms.learn_all((3,), width=0.4, repetitions=20, jobs=2)
-display(Sheet("narrow", [[arms.curves(tight, "a container 0.4 wide", width=0.4)]]))
+tight = methods.learn_all((3,), width=0.4, repetitions=20, jobs=2)
+display(Sheet("narrow", [[figures.curves(tight, "a container 0.4 wide", width=0.4)]]))
 loss = {}
 for label in tight.methods:
     wide, small = learned.late(label).mean(), tight.late(label).mean()
@@ -598,7 +598,7 @@ rich = predict("Gaussian policies at the rich container, of 100:", ["fewer than 
 rich
 
 # %%
-figure, found = arms.peaks()
+figure, found = figures.peaks()
 display(figure)
 for label, share in found.items():
     print(f"{label}: {share:.0%} at the rich container")
@@ -621,7 +621,7 @@ rich.measured("fewer than 10" if share < 0.1 else "10 to 90" if share <= 0.9 els
 # %%
 def two_containers(mu=-1.0, sigma=0.5, bins=10):
     """Draw policies of both kinds where there are two containers."""
-    return arms.peaks(mu, sigma, bins)[0]
+    return figures.peaks(mu, sigma, bins)[0]
 
 
 sliders(two_containers, mu=(-2.0, 3.0, 0.25), sigma=(0.25, 2.5, 0.25), bins=(3, 25))
@@ -655,7 +655,7 @@ print(
     f"{before.episodes.sum()} episodes, {np.nansum(before.training_returns * before.episodes):.0f} of them at the goal"
 )
 print("largest preference:", np.abs(beginner.preferences).max())
-display(arms.lake_figure(arms.frozen_lake(6_000, repetitions=5)))
+display(figures.lake_figure(methods.frozen_lake(6_000, repetitions=5)))
 holes.measured("nothing at all" if not beginner.preferences.any() else "to avoid the holes, a little")
 
 # %% [markdown]
@@ -674,8 +674,8 @@ holes.measured("nothing at all" if not beginner.preferences.any() else "to avoid
 # that it makes up.
 
 # %%
-from edugym_course.lessons.continuous_actions.exercises import CHALLENGE, exercise_1, exercise_2, exercise_3
 from edugym_course.grading import check
+from edugym_course.lessons.continuous_actions.exercises import CHALLENGE, exercise_1, exercise_2, exercise_3
 
 # %% [markdown]
 # ### Exercise 1: what bins cost
@@ -731,7 +731,7 @@ check(exercise_2, my_scores)
 ### BEGIN HIDDEN TESTS
 check(exercise_2, my_scores, seed=1, quiet=True)
 ### END HIDDEN TESTS
-display(arms.climb_race(my_scores))
+display(figures.climb_race(my_scores))
 
 # %% [markdown]
 # ### Exercise 3: REINFORCE with a baseline, in ten lines
@@ -824,7 +824,7 @@ check(exercise_3, MyREINFORCE)
 ### BEGIN HIDDEN TESTS
 check(exercise_3, MyREINFORCE, seed=1, quiet=True)
 ### END HIDDEN TESTS
-display(arms.race({"mine": MyREINFORCE.create}))
+display(figures.race({"mine": MyREINFORCE.create}))
 
 # %% [markdown]
 # <details><summary>What the race shows</summary>
@@ -849,7 +849,7 @@ display(arms.race({"mine": MyREINFORCE.create}))
 # %%
 def my_agent(task):
     """Make the agent for the challenge; put your own in its place."""
-    return arms.gaussian(task, spread=0.4)
+    return methods.gaussian(task, spread=0.4)
 
 
 CHALLENGE.score(my_agent, "Ada Lovelace")

@@ -8,8 +8,17 @@ import numpy as np
 
 from edugym.envs.trashbot.geometry import REACH
 from edugym.experiments.figures.curves import Curves
-from edugym.experiments.figures.panel import ALONE, Place
-from edugym.experiments.figures.style import REFERENCE, SOFT_REFERENCE, add_legend, axes_or_new, dress, stroke
+from edugym.experiments.figures.panel import ALONE, Place, on_axes
+from edugym.experiments.figures.style import (
+    REFERENCE,
+    SOFT_REFERENCE,
+    TEAL,
+    VERMILION,
+    add_legend,
+    axes_or_new,
+    dress,
+    stroke,
+)
 from edugym.mdp.protocol import Reals
 from edugym.rendering.palette import INK
 from edugym_course.lessons.continuous_actions.exact import best_return, deliveries, room
@@ -22,7 +31,7 @@ if TYPE_CHECKING:
 
 COLOURS: Mapping[str, str] = MappingProxyType({label: stroke(i).color for i, label in enumerate(ACTIONS)})
 """The colour of each kind of actions, in every figure of the lesson."""
-BOX_RED = "#d55e00"
+BOX_RED = VERMILION
 
 
 def shade(share: float) -> tuple[float, float, float]:
@@ -83,9 +92,9 @@ class Places(NamedTuple):
     width: float = WIDTH
     title: str = "where the box can be let go"
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the rows on `ax`, by default in a new figure, and return the axes."""
-        ax = axes_or_new(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw the rows."""
         free = room(self.width)
         rows = [*self.bins, None]
         for y, n in enumerate(rows):
@@ -102,12 +111,11 @@ class Places(NamedTuple):
                 ax.text(0, y, "nowhere", ha="center", va="center", fontsize=8, color=INK)
         ax.axvline(0, **REFERENCE)
         for wall in (-free, free):
-            ax.axvline(wall, color="#009e73", linewidth=2, alpha=0.5)
+            ax.axvline(wall, color=TEAL, linewidth=2, alpha=0.5)
         ax.set_yticks(range(len(rows)), [str(n) if n else "real" for n in rows])
         ax.set_xlim(-1.15 * free, 1.15 * free)
         ax.set_ylim(-0.6, len(rows) - 0.4)
         dress(ax, "distance from the middle (the upper arm is 1)", "bins", self.title)
-        return ax
 
 
 class BestReturns(NamedTuple):
@@ -123,9 +131,9 @@ class BestReturns(NamedTuple):
     width: float = WIDTH
     title: str = "the best possible return"
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the points on `ax`, by default in a new figure, and return the axes."""
-        ax = axes_or_new(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw the points."""
         best = [best_return(n, self.width) for n in self.bins]
         ax.plot(self.bins, best, color="#b0b0b0", linewidth=1, zorder=1)
         for n, top in zip(self.bins, best, strict=True):
@@ -134,9 +142,6 @@ class BestReturns(NamedTuple):
         ax.set_ylim(min(3.6, min(best) - 0.2), 5.1)
         ax.set_xticks(self.bins)
         dress(ax, "bins for each joint", "best return", self.title)
-        if place.alone:
-            add_legend(ax)
-        return ax
 
 
 class Landscape(NamedTuple):
@@ -154,9 +159,9 @@ class Landscape(NamedTuple):
     title: str = ""
     ends: tuple[float, float] = (-2.5, 2.5)
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the reward as a line, and each policy as a filled curve, on `ax`, and return the axes."""
-        ax = axes_or_new(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw the reward as a line, and each policy as a filled curve,."""
         actions = np.linspace(*self.ends, 801)
         ax.plot(actions, self.pays(actions), label="reward", color=INK, linewidth=1.3)
         n = max(len(self.policies) - 1, 1)
@@ -165,9 +170,6 @@ class Landscape(NamedTuple):
             ax.fill_between(actions, -2.6, -2.6 + 1.5 * heights, color=shade(i / n), alpha=0.35, label=label)
         ax.set_ylim(-2.7, 4.6)
         dress(ax, "action a: where the box is let go", "reward", self.title)
-        if place.alone:
-            add_legend(ax)
-        return ax
 
 
 class Slope(NamedTuple):
@@ -185,9 +187,9 @@ class Slope(NamedTuple):
     estimate: float
     title: str = ""
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the curve and two lines with the slopes on `ax`, and return the axes."""
-        ax = axes_or_new(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw the curve and two lines with the slopes."""
         means = np.linspace(-2.5, 2.5, 101)
         ax.plot(means, [value(m, self.spread) for m in means], color="#8a6d3b", linewidth=1.8, label="J(μ)")
         here, exact = value(self.mean, self.spread), slopes(self.mean, self.spread)[0]
@@ -200,9 +202,6 @@ class Slope(NamedTuple):
         ax.plot(self.mean, here, "o", color=INK, markersize=5)
         ax.set_ylim(-2.3, 4.3)
         dress(ax, "mean μ of the policy", "J(μ), the expected reward", self.title)
-        if place.alone:
-            add_legend(ax)
-        return ax
 
 
 class Noise(NamedTuple):
@@ -259,9 +258,9 @@ class Climbs(NamedTuple):
     strokes: Sequence[int] = (4, 5)
     top: float = 4.0
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw a line for each label on `ax`, and return the axes."""
-        ax = axes_or_new(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw a line for each label."""
         for number, (label, runs) in zip(self.strokes, self.climbed.items(), strict=False):
             n = len(runs.values) // 40 or 1
             blocks = runs.values[: len(runs.values) // n * n].reshape(-1, n, runs.values.shape[1]).mean(axis=1)
@@ -273,9 +272,6 @@ class Climbs(NamedTuple):
         ax.axhline(self.top, label="optimum", **REFERENCE)
         ax.set_ylim(-2.2, self.top + 0.4)
         dress(ax, "updates", "mean reward", self.title)
-        if place.alone:
-            add_legend(ax)
-        return ax
 
 
 class Map(NamedTuple):
@@ -291,13 +287,12 @@ class Map(NamedTuple):
     way: Any
     title: str = ""
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the map on `ax`, by default in a new figure, and return the axes."""
-        ax = axes_or_new(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw the map."""
         ends = (-REACH, REACH, -REACH, REACH)
         ax.imshow(self.values, origin="lower", extent=ends, cmap="viridis", vmin=0.0, vmax=4.0, aspect="equal")
         ax.plot(*np.transpose(self.way), color="white", linewidth=2.4)
         ax.plot(*np.transpose(self.way), "o-", color=BOX_RED, linewidth=1.2, markersize=3)
         ax.set_ylim(-0.6, REACH)
         dress(ax, "wrist, x", "wrist, y", self.title)
-        return ax

@@ -21,9 +21,9 @@ import gymnasium as gym
 import numpy as np
 
 from edugym import EpsilonGreedy, NStepSARSA, TreeBackup, make_mdp, repeat
-from edugym_course.lessons import depth
-from edugym_course.notebook import frames, play, predict, sliders, source
 from edugym.experiments.figures import Sheet
+from edugym_course.lessons.depth import credit, experiments, figures, methods, off_policy, targets
+from edugym_course.notebook import frames, play, predict, sliders, source
 
 # %% [markdown]
 # ## Meet the environment: ten days until the exam
@@ -137,9 +137,9 @@ half_way
 
 # %%
 for n in (1, 3, 5, math.inf):
-    print(f"{depth.label(n):12} {depth.episodes_until(depth.handed_back(n)):3.0f} episodes")
-display(depth.credit_maps())
-half_way.measured(depth.episodes_until(depth.handed_back(1)))
+    print(f"{methods.label(n):12} {figures.episodes_until(credit.handed_back(n)):3.0f} episodes")
+display(credit.credit_maps())
+half_way.measured(figures.episodes_until(credit.handed_back(1)))
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
@@ -162,7 +162,7 @@ half_way.measured(depth.episodes_until(depth.handed_back(1)))
 # %%
 def watch(n, episodes):
     """Show one episode of an agent without exploring, after so many episodes of training."""
-    return frames(study, depth.pupil(n, study, episodes))
+    return frames(study, methods.pupil(n, study, episodes))
 
 
 watch(1, episodes=60)
@@ -181,7 +181,8 @@ watch(math.inf, episodes=4_000)
 
 # %%
 for n in (1, math.inf):
-    print(f"{depth.label(n):12} return without noise: {depth.greedy_return(study, depth.pupil(n, study, 4_000)):.2f}")
+    learned = methods.greedy_return(study, methods.pupil(n, study, 4_000))
+    print(f"{methods.label(n):12} return without noise: {learned:.2f}")
 print(f"optimum      {study.reward_threshold:.2f}")
 
 # %% [markdown]
@@ -227,13 +228,13 @@ ahead
 
 # %%
 by_sigma = {
-    sigma: depth.compare(depths=depth.BY_DEPTH, sigma=sigma, repetitions=60, points=32) for sigma in (0.0, 0.2, 1.0)
+    sigma: methods.compare(depths=methods.BY_DEPTH, sigma=sigma, repetitions=60, points=32) for sigma in (0.0, 0.2, 1.0)
 }
-panels = [depth.curves(results, f"σ = {sigma:g}") for sigma, results in by_sigma.items()]
+panels = [figures.curves(results, f"σ = {sigma:g}") for sigma, results in by_sigma.items()]
 panels.append(panels[-1]._replace(title="while exploring, σ = 1", column="training_return"))
 display(Sheet("depth", [panels[:2], panels[2:]]))
-early = depth.early_difference(by_sigma[1.0], "Monte Carlo", "n = 1").estimate > 0
-late = depth.final_difference(by_sigma[1.0], "Monte Carlo", "n = 1").estimate > 0
+early = experiments.early_difference(by_sigma[1.0], "Monte Carlo", "n = 1").estimate > 0
+late = experiments.final_difference(by_sigma[1.0], "Monte Carlo", "n = 1").estimate > 0
 first, last = ("Monte Carlo" if first else "n = 1" for first in (early, late))
 ahead.measured(f"{first} is ahead early and late" if early == late else f"{first} is ahead early, {last} late")
 
@@ -254,8 +255,8 @@ ahead.measured(f"{first} is ahead early and late" if early == late else f"{first
 
 # %%
 for sigma, results in by_sigma.items():
-    one, deep = (depth.passes(results, method).mean() for method in ("n = 1", "Monte Carlo"))
-    gap = depth.difference_where_both_pass(results, "Monte Carlo", "n = 1")
+    one, deep = (methods.passes(results, method).mean() for method in ("n = 1", "Monte Carlo"))
+    gap = experiments.difference_where_both_pass(results, "Monte Carlo", "n = 1")
     print(f"σ = {sigma:3g}: n = 1 passes in {one:4.0%} of runs, Monte Carlo in {deep:4.0%};", end=" ")
     print(f"where both pass, Monte Carlo less n = 1: {gap.estimate:+.2f} (95 %: {gap.low:+.2f} to {gap.high:+.2f})")
 
@@ -271,9 +272,9 @@ noisy = predict("With more noise in its rewards, Monte Carlo ends ...", ["better
 noisy
 
 # %%
-quiet_end, noisy_end = (depth.expected_returns(by_sigma[sigma], "Monte Carlo").mean() for sigma in (0.0, 1.0))
+quiet_end, noisy_end = (methods.expected_returns(by_sigma[sigma], "Monte Carlo").mean() for sigma in (0.0, 1.0))
 print(f"Monte Carlo ends with {quiet_end:.2f} at σ = 0, and with {noisy_end:.2f} at σ = 1")
-met, passed = depth.met_exam(by_sigma[0.0], "Monte Carlo"), depth.passes(by_sigma[0.0], "Monte Carlo")
+met, passed = methods.met_exam(by_sigma[0.0], "Monte Carlo"), methods.passes(by_sigma[0.0], "Monte Carlo")
 print(f"at σ = 0 it passed at least once in {met.mean():.0%} of runs; {passed[met == 1].mean():.0%} of these pass now")
 change = noisy_end - quiet_end
 noisy.measured("the same, within 0.3" if abs(change) < 0.3 else "better" if change > 0 else "worse")
@@ -300,9 +301,9 @@ noisy.measured("the same, within 0.3" if abs(change) < 0.3 else "better" if chan
 def one_study(sigma=0.2, n_actions=5, total_days=10, n=2, alpha=0.1, epsilon=0.1, gamma=1.0):
     """Draw the learning curves of the four depths, and of one more n."""
     settings = {"learning_rate": alpha, "epsilon": epsilon, "discount": gamma, "total_days": total_days}
-    own = {} if n in depth.BY_DEPTH else {depth.label(n): depth.maker(n, **settings)}
-    results = depth.compare(
-        depths=depth.BY_DEPTH,
+    own = {} if n in methods.BY_DEPTH else {methods.label(n): methods.maker(n, **settings)}
+    results = methods.compare(
+        depths=methods.BY_DEPTH,
         own=own,
         sigma=sigma,
         n_actions=n_actions,
@@ -311,7 +312,7 @@ def one_study(sigma=0.2, n_actions=5, total_days=10, n=2, alpha=0.1, epsilon=0.1
         **settings,
     )
     title = f"σ = {sigma:g}, N = {n_actions}, H = {total_days}, α = {alpha:g}, ε = {epsilon:g}, γ = {gamma:g}"
-    return Sheet("one study", [[depth.curves(results, title, epsilon)]])
+    return Sheet("one study", [[figures.curves(results, title, epsilon)]])
 
 
 sliders(
@@ -349,7 +350,7 @@ sliders(
 # ### Bias: early it is large, late it is zero
 
 # %%
-Sheet("bias", [[depth.bias_series()]])
+Sheet("bias", [[figures.bias_series()]])
 
 # %% [markdown]
 # - *Early*, while all values are 0, every target that bootstraps misses the exam: it is 8 to 9 too low. (With each further
@@ -370,10 +371,12 @@ noise = predict("The share of reward noise in the variance of the Monte Carlo ta
 noise
 
 # %%
-display(depth.variance_sheet(sigmas=(0.2, 1.0)))
+display(figures.variance_sheet(sigmas=(0.2, 1.0)))
 for sigma in (0.05, 0.2, 1.0):
-    print(f"σ = {sigma:4g}: {depth.noise_share(sigma):6.1%} of the variance of the Monte Carlo target is reward noise")
-noise.measured(100 * depth.noise_share(0.2))
+    print(
+        f"σ = {sigma:4g}: {targets.noise_share(sigma):6.1%} of the variance of the Monte Carlo target is reward noise"
+    )
+noise.measured(100 * targets.noise_share(0.2))
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
@@ -403,7 +406,7 @@ noise.measured(100 * depth.noise_share(0.2))
 
 # %%
 for n in (1, 3, 5, 10):
-    v = sum(part[n - 1] for part in depth.split(sigma=0.2).values())
+    v = sum(part[n - 1] for part in figures.split(sigma=0.2).values())
     print(
         f"n = {n:2}: the value of the first day scatters by ± {math.sqrt(0.1 / (2 - 0.1) * v):.2f} (σ = 0.2, α = 0.1)"
     )
@@ -426,11 +429,11 @@ smallest = predict("The smallest best learning rate is that of ...", ["n = 1", "
 smallest
 
 # %%
-by_rate = depth.through_rates(repetitions=40)
-display(Sheet("rates", [[depth.rate_series(by_rate)]]))
-best = depth.best_rates(by_rate)
-print("best learning rate:", {depth.label(n): rate for n, rate in best.items()})
-smallest.measured(depth.label(min(best, key=best.get)))
+by_rate = figures.through_rates(repetitions=40)
+display(Sheet("rates", [[figures.rate_series(by_rate)]]))
+best = figures.best_rates(by_rate)
+print("best learning rate:", {methods.label(n): rate for n, rate in best.items()})
+smallest.measured(methods.label(min(best, key=best.get)))
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
@@ -448,12 +451,12 @@ smallest.measured(depth.label(min(best, key=best.get)))
 # Here is the main figure once more, at $\sigma = 0.2$, with the best of these rates for each $n$.
 
 # %%
-own = {depth.label(n): depth.maker(n, learning_rate=rate) for n, rate in best.items()}
-tuned = depth.compare(depths=(), own=own, repetitions=60, points=32)
-display(Sheet("tuned", [[depth.curves(tuned, "σ = 0.2, each with its best learning rate")]]))
+own = {methods.label(n): methods.maker(n, learning_rate=rate) for n, rate in best.items()}
+tuned = methods.compare(depths=(), own=own, repetitions=60, points=32)
+display(Sheet("tuned", [[figures.curves(tuned, "σ = 0.2, each with its best learning rate")]]))
 for method in tuned.methods:
-    print(f"{method:12} passes in {depth.passes(tuned, method).mean():4.0%} of runs")
-gap = depth.difference_where_both_pass(tuned, "Monte Carlo", "n = 1")
+    print(f"{method:12} passes in {methods.passes(tuned, method).mean():4.0%} of runs")
+gap = experiments.difference_where_both_pass(tuned, "Monte Carlo", "n = 1")
 print(f"where both pass, Monte Carlo less n = 1: {gap.estimate:+.2f} (95 %: {gap.low:+.2f} to {gap.high:+.2f})")
 
 # %% [markdown]
@@ -464,11 +467,11 @@ print(f"where both pass, Monte Carlo less n = 1: {gap.estimate:+.2f} (95 %: {gap
 
 # %%
 for episodes in (4_000, 40_000):
-    own = {f"Monte Carlo, α = {rate}": depth.maker(math.inf, learning_rate=rate) for rate in (0.1, 0.01)}
-    own["n = 1, α = 0.1"] = depth.maker(1, learning_rate=0.1)
-    longer = depth.compare(depths=(), own=own, sigma=0.0, n_steps=10 * episodes, repetitions=40)
+    own = {f"Monte Carlo, α = {rate}": methods.maker(math.inf, learning_rate=rate) for rate in (0.1, 0.01)}
+    own["n = 1, α = 0.1"] = methods.maker(1, learning_rate=0.1)
+    longer = methods.compare(depths=(), own=own, sigma=0.0, n_steps=10 * episodes, repetitions=40)
     for method in longer.methods:
-        print(f"{episodes:6} episodes, {method:21}: {depth.shortfall(longer, method):.2f} below the optimum")
+        print(f"{episodes:6} episodes, {method:21}: {methods.shortfall(longer, method):.2f} below the optimum")
 
 # %% [markdown]
 # With $\alpha = 0.1$ ten times the training changes hardly anything for Monte Carlo, as the formula says: the values keep
@@ -484,7 +487,7 @@ for episodes in (4_000, 40_000):
 # best.
 
 # %%
-depth.off_policy_sheet()
+off_policy.off_policy_sheet()
 
 # %% [markdown]
 # The *uncorrected* target has a bias: with $n = 10$ its mean is 1.2 below the optimum, and no amount of training
@@ -509,11 +512,11 @@ suffers = predict(
 suffers
 
 # %%
-many = depth.compare(depths=depth.BY_DEPTH, n_actions=10, repetitions=60, points=32)
-display(Sheet("ten_actions", [[depth.curves(many, "ten actions, σ = 0.2")]]))
+many = methods.compare(depths=methods.BY_DEPTH, n_actions=10, repetitions=60, points=32)
+display(Sheet("ten_actions", [[figures.curves(many, "ten actions, σ = 0.2")]]))
 loss = {}
 for method in many.methods:
-    few_end, many_end = (depth.expected_returns(results, method).mean() for results in (by_sigma[0.2], many))
+    few_end, many_end = (methods.expected_returns(results, method).mean() for results in (by_sigma[0.2], many))
     loss[method] = few_end - many_end
     print(f"{method:12} {few_end:5.2f} with five actions, {many_end:5.2f} with ten")
 suffers.measured(max(loss, key=loss.get))
@@ -538,7 +541,7 @@ kept
 
 # %%
 for method in many.methods:
-    met, passed = depth.met_exam(many, method), depth.passes(many, method)
+    met, passed = methods.met_exam(many, method), methods.passes(many, method)
     print(f"{method:12} has passed in {met.mean():4.0%} of runs; of these {passed[met == 1].mean():4.0%} pass now")
 kept.measured(100 * passed[met == 1].mean())  # of the last method, Monte Carlo
 
@@ -560,10 +563,10 @@ kept.measured(100 * passed[met == 1].mean())  # of the last method, Monte Carlo
 # *bad*.
 
 # %%
-wary = depth.compare(depths=depth.BY_DEPTH, initial_value=-5.0, repetitions=60, points=32)
+wary = methods.compare(depths=methods.BY_DEPTH, initial_value=-5.0, repetitions=60, points=32)
 for method in wary.methods:
-    print(f"{method:12} passes in {depth.passes(wary, method).mean():4.0%} of runs with start values of -5,", end=" ")
-    print(f"and in {depth.passes(by_sigma[0.2], method).mean():4.0%} with 0")
+    print(f"{method:12} passes in {methods.passes(wary, method).mean():4.0%} of runs with start values of -5,", end=" ")
+    print(f"and in {methods.passes(by_sigma[0.2], method).mean():4.0%} with 0")
 
 # %% [markdown]
 # All lose, and Monte Carlo is now ahead by far. What a figure shows is one thing, and why it shows it is another.
@@ -582,9 +585,9 @@ cards
 
 # %%
 most_steps = 30  # longer than any game; `total_days` is how many rewards Monte Carlo keeps
-methods = {depth.label(n): depth.maker(n, learning_rate=0.02, total_days=most_steps) for n in (1, math.inf)}
-blackjack = repeat(gym.make("Blackjack-v1"), methods, 10_000, repetitions=3)
-for method in methods:
+agents = {methods.label(n): methods.maker(n, learning_rate=0.02, total_days=most_steps) for n in (1, math.inf)}
+blackjack = repeat(gym.make("Blackjack-v1"), agents, 10_000, repetitions=3)
+for method in agents:
     print(f"{method:12} mean return of all games {blackjack.average(method, 'training_return').mean():.3f}")
 games = blackjack.curves("Monte Carlo", "episodes").sum().mean()
 print(f"a game takes {10_000 / games:.2f} actions on average")
@@ -612,8 +615,8 @@ cards.measured(
 # that it makes up.
 
 # %%
-from edugym_course.lessons.depth.exercises import CHALLENGE, exercise_1, exercise_2, exercise_3
 from edugym_course.grading import check
+from edugym_course.lessons.depth.exercises import CHALLENGE, exercise_1, exercise_2, exercise_3
 
 # %% [markdown]
 # ### Exercise 1: Monte Carlo without exploration
@@ -639,7 +642,7 @@ check(exercise_1, quiet)
 ### BEGIN HIDDEN TESTS
 check(exercise_1, quiet, seed=1, quiet=True)
 ### END HIDDEN TESTS
-display(depth.race({"quiet": quiet}, repetitions=30))
+display(figures.race({"quiet": quiet}, repetitions=30))
 
 # %% [markdown]
 # With five actions it ends far below the others. It tries a few things at first, since all it has tried was worse than
@@ -766,11 +769,11 @@ check(exercise_3, MyAgent)
 ### BEGIN HIDDEN TESTS
 check(exercise_3, MyAgent, seed=1, quiet=True)
 ### END HIDDEN TESTS
-race = depth.race({"my agent": MyAgent.create}, repetitions=40)
+race = figures.race({"my agent": MyAgent.create}, repetitions=40)
 display(race)
 for panel in race.rows[0]:
     for method in panel.results.methods:
-        passing, below = depth.passes(panel.results, method).mean(), depth.shortfall(panel.results, method)
+        passing, below = methods.passes(panel.results, method).mean(), methods.shortfall(panel.results, method)
         print(f"{panel.title:10}  {method:12} passes in {passing:4.0%} of runs, there {below:.2f} below the optimum")
 
 # %% [markdown]

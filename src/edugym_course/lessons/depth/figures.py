@@ -13,15 +13,7 @@ from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.sheet import Sheet, in_pairs
 from edugym.experiments.results.tables import Results
 from edugym.mdp.protocol import Reals
-from edugym_course.lessons.depth.methods import (
-    BY_DEPTH,
-    SHORT,
-    Maker,
-    best_returns,
-    compare,
-    label,
-    layouts,
-)
+from edugym_course.lessons.depth.methods import BY_DEPTH, SHORT, Maker, best_returns, compare, label, layouts
 from edugym_course.lessons.depth.panels import Parts, Series
 from edugym_course.lessons.depth.targets import DAYS, EPSILON, soft_policy, target, true_values
 from edugym_course.reporting import for_mdp

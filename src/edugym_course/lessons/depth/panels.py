@@ -5,14 +5,14 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from edugym.experiments.figures.panel import ALONE, Place
-from edugym.experiments.figures.style import REFERENCE, add_legend, axes_or_new, dress, stroke
+from edugym.experiments.figures.panel import on_axes
+from edugym.experiments.figures.style import GREY, REFERENCE, VERMILION, dress, stroke
 from edugym.mdp.protocol import Reals
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-PART_COLOURS = ("#d55e00", "#4d4d4d")
+PART_COLOURS = (VERMILION, GREY)
 """The colours of the parts of a variance, which are not those of methods."""
 
 
@@ -37,18 +37,15 @@ class Series(NamedTuple):
     first: int = 0
     zero: bool = False
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the lines on `ax`, by default in a new figure, and return the axes."""
-        ax = axes_or_new(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw the lines."""
         if self.zero:
             ax.axhline(0.0, **REFERENCE)
         for i, (name, line) in enumerate(self.lines.items(), start=self.first):
             color, dashes = stroke(i)
             ax.plot(self.x, line, color=color, linestyle=dashes, linewidth=1.6, marker="o", markersize=3, label=name)
         dress(ax, self.x_label, self.y_label, self.title)
-        if place.alone:
-            add_legend(ax)
-        return ax
 
 
 class Parts(NamedTuple):
@@ -64,9 +61,9 @@ class Parts(NamedTuple):
     title: str = ""
     top: float | None = None
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the bars on `ax`, by default in a new figure, and return the axes."""
-        ax = axes_or_new(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw the bars."""
         bottom: Reals = np.zeros(0)
         for colour, (name, part) in zip(PART_COLOURS, self.parts.items(), strict=False):
             bottom = bottom if len(bottom) else np.zeros(len(part))
@@ -75,6 +72,3 @@ class Parts(NamedTuple):
         ax.set_xticks(np.arange(1, len(bottom) + 1))
         ax.set_ylim(0.0, self.top)
         dress(ax, "n", "variance of the target", self.title)
-        if place.alone:
-            add_legend(ax)
-        return ax

@@ -24,7 +24,10 @@ import numpy as np
 from edugym import DQN, LinearQLearning, QLearning, make_mdp
 from edugym.agents import dqn, features
 from edugym.agents.tables import greedy_action
-from edugym_course.lessons import dimensionality as lesson
+from edugym.experiments.results.tables import joined
+from edugym_course.lessons.dimensionality import figures, gym_car, methods, networks, races, sharing, sizes, tasks
+from edugym_course.lessons.dimensionality.open_dqn import OpenDQN
+from edugym_course.lessons.dimensionality.triad import w_to_2w
 from edugym_course.notebook import frames, play, predict, sliders, source
 
 # %% [markdown]
@@ -95,11 +98,11 @@ source(QLearning.learn)
 # number of weights that grows with the number of pixels (here there are 3 459), not with the number of boards.
 
 # %%
-positions, grid, image = (lesson.rows_of_table(kind) for kind in ("vectorised", "grid", "rgb"))
+positions, grid, image = (sizes.rows_of_table(kind) for kind in ("vectorised", "grid", "rgb"))
 print(f"positions: {positions} rows")
 print(f"grid:      {grid:.3g} rows, or {grid * 3 * 8 / 1e15:.0f} petabytes (three numbers of 8 bytes a row)")
 print(f"image:     a number of rows with {len(str(image))} digits")
-lesson.size_sheet()
+figures.size_sheet()
 
 # %% [markdown]
 # The y axis shows powers of ten, and it is logarithmic: $10^2$ on it means $10^{100}$. The line of the network counts
@@ -191,8 +194,8 @@ source(DQN, "learn", "add_gradient")
 # `seed` in the last line: with 3, 2, 1, 0, 4 the ball falls from column 0, 1, 2, 3, 4.
 
 # %%
-first_network = lesson.learn(lesson.seen(), lesson.NETWORK, lesson.network(), n_steps=12_000, repetitions=1, seed=1)
-player, rng = first_network.agents[lesson.NETWORK][0], np.random.default_rng(0)
+first_network = methods.learn(methods.seen(), methods.NETWORK, methods.network(), n_steps=12_000, repetitions=1, seed=1)
+player, rng = first_network.agents[methods.NETWORK][0], np.random.default_rng(0)
 
 
 def choose(board):
@@ -228,9 +231,9 @@ slower
 
 # %%
 how = {"n_steps": 5_000, "repetitions": 30, "jobs": 1}
-by_position = lesson.learn(lesson.catch("vectorised"), lesson.POSITIONS, **how)
-by_board = lesson.learn(lesson.pixels(), lesson.PIXELS, **how)
-display(lesson.table_and_network({"no noise": lesson.joined([by_position, by_board])}))
+by_position = methods.learn(tasks.catch("vectorised"), methods.POSITIONS, **how)
+by_board = methods.learn(methods.pixels(), methods.PIXELS, **how)
+display(figures.table_and_network({"no noise": joined([by_position, by_board])}))
 curves = [one.curves(one.methods[0]).to_numpy() for one in (by_position, by_board)]
 print(f"largest difference between the two, in all {curves[0].shape[1]} runs: {np.abs(curves[0] - curves[1]).max():g}")
 slower.measured(slower.options[2 if (curves[0] == curves[1]).all() else 1])
@@ -255,12 +258,12 @@ sees = predict("The table gets above 0.5 in ...", ["none of the three", "one", "
 sees
 
 # %%
-panels = lesson.compare_sights(30_000, repetitions=(30, 5))
-display(lesson.table_and_network(panels))
+panels = races.compare_sights(30_000, repetitions=(30, 5))
+display(figures.table_and_network(panels))
 late = {title: {m: r.curves(m).iloc[-5:].to_numpy().mean() for m in r.methods} for title, r in panels.items()}
 for title, means in late.items():
     print(f"{title:30}", ", ".join(f"{label}: {mean:.2f}" for label, mean in means.items()), "(mean of five points)")
-sees.measured(sees.options[sum(int(means[lesson.PIXELS] > 0.5) for means in list(late.values())[1:])])
+sees.measured(sees.options[sum(int(means[methods.PIXELS] > 0.5) for means in list(late.values())[1:])])
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
@@ -281,11 +284,11 @@ sees.measured(sees.options[sum(int(means[lesson.PIXELS] > 0.5) for means in list
 # %%
 def one_table(columns=5, levels=16, epsilon=0.1, alpha=0.5, gamma=0.9):
     """Draw the learning curves of a table."""
-    return lesson.boards_figure(columns, levels, epsilon=epsilon, alpha=alpha, gamma=gamma)
+    return figures.boards_figure(columns, levels, epsilon=epsilon, alpha=alpha, gamma=gamma)
 
 
-sizes = {"columns": (2, 12), "levels": [2, 4, 16, 64, 256]}
-sliders(one_table, **sizes, epsilon=(0.0, 1.0, 0.05), alpha=(0.05, 1.0, 0.05), gamma=(0.1, 1.0, 0.05))
+ranges = {"columns": (2, 12), "levels": [2, 4, 16, 64, 256]}
+sliders(one_table, **ranges, epsilon=(0.0, 1.0, 0.05), alpha=(0.05, 1.0, 0.05), gamma=(0.1, 1.0, 0.05))
 
 # %% [markdown]
 # <details><summary>What came out</summary>
@@ -302,7 +305,7 @@ sliders(one_table, **sizes, epsilon=(0.0, 1.0, 0.05), alpha=(0.05, 1.0, 0.05), g
 # %%
 def one_network(hidden=64, sigma=0.0, alpha=0.001, epsilon=0.1, gamma=0.9):
     """Draw the learning curve of DQN."""
-    return lesson.network_figure(hidden, sigma, alpha=alpha, gamma=gamma, epsilon=epsilon)
+    return figures.network_figure(hidden, sigma, alpha=alpha, gamma=gamma, epsilon=epsilon)
 
 
 rates = {"alpha": [0.0001, 0.0003, 0.001, 0.003, 0.01], "epsilon": (0.0, 1.0, 0.05), "gamma": (0.1, 1.0, 0.05)}
@@ -425,12 +428,12 @@ unseen = predict("Balls from withheld columns are caught by ...", unit="of the s
 unseen
 
 # %%
-general = lesson.generalise([*lesson.GENERAL], repetitions=10)
-tests = {label: lesson.returns_by_column(results) for label, results in general.items()}
-display(lesson.withheld(tests))
+general = methods.generalise([*methods.GENERAL], repetitions=10)
+tests = {label: methods.returns_by_column(results) for label, results in general.items()}
+display(figures.withheld(tests))
 generalises = []
 for label, by_column in tests.items():
-    known, new = (by_column[[*columns]].mean() for columns in (lesson.TRAINED, lesson.WITHHELD))
+    known, new = (by_column[[*columns]].mean() for columns in (tasks.TRAINED, tasks.WITHHELD))
     print(f"{label:29} training columns {known:5.2f}, withheld columns {new:5.2f}")
     generalises += [label] * int(new >= 0.8)  # a return of 0.8 is 9 balls of 10
 unseen.measured(len(generalises))
@@ -456,8 +459,8 @@ unseen.measured(len(generalises))
 # %%
 def maps(ball_row=5, run=2):
     """Draw what four of the agents do."""
-    shown = [lesson.TABLE, lesson.NETWORK, lesson.NUMBERS, lesson.OFFSET]
-    return lesson.policy_maps(general, shown, ball_row, run)
+    shown = [methods.TABLE, methods.NETWORK, methods.NUMBERS, methods.OFFSET]
+    return figures.policy_maps(general, shown, ball_row, run)
 
 
 sliders(maps, ball_row=(0, 8), run=(0, 9))
@@ -468,7 +471,7 @@ sliders(maps, ball_row=(0, 8), run=(0, 9))
 # for one of its ten runs, from which pixels any weight has ever had a gradient other than 0.
 
 # %%
-touched = lesson.ever_learned(general[lesson.NETWORK].agents[lesson.NETWORK][0])
+touched = figures.ever_learned(general[methods.NETWORK].agents[methods.NETWORK][0])
 for row in touched:
     print(" ".join("learned" if cell else "   -   " for cell in row))
 
@@ -481,14 +484,14 @@ for row in touched:
 # agent is DQN on pixels once more, with 0 for all weights of the pixels that are not marked "learned".
 
 # %%
-cut = copy.deepcopy(general[lesson.NETWORK])
-for agent in cut.agents[lesson.NETWORK].values():
-    agent.weights.first[:-1][~lesson.ever_learned(agent).ravel()] = 0.0
-shown = {label: general[label] for label in (lesson.TILES, lesson.NUMBERS, lesson.OFFSET, lesson.NETWORK)}
-for column in lesson.WITHHELD:
+cut = copy.deepcopy(general[methods.NETWORK])
+for agent in cut.agents[methods.NETWORK].values():
+    agent.weights.first[:-1][~figures.ever_learned(agent).ravel()] = 0.0
+shown = {label: general[label] for label in (methods.TILES, methods.NUMBERS, methods.OFFSET, methods.NETWORK)}
+for column in tasks.WITHHELD:
     print(f"ball from column {column}:")
     for label, results in {**shown, "the same, those weights at 0": cut}.items():
-        print(f"    {label:29}", *lesson.paddle_ends(results, column))
+        print(f"    {label:29}", *methods.paddle_ends(results, column))
 
 # %% [markdown]
 # Tile coding shares between neighbouring columns, and so it goes where it would go for a ball next to this one. Sharing
@@ -522,9 +525,9 @@ cnns = predict(
 cnns
 
 # %%
-with_cnns = {**tests, **{label: lesson.shared_by_column(label) for label in (lesson.SMALL, lesson.COLUMN)}}
-display(lesson.withheld(with_cnns))
-small, column = (with_cnns[label][[*lesson.WITHHELD]].mean() for label in (lesson.SMALL, lesson.COLUMN))
+with_cnns = {**tests, **{label: figures.shared_by_column(label) for label in (sharing.SMALL, sharing.COLUMN)}}
+display(figures.withheld(with_cnns))
+small, column = (with_cnns[label][[*tasks.WITHHELD]].mean() for label in (sharing.SMALL, sharing.COLUMN))
 print(f"withheld columns: small CNN {small:.2f}, CNN over columns {column:.2f}")
 cnns.measured(cnns.options[{(True, True): 0, (True, False): 1, (False, True): 2}.get((small > 0.8, column > 0.8), 3)])
 
@@ -549,7 +552,7 @@ cnns.measured(cnns.options[{(True, True): 0, (True, False): 1, (False, True): 2}
 # $$
 
 # %%
-source(lesson.w_to_2w)
+source(w_to_2w)
 
 # %% [markdown]
 # **Predict.** $\alpha = 0.1$, $w = 1$ at first. Above which discount $\gamma$ does $w$ grow for ever? (In the figure,
@@ -560,8 +563,8 @@ bound = predict("w grows for ever when γ is above ...", unit="(from 0 to 1)")
 bound
 
 # %%
-display(lesson.growth())
-grows = [gamma for gamma in np.arange(0, 101) / 100 if lesson.w_to_2w(2_000, gamma, 0.1)[-1] > 1.0]
+display(figures.growth())
+grows = [gamma for gamma in np.arange(0, 101) / 100 if w_to_2w(2_000, gamma, 0.1)[-1] > 1.0]
 print(f"the smallest γ in steps of 0.01 with which w grows: {grows[0]}")
 bound.measured(grows[0] - 0.01)
 
@@ -588,7 +591,7 @@ bound.measured(grows[0] - 0.01)
 # %%
 def triad(gamma=0.9, alpha=0.1, copy_every=20):
     """Draw the weight of the two states."""
-    return lesson.growth(gamma, alpha, copy_every)
+    return figures.growth(gamma, alpha, copy_every)
 
 
 sliders(triad, gamma=(0.0, 1.0, 0.05), alpha=(0.05, 0.2, 0.05), copy_every=[1, 5, 20, 50])
@@ -618,12 +621,12 @@ more
 # %%
 live = {}
 try:
-    live["PPO with a CNN, trained now"] = lesson.train_network(lesson.PPO_IMAGE, 12_000, seed=1)
+    live["PPO with a CNN, trained now"] = networks.train_network(networks.PPO_IMAGE, 12_000, seed=1)
 except ImportError:
     print('Stable-Baselines3 is not installed here (pip install "edugym[deep]"); these are the stored runs alone.')
-stored = lesson.STORED.load()
-display(lesson.stored_networks(live))
-needed = {label: int((stored.curves(label).mean(axis=1) >= 0.9).idxmax()) for label in lesson.METHODS}
+stored = networks.STORED.load()
+display(figures.stored_networks(live))
+needed = {label: int((stored.curves(label).mean(axis=1) >= 0.9).idxmax()) for label in networks.METHODS}
 for label, steps in needed.items():
     print(f"{label:30} a mean return of 0.9 after {steps:6} steps")
 ratio = needed["PPO with a CNN, image"] / needed["PPO, grid"]
@@ -652,15 +655,15 @@ factor
 
 # %%
 costs = {
-    n: lesson.steps_to_solve(n, n_steps=steps, repetitions=3)
+    n: methods.steps_to_solve(n, n_steps=steps, repetitions=3)
     for n, steps in {3: 2_000, 5: 16_000, 7: 24_000, 9: 40_000}.items()
 }
-display(lesson.costs_figure(costs))
+display(figures.costs_figure(costs))
 for n, steps in costs.items():
-    _, boards = lesson.different_boards(2 * n, n)
+    _, boards = sizes.different_boards(2 * n, n)
     table, network = steps.values()
     print(f"{n} columns: {boards:4} boards occur, table {table:6.0f} steps, DQN {network:6.0f} steps")
-factor.measured(costs[9][lesson.TABLE] / costs[3][lesson.TABLE])
+factor.measured(costs[9][methods.TABLE] / costs[3][methods.TABLE])
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
@@ -687,8 +690,8 @@ hill = predict("The hill is climbed, in all three runs, by ...", ["both", "tile 
 hill
 
 # %%
-car = lesson.drive()
-display(lesson.car_figure(car))
+car = gym_car.drive()
+display(figures.car_figure(car))
 for label in car.methods:
     print(f"{label}: return of the greedy policy at the end of each run {car.final(label).astype(int).tolist()}")
 straight, tiled = (bool((car.final(label) > -1_000).all()) for label in car.methods)
@@ -711,8 +714,8 @@ hill.measured(hill.options[0 if straight and tiled else 1 if tiled else 2 if str
 # was expected, what came, and which mistake that looks like.
 
 # %%
-from edugym_course.lessons.dimensionality.exercises import CHALLENGE, exercise_1, exercise_2, exercise_3
 from edugym_course.grading import check
+from edugym_course.lessons.dimensionality.exercises import CHALLENGE, exercise_1, exercise_2, exercise_3
 
 # %% [markdown]
 # ### Exercise 1: how large is a dense table?
@@ -826,7 +829,7 @@ check(exercise_2, MyAgent)
 ### BEGIN HIDDEN TESTS
 check(exercise_2, MyAgent, seed=1, quiet=True)
 ### END HIDDEN TESTS
-display(lesson.race({"my agent": lambda task: MyAgent(np.zeros((9, 3)))}))
+display(races.race({"my agent": lambda task: MyAgent(np.zeros((9, 3)))}))
 
 # %% [markdown]
 # ### Exercise 3: the heart of DQN
@@ -853,7 +856,7 @@ display(lesson.race({"my agent": lambda task: MyAgent(np.zeros((9, 3)))}))
 
 
 # %%
-class MyDQN(lesson.OpenDQN):
+class MyDQN(OpenDQN):
     """DQN with a target and a draw from memory of one's own."""
 
     __slots__ = ()
@@ -881,7 +884,7 @@ check(exercise_3, MyDQN)
 ### BEGIN HIDDEN TESTS
 check(exercise_3, MyDQN, seed=1, quiet=True)
 ### END HIDDEN TESTS
-display(lesson.race_networks({"my DQN": lesson.network(MyDQN)}))
+display(races.race_networks({"my DQN": methods.network(MyDQN)}))
 
 # %% [markdown]
 # ### The open challenge: a shuffled, noisy board

@@ -9,9 +9,21 @@ import numpy as np
 from edugym.envs.catch import Fall
 from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.lines import Lines
-from edugym.experiments.figures.panel import ALONE, Place
+from edugym.experiments.figures.panel import ALONE, Place, on_axes
 from edugym.experiments.figures.sheet import Sheet
-from edugym.experiments.figures.style import REFERENCE, Stroke, add_legend, axes_or_new, dress, stroke
+from edugym.experiments.figures.style import (
+    BLACK,
+    BROWN,
+    DEEP_BLUE,
+    PURPLE,
+    REFERENCE,
+    SKY_BLUE,
+    VERMILION,
+    Stroke,
+    add_legend,
+    dress,
+    stroke,
+)
 from edugym.experiments.results.statistics import mean_interval
 from edugym.experiments.results.tables import Results
 from edugym.mdp.protocol import Reals
@@ -52,36 +64,30 @@ from edugym_course.lessons.dimensionality.triad import w_to_2w
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-GREY, BROWN, PURPLE, BLACK = (
-    stroke(6),
-    Stroke("#8c510a", "solid"),
-    Stroke("#762a83", "solid"),
-    Stroke("#000000", "solid"),
-)
 LOOKS: Mapping[str, Stroke] = {
     TABLE: stroke(0),
     PIXELS: stroke(0),
-    POSITIONS: Stroke("#56b4e9", "solid"),
+    POSITIONS: Stroke(SKY_BLUE, "solid"),
     LINEAR: stroke(1),
     OFFSET: stroke(2),
     TILES: stroke(3),
     NETWORK: stroke(5),
-    NUMBERS: Stroke("#d55e00", (0, (1, 1))),
-    SMALL: GREY,
-    COLUMN: BROWN,
-    DQN_GRID: Stroke("#d55e00", "solid"),
-    DQN_IMAGE: Stroke("#d55e00", "solid"),
-    PPO_GRID: GREY,
-    OUR_PPO: PURPLE,
-    PPO_IMAGE: GREY,
+    NUMBERS: Stroke(VERMILION, (0, (1, 1))),
+    SMALL: stroke(6),
+    COLUMN: Stroke(BROWN, "solid"),
+    DQN_GRID: Stroke(VERMILION, "solid"),
+    DQN_IMAGE: Stroke(VERMILION, "solid"),
+    PPO_GRID: stroke(6),
+    OUR_PPO: Stroke(PURPLE, "solid"),
+    PPO_IMAGE: stroke(6),
     PPO_DARK: Stroke("#8c8c8c", (0, (1, 1))),
     "dense table, image": Stroke("#08306b", "solid"),
-    "dense table, grid": Stroke("#0072b2", (0, (6, 1.5))),
-    "dense table, positions": Stroke("#56b4e9", (0, (2, 1))),
-    "boards that occur": Stroke("#0072b2", (0, (1, 2))),
-    "weights of a network (64 hidden units)": Stroke("#d55e00", (0, (6, 1.5))),
+    "dense table, grid": Stroke(DEEP_BLUE, (0, (6, 1.5))),
+    "dense table, positions": Stroke(SKY_BLUE, (0, (2, 1))),
+    "boards that occur": Stroke(DEEP_BLUE, (0, (1, 2))),
+    "weights of a network (64 hidden units)": Stroke(VERMILION, (0, (6, 1.5))),
 }
-OWN = (BLACK, Stroke("#666600", (0, (6, 1.5))), Stroke("#762a83", (0, (2, 1))))
+OWN = (Stroke(BLACK, "solid"), Stroke("#666600", (0, (6, 1.5))), Stroke(PURPLE, (0, (2, 1))))
 """The strokes of methods that are not in `LOOKS`, in their order."""
 FEW = 3
 CAR_RANGE = (-1_030.0, -100.0)
@@ -148,9 +154,9 @@ class Dots(NamedTuple):
     tests: Mapping[str, Reals]
     title: str = ""
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw both on `ax`, by default in a new figure, and return the axes."""
-        ax = axes_or_new(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw both."""
         for row, (by_column, look) in enumerate(zip(self.tests.values(), looks_of(self.tests), strict=True)):
             for at, columns, filled in ((row - 0.14, TRAINED, True), (row + 0.14, WITHHELD, False)):
                 found = mean_interval(by_column[[*columns]].mean(axis=0))
@@ -163,9 +169,6 @@ class Dots(NamedTuple):
         ax.set_yticks(range(len(self.tests)), [*self.tests])
         ax.invert_yaxis()
         dress(ax, "return (greedy)", "", self.title)
-        if place.alone:
-            add_legend(ax)
-        return ax
 
 
 class PolicyMap(NamedTuple):
@@ -185,11 +188,12 @@ class PolicyMap(NamedTuple):
     ball_y: int
     title: str = ""
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the arrows on `ax`, by default in a new figure, and return the axes."""
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw the arrows."""
         from matplotlib.patches import Rectangle
 
-        ax, rng = axes_or_new(ax), np.random.default_rng(0)
+        rng = np.random.default_rng(0)
         for ball in range(COLUMNS):
             for paddle in range(COLUMNS):
                 state = Fall(ball, self.ball_y, paddle)
@@ -204,7 +208,6 @@ class PolicyMap(NamedTuple):
         ax.set_xticks(range(COLUMNS))
         ax.set_yticks(range(COLUMNS))
         dress(ax, "column of the paddle", "column of the ball", self.title)
-        return ax
 
 
 def _listed(columns: Sequence[int]) -> str:
@@ -344,7 +347,7 @@ class WithRuns(NamedTuple):
         """Draw the curves on `ax`, by default in a new figure, and return the axes."""
         ax = self.curves.draw(ax, place)
         for label, run in self.runs.items():
-            ax.plot(run.steps, run.returns, color=BLACK.color, linewidth=1.0, label=label)
+            ax.plot(run.steps, run.returns, color=BLACK, linewidth=1.0, label=label)
         return ax
 
 

@@ -21,9 +21,12 @@ import numpy as np
 
 from edugym import CountBased, EpsilonGreedy, GoExplore, QLearning, make_mdp, repeat
 from edugym.agents.tables import best_value, one_step_target
-from edugym_course.lessons import exploration
-from edugym_course.notebook import frames, play, predict, sliders, source
 from edugym.experiments.figures import Sheet
+from edugym.experiments.figures.sheet import in_pairs
+from edugym.training.attempt import attempt
+from edugym_course.lessons.exploration import climbs, figures, fork, stalling
+from edugym_course.lessons.exploration.methods import METHODS, OPTIMIST, compare, paper_methods, visits_of
+from edugym_course.notebook import frames, play, predict, sliders, source
 
 # %% [markdown]
 # ## Meet the environment: a wall on which one grip holds
@@ -113,7 +116,7 @@ source(EpsilonGreedy.choose)
 def watch(method, height=12, after=600):
     """Show one episode of training, after so many steps of training before it."""
     wall = make_mdp("Boulder", height=height, layout_seed=5)
-    actions = exploration.attempt(exploration.METHODS[method], wall, after, seed=1)
+    actions = attempt(METHODS[method], wall, after, seed=1)
     return frames(wall, actions, max_steps=120)
 
 
@@ -233,10 +236,10 @@ middle = predict(
 middle
 
 # %%
-walls = {height: exploration.compare(height, repetitions=100) for height in (10, 30, 100)}
-display(exploration.learning_curves(walls))
+walls = {height: compare(height, repetitions=100) for height in (10, 30, 100)}
+display(figures.learning_curves(walls))
 print("runs that solve height 10 by step 2 000, and heights 10, 30 and 100 at the end:")
-for method in exploration.METHODS:
+for method in METHODS:
     early, at_the_end = walls[10].curves(method).loc[2_000].mean(), [walls[h].final(method).mean() for h in walls]
     print(f"{method:14} {early:4.0%};", *(f"{share:4.0%}" for share in at_the_end))
 solvers = [method for method in walls[30].methods if walls[30].final(method).mean() > 0.5]
@@ -262,9 +265,9 @@ middle.measured({0: "none", 1: "Go-Explore", 2: "novelty reward and Go-Explore",
 # %%
 def one_wall(height=20, n_grips=2, epsilon=0.1, beta=1.0, gamma=0.9):
     """Draw the learning curves and the progress of the three methods on walls of one kind."""
-    methods = exploration.paper_methods(epsilon, beta, gamma)
-    results = exploration.compare(height, methods=methods, n_grips=n_grips, repetitions=10)
-    [[curves, progress]] = exploration.learning_curves({height: results}, n_grips, epsilon).rows
+    methods = paper_methods(epsilon, beta, gamma)
+    results = compare(height, methods=methods, n_grips=n_grips, repetitions=10)
+    [[curves, progress]] = figures.learning_curves({height: results}, n_grips, epsilon).rows
     return Sheet("one wall", [[curves, progress._replace(title=f"ε = {epsilon:g}, β = {beta:g}, γ = {gamma:g}")]])
 
 
@@ -284,7 +287,7 @@ sliders(
 # the right and the wall upwards; darker means more visits, and white means none.
 
 # %%
-exploration.in_pairs("visits", exploration.visit_maps(walls[100], 100))
+in_pairs("visits", figures.visit_maps(walls[100], 100))
 
 # %% [markdown]
 # - **ε-greedy** rarely gets higher than a dozen grips or so, and only by luck. It has nothing to learn from.
@@ -299,7 +302,7 @@ exploration.in_pairs("visits", exploration.visit_maps(walls[100], 100))
 # (Ecoffet et al., 2021). Does it happen?
 
 # %%
-Sheet("climbs", [[exploration.climb_shares(walls[100], 100)]])
+Sheet("climbs", [[figures.climb_shares(walls[100], 100)]])
 
 # %% [markdown]
 # The novelty agent follows the dashed line, $0.95^h$, as far as all of its runs know the way. Above that its line drops
@@ -323,12 +326,12 @@ again = predict("The right grip on later visits of the frontier:", unit="%")
 again
 
 # %%
-watched = exploration.watch_frontier(height=100, repetitions=50)
-display(Sheet("frontier", [[exploration.frontier_lines(watched)]]))
+watched = stalling.watch_frontier(height=100, repetitions=50)
+display(Sheet("frontier", [[stalling.frontier_lines(watched)]]))
 for method in watched.methods:
-    shares = [np.mean(exploration.right_grips(watched, method, *visits)) for visits in ((1, 1), (2, 10))]
+    shares = [np.mean(stalling.right_grips(watched, method, *visits)) for visits in ((1, 1), (2, 10))]
     print(f"{method:14} right grips on the first visit {shares[0]:.0%}, on later visits {shares[1]:.0%}")
-again.measured(100 * np.mean(exploration.right_grips(watched, "novelty reward", first=2)))
+again.measured(100 * np.mean(stalling.right_grips(watched, "novelty reward", first=2)))
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
@@ -359,7 +362,7 @@ again.measured(100 * np.mean(exploration.right_grips(watched, "novelty reward", 
 # that has chosen the right-hand one and has taken two grips on it.
 
 # %%
-low_fork = exploration.Fork.create(height=8, layout_seed=8)
+low_fork = fork.Fork.create(height=8, layout_seed=8)
 low_fork.scene(8 + 3)  # positions 1 to 8 are the left branch, 9 to 16 the right one
 
 # %% [markdown]
@@ -374,16 +377,16 @@ two_branches = predict(
 two_branches
 
 # %%
-forks = exploration.compare_on_fork(repetitions=10)
-runs = exploration.visits_of(forks, "novelty reward")
-display(exploration.fork_maps(runs[0]))
-print("mean height of the higher frontier:", np.mean([exploration.higher_frontier(visits) for visits in runs]))
-print("mean number of changes of branch:", np.mean([exploration.turns(visits) for visits in runs]))
-print("runs that come back to both frontiers:", sum(exploration.returns_to(visits) for visits in runs), "of", len(runs))
-if np.mean([exploration.turns(visits) for visits in runs]) < 1:
+forks = fork.compare_on_fork(repetitions=10)
+runs = visits_of(forks, "novelty reward")
+display(fork.fork_maps(runs[0]))
+print("mean height of the higher frontier:", np.mean([fork.higher_frontier(visits) for visits in runs]))
+print("mean number of changes of branch:", np.mean([fork.turns(visits) for visits in runs]))
+print("runs that come back to both frontiers:", sum(fork.returns_to(visits) for visits in runs), "of", len(runs))
+if np.mean([fork.turns(visits) for visits in runs]) < 1:
     seen = "stays with one branch"
 else:
-    back = np.mean([exploration.returns_to(visits) for visits in runs]) > 0.5
+    back = np.mean([fork.returns_to(visits) for visits in runs]) > 0.5
     seen = "turns to the other branch and comes back" if back else "turns to the other branch for good"
 two_branches.measured(seen)
 
@@ -414,9 +417,9 @@ no_slips
 # %%
 def highest_visited(epsilon, height=100):
     """Return the highest position that the novelty agent ever visited, a mean over 20 repetitions."""
-    methods = {"novelty": exploration.paper_methods(epsilon)["novelty reward"]}
-    results = exploration.compare(height, methods=methods, repetitions=20)
-    return np.mean([exploration.frontier(visits) for visits in exploration.visits_of(results, "novelty")])
+    methods = {"novelty": paper_methods(epsilon)["novelty reward"]}
+    results = compare(height, methods=methods, repetitions=20)
+    return np.mean([climbs.frontier(visits) for visits in visits_of(results, "novelty")])
 
 
 for epsilon in (0.1, 0.02):
@@ -443,8 +446,8 @@ far_sighted
 # %%
 shares = {}
 for gamma in (0.9, 0.99):
-    methods = {"novelty": exploration.paper_methods(discount=gamma)["novelty reward"]}
-    shares[gamma] = exploration.compare(10, methods=methods, repetitions=20).final("novelty").mean()
+    methods = {"novelty": paper_methods(discount=gamma)["novelty reward"]}
+    shares[gamma] = compare(10, methods=methods, repetitions=20).final("novelty").mean()
     print(f"γ = {gamma}: {shares[gamma]:.0%} of the runs end with a policy that reaches the top")
 difference = shares[0.99] - shares[0.9]
 far_sighted.measured("more often" if difference > 0.1 else "less often" if difference < -0.1 else "as often")
@@ -469,8 +472,8 @@ longer
 # %%
 measured = {}
 for name, n_grips, height in (("three grips, height 5", 3, 5), ("two grips, height 8", 2, 8)):
-    steps = exploration.random_search_steps(n_grips, height)
-    measured[name] = exploration.watch_random_search(n_grips, height, climbs=200, repetitions=10).estimate
+    steps = climbs.random_search_steps(n_grips, height)
+    measured[name] = climbs.watch_random_search(n_grips, height, climbs=200, repetitions=10).estimate
     print(f"{name}: {steps} steps by the formula, {measured[name]:.0f} measured")
 longer.measured(max(measured, key=measured.get))
 
@@ -489,8 +492,8 @@ longer.measured(max(measured, key=measured.get))
 # that it makes up.
 
 # %%
-from edugym_course.lessons.exploration.exercises import CHALLENGE, exercise_1, exercise_2, exercise_3, exercise_4
 from edugym_course.grading import check
+from edugym_course.lessons.exploration.exercises import CHALLENGE, exercise_1, exercise_2, exercise_3, exercise_4
 
 # %% [markdown]
 # ### Exercise 1: change a parameter
@@ -536,7 +539,7 @@ check(exercise_2, optimist)
 ### BEGIN HIDDEN TESTS
 check(exercise_2, optimist, seed=1, quiet=True)
 ### END HIDDEN TESTS
-display(exploration.race({"optimist": optimist}))
+display(figures.race({"optimist": optimist}))
 
 # %% [markdown]
 # **How far does optimism carry?** With the learning rate $\alpha = 1$ the agent believes every step at once. Let it race
@@ -550,11 +553,11 @@ three_grips = predict("Height 100, three grips:", ["both", "optimism only", "Go-
 three_grips
 
 # %%
-methods = {**exploration.METHODS, "optimism": exploration.OPTIMIST}
+methods = {**METHODS, "optimism": OPTIMIST}
 panels = []
 for n_grips in (2, 3):
-    results = exploration.compare(100, methods=methods, n_grips=n_grips, repetitions=30)
-    panels.append(exploration.curves(results, 100, n_grips))
+    results = compare(100, methods=methods, n_grips=n_grips, repetitions=30)
+    panels.append(figures.curves(results, 100, n_grips))
 display(Sheet("optimism", [panels]))
 late = {method: results.curves(method).loc[18_000:].to_numpy().mean() for method in ("optimism", "Go-Explore")}
 print(f"three grips, last 2 000 steps: optimism {late['optimism']:.0%}, Go-Explore {late['Go-Explore']:.0%}")
@@ -654,7 +657,7 @@ check(exercise_3, MyExplorer)
 ### BEGIN HIDDEN TESTS
 check(exercise_3, MyExplorer, seed=1, quiet=True)
 ### END HIDDEN TESTS
-display(exploration.race({"my explorer": MyExplorer.create}))
+display(figures.race({"my explorer": MyExplorer.create}))
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
@@ -671,14 +674,14 @@ display(exploration.race({"my explorer": MyExplorer.create}))
 # map of 8 by 8, not slippery, is a sparse task too: its only reward is in the far corner, 14 steps away, and a fall into
 # one of its holes ends the episode. Predict first: will the novelty reward help as much as on the wall?
 #
-# Compare *four* methods there: the three in `exploration.METHODS`, under their names, and a fourth of your own choice
+# Compare *four* methods there: the three in `METHODS`, under their names, and a fourth of your own choice
 # (another agent, or one of the three with other settings). Call `repeat` with 20 000 steps and 5 repetitions, and
 # assign the results to `frozen`. Can you find a fourth *without goals* that solves the lake in all five runs, as
 # Go-Explore does?
 #
 # <details><summary>Hint</summary><code>repeat</code> takes an environment, a dictionary of methods and the number of
 # steps. A method is a function that makes an agent for an environment, and
-# <code>{**exploration.METHODS, "mine": ...}</code> adds one. The number of repetitions is given by its name:
+# <code>{**METHODS, "mine": ...}</code> adds one. The number of repetitions is given by its name:
 # <code>repeat(lake, methods, 20_000, repetitions=5)</code>.</details>
 
 # %%
@@ -686,7 +689,7 @@ lake = gym.make("FrozenLake-v1", map_name="8x8", is_slippery=False)
 frozen = None
 ### BEGIN SOLUTION
 mine = {"optimistic": lambda lake: QLearning.create(lake, discount=0.9, initial_value=1.0)}
-frozen = repeat(lake, {**exploration.METHODS, **mine}, 20_000, repetitions=5)
+frozen = repeat(lake, {**METHODS, **mine}, 20_000, repetitions=5)
 ### END SOLUTION
 
 # %% tags=["check"]

@@ -23,7 +23,7 @@ import numpy as np
 
 from edugym import EpsilonGreedy, QLearning, train
 from edugym.agents.tables import greedy_action
-from edugym_course.lessons import loop
+from edugym_course.lessons.loop import exact, figures, methods
 from edugym_course.notebook import frames, play, predict, sliders, source
 
 # %% [markdown]
@@ -91,10 +91,10 @@ random_play = predict("The random policy gets, on average:", unit="points")
 random_play
 
 # %%
-totals, cut_off = loop.play_at_random(env, episodes=400)  # the loop above, 400 times
+totals, cut_off = methods.play_at_random(env, episodes=400)  # the loop above, 400 times
 print(f"400 episodes: {np.mean(totals):.0f} points on average, and {np.mean(cut_off):.0%} of them are truncated")
-print(f"computed from the rules of the shop: {loop.random_return():.0f} points")
-random_play.measured(loop.random_return())
+print(f"computed from the rules of the shop: {exact.random_return():.0f} points")
+random_play.measured(exact.random_return())
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
@@ -136,7 +136,7 @@ for reward in (24, -1, -1):  # the last reward first
 # the return from each step on.
 
 # %%
-loop.rewards_and_returns(0.95)
+figures.rewards_and_returns(0.95)
 
 # %% [markdown]
 # Nearly all steps of the *best* way have the reward −1, like the steps of any bad way. The reward does not show that
@@ -153,8 +153,10 @@ next_reward = predict(
 next_reward
 
 # %%
-earned = loop.myopic_return()
-print(f"highest next reward: {earned:.0f} points, random: {loop.random_return():.0f}, best policy: {loop.OPTIMUM:g}")
+earned = exact.myopic_return()
+print(
+    f"highest next reward: {earned:.0f} points, random: {exact.random_return():.0f}, best policy: {methods.OPTIMUM:g}"
+)
 next_reward.measured(next_reward.options[0 if earned > 47 else 1 if earned >= 0 else 2])
 
 # %% [markdown]
@@ -246,17 +248,17 @@ frames(env, agent, max_steps=40)
 # **Predict.** Over the last 5 000 steps, who has the lowest mean in the left panel?
 
 # %%
-worst = predict("The lowest points without exploring:", [loop.RANDOM, loop.MYOPIC, loop.Q_LEARNING])
+worst = predict("The lowest points without exploring:", [methods.RANDOM, methods.MYOPIC, methods.Q_LEARNING])
 worst
 
 # %%
-results = loop.play_and_learn(n_steps=20_000, repetitions=30)
-display(loop.learning_curves(results))
+results = methods.play_and_learn(n_steps=20_000, repetitions=30)
+display(figures.learning_curves(results))
 late = {player: results.curves(player).loc[15_000:].to_numpy().mean() for player in results.methods}
 for player, points in late.items():
     print(f"{player:20} mean over the last 5 000 steps: {points:5.0f} points")
-solved = results.share(loop.Q_LEARNING, loop.OPTIMUM).estimate
-print(f"runs of {loop.Q_LEARNING} that end with the optimum: {solved:.0%}")
+solved = results.share(methods.Q_LEARNING, methods.OPTIMUM).estimate
+print(f"runs of {methods.Q_LEARNING} that end with the optimum: {solved:.0%}")
 worst.measured(min(late, key=late.get))
 
 # %% [markdown]
@@ -286,8 +288,8 @@ items = predict("With γ = 0.85 the best way collects ...", ["no item", "one", "
 items
 
 # %%
-display(loop.with_discount(gamma=0.85))
-items.measured(items.options[loop.items_on(loop.best_way(0.85))])
+display(figures.with_discount(gamma=0.85))
+items.measured(items.options[exact.items_on(exact.best_way(0.85))])
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
@@ -308,9 +310,9 @@ items.measured(items.options[loop.items_on(loop.best_way(0.85))])
 
 # %%
 sliders(
-    loop.with_discount,
+    figures.with_discount,
     gamma=[0.0, 0.5, 0.8, 0.85, 0.88, 0.89, 0.9, 0.92, 0.94, 0.95, 0.97, 0.99, 1.0],
-    bag=list(loop.BAGS),
+    bag=list(figures.BAGS),
 )
 
 # %% [markdown]
@@ -333,9 +335,9 @@ sliders(
 
 # %%
 sliders(
-    loop.learned_beside_exact,
+    figures.learned_beside_exact,
     steps=[0, 500, 1_000, 1_500, 2_000, 2_500, 3_000, 3_500, 4_000, 5_000, 6_000, 8_000, 10_000, 20_000],
-    bag=list(loop.BAGS),
+    bag=list(figures.BAGS),
 )
 
 # %% [markdown]
@@ -358,12 +360,12 @@ everywhere
 
 # %%
 for steps in (0, 20_000):
-    agents = [loop.agent_after(steps, seed=seed) for seed in range(10)]
-    share = np.mean([loop.right_choices(agent.Q, discount=0.99) for agent in agents])
+    agents = [figures.agent_after(steps, seed=seed) for seed in range(10)]
+    share = np.mean([exact.right_choices(agent.Q, discount=0.99) for agent in agents])
     print(f"after {steps:6,} steps: a best action in {share:.0%} of the states (mean of 10 agents)")
-untried = np.mean([loop.untried(agent.Q) for agent in agents])
+untried = np.mean([exact.untried(agent.Q) for agent in agents])
 for tried, part in ((False, untried), (True, 1 - untried)):
-    right = np.mean([loop.right_choices(agent.Q, discount=0.99, tried=tried) for agent in agents])
+    right = np.mean([exact.right_choices(agent.Q, discount=0.99, tried=tried) for agent in agents])
     print(f"{'tried' if tried else 'never tried'}: {part:.0%} of the states, a best action in {right:.0%} of these")
 everywhere.measured(100 * share)
 
@@ -382,8 +384,8 @@ everywhere.measured(100 * share)
 # like. Click on a hint to open it.
 
 # %%
-from edugym_course.lessons.loop.exercises import exercise_1, exercise_2, exercise_3
 from edugym_course.grading import check
+from edugym_course.lessons.loop.exercises import exercise_1, exercise_2, exercise_3
 
 # %% [markdown]
 # ### Exercise 1: the return
@@ -482,7 +484,7 @@ check(exercise_3, MyAgent)
 ### BEGIN HIDDEN TESTS
 check(exercise_3, MyAgent, seed=1, quiet=True)
 ### END HIDDEN TESTS
-display(loop.race({"my agent": lambda shop: MyAgent(np.zeros((800, 4)))}))
+display(figures.race({"my agent": lambda shop: MyAgent(np.zeros((800, 4)))}))
 run = train("Supermarket", MyAgent(np.zeros((800, 4))), 3_000_000, evaluate_every=3_000_000)
 
 # %% [markdown]
@@ -505,7 +507,7 @@ run = train("Supermarket", MyAgent(np.zeros((800, 4))), 3_000_000, evaluate_ever
 # you write your own: states, actions, and a reward that says what you mean.
 
 # %%
-loop.nine_challenges()
+figures.nine_challenges()
 
 # %% [markdown]
 # ### Limits

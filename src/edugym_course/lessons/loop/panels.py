@@ -6,8 +6,8 @@ import numpy as np
 
 from edugym.adapters.registration import make_environment
 from edugym.envs.supermarket import Supermarket
-from edugym.experiments.figures.panel import ALONE, Place
-from edugym.experiments.figures.style import add_legend, axes_or_new, dress, plot_line
+from edugym.experiments.figures.panel import ALONE, Place, on_axes
+from edugym.experiments.figures.style import VERMILION, axes_or_new, dress, plot_line
 from edugym.mdp.protocol import Reals
 from edugym.rendering.palette import INK
 from edugym.rendering.pixels import to_pixels
@@ -48,7 +48,7 @@ class ValueMap(NamedTuple):
         ax.quiver(x, y, dx, dy, color=INK, pivot="mid", **size)
         if self.way:
             y, x = np.array(self.way) // 80, np.array(self.way) // 8 % 10
-            ax.plot(x, y, color="#d55e00", linewidth=3.0, alpha=0.55, solid_capstyle="round")
+            ax.plot(x, y, color=VERMILION, linewidth=3.0, alpha=0.55, solid_capstyle="round")
         return ax
 
     def arrows(self) -> list[tuple[float, float, float, float]]:
@@ -82,9 +82,9 @@ class RewardBars(NamedTuple):
     y_label: str = "points"
     returns: Reals | None = None
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the bars on `ax`, by default in a new figure, and return the axes."""
-        ax = axes_or_new(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw the bars."""
         steps = np.arange(float(len(self.rewards)))
         ax.bar(
             steps,
@@ -99,9 +99,6 @@ class RewardBars(NamedTuple):
         top = self.rewards if self.returns is None else self.returns
         ax.set_ylim(-3.0, max(52.0, 1.1 * float(top.max())))
         dress(ax, self.x_label, self.y_label, self.title)
-        if place.alone and self.returns is not None:
-            add_legend(ax)
-        return ax
 
 
 class Picture(NamedTuple):
@@ -115,12 +112,11 @@ class Picture(NamedTuple):
     environment: str
     title: str = ""
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the picture on `ax`, by default in a new figure, and return the axes."""
-        ax = axes_or_new(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw the picture."""
         env: Any = make_environment(self.environment)
         env.reset(seed=0)
         ax.imshow(to_pixels(env.unwrapped.scene()))
         ax.set_title(self.title, color=INK, fontsize=9)
         ax.set_axis_off()
-        return ax

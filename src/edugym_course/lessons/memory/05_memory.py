@@ -22,9 +22,10 @@ from gymnasium import spaces
 
 from edugym import DQN, FrameStack, QLearning, SeparateFrames, make_mdp, stack_size, wrapper
 from edugym.agents.tables import best_value, one_step_target
-from edugym_course.lessons import memory
-from edugym_course.notebook import frames, play, predict, sliders, source
 from edugym.experiments.figures import Curves, Sheet
+from edugym.experiments.results.tables import joined
+from edugym_course.lessons.memory import figures, lake, network, players, recurrent, windows
+from edugym_course.notebook import frames, play, predict, sliders, source
 
 # %% [markdown]
 # ## Meet the environment: doors that are marked once
@@ -138,7 +139,7 @@ source(best_value)
 # the door: 4 · the older + the newer. So 15 is (no mark, no mark). At which row does it err?
 
 # %%
-two = memory.learn(2, n_steps=50_000, repetitions=1)
+two = players.learn(2, n_steps=50_000, repetitions=1)
 frames(FrameStack.create(make_mdp("MemoryCorridor"), 2), two.agents["k = 2"][0], seed=4)
 
 # %% [markdown]
@@ -155,11 +156,11 @@ frames(FrameStack.create(make_mdp("MemoryCorridor"), 2), two.agents["k = 2"][0],
 # observation.)
 
 # %%
-source(memory.Rememberer, "act", "learn")
+source(players.Rememberer, "act", "learn")
 
 # %%
-print("returns of ten episodes:", memory.remember(repetitions=10).final("notes").astype(int).tolist())
-frames("MemoryCorridor", memory.Rememberer.create(None), seed=4, max_steps=60)
+print("returns of ten episodes:", players.remember(repetitions=10).final("notes").astype(int).tolist())
+frames("MemoryCorridor", players.Rememberer.create(None), seed=4, max_steps=60)
 
 # %% [markdown]
 # ### A learned memory
@@ -204,13 +205,13 @@ helps
 
 # %%
 how = {"n_steps": 100_000, "repetitions": 50, "jobs": 2}
-alone = memory.learn_all([1, 2, 3, 4], **how)
-both = memory.learn_all([1, 2, 3, 4, 5], actions=True, **how)
-display(memory.compare_windows(alone, both))
+alone = players.learn_all([1, 2, 3, 4], **how)
+both = players.learn_all([1, 2, 3, 4, 5], actions=True, **how)
+display(figures.compare_windows(alone, both))
 for results, title in ((alone, "observations alone"), (both, "observations and actions")):
-    means = ", ".join(f"{label}: {memory.late(results, label).mean():.1f}" for label in results.methods)
+    means = ", ".join(f"{label}: {players.late(results, label).mean():.1f}" for label in results.methods)
     print(f"{title:24} {means}  (mean of the last five points)")
-gain = memory.late(both, "k = 4").mean() - memory.late(alone, "k = 4").mean()
+gain = players.late(both, "k = 4").mean() - players.late(alone, "k = 4").mean()
 same, higher, lower = helps.options
 helps.measured(same if abs(gain) <= 0.5 else higher if gain > 0 else lower)
 
@@ -235,7 +236,7 @@ helps.measured(same if abs(gain) <= 0.5 else higher if gain > 0 else lower)
 # %%
 def one_window(k=3, doors=3, epsilon=0.1, alpha=0.1, gamma=0.8):
     """Draw the learning curves of one window, without and with actions."""
-    return memory.one_window(k, doors, epsilon=epsilon, learning_rate=alpha, discount=gamma)
+    return figures.one_window(k, doors, epsilon=epsilon, learning_rate=alpha, discount=gamma)
 
 
 sliders(
@@ -274,7 +275,7 @@ sliders(
 # %%
 def window(step=6, k=4, actions=False):
     """Draw an episode up to a step, with the window on it."""
-    return memory.walk_figure((2, 0, 1, 1), step, k, actions, f"step {step}, k = {k}")
+    return figures.walk_figure((2, 0, 1, 1), step, k, actions, f"step {step}, k = {k}")
 
 
 sliders(window, step=(0, 9), k=(1, 8), actions=False)
@@ -288,11 +289,11 @@ needed = predict("The smallest window for corridor 4:", unit="observations")
 needed
 
 # %%
-display(Sheet("laws", [[memory.window_lines([1, 2, 3, 4, 5, 6])]]))
+display(Sheet("laws", [[figures.window_lines([1, 2, 3, 4, 5, 6])]]))
 for length in (2, 3, 4, 5, 6):
-    shortest, with_actions = memory.smallest_window(length), memory.smallest_window(length, actions=True)
+    shortest, with_actions = windows.smallest_window(length), windows.smallest_window(length, actions=True)
     print(f"corridor {length}: {shortest:2} observations alone, {with_actions} with actions")
-needed.measured(memory.smallest_window(4))
+needed.measured(windows.smallest_window(4))
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
@@ -314,7 +315,7 @@ needed.measured(memory.smallest_window(4))
 # is not quite. Here are two moments that look the same in a window of 4 with actions, and need different doors:
 
 # %%
-memory.twin_figure(4, 4, actions=True)
+figures.twin_figure(4, 4, actions=True)
 
 # %% [markdown]
 # The agent sees one mark, and two unmarked places after it. Is it in corridor 4, where the right door was opened 3
@@ -338,7 +339,7 @@ memory.twin_figure(4, 4, actions=True)
 
 # %%
 for length in range(3, 9):
-    k_alone, k_both = memory.window_law(length), memory.action_law(length)
+    k_alone, k_both = windows.window_law(length), windows.action_law(length)
     alone_bytes, both_bytes = 3 * 8 * stack_size(4, k_alone), 3 * 8 * stack_size(4, k_both, 3)
     print(f"corridor {length}: observations alone, k = {k_alone:2}, {alone_bytes:7.2g} bytes;", end="  ")
     print(f"with actions, k = {k_both:2}, {both_bytes:7.2g} bytes")
@@ -359,13 +360,13 @@ early = predict(
 early
 
 # %%
-quick = memory.learn_all([1, 2, 3, 4, 5], actions=True, n_steps=2_000, repetitions=100, evaluate_every=250)
+quick = players.learn_all([1, 2, 3, 4, 5], actions=True, n_steps=2_000, repetitions=100, evaluate_every=250)
 display(Sheet("early", [[Curves(quick, "with actions, early")]]))
 at = {label: quick.curves(label).loc[750:1_250].to_numpy().mean() for label in ("k = 3", "k = 5")}
 for label, value in at.items():
-    best = memory.best_play(int(label[4:]), actions=True).value
+    best = windows.best_play(int(label[4:]), actions=True).value
     print(f"{label}: return {value:.1f} near step 1 000, {value / best:.0%} of the best play with its window")
-    stopped = memory.learn(int(label[4:]), actions=True, n_steps=1_000, repetitions=100)
+    stopped = players.learn(int(label[4:]), actions=True, n_steps=1_000, repetitions=100)
     tables = [agent.Q for agent in stopped.agents[label].values()]
     changed = np.mean([np.any(Q != 0, axis=1).sum() for Q in tables])
     print(f"  after 1 000 steps {changed:.0f} of its {len(tables[0])} rows have a value other than 0")
@@ -421,13 +422,13 @@ far = predict("DQN on 7 observations with actions returns about ...", ["below 13
 far
 
 # %%
-windows = ("7 observations", "7 observations and actions")
-trained = [memory.learn_with_network(label, n_steps=80_000, repetitions=3, jobs=2) for label in windows]
-networks = memory.joined(trained)
-display(memory.network_figure(networks))
+labels = ("7 observations", "7 observations and actions")
+trained = [network.learn_with_network(label, n_steps=80_000, repetitions=3, jobs=2) for label in labels]
+networks = joined(trained)
+display(figures.network_figure(networks))
 for label in networks.methods:
-    print(f"{label:26}: {memory.late(networks, label).mean():.1f} (mean of the last five points)")
-reached = memory.late(networks, "7 observations and actions").mean()
+    print(f"{label:26}: {players.late(networks, label).mean():.1f} (mean of the last five points)")
+reached = players.late(networks, "7 observations and actions").mean()
 far.measured("below 13" if reached < 13 else "15, give or take 2" if reached <= 17 else "above 17")
 
 # %% [markdown]
@@ -457,11 +458,11 @@ frames(corridor, choose, seed=4, max_steps=60)
 # that we found with each window, and beside what was learned.
 
 # %%
-display(memory.worth((alone, both), networks))
-print(f"best play with 7 observations and actions returns {memory.best_play(7, actions=True).value:.1f} on average")
-for length, share in enumerate(memory.best_play(7, actions=True).through[:7], start=1):
+display(figures.worth((alone, both), networks))
+print(f"best play with 7 observations and actions returns {windows.best_play(7, actions=True).value:.1f} on average")
+for length, share in enumerate(windows.best_play(7, actions=True).through[:7], start=1):
     print(f"  it gets through corridor {length} in {share:.0%} of all episodes")
-memory.twin_figure(8, 6, actions=True)
+figures.twin_figure(8, 6, actions=True)
 
 # %% [markdown]
 # Three things come together.
@@ -493,11 +494,11 @@ learned = predict(
 learned
 
 # %%
-recurrent = memory.STORED.load()
-display(memory.network_figure(networks, recurrent))
-ends = np.sort(recurrent.final(memory.RECURRENT))
+stored = recurrent.STORED.load()
+display(figures.network_figure(networks, stored))
+ends = np.sort(stored.final(recurrent.RECURRENT))
 print(f"recurrent PPO: mean {ends.mean():.1f}; the ten seeds: {', '.join(f'{end:.1f}' for end in ends)}")
-below, above = (memory.late(networks, label).mean() for label in ("7 observations", "7 observations and actions"))
+below, above = (players.late(networks, label).mean() for label in ("7 observations", "7 observations and actions"))
 learned.measured(learned.options[0 if ends.mean() < below else 1 if ends.mean() < above else 2])
 
 # %% [markdown]
@@ -516,7 +517,7 @@ learned.measured(learned.options[0 if ends.mean() < below else 1 if ends.mean() 
 # lines:
 
 # %%
-source(memory.EyesShut)
+source(lake.EyesShut)
 
 # %% [markdown]
 # Q-learning sees the lake through a window: 6 observations alone, or $k$ observations with the $k - 1$ actions between
@@ -531,10 +532,10 @@ blind = predict("The fewest actions with which all runs get there:", ["none", "1
 blind
 
 # %%
-lake = memory.learn_blindly([(6, False), (2, True), (3, True), (4, True)], repetitions=5)
-for label in lake.methods:
-    print(f"{label:19}: return at the end of each run {lake.final(label).astype(int).tolist()}")
-solved = [label for label in lake.methods if lake.final(label).min() == 1.0]
+walks = lake.learn_blindly([(6, False), (2, True), (3, True), (4, True)], repetitions=5)
+for label in walks.methods:
+    print(f"{label:19}: return at the end of each run {walks.final(label).astype(int).tolist()}")
+solved = [label for label in walks.methods if walks.final(label).min() == 1.0]
 names = {"k = 6": "none", "k = 2 with actions": "1", "k = 3 with actions": "2", "k = 4 with actions": "3"}
 blind.measured(names[solved[0]] if solved else "no number is enough")
 
@@ -560,8 +561,8 @@ blind.measured(names[solved[0]] if solved else "no number is enough")
 # that it makes up.
 
 # %%
-from edugym_course.lessons.memory.exercises import CHALLENGE, exercise_1, exercise_2, exercise_3
 from edugym_course.grading import check
+from edugym_course.lessons.memory.exercises import CHALLENGE, exercise_1, exercise_2, exercise_3
 
 # %% [markdown]
 # ### Exercise 1: how large is the table?
@@ -686,7 +687,7 @@ check(exercise_2, MyWindow)
 ### BEGIN HIDDEN TESTS
 check(exercise_2, MyWindow, seed=1, quiet=True)
 ### END HIDDEN TESTS
-display(memory.race({"my window": MyWindow(make_mdp("MemoryCorridor"))}, n_steps=20_000, repetitions=10))
+display(figures.race({"my window": MyWindow(make_mdp("MemoryCorridor"))}, n_steps=20_000, repetitions=10))
 
 # %% [markdown]
 # ### Exercise 3: write the right memory
@@ -774,7 +775,7 @@ check(exercise_3, Notebook)
 check(exercise_3, Notebook, seed=1, quiet=True)
 ### END HIDDEN TESTS
 notebook = {"my notebook": Notebook(make_mdp("MemoryCorridor"))}
-display(memory.race(notebook, n_steps=20_000, repetitions=10, log=True, evaluation_episodes=5))
+display(figures.race(notebook, n_steps=20_000, repetitions=10, log=True, evaluation_episodes=5))
 
 # %% [markdown]
 # <details><summary>What the race shows</summary>

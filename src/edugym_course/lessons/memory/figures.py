@@ -8,13 +8,25 @@ import numpy as np
 
 from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.lines import Lines
-from edugym.experiments.figures.panel import ALONE, Place
+from edugym.experiments.figures.panel import ALONE, Place, on_axes
 from edugym.experiments.figures.sheet import Sheet
-from edugym.experiments.figures.style import REFERENCE, SOFT_REFERENCE, add_legend, axes_or_new, dress, stroke
+from edugym.experiments.figures.style import (
+    DEEP_BLUE,
+    PALE_AMBER,
+    PALE_BLUE,
+    PALE_GREEN,
+    REFERENCE,
+    SOFT_REFERENCE,
+    VERMILION,
+    add_legend,
+    axes_or_new,
+    dress,
+    stroke,
+)
 from edugym.experiments.results.statistics import Interval, mean_interval
 from edugym.experiments.results.tables import Results
 from edugym.mdp.protocol import Reals
-from edugym.rendering.palette import INK, SHADE
+from edugym.rendering.palette import INK, SHADE, WHITE
 from edugym_course.lessons.memory.network import WINDOWS
 from edugym_course.lessons.memory.players import (
     DISCOUNT,
@@ -41,7 +53,7 @@ from edugym_course.lessons.memory.windows import (
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-DOOR_COLOURS = ("#8fb8de", "#f2c078", "#9fd3b6")
+DOOR_COLOURS = (PALE_BLUE, PALE_AMBER, PALE_GREEN)
 FRAMES_ALONE, WITH_ACTIONS = "observations alone", "observations and actions"
 BEST = "best play with this window"
 STEPS = 100_000
@@ -100,25 +112,25 @@ class Walk(NamedTuple):
     title: str = ""
     pointing: bool = True
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the cells on `ax`, by default in a new figure, and return the axes."""
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw the cells."""
         from matplotlib.patches import Polygon
 
-        ax = axes_or_new(ax)
         steps = [(length, p) for length in range(1, len(self.doors) + 1) for p in range(length)]
         for t, (length, p) in enumerate(steps[: self.step + 1]):
             marked = p == length - 1
             door = self.doors[p]
             self._cell(ax, t, 1.0, DOOR_COLOURS[door] if marked else SHADE, f"{door}" if marked else "–")
             now = t == self.step
-            self._cell(ax, t, 0.0, "#ffffff" if now else DOOR_COLOURS[door], "?" if now else f"{door}")
+            self._cell(ax, t, 0.0, WHITE if now else DOOR_COLOURS[door], "?" if now else f"{door}")
             if p == 0:
                 ax.text(t - 0.42, 1.72, f"corridor {length}" if length > 1 else "1", fontsize=8, color=INK)
                 ax.plot([t - 0.5, t - 0.5], [-0.5, 2.1], color=INK, linewidth=0.6)
         if self.k:
             left, right, low = self.step - self.k + 0.5, self.step + 0.5, -0.5 if self.actions else 0.52
             corners = [(left, 1.5), (right, 1.5), (right, 0.52), (right - 1, 0.52), (right - 1, low), (left, low)]
-            ax.add_patch(Polygon(corners, fill=False, edgecolor="#d55e00", linewidth=2.2, zorder=5))
+            ax.add_patch(Polygon(corners, fill=False, edgecolor=VERMILION, linewidth=2.2, zorder=5))
         length, p = steps[self.step]
         if self.pointing and p < length - 1:
             back = length - 1
@@ -133,7 +145,6 @@ class Walk(NamedTuple):
         dress(ax, "step", "", self.title)
         ax.spines[["left", "bottom"]].set_visible(False)
         ax.tick_params(length=0)
-        return ax
 
     def _cell(self, ax: "Axes", x: float, y: float, colour: str, text: str) -> None:
         from matplotlib.patches import Rectangle
@@ -286,9 +297,9 @@ class Worth(NamedTuple):
     title: str
     top: float
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw lines and points on `ax`, by default in a new figure, and return the axes."""
-        ax = axes_or_new(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw lines and points."""
         ax.step(
             [*self.ks, self.ks[-1] + 0.6],
             [*self.sure, self.sure[-1]],
@@ -306,7 +317,7 @@ class Worth(NamedTuple):
                 ]
                 ks = [k for k, _ in points]
                 look: dict[str, Any] = {
-                    "color": ("#0072b2", "#d55e00")[i],
+                    "color": (DEEP_BLUE, VERMILION)[i],
                     "marker": "os"[i],
                     "markersize": 5,
                     "linestyle": "none",
@@ -315,9 +326,6 @@ class Worth(NamedTuple):
         ax.set_ylim(0, self.top)
         ax.set_xticks(self.ks)
         dress(ax, "observations in the window, k", "return (greedy)", self.title)
-        if place.alone:
-            add_legend(ax)
-        return ax
 
 
 def worth(tables: Sequence[Results], networks: Results, windows: int = 7) -> Sheet:

@@ -14,7 +14,7 @@ from edugym.experiments.results.statistics import paired_difference
 from edugym.experiments.results.tables import Results
 from edugym.mdp.separate_frames import SeparateFrames
 
-N_STEPS = 100_000
+NETWORK_STEPS = 100_000
 DISCOUNT = 0.8
 LEARNING_RATE = 0.001
 LAST_EPSILON = 0.02
@@ -27,7 +27,7 @@ WINDOWS: Mapping[str, tuple[int, bool]] = MappingProxyType(
 def learn_with_network(
     window: str,
     *,
-    n_steps: int = N_STEPS,
+    n_steps: int = NETWORK_STEPS,
     learning_rate: float = LEARNING_RATE,
     discount: float = DISCOUNT,
     **how: Any,

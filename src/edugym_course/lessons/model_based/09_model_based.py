@@ -23,9 +23,22 @@ import numpy as np
 from edugym import DynaQ, PrioritisedSweeping, QLearning, RMax, make_mdp, repeat
 from edugym.agents.tabular_model import TabularModel
 from edugym.exact.tables import FiniteModel
-from edugym_course.lessons import model_based
-from edugym_course.notebook import frames, play, predict, sliders, source
 from edugym.experiments.figures import Sheet
+from edugym.training.attempt import attempt
+from edugym_course.lessons.model_based import figures, maps
+from edugym_course.lessons.model_based.methods import (
+    GIVEN,
+    LEARNED,
+    REMEDIES,
+    SLOW_DYNA,
+    WRONG,
+    compare,
+    compare_planners,
+    targets_computed,
+    with_right_model,
+)
+from edugym_course.lessons.model_based.plans import follow_plans, items_found, used_and_seen
+from edugym_course.notebook import frames, play, predict, sliders, source
 
 # %% [markdown]
 # ## Meet the environment: a shop, three items, one exit
@@ -117,7 +130,7 @@ source(FiniteModel.action_values)
 # any more, and the best way is known, before the first step.
 
 # %%
-model_based.dynamic_programming()
+maps.dynamic_programming()
 
 # %% [markdown]
 # ### If the model must be learned: Dyna
@@ -177,8 +190,8 @@ spread = predict(
 spread
 
 # %%
-display(model_based.spreading(200))
-knows = model_based.who_knows_the_way(200)
+display(maps.spreading(200))
+knows = maps.who_knows_the_way(200)
 spread.measured({(): "neither", ("Dyna", "prioritised sweeping"): "both"}.get(knows, knows[0] if knows else ""))
 
 # %% [markdown]
@@ -196,7 +209,7 @@ spread.measured({(): "neither", ("Dyna", "prioritised sweeping"): "both"}.get(kn
 # slider: its steps grow.
 
 # %%
-sliders(model_based.spreading, updates=[0, 20, 40, 60, 80, 100, 150, 200, 400, 800, 1_200, 1_600, 2_000, 2_400])
+sliders(maps.spreading, updates=[0, 20, 40, 60, 80, 100, 150, 200, 400, 800, 1_200, 1_600, 2_000, 2_400])
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
@@ -213,7 +226,7 @@ sliders(model_based.spreading, updates=[0, 20, 40, 60, 80, 100, 150, 200, 400, 8
 def watch(method, after=1_000):
     """Show one episode of training, after so many steps of training before it."""
     shop = make_mdp("Supermarket")
-    return frames(shop, model_based.attempt(model_based.LEARNED[method], shop, after, seed=3), max_steps=60)
+    return frames(shop, attempt(LEARNED[method], shop, after, seed=3), max_steps=60)
 
 
 watch("Q-learning")
@@ -258,11 +271,11 @@ at_the_end = predict(
 at_the_end
 
 # %%
-planners = {label: model_based.LEARNED[label] for label in at_the_end.options}
-learned = model_based.compare(planners, repetitions=100)
-display(model_based.learning_curves(learned))
+planners = {label: LEARNED[label] for label in at_the_end.options}
+learned = compare(planners, repetitions=100)
+display(figures.learning_curves(learned))
 for method in learned.methods:
-    steps = model_based.steps_to(learned, method, 70)
+    steps = figures.steps_to(learned, method, 70)
     print(f"{method:20}: half of the runs get 70 by step {steps:5.0f}; at the end {learned.mean(method)}")
 at_the_end.measured(max(learned.methods, key=lambda method: learned.final(method).mean()))
 
@@ -314,9 +327,9 @@ free = predict("If only targets take time, the first to return 70 is ...", [*pla
 free
 
 # %%
-targets = model_based.targets_computed(learned)
-display(model_based.clocks(learned, targets))
-simulator = model_based.Clock(learned, targets, step_ms=0.0, target_us=10.0)
+targets = targets_computed(learned)
+display(figures.clocks(learned, targets))
+simulator = figures.Clock(learned, targets, step_ms=0.0, target_us=10.0)
 for method in learned.methods:
     early, later = targets[method][:, :500].sum(axis=1).mean(), targets[method][:, 500:].mean()
     print(f"{method:20}: {early:6.0f} targets in the first 500 steps, later {later:4.1f} a step;", end=" ")
@@ -342,9 +355,9 @@ free.measured(min(learned.methods, key=lambda method: simulator.seconds_to(metho
 # %%
 def one_shop(n=10, epsilon=0.1, alpha=1.0, gamma=0.99):
     """Draw the learning curves of Q-learning, and of two planners with n updates a step."""
-    results = model_based.compare_planners(n, epsilon, alpha, gamma, repetitions=10)
+    results = compare_planners(n, epsilon, alpha, gamma, repetitions=10)
     title = f"n = {n}, ε = {epsilon:g}, α = {alpha:g}, γ = {gamma:g}"
-    return Sheet("one shop", [[model_based.learning(results, title)]])
+    return Sheet("one shop", [[figures.learning(results, title)]])
 
 
 sliders(one_shop, n=(0, 40, 2), epsilon=(0.02, 0.9, 0.02), alpha=(0.1, 1.0, 0.1), gamma=(0.9, 0.99, 0.01))
@@ -367,7 +380,7 @@ sliders(one_shop, n=(0, 40, 2), epsilon=(0.02, 0.9, 0.02), alpha=(0.1, 1.0, 0.1)
 def one_clock(step_ms=1.0, target_us=10.0):
     """Draw the learning curves over time, where a step and a target take so long."""
     title = f"a step takes {step_ms:g} ms, a target {target_us:g} µs"
-    return Sheet("one clock", [[model_based.Clock(learned, targets, step_ms, target_us, title)]])
+    return Sheet("one clock", [[figures.Clock(learned, targets, step_ms, target_us, title)]])
 
 
 sliders(one_clock, step_ms=[0.0, 0.01, 0.03, 0.1, 0.3, 1.0, 10.0, 100.0], target_us=[1.0, 3.0, 10.0, 30.0, 100.0])
@@ -393,10 +406,10 @@ more_planning = predict("With perfect planning on its own experience, Dyna-10 wo
 more_planning
 
 # %%
-known = model_based.used_and_seen(learned)
-display(Sheet("known", [[model_based.Knowledge(known, "what they do with what they know")]]))
+known = used_and_seen(learned)
+display(Sheet("known", [[figures.Knowledge(known, "what they do with what they know")]]))
 for method in learned.methods:
-    found = ", ".join(f"{share:.0%}" for share in model_based.items_found(learned, method))
+    found = ", ".join(f"{share:.0%}" for share in items_found(learned, method))
     print(f"{method:20}: runs that have found item 1 (red), 2 (blue), 3 (green): {found}")
 more_planning.measured(known["Dyna-10"][1].mean())
 
@@ -464,10 +477,10 @@ wants_to_know = predict("R-max returns 95 after 2 000 steps in ... of its runs",
 wants_to_know
 
 # %%
-makers = {"Dyna-10": model_based.LEARNED["Dyna-10"], **model_based.REMEDIES, "R-max": model_based.LEARNED["R-max"]}
-remedied = model_based.compare(makers, repetitions=40)
-knowing = model_based.Knowledge(model_based.used_and_seen(remedied), "what they do with what they know")
-display(Sheet("remedies", [[model_based.learning(remedied, "remedies", y_range=(0.0, 100.0)), knowing]]))
+makers = {"Dyna-10": LEARNED["Dyna-10"], **REMEDIES, "R-max": LEARNED["R-max"]}
+remedied = compare(makers, repetitions=40)
+knowing = figures.Knowledge(used_and_seen(remedied), "what they do with what they know")
+display(Sheet("remedies", [[figures.learning(remedied, "remedies", y_range=(0.0, 100.0)), knowing]]))
 wants_to_know.measured(100 * np.mean(remedied.curves("R-max").loc[2_000] >= 95))
 
 # %% [markdown]
@@ -505,10 +518,10 @@ depth = predict("To return 95 it must look ahead", unit="steps")
 depth
 
 # %%
-short = {label: model_based.LEARNED[label] for label in ("Q-learning", "Dyna-10")}
-beginners = model_based.compare(short, n_steps=2_000, repetitions=30)
-looking = model_based.look_ahead_lines(beginners)
-display(Sheet("ahead", [[looking, model_based.Close(looking, (50.0, 100.0))]]))
+short = {label: LEARNED[label] for label in ("Q-learning", "Dyna-10")}
+beginners = compare(short, n_steps=2_000, repetitions=30)
+looking = figures.look_ahead_lines(beginners)
+display(Sheet("ahead", [[looking, figures.Close(looking, (50.0, 100.0))]]))
 depths = [0, 7, 8, 9, 10, 11, 12]
 print(f"{'it looks ahead':14}:", *(f"{d:5}" for d in depths))
 for method, returns in looking.lines.items():
@@ -543,8 +556,8 @@ never = predict("With noise 1.5, plans that never end:", unit="%")
 never
 
 # %%
-plans = {discount: model_based.follow_plans(range(40), discount) for discount in (0.9, 0.95)}
-display(Sheet("wrong plans", [[model_based.plan_lines(plans)]]))
+plans = {discount: follow_plans(range(40), discount) for discount in (0.9, 0.95)}
+display(Sheet("wrong plans", [[figures.plan_lines(plans)]]))
 lost = [plan for plan in plans[0.95][1.5] if not plan.ends]
 print(f"of the plans that never end, {np.mean([plan.bumps for plan in lost]):.0%} walk into one wall for ever")
 never.measured(100 * len(lost) / 40)
@@ -565,7 +578,7 @@ never.measured(100 * len(lost) / 40)
 # short-sighted planner finds the way to them too long.)
 
 # %%
-sliders(model_based.wrong_plan, noise=(0.0, 3.0, 0.25), draw=(0, 20), gamma=(0.8, 0.98, 0.02))
+sliders(maps.wrong_plan, noise=(0.0, 3.0, 0.25), draw=(0, 20), gamma=(0.8, 0.98, 0.02))
 
 # %% [markdown]
 # Now agents *learn*, and plan with a given model. Prioritised sweeping makes up to 1 000 expected updates a step, all with
@@ -583,11 +596,11 @@ saved = predict(
 saved
 
 # %%
-right = model_based.compare(model_based.with_right_model(model_based.GIVEN), repetitions=24)
-wrong = model_based.compare(model_based.GIVEN, noise=model_based.WRONG, repetitions=24)
-display(model_based.given_curves(right, wrong))
+right = compare(with_right_model(GIVEN), repetitions=24)
+wrong = compare(GIVEN, noise=WRONG, repetitions=24)
+display(figures.given_curves(right, wrong))
 good = {method: np.median(wrong.final(method)) > 50 for method in wrong.methods}
-slow, fast = good[model_based.SLOW_DYNA], good["Dyna-10"]
+slow, fast = good[SLOW_DYNA], good["Dyna-10"]
 saved.measured(saved.options[slow + 2 * fast])
 
 # %% [markdown]
@@ -609,8 +622,8 @@ saved.measured(saved.options[slow + 2 * fast])
 # that it makes up.
 
 # %%
-from edugym_course.lessons.model_based.exercises import CHALLENGE, exercise_1, exercise_2, exercise_3, exercise_4
 from edugym_course.grading import check
+from edugym_course.lessons.model_based.exercises import CHALLENGE, exercise_1, exercise_2, exercise_3, exercise_4
 
 # %% [markdown]
 # ### Exercise 1: how large an error is enough?
@@ -735,7 +748,7 @@ check(exercise_2, DynaPlus)
 ### BEGIN HIDDEN TESTS
 check(exercise_2, DynaPlus, seed=1, quiet=True)
 ### END HIDDEN TESTS
-display(model_based.race({"my Dyna-Q+": DynaPlus.create}))
+display(figures.race({"my Dyna-Q+": DynaPlus.create}))
 
 # %% [markdown]
 # Look at the right panel: does it know the shop now? And does it *use* what it knows? Give it smaller values of
@@ -829,7 +842,7 @@ check(exercise_3, MyRMax)
 ### BEGIN HIDDEN TESTS
 check(exercise_3, MyRMax, seed=1, quiet=True)
 ### END HIDDEN TESTS
-display(model_based.race({"my R-max": MyRMax.create}, n_steps=5_000, repetitions=8))
+display(figures.race({"my R-max": MyRMax.create}, n_steps=5_000, repetitions=8))
 
 # %% [markdown]
 # ### Exercise 4: swap in a slippery lake
@@ -838,7 +851,7 @@ display(model_based.race({"my R-max": MyRMax.create}, n_steps=5_000, repetitions
 # only reward, 1, is at the goal. Predict first: will Dyna-10 with the settings of the shop be ahead of Q-learning
 # here?
 #
-# Compare *three* methods: `Q-learning` and `Dyna-10` of `model_based.LEARNED`, and a third of your own that plans, and
+# Compare *three* methods: `Q-learning` and `Dyna-10` of `LEARNED`, and a third of your own that plans, and
 # copes with chance. Call `repeat` with 3 000 steps, 5 repetitions and 10 evaluation episodes, and assign the results to
 # `lake_results`. In the second half of training your third should reach the goal in at least 15 % of the evaluation
 # episodes.
@@ -851,7 +864,7 @@ display(model_based.race({"my R-max": MyRMax.create}, n_steps=5_000, repetitions
 
 # %%
 lake = gym.make("FrozenLake-v1", map_name="4x4", is_slippery=True)
-methods = {label: model_based.LEARNED[label] for label in ("Q-learning", "Dyna-10")}
+methods = {label: LEARNED[label] for label in ("Q-learning", "Dyna-10")}
 lake_results = None
 ### BEGIN SOLUTION
 mine = partial(DynaQ.create, learning_rate=1.0, planning_steps=10, expected_updates=True)

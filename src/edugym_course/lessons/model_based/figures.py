@@ -10,9 +10,9 @@ import numpy as np
 from edugym.exact.value_iteration import value_iteration
 from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.lines import Lines
-from edugym.experiments.figures.panel import ALONE, Place
+from edugym.experiments.figures.panel import ALONE, Place, on_axes
 from edugym.experiments.figures.sheet import Sheet
-from edugym.experiments.figures.style import REFERENCE, Stroke, add_legend, axes_or_new, dress, stroke
+from edugym.experiments.figures.style import BLACK, BROWN, PURPLE, REFERENCE, Stroke, add_legend, dress, stroke
 from edugym.experiments.results.statistics import mean_interval
 from edugym.experiments.results.tables import Results
 from edugym.mdp.protocol import Integers, Reals
@@ -59,9 +59,9 @@ STROKES: Mapping[str, int] = MappingProxyType(
 
 OWN = (
     stroke(6),
-    Stroke("#8c510a", "solid"),
-    Stroke("#762a83", (0, (6, 1.5))),
-    Stroke("#000000", (0, (6, 1.5, 1.5, 1.5))),
+    Stroke(BROWN, "solid"),
+    Stroke(PURPLE, (0, (6, 1.5))),
+    Stroke(BLACK, (0, (6, 1.5, 1.5, 1.5))),
 )
 """The strokes of a reader's own methods, in their order."""
 
@@ -180,18 +180,15 @@ class Clock(NamedTuple):
         runs = [np.interp(moments, seconds[:, k], returns[:, k]) for k in range(returns.shape[1])]
         return moments, np.mean(runs, axis=0)
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the curves on `ax`, by default in a new figure, and return the axes."""
-        ax = axes_or_new(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw the curves."""
         for method, look in strokes_of(self.results.methods).items():
             ax.plot(*self.mean(method), linewidth=1.6, label=method, **look)
         ax.axhline(OPTIMUM, label="optimum", **REFERENCE)
         ax.set_xscale("log")
         ax.set_ylim(-100.0, 100.0)
         dress(ax, "seconds", "return (greedy)", self.title)
-        if place.alone:
-            add_legend(ax)
-        return ax
 
 
 class Knowledge(NamedTuple):
@@ -205,9 +202,9 @@ class Knowledge(NamedTuple):
     measured: Mapping[str, tuple[Reals, Reals]]
     title: str = ""
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw both on `ax`, by default in a new figure, and return the axes."""
-        ax = axes_or_new(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw both."""
         looks = strokes_of(self.measured)
         for row, (method, both) in enumerate(self.measured.items()):
             policy, seen = (mean_interval(values) for values in both)
@@ -222,9 +219,6 @@ class Knowledge(NamedTuple):
         ax.set_yticks(range(len(self.measured)), [*self.measured])
         ax.invert_yaxis()
         dress(ax, f"return after training ({len(next(iter(self.measured.values()))[0])} runs)", "", self.title)
-        if place.alone:
-            add_legend(ax)
-        return ax
 
 
 def steps_to(results: Results, method: str, level: float) -> float:

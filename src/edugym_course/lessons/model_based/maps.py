@@ -12,7 +12,7 @@ from edugym.exact.value_iteration import best_values
 from edugym.exact.values import sweeps
 from edugym.experiments.figures.panel import ALONE, Place
 from edugym.experiments.figures.sheet import Sheet, in_pairs
-from edugym.experiments.figures.style import axes_or_new
+from edugym.experiments.figures.style import DEEP_BLUE, axes_or_new
 from edugym.mdp.protocol import Reals
 from edugym.rendering.palette import BLUE, BRICK, GREEN, INK, PAPER, RED
 from edugym_course.lessons.model_based.methods import DISCOUNT, exact_model
@@ -61,7 +61,7 @@ class FloorMap(NamedTuple):
         ax = axes_or_new(ax)
         shop = Supermarket.create()
         values = self.values()
-        colours = LinearSegmentedColormap.from_list("worth", [PAPER, "#8ecfc9", "#0072b2"])
+        colours = LinearSegmentedColormap.from_list("worth", [PAPER, "#8ecfc9", DEEP_BLUE])
         picture = ax.imshow(values, cmap=colours, vmin=0.0, vmax=self.highest)
         walls = np.ma.masked_not_equal(shop.cells, WALL)
         ax.imshow(walls, cmap=ListedColormap([BRICK]), alpha=0.9)

@@ -9,13 +9,7 @@ from edugym.envs.supermarket import Supermarket
 from edugym.exact.value_iteration import value_iteration
 from edugym.experiments.results.tables import Results
 from edugym.mdp.protocol import Integers, Reals
-from edugym_course.lessons.model_based.methods import (
-    DISCOUNT,
-    LOST,
-    NOISES,
-    PLANNING_DISCOUNT,
-    exact_model,
-)
+from edugym_course.lessons.model_based.methods import DISCOUNT, LOST, NOISES, PLANNING_DISCOUNT, exact_model
 
 IMPOSSIBLE = -1e9
 """The value of an action that a plan may not use."""

@@ -31,9 +31,9 @@ from edugym import (
     value_iteration,
 )
 from edugym.agents.tables import best_value, epsilon_greedy_value, one_step_target
-from edugym_course.lessons import on_off_policy
-from edugym_course.notebook import frames, play, predict, sliders, source
 from edugym.experiments.figures import Sheet
+from edugym_course.lessons.on_off_policy import exact, figures, methods
+from edugym_course.notebook import frames, play, predict, sliders, source
 
 # %% [markdown]
 # ## Meet the environment: a road that ends at a cliff
@@ -186,10 +186,10 @@ ahead = predict(
 ahead
 
 # %%
-edge = on_off_policy.compare(repetitions=30)
-display(on_off_policy.learning_curves(edge))
+edge = methods.compare(repetitions=30)
+display(figures.learning_curves(edge))
 greedy = {method: edge.final(method).mean() for method in edge.methods}
-exploring = {method: on_off_policy.online(edge, method).mean() for method in edge.methods}
+exploring = {method: methods.online(edge, method).mean() for method in edge.methods}
 for method in edge.methods:
     print(f"{method:14}: greedy {greedy[method]:.2f}, while exploring {exploring[method]:.2f} (second half)")
 leaders = [max(("Q-learning", "SARSA"), key=returns.get) for returns in (greedy, exploring)]
@@ -222,7 +222,7 @@ frames("Roadrunner", edge.agents["SARSA"][0])
 # And this is Q-learning while it explores: the first episode after training in which a slip takes it over the edge.
 
 # %%
-actions, episodes = on_off_policy.first_fall(edge.agents["Q-learning"][0])
+actions, episodes = methods.first_fall(edge.agents["Q-learning"][0])
 print(f"episode {episodes} after training, ε = 0.1")
 frames("Roadrunner", actions)
 
@@ -240,12 +240,10 @@ frames("Roadrunner", actions)
 def one_road(epsilon=0.1, alpha=0.03, gamma=1.0, fall=-100, W=10):
     """Draw the greedy and the online returns of the three methods on one road."""
     parameters = {"size": W, "negative_reward": fall}
-    results = on_off_policy.compare(
+    results = methods.compare(
         epsilon=epsilon, learning_rate=alpha, discount=gamma, parameters=parameters, n_steps=50_000, repetitions=10
     )
-    return on_off_policy.learning_curves(
-        results, make_mdp("Roadrunner", **parameters), epsilon, f"W = {W}, fall {fall}"
-    )
+    return figures.learning_curves(results, make_mdp("Roadrunner", **parameters), epsilon, f"W = {W}, fall {fall}")
 
 
 sliders(
@@ -278,7 +276,7 @@ sliders(
 # cells cannot be reached, or are the target.)
 
 # %%
-Sheet("plane", [[on_off_policy.in_the_plane()]])
+Sheet("plane", [[figures.in_the_plane()]])
 
 # %% [markdown]
 # Look at the last state before the target. The fast run gets there with speed 3, and one of the three actions is
@@ -304,12 +302,12 @@ change
 
 # %%
 model = finite_model(make_mdp("Roadrunner"))
-exact = on_off_policy.switch_lines(model)
-display(Sheet("switch", [[exact]]))
+lines = figures.switch_lines(model)
+display(Sheet("switch", [[lines]]))
 for epsilon in (0.01, 0.1):
-    fast, safe = (on_off_policy.share_lost(model, epsilon, planned_for) for planned_for in (0.01, 0.1))
+    fast, safe = (exact.share_lost(model, epsilon, planned_for) for planned_for in (0.01, 0.1))
     print(f"ε = {epsilon}: falls and stalls in {fast:.1%} of the fast runs, in {safe:.1%} of the safe ones")
-change.measured(exact.change)
+change.measured(lines.change)
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
@@ -336,21 +334,21 @@ rarely = predict(
 rarely
 
 # %%
-shortfall = on_off_policy.shortfall_against_epsilon(repetitions=10)
+shortfall = figures.shortfall_against_epsilon(repetitions=10)
 display(Sheet("shortfall", [[shortfall]]))
 at = shortfall.x.index(0.01)
 lead = np.mean(shortfall.measured["SARSA"][at] - shortfall.measured["Q-learning"][at])
 print(f"at ε = 0.01 SARSA earns {lead:+.2f} a run compared with Q-learning")
-rare = on_off_policy.compare(epsilon=0.01, repetitions=10)
+rare = methods.compare(epsilon=0.01, repetitions=10)
 for method in rare.methods:
-    slower, _, faster = on_off_policy.mean_values(rare, method, x=3, dx=2)
+    slower, _, faster = methods.mean_values(rare, method, x=3, dx=2)
     print(
         f"{method:14} at position 3, speed 2: slower (second safe run) {slower:z.2f}, faster (fast run) {faster:z.2f}"
     )
-for rate, runs in ((0.03, rare), (0.003, on_off_policy.compare(epsilon=0.01, learning_rate=0.003, repetitions=10))):
+for rate, runs in ((0.03, rare), (0.003, methods.compare(epsilon=0.01, learning_rate=0.003, repetitions=10))):
     print(f"α = {rate}: SARSA ends with the fast run in {runs.share('SARSA', at_least=-2.0).estimate:.0%} of its runs")
-mild = on_off_policy.compare(parameters={"negative_reward": -10.0}, repetitions=30)
-earned = ", ".join(f"{method} {on_off_policy.online(mild, method).mean():.2f}" for method in mild.methods)
+mild = methods.compare(parameters={"negative_reward": -10.0}, repetitions=30)
+earned = ", ".join(f"{method} {methods.online(mild, method).mean():.2f}" for method in mild.methods)
 print(f"a fall costs 10, ε = 0.1: {earned} while exploring")
 more, less = ("SARSA", "Q-learning") if lead > 0 else ("Q-learning", "SARSA")
 rarely.measured("both earn the same, up to 0.1" if abs(lead) < 0.1 else f"{more} earns more than {less}")
@@ -390,8 +388,8 @@ decay = predict(
 decay
 
 # %%
-decayed = on_off_policy.let_epsilon_decay(repetitions=10)
-display(on_off_policy.learning_curves(decayed, epsilon=None, title="ε falls"))
+decayed = methods.let_epsilon_decay(repetitions=10)
+display(figures.learning_curves(decayed, epsilon=None, title="ε falls"))
 shares = {method: decayed.share(method, at_least=-2.0).estimate for method in decayed.methods}
 print("runs that end with the fast run:", ", ".join(f"{method} {share:.0%}" for method, share in shares.items()))
 learned = (decayed.curves("expected SARSA") >= -2.0).mean(axis=1) > 0.5  # at each evaluation
@@ -427,8 +425,8 @@ decay.measured(
 # was.
 
 # %%
-icy_road = on_off_policy.Icy(make_mdp("Roadrunner"), ice=0.1)
-source(on_off_policy.Icy)
+icy_road = methods.Icy(make_mdp("Roadrunner"), ice=0.1)
+source(methods.Icy)
 
 # %% [markdown]
 # **Predict.** Q-learning explores with $\varepsilon = 0.1$ as before, now on the icy road. Which run does it learn?
@@ -438,11 +436,11 @@ on_ice = predict("On ice Q-learning learns ...", ["the fast run, as before", "th
 on_ice
 
 # %%
-slippery = on_off_policy.compare(environment=icy_road, repetitions=10)
-steps = [len(on_off_policy.greedy_run(agent)) - 1 for agent in slippery.complete_agents("Q-learning").values()]
+slippery = methods.compare(environment=icy_road, repetitions=10)
+steps = [len(methods.greedy_run(agent)) - 1 for agent in slippery.complete_agents("Q-learning").values()]
 print("steps of its greedy run, once the ice has melted:", steps)
 print(f"the optimum on ice {value_iteration(finite_model(icy_road), horizon=50).start:.3f}")
-print(f"the best ε-soft policy on the dry road, ε = 0.1: {on_off_policy.best_soft_return(model, 0.1):.3f}")
+print(f"the best ε-soft policy on the dry road, ε = 0.1: {exact.best_soft_return(model, 0.1):.3f}")
 often = {name: np.mean(np.array(steps) == n) for name, n in (("the fast run, as before", 4), ("the safe run", 5))}
 likely = max(often, key=often.get)
 on_ice.measured(likely if often[likely] > 0.5 else "neither, in most runs")
@@ -465,7 +463,7 @@ rough = predict("With α = 0.5 instead of 0.03, who loses most?", ["Q-learning",
 rough
 
 # %%
-rates = on_off_policy.online_against_rate(repetitions=10)
+rates = figures.online_against_rate(repetitions=10)
 display(Sheet("rates", [[rates]]))
 low, high = rates.x.index(0.03), rates.x.index(0.5)
 losses = {method: np.mean(rows[low]) - np.mean(rows[high]) for method, rows in rates.measured.items()}
@@ -496,10 +494,10 @@ edge_walkers = predict("Along the edge walk ...", ["all three", "Q-learning only
 edge_walkers
 
 # %%
-cliff = on_off_policy.compare_on_cliff(n_steps=20_000, repetitions=5)
-display(on_off_policy.cliff_figure(cliff))
+cliff = methods.compare_on_cliff(n_steps=20_000, repetitions=5)
+display(figures.cliff_figure(cliff))
 for method in cliff.methods:
-    earned = on_off_policy.online(cliff, method).mean()
+    earned = methods.online(cliff, method).mean()
     print(f"{method:14}: greedy {cliff.final(method).astype(int).tolist()}, while exploring {earned:.1f} (second half)")
 walkers = [method for method in cliff.methods if cliff.share(method, at_least=-13.0).estimate > 0.5]
 names = {(): "none", ("Q-learning",): "Q-learning only", ("SARSA", "expected SARSA"): "SARSA and expected SARSA"}
@@ -528,14 +526,14 @@ stop = predict("SARSA stops in cell ...", unit="(7 to 9)")
 stop
 
 # %%
-zone = on_off_policy.compare(epsilon=0.2, learning_rate=0.1, parameters={"stop_zone": 2}, repetitions=30)
+zone = methods.compare(epsilon=0.2, learning_rate=0.1, parameters={"stop_zone": 2}, repetitions=30)
 for method in zone.methods:
-    places = on_off_policy.stopping_places(zone, method, stop_zone=2)
+    places = methods.stopping_places(zone, method, stop_zone=2)
     print(f"{method:14} stops in cell", ", ".join(f"{cell}: {places.count(cell)} times" for cell in (7, 8, 9)))
-gentle = on_off_policy.compare(epsilon=0.2, learning_rate=0.003, parameters={"stop_zone": 2}, repetitions=30)
-places = on_off_policy.stopping_places(gentle, "SARSA", stop_zone=2)
+gentle = methods.compare(epsilon=0.2, learning_rate=0.003, parameters={"stop_zone": 2}, repetitions=30)
+places = methods.stopping_places(gentle, "SARSA", stop_zone=2)
 print("SARSA, α = 0.003, stops in cell", ", ".join(f"{cell}: {places.count(cell)} times" for cell in (7, 8, 9)))
-stop.measured(np.mean(on_off_policy.stopping_places(zone, "SARSA", stop_zone=2)))
+stop.measured(np.mean(methods.stopping_places(zone, "SARSA", stop_zone=2)))
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
@@ -554,8 +552,8 @@ stop.measured(np.mean(on_off_policy.stopping_places(zone, "SARSA", stop_zone=2))
 # that it makes up.
 
 # %%
-from edugym_course.lessons.on_off_policy.exercises import CHALLENGE, exercise_1, exercise_2, exercise_3
 from edugym_course.grading import check
+from edugym_course.lessons.on_off_policy.exercises import CHALLENGE, exercise_1, exercise_2, exercise_3
 
 # %% [markdown]
 # ### Exercise 1: change a parameter
@@ -564,14 +562,14 @@ from edugym_course.grading import check
 # `negative_reward` to that number, with one digit after the decimal point. Before you compute: what does the estimate
 # of the section "See inside" say?
 #
-# <details><summary>Hint</summary><code>on_off_policy.best_run(0.1, negative_reward=-100)</code> gives the states of the best run,
+# <details><summary>Hint</summary><code>exact.best_run(0.1, negative_reward=-100)</code> gives the states of the best run,
 # planned on the exact model and played without slips. The fast run has 4 steps, so 5 states. Try some values, or write a
 # loop.</details>
 
 # %%
 negative_reward = -100.0
 ### BEGIN SOLUTION
-while len(on_off_policy.best_run(0.1, negative_reward=negative_reward)) > 5:
+while len(exact.best_run(0.1, negative_reward=negative_reward)) > 5:
     negative_reward += 0.1
 ### END SOLUTION
 
@@ -686,7 +684,7 @@ check(exercise_3, TwoPolicies)
 check(exercise_3, TwoPolicies, seed=1, quiet=True)
 ### END HIDDEN TESTS
 display(
-    on_off_policy.race(
+    figures.race(
         {
             "ε_π = 0.02": lambda road: TwoPolicies.create(road, target_epsilon=0.02),
             "ε_π = 0.1": lambda road: TwoPolicies.create(road, target_epsilon=0.1),

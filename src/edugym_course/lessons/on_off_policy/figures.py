@@ -11,9 +11,9 @@ from edugym.exact.tables import FiniteModel
 from edugym.experiments.figures.against import Against
 from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.lines import Lines
-from edugym.experiments.figures.panel import ALONE, Place
+from edugym.experiments.figures.panel import ALONE, Place, on_axes
 from edugym.experiments.figures.sheet import Sheet
-from edugym.experiments.figures.style import SOFT_REFERENCE, add_legend, axes_or_new, dress, stroke
+from edugym.experiments.figures.style import SOFT_REFERENCE, axes_or_new, dress, stroke
 from edugym.experiments.results.tables import Results
 from edugym.mdp.protocol import Reals
 from edugym.rendering.palette import INK
@@ -61,9 +61,9 @@ class Paths(NamedTuple):
     down: bool = False
     strokes: Sequence[int] = (0, 1, 2)
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw cells and paths on `ax`, by default in a new figure, and return the axes."""
-        ax = axes_or_new(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw cells and paths."""
         rows, columns = self.danger.shape
         ax.imshow(self.danger, cmap="Reds", vmin=0, vmax=2 * self.most, origin="upper" if self.down else "lower")
         ax.set_aspect("equal" if self.down else "auto")
@@ -84,9 +84,6 @@ class Paths(NamedTuple):
         ax.grid(which="minor", color="white", linewidth=1)
         ax.tick_params(which="minor", length=0)
         dress(ax, self.x_label, self.y_label, self.title)
-        if place.alone:
-            add_legend(ax)
-        return ax
 
 
 def learning_curves(

@@ -22,9 +22,12 @@ from gymnasium.spaces import Discrete, MultiDiscrete
 from gymnasium.utils.env_checker import check_env
 
 from edugym import FiniteModel, MDPEnv, check_mdp, finite_model, policy_evaluation, read_mdp, share
-from edugym_course.lessons import own_problem
-from edugym_course.notebook import frames, play, predict, sliders, source
 from edugym.experiments.figures import Sheet
+from edugym_course.lessons.own_problem import exact, experiments, figures, methods, races
+from edugym_course.lessons.own_problem.bedroom import bedroom
+from edugym_course.lessons.own_problem.everything import take_through_everything
+from edugym_course.lessons.own_problem.morning import WithPotential
+from edugym_course.notebook import frames, play, predict, sliders, source
 
 # %% [markdown]
 # ## Meet the environment: from a wish to forty lines
@@ -103,7 +106,7 @@ class Morning(NamedTuple):
 
     def scene(self, state, last_action=None):
         """The picture."""
-        return own_problem.bedroom(*state, self.length, last_action)
+        return bedroom(*state, self.length, last_action)
 
 
 morning = Morning()
@@ -259,9 +262,9 @@ source(FiniteModel.action_values)
 # she is dozing, but chimes when she is fast asleep?
 
 # %%
-best = own_problem.solve(morning)
-print(f"optimum: {best.start:.3f}; random actions: {own_problem.random_return(morning):.3f}")
-Sheet("policy", [[own_problem.morning_map(morning, "the best policy")]])
+best = exact.solve(morning)
+print(f"optimum: {best.start:.3f}; random actions: {exact.random_return(morning):.3f}")
+Sheet("policy", [[figures.morning_map(morning, "the best policy")]])
 
 # %% [markdown]
 # Fast asleep, she is two good chimes away from being awake, and from 8:00 on there is time for three. Dozing, she is
@@ -277,7 +280,7 @@ oversleeps = predict("The best clock lets her oversleep with probability ...", u
 oversleeps
 
 # %%
-night = own_problem.what_happens(morning, own_problem.best_policy(morning))
+night = exact.what_happens(morning, exact.best_policy(morning))
 print(night)
 oversleeps.measured(100 * night.late)
 
@@ -294,7 +297,7 @@ oversleeps.measured(100 * night.late)
 # Watch one morning under this policy:
 
 # %%
-frames(morning, own_problem.player(morning), seed=3)
+frames(morning, exact.player(morning), seed=3)
 
 # %% [markdown]
 # ## The experiment: every agent learns it
@@ -316,9 +319,9 @@ frames(morning, own_problem.player(morning), seed=3)
 # (The code of your class is compiled for each agent first, which takes half a minute.)
 
 # %%
-learned = own_problem.learn(morning)
-worth = {method: own_problem.true_returns(learned, method, morning) for method in learned.methods}
-display(own_problem.race(learned, worth, best.start, own_problem.random_return(morning)))
+learned = methods.learn(morning)
+worth = {method: methods.true_returns(learned, method, morning) for method in learned.methods}
+display(figures.race(learned, worth, best.start, exact.random_return(morning)))
 for method, returns in worth.items():
     early = learned.curves(method).loc[1_000].mean()
     found = np.mean(returns > best.start - 1e-6)
@@ -344,7 +347,7 @@ for method, returns in worth.items():
 # once on average.
 
 # %%
-sliders(own_problem.weights_sheet, ring=(0.0, 12.0, 0.5), late=(0.0, 30.0, 0.5), bonus=(0.0, 15.0, 1.0))
+sliders(figures.weights_sheet, ring=(0.0, 12.0, 0.5), late=(0.0, 30.0, 0.5), bonus=(0.0, 15.0, 1.0))
 
 # %% [markdown]
 # <details><summary>Answers</summary>
@@ -377,7 +380,7 @@ mild
 
 # %%
 for R in (-100.0, -1.0):
-    optimum, change = own_problem.first_stall(R)
+    optimum, change = experiments.first_stall(R)
     print(f"R = {R:g}: optimum {optimum:g}, first change of speed {change:+d}")
 mild.measured("stalls at once" if change < 0 else "runs as before")
 
@@ -411,12 +414,12 @@ progress
 
 # %%
 nights = {}
-for label, task in own_problem.TASKS.items():
-    nights[label] = own_problem.what_happens(own_problem.Morning(), own_problem.best_policy(task))
+for label, task in experiments.TASKS.items():
+    nights[label] = exact.what_happens(experiments.TASKS[exact.MEANT], exact.best_policy(task))
     print(f"{label}:\n    {nights[label]}")
-display(own_problem.policies(own_problem.TASKS))
-wakings = nights[own_problem.WAKINGS].wakings
-earlier = nights[own_problem.WAKINGS].sleep < nights[own_problem.MEANT].sleep
+display(figures.policies(experiments.TASKS))
+wakings = nights[exact.WAKINGS].wakings
+earlier = nights[exact.WAKINGS].sleep < nights[exact.MEANT].sleep
 progress.measured(progress.options[2 if wakings > 1.5 else 1 if earlier else 0])
 
 # %% [markdown]
@@ -453,11 +456,11 @@ progress.measured(progress.options[2 if wakings > 1.5 else 1 if earlier else 0])
 # 8:30, and taken back when she falls asleep again, or at the end. (`phi` holds 0 for every state at 8:30.)
 
 # %%
-source(own_problem.WithPotential, "potential", "reward")
+source(WithPotential, "potential", "reward")
 
 # %%
-shaped_task = own_problem.TASKS[own_problem.POTENTIAL]
-shaped = own_problem.solve(shaped_task)
+shaped_task = experiments.TASKS[exact.POTENTIAL]
+shaped = exact.solve(shaped_task)
 difference = [shaped.value(s) - (best.value(s) - shaped_task.potential(s)) for s in best.model.states]
 print("same best actions everywhere:", np.array_equal(best.greedy_policy(), shaped.greedy_policy()))
 print(f"largest difference from v*(s) − φ(s): {np.abs(difference).max():.0e}")
@@ -477,12 +480,12 @@ helps = predict("Which is ahead after 800 steps?", ["with the potential", "witho
 helps
 
 # %%
-judged = own_problem.as_meant(own_problem.REWARDS, own_problem.Morning(), own_problem.BUDGETS)
-display(Sheet("as_meant", [[own_problem.learning_lines(judged)]]))
-print("mean return as meant, after", *own_problem.BUDGETS, "steps")
+judged = methods.as_meant(experiments.REWARDS, experiments.TASKS[exact.MEANT], experiments.BUDGETS)
+display(Sheet("as_meant", [[experiments.learning_lines(judged)]]))
+print("mean return as meant, after", *experiments.BUDGETS, "steps")
 for label, values in judged.items():
     print(f"{label:28}", *(f"{mean:7.2f}" for mean in values.mean(axis=1)))
-lead = np.mean(judged[own_problem.POTENTIAL][1] - judged[own_problem.MEANT][1])
+lead = np.mean(judged[exact.POTENTIAL][1] - judged[exact.MEANT][1])
 helps.measured("with the potential" if lead > 0.5 else "without any shaping" if lead < -0.5 else "neither")
 
 # %% [markdown]
@@ -512,8 +515,8 @@ cheaper
 
 # %%
 plans = {
-    "the clock that sees the time": own_problem.best_blind(morning, lambda state: state[0]),
-    "the clock that hears her sleep": own_problem.best_blind(morning, lambda state: state[1]),
+    "the clock that sees the time": exact.best_blind(morning, lambda state: state[0]),
+    "the clock that hears her sleep": exact.best_blind(morning, lambda state: state[1]),
 }
 print(f"the clock that sees both: {best.start:.2f}")
 for clock, (value, actions) in plans.items():
@@ -548,9 +551,9 @@ class SeesTheTime(Morning):
         return state[0]
 
 
-method = {"Q-learning": own_problem.methods_with()["Q-learning"]}
-deaf = own_problem.learn(SeesTheTime(), method)
-returns = own_problem.true_returns(deaf, "Q-learning", SeesTheTime())
+method = {"Q-learning": methods.methods_with()["Q-learning"]}
+deaf = methods.learn(SeesTheTime(), method)
+returns = methods.true_returns(deaf, "Q-learning", SeesTheTime())
 possible = plans["the clock that sees the time"][0]
 print(f"Q-learning that sees the time: mean {returns.mean():.2f} of {possible:.2f} possible")
 
@@ -566,8 +569,8 @@ print(f"Q-learning that sees the time: mean {returns.mean():.2f} of {possible:.2
 # came, and which mistake that looks like.
 
 # %%
-from edugym_course.lessons.own_problem.exercises import exercise_1, exercise_2, exercise_3, exercise_4
 from edugym_course.grading import check
+from edugym_course.lessons.own_problem.exercises import exercise_1, exercise_2, exercise_3, exercise_4
 
 # %% [markdown]
 # ### Exercise 1: where the behaviour flips
@@ -614,7 +617,7 @@ check(exercise_2, shaped_reward)
 ### BEGIN HIDDEN TESTS
 check(exercise_2, shaped_reward, seed=1, quiet=True)
 ### END HIDDEN TESTS
-display(own_problem.shaped_policies(shaped_reward))
+display(races.shaped_policies(shaped_reward))
 
 # %% [markdown]
 # ### Exercise 3: give the state what it needs
@@ -695,7 +698,7 @@ check(exercise_3, UsedToIt)
 ### BEGIN HIDDEN TESTS
 check(exercise_3, UsedToIt, seed=1, quiet=True)
 ### END HIDDEN TESTS
-display(own_problem.count_matters(UsedToIt))
+display(races.count_matters(UsedToIt))
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
@@ -811,7 +814,7 @@ check(exercise_4, my_problem)
 # twenty seconds.)
 
 # %%
-tour = own_problem.take_through_everything(my_problem)
+tour = take_through_everything(my_problem)
 print(tour)
 
 # %%
@@ -841,7 +844,7 @@ class Careless(type(my_problem)):
 
 model = finite_model(my_problem)
 for label, task in (("the reward that I meant", my_problem), ("the careless reward", Careless(*my_problem))):
-    policy = own_problem.best_policy(task)
+    policy = exact.best_policy(task)
     meant = policy_evaluation(model, policy, 1.0, horizon=1_000).start
     print(f"{label} teaches a policy that returns {meant:.2f}, by the reward that I meant")
 
@@ -880,7 +883,7 @@ print(path.read_text(encoding="utf-8"))
 
 # %%
 friends_problem = read_mdp("my_problem.py")
-print("the same optimum:", own_problem.solve(friends_problem).start == own_problem.solve(my_problem).start)
+print("the same optimum:", exact.solve(friends_problem).start == exact.solve(my_problem).start)
 play("my_problem.py")
 
 # %% [markdown]

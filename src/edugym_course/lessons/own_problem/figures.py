@@ -8,13 +8,23 @@ import numpy as np
 
 from edugym.exact.values import Values
 from edugym.experiments.figures.curves import Curves
-from edugym.experiments.figures.panel import ALONE, Place
+from edugym.experiments.figures.panel import ALONE, Place, on_axes
 from edugym.experiments.figures.sheet import Sheet
-from edugym.experiments.figures.style import REFERENCE, SOFT_REFERENCE, Stroke, add_legend, axes_or_new, dress, stroke
+from edugym.experiments.figures.style import (
+    PALE_AMBER,
+    PALE_BLUE,
+    PALE_GREEN,
+    REFERENCE,
+    SOFT_REFERENCE,
+    Stroke,
+    add_legend,
+    dress,
+    stroke,
+)
 from edugym.experiments.results.statistics import by_point, mean_interval
 from edugym.experiments.results.tables import Results
 from edugym.mdp.protocol import Reals, named_actions
-from edugym.rendering.palette import INK, SHADE
+from edugym.rendering.palette import INK, RED, SHADE
 from edugym_course.lessons.own_problem.bedroom import SLEEP, clock
 from edugym_course.lessons.own_problem.exact import best_policy, solve, what_happens
 from edugym_course.lessons.own_problem.morning import Morning, WithBonus
@@ -22,7 +32,7 @@ from edugym_course.lessons.own_problem.morning import Morning, WithBonus
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-ACTION_COLOURS = ("#dfe6ee", "#f2c078", "#e8505b", "#8fb8de", "#9fd3b6", "#cdb4db", "#d9c7a3")
+ACTION_COLOURS = ("#dfe6ee", PALE_AMBER, RED, PALE_BLUE, PALE_GREEN, "#cdb4db", "#d9c7a3")
 """Of the first, second, ... action on a map of a policy; after the last the first comes again."""
 MOST_CELLS = 40
 """How many places a map has on each side at most."""
@@ -56,12 +66,12 @@ class PolicyMap(NamedTuple):
     x_ticks: Sequence[str] | None = None
     y_ticks: Sequence[str] | None = None
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the map on `ax`, by default in a new figure, and return the axes."""
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw the map."""
         from matplotlib.patches import Rectangle
         from matplotlib.ticker import MaxNLocator
 
-        ax = axes_or_new(ax)
         model, policy = self.values.model, self.values.greedy_policy()
         letters = initials(self.names)
         used: set[int] = set()
@@ -94,9 +104,6 @@ class PolicyMap(NamedTuple):
             ax.set_yticks(range(len(self.y_ticks)), self.y_ticks)
         elif max(ys) == min(ys):
             ax.set_yticks([])
-        if place.alone:
-            add_legend(ax)
-        return ax
 
 
 def can_be_drawn(values: Values) -> bool:
@@ -151,9 +158,9 @@ class Bands(NamedTuple):
     y_label: str = ""
     optimum: float | None = None
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the lines on `ax`, by default in a new figure, and return the axes."""
-        ax = axes_or_new(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw the lines."""
         x = np.asarray(self.x, float)
         for look, (label, values) in zip(cycle(REWARD_STROKES), self.measured.items(), strict=False):
             mean, low, high = by_point(values).T
@@ -165,9 +172,6 @@ class Bands(NamedTuple):
         ax.set_xticks(x, [f"{value:g}" for value in x], rotation=45)
         ax.minorticks_off()
         dress(ax, self.x_label, self.y_label, self.title)
-        if place.alone:
-            add_legend(ax)
-        return ax
 
 
 class Compared(NamedTuple):
@@ -183,9 +187,9 @@ class Compared(NamedTuple):
     title: str = ""
     optimum: float | None = None
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw a dot for each method on `ax`, by default in a new figure, and return the axes."""
-        ax = axes_or_new(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw a dot for each method."""
         for i, values in enumerate(self.measured.values()):
             interval = mean_interval(values)
             ax.plot(i, interval.estimate, "o", color=stroke(i).color, markersize=7)
@@ -195,9 +199,6 @@ class Compared(NamedTuple):
         ax.set_xlim(-0.6, len(self.measured) - 0.4)
         dress(ax, "", "expected return", self.title)
         ax.set_xticks(range(len(self.measured)), self.measured, rotation=20)
-        if place.alone:
-            add_legend(ax)
-        return ax
 
 
 class WithRandom(NamedTuple):

@@ -21,9 +21,11 @@ import numpy as np
 
 from edugym import QLearning, repeat
 from edugym.envs.tamagotchi import happiness
-from edugym_course.lessons import signal
-from edugym_course.notebook import frames, play, predict, sliders, source
 from edugym.experiments.figures import Sheet
+from edugym_course.lessons.signal import figures, methods, moody
+from edugym_course.lessons.signal.players import Coin, RoundRobin, Voter
+from edugym_course.lessons.signal.words import bits, information, joint_table
+from edugym_course.notebook import frames, play, predict, sliders, source
 
 # %% [markdown]
 # ## Meet the environment: a toy that says what it needs
@@ -137,7 +139,7 @@ for length in (1, 4, 28):
 # $i$, $i + 4$, $i + 8$, ... all mean need $i$.)
 
 # %%
-source(signal.Voter.act)
+source(Voter.act)
 
 # %% [markdown]
 # Watch the vote, with eight words and the noise of your own game. Ties are broken at random.
@@ -145,7 +147,7 @@ source(signal.Voter.act)
 # %%
 frames(
     "Tamagotchi",
-    signal.Voter.create(None, heard=8),
+    Voter.create(None, heard=8),
     tau=0.05,
     max_msg_length=8,
     steps_per_episode=20,
@@ -179,7 +181,7 @@ frames(
 # Two words carry less than twice the bits of one.
 
 # %%
-source(signal.joint_table)
+source(joint_table)
 
 # %% [markdown]
 # **Predict.** At $\tau = 0.1$, in what share of the steps does a word name the wanted action? (By pure chance it would
@@ -190,11 +192,11 @@ named = predict("At τ = 0.1 a word names the wanted action in ... of the steps.
 named
 
 # %%
-display(signal.joint_tables())
+display(figures.joint_tables())
 for tau in (0.0, 0.02, 0.05, 0.1):
-    share = np.trace(signal.joint_table(tau))
-    print(f"τ = {tau:4}: a word is right in {share:4.0%} of the steps, and carries {signal.information(tau):.3f} bit")
-named.measured(100 * np.trace(signal.joint_table(0.1)))
+    share = np.trace(joint_table(tau))
+    print(f"τ = {tau:4}: a word is right in {share:4.0%} of the steps, and carries {information(tau):.3f} bit")
+named.measured(100 * np.trace(joint_table(0.1)))
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
@@ -229,18 +231,20 @@ half = predict("Less than half of the optimum first at ...", ["τ = 0.02", "τ =
 half
 
 # %%
-by_tau = signal.compare_noise(repetitions=20)
-display(signal.noise_sheet(by_tau))
-means = {tau: signal.late(results, "Q-learning").mean() for tau, results in by_tau.items()}
+by_tau = methods.compare_noise(repetitions=20)
+display(figures.noise_sheet(by_tau))
+means = {tau: methods.late(results, "Q-learning").mean() for tau, results in by_tau.items()}
 for tau, mean in means.items():
-    bits = signal.information(tau)
-    print(f"{signal.noise_label(tau):8}: {abs(bits):.3f} bit, mean return {mean:5.0f} in the second half of training")
+    carried = information(tau)
+    print(
+        f"{methods.noise_label(tau):8}: {abs(carried):.3f} bit, mean return {mean:5.0f} in the second half of training"
+    )
 print("on the toy of a player who obeys:")
 for tau in (0.02, 0.05, 0.1):
-    heard = signal.joint_table(tau, obeyed=True)
-    print(f"  τ = {tau:4}: {np.trace(heard):.0%} of the words are right, and one carries {signal.bits(heard):.2f} bit")
-first = next(tau for tau in sorted(means) if means[tau] < signal.OPTIMUM / 2)
-half.measured(signal.noise_label(first))
+    heard = joint_table(tau, obeyed=True)
+    print(f"  τ = {tau:4}: {np.trace(heard):.0%} of the words are right, and one carries {bits(heard):.2f} bit")
+first = next(tau for tau in sorted(means) if means[tau] < methods.OPTIMUM / 2)
+half.measured(methods.noise_label(first))
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
@@ -258,7 +262,7 @@ half.measured(signal.noise_label(first))
 # action, in greedy episodes of all 20 runs. An agent that knows what the words mean has one colour in each bar.
 
 # %%
-panels = [signal.answers(by_tau[tau], tau) for tau in (0.0, 0.05, 0.1, math.inf)]
+panels = [figures.answers(by_tau[tau], tau) for tau in (0.0, 0.05, 0.1, math.inf)]
 Sheet("answers", [panels[:2], panels[2:]])
 
 # %% [markdown]
@@ -279,7 +283,7 @@ Sheet("answers", [panels[:2], panels[2:]])
 # %%
 def one_toy(tau=0.05, L=1, H=4, alpha=0.02, gamma=0.5, epsilon=0.1):
     """Draw the learning curve of Q-learning on one toy, beside obeying and voting."""
-    return signal.one_toy(tau, L, H, learning_rate=alpha, discount=gamma, epsilon=epsilon)
+    return figures.one_toy(tau, L, H, learning_rate=alpha, discount=gamma, epsilon=epsilon)
 
 
 sliders(
@@ -327,19 +331,19 @@ longer = predict(
 longer
 
 # %%
-one_word = signal.late(by_tau[0.1], "Q-learning")
+one_word = methods.late(by_tau[0.1], "Q-learning")
 labels = {f"four words, α = {rate}": rate for rate in (0.02, 0.05, 0.2)}
-four = {label: signal.learn_long(4, rate, repetitions=8) for label, rate in labels.items()}
-voted = signal.vote(0.1, 4, 4).mean()
-display(signal.lengths_sheet({"one word, α = 0.02": signal.learn_long(1, repetitions=8), **four}, voted))
+four = {label: methods.learn_long(4, rate, repetitions=8) for label, rate in labels.items()}
+voted = methods.vote(0.1, 4, 4).mean()
+display(figures.lengths_sheet({"one word, α = 0.02": methods.learn_long(1, repetitions=8), **four}, voted))
 for name, length in (("one word", 1), ("four words", 4)):
-    print(f"{name}: {signal.information(0.1, length):.3f} bit, a table of {signal.rows_of_table(length)} rows")
+    print(f"{name}: {information(0.1, length):.3f} bit, a table of {methods.rows_of_table(length)} rows")
 print(f"mean return with one word: {one_word.mean():.0f} in the second half of 200 000 steps; with four words:")
 for label, results in four.items():
-    early, end = (signal.after(results, steps).mean() for steps in (200_000, 1_600_000))
+    early, end = (methods.after(results, steps).mean() for steps in (200_000, 1_600_000))
     print(f"  {label[12:]:8}: {early:5.0f} after 200 000 steps, {end:5.0f} after 1 600 000")
 print(f"majority vote over four words: mean return {voted:.0f}")
-gain = signal.after(four["four words, α = 0.02"], 200_000).mean() - one_word.mean()
+gain = methods.after(four["four words, α = 0.02"], 200_000).mean() - one_word.mean()
 longer.measured(
     "the same return, up to 100" if abs(gain) < 100 else "a higher return" if gain > 0 else "a lower return"
 )
@@ -366,15 +370,15 @@ longer.measured(
 
 # %%
 learned = {
-    signal.LEARNED: {1: one_word, 4: signal.after(four["four words, α = 0.02"], 200_000)},
-    signal.LONGER: {4: signal.after(four["four words, α = 0.05"], 1_600_000)},
+    figures.LEARNED: {1: one_word, 4: methods.after(four["four words, α = 0.02"], 200_000)},
+    figures.LONGER: {4: methods.after(four["four words, α = 0.05"], 1_600_000)},
 }
 lengths = (1, 2, 4, 8, 16, 28)
-picture = signal.one_word_panel(by_tau), signal.messages_panel(lengths, learned)
+picture = figures.one_word_panel(by_tau), figures.messages_panel(lengths, learned)
 display(Sheet("information", [picture]))
 for tau, length in ((0.02, 1), (0.1, 28), (0.1, 2), (0.1, 1)):
-    bits, mean = signal.information(tau, length), signal.vote(tau, length, length).mean()
-    print(f"τ = {tau:4}, {length:2} words: {bits:.3f} bit, mean return of the vote {mean:.0f}")
+    carried, mean = information(tau, length), methods.vote(tau, length, length).mean()
+    print(f"τ = {tau:4}, {length:2} words: {carried:.3f} bit, mean return of the vote {mean:.0f}")
 
 # %% [markdown]
 # - **Left.** With one word a player without memory has little else to use, and Q-learning uses it: its line lies nearly
@@ -412,14 +416,14 @@ ambiguous = predict(
 ambiguous
 
 # %%
-two_words = signal.learn(parameters={"vocab_size": 2}, repetitions=20)
-mean = signal.late(two_words, "Q-learning").mean()
-coin = signal.play(signal.Coin.create, parameters={"vocab_size": 2}).mean()
-print(f"a word out of two carries {signal.information(0.0, vocab_size=2):.2f} bit")
-print(f"mean return of Q-learning {mean:.0f}, of random actions {signal.RANDOM_PLAY:.0f}")
+two_words = methods.learn(parameters={"vocab_size": 2}, repetitions=20)
+mean = methods.late(two_words, "Q-learning").mean()
+coin = methods.play(Coin.create, parameters={"vocab_size": 2}).mean()
+print(f"a word out of two carries {information(0.0, vocab_size=2):.2f} bit")
+print(f"mean return of Q-learning {mean:.0f}, of random actions {methods.RANDOM_PLAY:.0f}")
 print(f"mean return of a player who tosses a coin between the two meanings of the word {coin:.0f}")
-lost = "no more than random actions" if mean < signal.RANDOM_PLAY / 2 else "about half of it"
-ambiguous.measured("more than 90 % of the optimum" if mean > 0.9 * signal.OPTIMUM else lost)
+lost = "no more than random actions" if mean < methods.RANDOM_PLAY / 2 else "about half of it"
+ambiguous.measured("more than 90 % of the optimum" if mean > 0.9 * methods.OPTIMUM else lost)
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
@@ -448,14 +452,14 @@ synonyms = predict(
 synonyms
 
 # %%
-vocabularies = signal.compare_vocabularies([4, 16, 64], repetitions=10)
-display(signal.vocabulary_sheet(vocabularies))
+vocabularies = methods.compare_vocabularies([4, 16, 64], repetitions=10)
+display(figures.vocabulary_sheet(vocabularies))
 for size in (4, 16, 64):
-    curve = vocabularies.curves(f"{size} words").mean(axis=1) / signal.OPTIMUM
+    curve = vocabularies.curves(f"{size} words").mean(axis=1) / methods.OPTIMUM
     print(
         f"{size:2} words: after 20 000 steps {curve.loc[20_000]:4.0%} of the optimum, at the end {curve.iloc[-1]:4.0%}"
     )
-curve = vocabularies.curves("16 words").mean(axis=1) / signal.OPTIMUM
+curve = vocabularies.curves("16 words").mean(axis=1) / methods.OPTIMUM
 slower = "learns more slowly, and reaches the optimum" if curve.loc[20_000] < 0.9 else "learns as fast"
 synonyms.measured(slower if curve.iloc[-1] > 0.99 else "ends well below the optimum")
 
@@ -473,7 +477,7 @@ synonyms.measured(slower if curve.iloc[-1] > 0.99 else "ends well below the opti
 # in turn, play, sleep, feed, clean, play, ...
 
 # %%
-source(signal.RoundRobin.act)
+source(RoundRobin.act)
 
 # %% [markdown]
 # **Predict.** What does it get, in percent of the optimum? (Random actions get −10 %.)
@@ -483,9 +487,9 @@ in_turn = predict("Taking the actions in turn gets ... of the optimum.", unit="%
 in_turn
 
 # %%
-blind = signal.play(signal.RoundRobin.create, parameters={"tau": math.inf}).mean()
-print(f"mean return {blind:.0f} of {signal.OPTIMUM:.0f}")
-in_turn.measured(100 * blind / signal.OPTIMUM)
+blind = methods.play(RoundRobin.create, parameters={"tau": math.inf}).mean()
+print(f"mean return {blind:.0f} of {methods.OPTIMUM:.0f}")
+in_turn.measured(100 * blind / methods.OPTIMUM)
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
@@ -503,7 +507,7 @@ in_turn.measured(100 * blind / signal.OPTIMUM)
 # belong to the last two observations *and the action between them*. This is a `FrameStack` of two.
 
 # %%
-source(signal.learn_with_memory)
+source(methods.learn_with_memory)
 
 # %% [markdown]
 # **Predict.** How many of 10 runs get more than 90 % of the optimum in most evaluations of the second half of training,
@@ -515,11 +519,11 @@ remembers
 
 # %%
 memory = {
-    "with its last action": signal.learn_with_memory(repetitions=10),
-    "without": signal.learn(parameters={"vocab_size": 1}, repetitions=10),
+    "with its last action": methods.learn_with_memory(repetitions=10),
+    "without": methods.learn(parameters={"vocab_size": 1}, repetitions=10),
 }
-display(signal.memory_sheet(memory))
-counts = {label: int((signal.median_late(results) > 0.9 * signal.OPTIMUM).sum()) for label, results in memory.items()}
+display(figures.memory_sheet(memory))
+counts = {label: int((methods.median_late(results) > 0.9 * methods.OPTIMUM).sum()) for label, results in memory.items()}
 print("runs above 90 %, by the median of each run in the second half of training:", counts)
 remembers.measured(counts["with its last action"])
 
@@ -539,7 +543,7 @@ remembers.measured(counts["with its last action"])
 # step, one of its four variables falls by 20, all of a sudden. What this class does not define stays as it was.
 
 # %%
-source(signal.Moody)
+source(moody.Moody)
 
 # %% [markdown]
 # **Predict.** On the moody toy, one player takes the actions in turn and hears nothing. Another obeys a single noisy
@@ -550,13 +554,13 @@ moods = predict("On the moody toy ...", ["memory gets more", "the noisy word get
 moods
 
 # %%
-toy = signal.moody_toy(tau=0.05)
-players = {"in turn": signal.RoundRobin.create, "obey": signal.Voter.create}
-print(f"best possible, with the whole state: {signal.best_return(0.0, 20):.0f} without moods,", end=" ")
-print(f"{signal.best_return(0.1, 20):.0f} with moods")
-returns = {name: signal.play(make, environment=toy).mean() for name, make in players.items()}
+toy = moody.moody_toy(tau=0.05)
+players = {"in turn": RoundRobin.create, "obey": Voter.create}
+print(f"best possible, with the whole state: {moody.best_return(0.0, 20):.0f} without moods,", end=" ")
+print(f"{moody.best_return(0.1, 20):.0f} with moods")
+returns = {name: methods.play(make, environment=toy).mean() for name, make in players.items()}
 for name, make in players.items():
-    calm = signal.play(make, parameters={"tau": 0.05}).mean()
+    calm = methods.play(make, parameters={"tau": 0.05}).mean()
     print(f"{name:8} mean return {calm:5.0f} without moods, {returns[name]:5.0f} with moods")
 more = "memory gets more" if returns["in turn"] > returns["obey"] else "the noisy word gets more"
 moods.measured("both get about the same" if abs(returns["in turn"] - returns["obey"]) < 300 else more)
@@ -612,7 +616,7 @@ for ice, slippery in (("firm ice", False), ("slippery ice", True)):
     foggy = Fog(gym.make("FrozenLake-v1", is_slippery=slippery), fog=0.1)
     q_learning = {"Q": lambda lake: QLearning.create(lake, learning_rate=0.1, discount=0.95)}
     runs = repeat(foggy, q_learning, 30_000, repetitions=3, evaluate_every=30_000, evaluation_episodes=200)
-    blind = signal.walk(foggy, [1, 1, 2, 1, 2, 2] * 17, episodes=300)  # down, down, right, down, right, right
+    blind = methods.walk(foggy, [1, 1, 2, 1, 2, 2] * 17, episodes=300)  # down, down, right, down, right, right
     print(f"{ice:12}: mean return of Q-learning {runs.final('Q').mean():.2f}, of the blind player {blind:.2f}")
     if blind > runs.final("Q").mean():
         better.append(ice)
@@ -634,8 +638,8 @@ lake.measured({0: "on neither", 2: "on both"}.get(len(better), f"on {''.join(bet
 # that it makes up.
 
 # %%
-from edugym_course.lessons.signal.exercises import CHALLENGE, exercise_1, exercise_2, exercise_3
 from edugym_course.grading import check
+from edugym_course.lessons.signal.exercises import CHALLENGE, exercise_1, exercise_2, exercise_3
 
 # %% [markdown]
 # ### Exercise 1: change a parameter
@@ -643,13 +647,13 @@ from edugym_course.grading import check
 # Set `words` to that number. Before you compute: what would it be if $L$ words carried exactly $L$ times as much as
 # one?
 #
-# <details><summary>Hint</summary><code>signal.information(0.1, 5)</code> is the information in a message of five words, in bits.
+# <details><summary>Hint</summary><code>information(0.1, 5)</code> is the information in a message of five words, in bits.
 # Its first argument is τ, the second one is L. Try some numbers, or write a loop.</details>
 
 # %%
 words = 1  # put your number here
 ### BEGIN SOLUTION
-while signal.information(0.1, words) < 0.4:
+while information(0.1, words) < 0.4:
     words += 1
 ### END SOLUTION
 
@@ -693,7 +697,7 @@ check(exercise_2, bits_in)
 ### BEGIN HIDDEN TESTS
 check(exercise_2, bits_in, seed=1, quiet=True)
 ### END HIDDEN TESTS
-display({f"τ = {tau}": round(float(bits_in(signal.joint_table(tau))), 3) for tau in (0.0, 0.02, 0.05, 0.1)})
+display({f"τ = {tau}": round(float(bits_in(joint_table(tau))), 3) for tau in (0.0, 0.02, 0.05, 0.1)})
 
 # %% [markdown]
 # ### Exercise 3: listen and remember
@@ -769,7 +773,7 @@ check(exercise_3, Listener)
 ### BEGIN HIDDEN TESTS
 check(exercise_3, Listener, seed=1, quiet=True)
 ### END HIDDEN TESTS
-display(signal.race({"my listener": Listener.create}))
+display(figures.race({"my listener": Listener.create}))
 
 # %% [markdown]
 # <details><summary>What the race shows</summary>
@@ -795,14 +799,14 @@ display(signal.race({"my listener": Listener.create}))
 #
 # Write half a page about your agent. What does it remember, and how does it weigh that against the words? What would it
 # get without the words, and what without its memory? Would it still be good if moods came five times as often?
-# `signal.play(my_agent, environment=signal.moody_toy(0.5, tau=0.05, max_msg_length=4)).mean()` gives its return with
+# `methods.play(my_agent, environment=moody.moody_toy(0.5, tau=0.05, max_msg_length=4)).mean()` gives its return with
 # five times as many moods. With `moody_toy(0.1, tau=math.inf, max_msg_length=4)` the words say nothing.
 
 
 # %%
 def my_agent(toy):
     """Make the agent for the challenge; put your own in its place."""
-    return signal.Voter.create(toy, heard=4)
+    return Voter.create(toy, heard=4)
 
 
 CHALLENGE.score(my_agent, "Ada Lovelace")

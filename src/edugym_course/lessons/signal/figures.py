@@ -9,7 +9,7 @@ import numpy as np
 from edugym.envs.tamagotchi import NEEDS, Tamagotchi
 from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.lines import Lines
-from edugym.experiments.figures.panel import ALONE, Place
+from edugym.experiments.figures.panel import ALONE, Place, on_axes
 from edugym.experiments.figures.sheet import Sheet
 from edugym.experiments.figures.style import (
     REFERENCE,
@@ -76,9 +76,9 @@ class Points(NamedTuple):
     optimum: float = OPTIMUM
     chance: float = RANDOM_PLAY
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the points on `ax`, by default in a new figure, and return the axes."""
-        ax = axes_or_new(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw the points."""
         spare = iter(OWN * len(self.measured))
         for label, (x, rows) in self.measured.items():
             look = stroke(STROKES[label] if label in STROKES else next(spare))
@@ -94,9 +94,6 @@ class Points(NamedTuple):
         ax.axhline(self.optimum, label="optimum", **REFERENCE)
         ax.axhline(self.chance, label="random actions", **SOFT_REFERENCE)
         dress(ax, self.x_label, "return", self.title)
-        if place.alone:
-            add_legend(ax)
-        return ax
 
 
 class Beside(NamedTuple):
@@ -143,16 +140,15 @@ class Table(NamedTuple):
     title: str = ""
     words: Sequence[str] = NEEDS
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the table on `ax`, by default in a new figure, and return the axes."""
-        ax = axes_or_new(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw the table."""
         ax.imshow(self.joint, cmap="Blues", vmin=0.0, vmax=0.35, aspect="auto")
         for (row, column), share in np.ndenumerate(self.joint):
             ax.text(column, row, f"{share:.2f}", ha="center", va="center", fontsize=8, color=INK)
         ax.set_xticks(range(len(self.words)), self.words)
         ax.set_yticks(range(4), NEEDS)
         dress(ax, "word y", "need x", self.title)
-        return ax
 
 
 class Runs(NamedTuple):
@@ -168,15 +164,14 @@ class Runs(NamedTuple):
     returns: Reals
     title: str = ""
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw a line for each run on `ax`, by default in a new figure, and return the axes."""
-        ax = axes_or_new(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw a line for each run."""
         for row in self.returns:
             ax.plot(self.steps, row, color=stroke(0).color, linewidth=0.7, alpha=0.7)
         ax.axhline(OPTIMUM, **REFERENCE)
         dress(ax, "training steps", "return (greedy)", self.title)
         format_steps(ax)
-        return ax
 
 
 class Greedy(NamedTuple):
@@ -190,9 +185,9 @@ class Greedy(NamedTuple):
     shares: Reals
     title: str = ""
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw a bar for each word on `ax`, by default in a new figure, and return the axes."""
-        ax = axes_or_new(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw a bar for each word."""
         left = np.zeros(len(self.shares))
         for action, colour in enumerate((ORANGE, BLUE, RED, GREEN)):
             ax.barh(range(len(left)), self.shares[:, action], left=left, color=colour, height=0.7, label=NEEDS[action])
@@ -201,9 +196,6 @@ class Greedy(NamedTuple):
         ax.invert_yaxis()
         ax.set_xlim(0.0, 1.0)
         dress(ax, "share of the steps with this word", "word", self.title)
-        if place.alone:
-            add_legend(ax)
-        return ax
 
 
 def figures(

@@ -21,9 +21,9 @@ import numpy as np
 
 from edugym import EpsilonGreedy, QLearning, RiskSensitiveQLearning, table_size
 from edugym.agents.tables import best_value, one_step_target
-from edugym_course.lessons import stochasticity
-from edugym_course.notebook import frames, play, predict, sliders, source
 from edugym.experiments.figures import Sheet
+from edugym_course.lessons.stochasticity import exact, figures, methods
+from edugym_course.notebook import frames, play, predict, sliders, source
 
 # %% [markdown]
 # ## Meet the environment: the harder the hit, the less it goes where it should
@@ -66,10 +66,10 @@ source(type(env.mdp), "aim", "transition", "reward", "terminal")
 # distribution says that a ball flies farther than that with probability 2.0 %.
 
 # %%
-display(stochasticity.landings_figure())
+display(figures.landings_figure())
 for swing, name in enumerate(env.mdp.action_names):
-    balls, _ = stochasticity.landings(swing)
-    _, lost = stochasticity.landings(swing, balls=20_000)
+    balls, _ = methods.landings(swing)
+    _, lost = methods.landings(swing, balls=20_000)
     cells = {tuple(cell) for cell in np.floor(balls).astype(int) if 0 <= cell[0] < 7 and 0 <= cell[1] < 17}
     print(f"{name:5}: {lost:.1%} of 20 000 lost; on the course a thousand balls lie in {len(cells)} different cells")
 
@@ -135,7 +135,7 @@ source(one_step_target)
 source(best_value)
 
 # %%
-stochasticity.weights_figure()
+figures.weights_figure()
 
 # %% [markdown]
 # The weighted error on the right, times $\alpha$, is how far the value moves. ($\beta$ is `self.risk` in the code.) Look at
@@ -165,8 +165,8 @@ stochasticity.weights_figure()
 # it, with the mean 0.8 and the standard deviation 0.3:
 
 # %%
-for label, beta in stochasticity.RISKS.items():
-    learned = stochasticity.learned_value(beta, lambda rng: rng.normal(0.8, 0.3))
+for label, beta in methods.RISKS.items():
+    learned = methods.learned_value(beta, lambda rng: rng.normal(0.8, 0.3))
     print(f"{label:15}: learned {learned:.3f}, by the formula {0.8 + beta / 2 * 0.3**2:.3f}")
 
 # %% [markdown]
@@ -196,13 +196,13 @@ highest = predict(
 highest
 
 # %%
-results = stochasticity.learn()
-played = stochasticity.play(results)
-display(stochasticity.learning_curves(results))
-display(stochasticity.outcomes(played))
+results = methods.learn()
+played = methods.play(results)
+display(figures.learning_curves(results))
+display(figures.outcomes(played))
 for label, one in played.items():
     print(f"{label:15}: mean {one.mean.mean():.3f}, spread {one.spread.mean():.3f}, lost {one.lost.mean():.2%}")
-for label, swings in stochasticity.by_first_swing(results, played).items():
+for label, swings in methods.by_first_swing(results, played).items():
     for swing, (runs, mean, lost) in swings.items():
         print(f"{label:15}: {runs:2} of 30 runs start with a {swing:5}: mean {mean:.3f}, lost {lost:.1%}")
 means = {label.split(",")[0]: one.mean.mean() for label, one in played.items()}
@@ -237,10 +237,10 @@ highest.measured(seen)
 # Watch one game of the averse player, and one of the seeking player. (The films step with the slider or the button.)
 
 # %%
-frames("Golf", results.agents[stochasticity.AVERSE][0], seed=1, observe_hits=True)
+frames("Golf", results.agents[methods.AVERSE][0], seed=1, observe_hits=True)
 
 # %%
-frames("Golf", results.agents[stochasticity.SEEKING][0], seed=1, observe_hits=True)
+frames("Golf", results.agents[methods.SEEKING][0], seed=1, observe_hits=True)
 
 # %% [markdown]
 # ## Your turn
@@ -253,16 +253,16 @@ frames("Golf", results.agents[stochasticity.SEEKING][0], seed=1, observe_hits=Tr
 # %%
 def three_players(beta=2.0, level=0.015, epsilon=0.1, alpha=0.02, gamma=1.0):
     """Draw how an averse, a neutral and a seeking player learn and play one game."""
-    trained = stochasticity.learn(
+    trained = methods.learn(
         level=level,
-        risks=stochasticity.attitudes(beta),
+        risks=methods.attitudes(beta),
         epsilon=epsilon,
         learning_rate=alpha,
         discount=gamma,
         n_steps=100_000,
         repetitions=10,
     )
-    return stochasticity.slider_figure(trained, stochasticity.play(trained, level=level), level, epsilon)
+    return figures.slider_figure(trained, methods.play(trained, level=level), level, epsilon)
 
 
 sliders(
@@ -288,7 +288,7 @@ sliders(
 # How do the games end? The bars show it, for the players of the experiment.
 
 # %%
-stochasticity.games_figure(played)
+figures.games_figure(played)
 
 # %% [markdown]
 # The averse player mostly needs three or four hits, and hardly ever loses a ball. The seeking player mostly wins with
@@ -319,11 +319,11 @@ change = predict("The chip is worth more from level ... on", unit="(from 0.005 t
 change
 
 # %%
-exact = stochasticity.crossing_lines()
-display(Sheet("crossing", [[exact]]))
-worth = stochasticity.from_the_tee(0.015)
+lines = figures.crossing_lines()
+display(Sheet("crossing", [[lines]]))
+worth = exact.from_the_tee(0.015)
 print("at level 0.015:", ", ".join(f"{swing} {worth[swing]:.3f}" for swing in ("drive", "chip")))
-change.measured(exact.change)
+change.measured(lines.change)
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
@@ -342,15 +342,15 @@ change.measured(exact.change)
 # a player should drive.
 
 # %%
-attitudes = stochasticity.crossing_by_attitude()
+attitudes = figures.crossing_by_attitude()
 display(Sheet("attitudes", [[attitudes]]))
 between = {
-    stochasticity.AVERSE: (0.015, 0.018),
-    stochasticity.NEUTRAL: (0.018, 0.02),
-    stochasticity.SEEKING: (0.04, 0.06),
+    methods.AVERSE: (0.015, 0.018),
+    methods.NEUTRAL: (0.018, 0.02),
+    methods.SEEKING: (0.04, 0.06),
 }
 for label, (low, high) in between.items():
-    last = stochasticity.crossing(low, high, cell=0.25, risk=stochasticity.RISKS[label])
+    last = exact.crossing(low, high, cell=0.25, risk=methods.RISKS[label])
     print(f"{label:15}: drives up to about level {last:.3f}")
 
 # %% [markdown]
@@ -386,7 +386,7 @@ noisy = predict(
 noisy
 
 # %%
-earned, lost = stochasticity.against_level(repetitions=10)
+earned, lost = figures.against_level(repetitions=10)
 display(Sheet("levels", [[earned, lost]]))
 at = lost.x.index(0.02)
 shares = {label.split(",")[0]: float(np.mean(rows[at])) for label, rows in lost.measured.items()}
@@ -430,20 +430,20 @@ obstacle = predict(
 obstacle
 
 # %%
-by_rule = stochasticity.play_by_rules()["drive from 8 to 20 cells, chip beyond 2.8"]
+by_rule = methods.play_by_rules()["drive from 8 to 20 cells, chip beyond 2.8"]
 print(f"a player with a rule, who also sees the cell only: mean return {by_rule[0]:.3f}")
-believed = stochasticity.values_on_the_tee(results)
-for label in stochasticity.RISKS:
+believed = methods.values_on_the_tee(results)
+for label in methods.RISKS:
     print(f"{label:15}: believes on the tee: chip {believed[label][1]:.3f}, drive {believed[label][2]:.3f}")
-print(f"{'exact, averse':15}: drive {stochasticity.from_the_tee(0.015, 0.25, risk=-2.0)['drive']:.3f}")
+print(f"{'exact, averse':15}: drive {exact.from_the_tee(0.015, 0.25, risk=-2.0)['drive']:.3f}")
 print(f"{'exact, neutral':15}: chip {worth['chip']:.3f}, drive {worth['drive']:.3f}")
-still = stochasticity.learn(level=0.0, risks={"neutral": 0.0}, n_steps=30_000, repetitions=10)
+still = methods.learn(level=0.0, risks={"neutral": 0.0}, n_steps=30_000, repetitions=10)
 print(f"without noise, after 30 000 steps: mean return {still.final('neutral').mean():.3f}, optimum 0.900")
-patient = stochasticity.play(stochasticity.patient())[stochasticity.NEUTRAL]
-for label, one in (("as in the experiment", played[stochasticity.NEUTRAL]), ("patient", patient)):
-    drivers = stochasticity.share_of_drivers(one)
+patient = methods.play(methods.patient())[methods.NEUTRAL]
+for label, one in (("as in the experiment", played[methods.NEUTRAL]), ("patient", patient)):
+    drivers = methods.share_of_drivers(one)
     print(f"neutral, {label:20}: mean return {one.mean.mean():.3f}, {drivers:.0%} of the runs take the risk of a drive")
-too_low = worth["drive"] - believed[stochasticity.NEUTRAL][2]
+too_low = worth["drive"] - believed[methods.NEUTRAL][2]
 unseen = worth["drive"] - by_rule[0]
 obstacle.measured(
     "it believes that a drive is worth less than it is"
@@ -497,34 +497,34 @@ pays = predict(
 pays
 
 # %%
-two = {label: stochasticity.RISKS[label] for label in (stochasticity.NEUTRAL, stochasticity.SEEKING)}
-hidden_runs = stochasticity.learn(observe_hits=False, risks=two)
-hidden = stochasticity.play(hidden_runs, observe_hits=False)
-noisier = stochasticity.play(stochasticity.learn(level=0.02, risks=two), level=0.02)
-long_runs = stochasticity.learn(n_steps=3_000_000, repetitions=10, risks=two)
-long = stochasticity.play(long_runs)
+two = {label: methods.RISKS[label] for label in (methods.NEUTRAL, methods.SEEKING)}
+hidden_runs = methods.learn(observe_hits=False, risks=two)
+hidden = methods.play(hidden_runs, observe_hits=False)
+noisier = methods.play(methods.learn(level=0.02, risks=two), level=0.02)
+long_runs = methods.learn(n_steps=3_000_000, repetitions=10, risks=two)
+long = methods.play(long_runs)
 leads = {}
 for condition, players in {
     "hits hidden": hidden,
     "hits seen": played,
     "hits seen, level 0.02": noisier,
     "hits seen, ten times as long": long,
-    "the same, against the patient": {**long, stochasticity.NEUTRAL: patient},
+    "the same, against the patient": {**long, methods.NEUTRAL: patient},
 }.items():
-    leads[condition] = stochasticity.lead(players[stochasticity.SEEKING], over=players[stochasticity.NEUTRAL])
+    leads[condition] = methods.lead(players[methods.SEEKING], over=players[methods.NEUTRAL])
 print("mean return of the seeking player, less that of the neutral one (95 % interval):")
 for condition, lead in leads.items():
     print(f"{condition:29}: {lead.estimate:+.3f} ({lead.low:+.3f} to {lead.high:+.3f})")
 first = {
-    "hits hidden": stochasticity.by_first_swing(hidden_runs, hidden, observe_hits=False),
-    "hits seen": stochasticity.by_first_swing(results, played),
-    "ten times as long": stochasticity.by_first_swing(long_runs, long),
+    "hits hidden": methods.by_first_swing(hidden_runs, hidden, observe_hits=False),
+    "hits seen": methods.by_first_swing(results, played),
+    "ten times as long": methods.by_first_swing(long_runs, long),
 }
 for condition, players in (("hits hidden", hidden), ("hits seen", played), ("ten times as long", long)):
     neutral, seeking = (players[label] for label in two)
-    chips, *_ = first[condition][stochasticity.SEEKING].get("chip", (0,))
+    chips, *_ = first[condition][methods.SEEKING].get("chip", (0,))
     print(f"{condition:17}: neutral {neutral.mean.mean():.3f}, seeking {seeking.mean.mean():.3f};", end=" ")
-    print(f"{stochasticity.share_of_drivers(neutral):.0%} of the neutral runs take the risk;", end=" ")
+    print(f"{methods.share_of_drivers(neutral):.0%} of the neutral runs take the risk;", end=" ")
     print(f"{chips} of {len(seeking.mean)} seeking runs chip first")
 gain = leads["hits hidden"].estimate
 more = "more than the neutral one" if gain > 0 else "less than the neutral one"
@@ -569,8 +569,8 @@ lotteries
 values = {}
 for name, sign in (("the rare loss", 1), ("the rare win", -1)):
     rewards, chances = [sign * 0.2, sign * -1.8], [0.9, 0.1]
-    values[name] = stochasticity.certain_value(rewards, chances, risk=-2.0)
-    learned = stochasticity.learned_value(-2.0, lambda rng, r=rewards, p=chances: rng.choice(r, p=p))
+    values[name] = exact.certain_value(rewards, chances, risk=-2.0)
+    learned = methods.learned_value(-2.0, lambda rng, r=rewards, p=chances: rng.choice(r, p=p))
     print(f"{name:13}: exact {values[name]:.3f}, learned {learned:.3f}")
 print(f"the formula for normal rewards gives both: {-2.0 / 2 * 0.36:.3f}")
 difference = values["the rare win"] - values["the rare loss"]
@@ -610,9 +610,9 @@ rate = predict(
 rate
 
 # %%
-dry = stochasticity.compare_on_lake(slippery=False, n_steps=5_000)
-icy = stochasticity.compare_on_lake(slippery=True)
-display(stochasticity.lake_figure(dry, icy, stochasticity.lake_optimum()))
+dry = methods.compare_on_lake(slippery=False, n_steps=5_000)
+icy = methods.compare_on_lake(slippery=True)
+display(figures.lake_figure(dry, icy, methods.lake_optimum()))
 late = {method: float(icy.curves(method).iloc[-5:].to_numpy(float).mean()) for method in icy.methods}
 print("slippery, mean return of the last five evaluations:", ", ".join(f"{m}: {r:.2f}" for m, r in late.items()))
 others = [late[method] for method in ("α = 0.3", "α = 0.05")]
@@ -640,8 +640,8 @@ rate.measured(seen)
 # that it makes up.
 
 # %%
-from edugym_course.lessons.stochasticity.exercises import CHALLENGE, exercise_1, exercise_2, exercise_3
 from edugym_course.grading import check
+from edugym_course.lessons.stochasticity.exercises import CHALLENGE, exercise_1, exercise_2, exercise_3
 
 # %% [markdown]
 # ### Exercise 1: change a parameter
@@ -650,7 +650,7 @@ from edugym_course.grading import check
 # to 0.0001. Before you compute: what does the estimate by hand say? (`from statistics import NormalDist`;
 # `-NormalDist().inv_cdf(p / 2)` gives the number of standard deviations.)
 #
-# <details><summary>Hint</summary><code>stochasticity.from_the_tee(0.015, max_hits=5)</code> gives the exact worth of each
+# <details><summary>Hint</summary><code>exact.from_the_tee(0.015, max_hits=5)</code> gives the exact worth of each
 # swing from the tee at level 0.015, as a dictionary: <code>["drive"]</code> and <code>["chip"]</code> are its entries.
 # Try some levels, or write a loop that starts at 0.01 (a level of 0 is not allowed).</details>
 
@@ -660,7 +660,7 @@ level = 0.0187  # with 10 hits
 highest_level = 0.03
 while highest_level - level > 0.0001:
     middle = (level + highest_level) / 2
-    swings = stochasticity.from_the_tee(middle, max_hits=5)
+    swings = exact.from_the_tee(middle, max_hits=5)
     if swings["drive"] > swings["chip"]:
         level = middle
     else:
@@ -707,8 +707,8 @@ check(exercise_2, frontier)
 ### BEGIN HIDDEN TESTS
 check(exercise_2, frontier, seed=1, quiet=True)
 ### END HIDDEN TESTS
-rules = stochasticity.play_by_rules()
-display(Sheet("frontier", [[stochasticity.frontier_figure(rules, frontier(rules), played)]]))
+rules = methods.play_by_rules()
+display(Sheet("frontier", [[figures.frontier_figure(rules, frontier(rules), played)]]))
 for name in frontier(rules):
     print(f"{name}: mean {rules[name][0]:.4f}, spread {rules[name][1]:.4f}")
 for name in ("drive from 5 to 20 cells, chip beyond 2.8", "no drive, chip beyond 6"):
@@ -801,7 +801,7 @@ check(exercise_3, TwoWeights)
 check(exercise_3, TwoWeights, seed=1, quiet=True)
 ### END HIDDEN TESTS
 display(
-    stochasticity.race(
+    figures.race(
         {
             "κ = 0.5": lambda game: TwoWeights.create(game, kappa=0.5),
             "κ = -0.5": lambda game: TwoWeights.create(game, kappa=-0.5),

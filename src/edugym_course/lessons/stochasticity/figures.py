@@ -11,21 +11,13 @@ from edugym.envs.golf import DISTANCES, SWINGS, Golf
 from edugym.experiments.figures.against import Against
 from edugym.experiments.figures.curves import Curves
 from edugym.experiments.figures.lines import Lines
-from edugym.experiments.figures.panel import ALONE, Panel, Place
+from edugym.experiments.figures.panel import ALONE, Panel, Place, on_axes
 from edugym.experiments.figures.sheet import Sheet
-from edugym.experiments.figures.style import (
-    REFERENCE,
-    SOFT_REFERENCE,
-    add_legend,
-    axes_or_new,
-    dress,
-    plot_line,
-    stroke,
-)
+from edugym.experiments.figures.style import REFERENCE, SOFT_REFERENCE, VERMILION, dress, plot_line, stroke
 from edugym.experiments.results.statistics import mean_interval
 from edugym.experiments.results.tables import Results
 from edugym.mdp.protocol import Reals
-from edugym.rendering.palette import GRASS, GREEN, WATER, blend
+from edugym.rendering.palette import GRASS, GREEN, WATER, WHITE, blend
 from edugym_course.lessons.stochasticity.exact import crossing, from_the_tee, optimum, soft_optimum, weighted
 from edugym_course.lessons.stochasticity.methods import (
     EPSILON,
@@ -61,25 +53,23 @@ class Course(NamedTuple):
     aim: tuple[float, float]
     title: str = ""
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the course on `ax`, by default in a new figure, and return the axes."""
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw the course."""
         from matplotlib.patches import Circle, Rectangle
 
-        ax, golf = axes_or_new(ax), Golf.create()
+        golf = Golf.create()
         flag = golf.width / 2, golf.length - golf.width / 2
-        ax.add_patch(Rectangle((0, 0), golf.width, golf.length, facecolor=blend(GRASS, "#ffffff", 0.3), zorder=0))
+        ax.add_patch(Rectangle((0, 0), golf.width, golf.length, facecolor=blend(GRASS, WHITE, 0.3), zorder=0))
         ax.add_patch(Circle(flag, golf.green_radius, facecolor=blend(GRASS, GREEN, 0.7), zorder=0.5))
         ax.set_facecolor(WATER)
         ax.plot(*self.balls.T, ".", color="#222222", markersize=2, alpha=0.5, label="balls")
-        ax.plot(*self.aim, "+", color="#d55e00", markersize=9, markeredgewidth=2, label="aim")
+        ax.plot(*self.aim, "+", color=VERMILION, markersize=9, markeredgewidth=2, label="aim")
         ax.plot(golf.width / 2, 0.15, "^", color="white", markeredgecolor="#222222", markersize=6, label="tee")
         ax.set_aspect("equal")
         ax.set_xlim(-2.5, golf.width + 2.5)
         ax.set_ylim(-0.8, golf.length + 0.8)
         dress(ax, "x, in cells", "y, in cells", self.title)
-        if place.alone:
-            add_legend(ax)
-        return ax
 
 
 class Dots(NamedTuple):
@@ -97,9 +87,9 @@ class Dots(NamedTuple):
     y_label: str = ""
     theory: Mapping[str, float] = MappingProxyType({})
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the dots on `ax`, by default in a new figure, and return the axes."""
-        ax = axes_or_new(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw the dots."""
         for i, (method, values) in enumerate(self.measured.items()):
             interval = mean_interval(values)
             ax.plot([i, i], [interval.low, interval.high], color=stroke(i).color, linewidth=2)
@@ -109,9 +99,6 @@ class Dots(NamedTuple):
         ax.set_xlim(-0.6, len(self.measured) - 0.4)
         dress(ax, "method", self.y_label, self.title)
         ax.set_xticks([])
-        if place.alone:
-            add_legend(ax)
-        return ax
 
 
 class Games(NamedTuple):
@@ -127,9 +114,9 @@ class Games(NamedTuple):
     title: str = ""
     most: int = 6
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the bars on `ax`, by default in a new figure, and return the axes."""
-        ax = axes_or_new(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw the bars."""
         names = ["lost", *(str(hits) for hits in range(1, self.most)), f"{self.most}+"]
         width = 0.8 / len(self.played)
         for i, (method, games) in enumerate(self.played.items()):
@@ -139,9 +126,6 @@ class Games(NamedTuple):
             ax.bar(at, bars, width, color=stroke(i).color, label=method)
         ax.set_xticks(np.arange(len(names)), names)
         dress(ax, "lost, or won with so many hits", "share of games", self.title)
-        if place.alone:
-            add_legend(ax)
-        return ax
 
 
 class Crossing(Lines):
@@ -154,16 +138,13 @@ class Crossing(Lines):
         """The level from which on the chip is worth more."""
         return crossing()
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the lines on `ax`, by default in a new figure, and return the axes."""
-        ax = axes_or_new(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw the lines."""
         for i, (swing, line) in enumerate(self.lines.items(), start=FIRST_FREE):  # other colours than those of players
             plot_line(ax, i, self.x, line, swing)
         ax.axvline(self.change, label=f"the crossing, level {self.change:.4f}", **SOFT_REFERENCE)
         dress(ax, self.x_label, self.y_label, self.title)
-        if place.alone:
-            add_legend(ax)
-        return ax
 
 
 class Leads(Lines):
@@ -193,9 +174,9 @@ class Frontier(NamedTuple):
     learned: Mapping[str, tuple[float, float]]
     title: str = ""
 
-    def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
-        """Draw the players on `ax`, by default in a new figure, and return the axes."""
-        ax = axes_or_new(ax)
+    @on_axes
+    def draw(self, ax: "Axes") -> None:
+        """Draw the players."""
         mean, spread = self.rules.T
         ax.plot(spread, mean, "o", color="#bbbbbb", markersize=4, label="players with rules")
         best = self.frontier[np.argsort(self.frontier[:, 1])]
@@ -205,9 +186,6 @@ class Frontier(NamedTuple):
         ax.set_xlim(-0.02, 0.42)
         ax.set_ylim(0.45, 0.9)
         dress(ax, "standard deviation of the return", "mean return", self.title)
-        if place.alone:
-            add_legend(ax)
-        return ax
 
 
 def landings_figure(level: float = LEVEL) -> Sheet:

@@ -20,7 +20,7 @@ def quiet(study):
 
 
 # %% by the lesson's own maker
-quiet = depth.maker(math.inf, epsilon=0.0)
+quiet = methods.maker(math.inf, epsilon=0.0)
 
 # %% partial
 quiet = partial(

@@ -17,11 +17,11 @@ from edugym_course.grading.student_code import running
 from edugym_course.grading.updates import table_of
 from edugym_course.grading.values import number, same
 from edugym_course.grading.wrong import WrongAnswer
-from edugym_course.lessons.depth import label, maker
 from edugym_course.lessons.depth.exercises.cutting import alike, cases, explained, outcomes
 from edugym_course.lessons.depth.exercises.episodes import N_ACTIONS, N_STATES, learn_from
 from edugym_course.lessons.depth.exercises.quiet import check_depth
 from edugym_course.lessons.depth.exercises.ratio import RatioCase, compare_ratios, ratio
+from edugym_course.lessons.depth.methods import label, maker
 
 
 def exercise_1(answer: Any, seed: int) -> str:

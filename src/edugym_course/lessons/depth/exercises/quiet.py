@@ -9,8 +9,9 @@ import numpy as np
 from edugym.mdp.protocol import Reals
 from edugym_course.grading.values import digits
 from edugym_course.grading.wrong import WrongAnswer
-from edugym_course.lessons.depth import DISCOUNT, LEARNING_RATE, maker
 from edugym_course.lessons.depth.exercises.episodes import Episode, learn_from, numbers
+from edugym_course.lessons.depth.methods import LEARNING_RATE, maker
+from edugym_course.lessons.depth.targets import DISCOUNT
 
 RATES = (LEARNING_RATE, 0.01, 0.05, 0.2, 0.3, 0.5, 0.9, 1.0)
 DISCOUNTS = (DISCOUNT, 0.0, 0.9, 0.95, 0.99)

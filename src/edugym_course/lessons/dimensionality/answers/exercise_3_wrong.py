@@ -202,7 +202,7 @@ def row_for(self, u):
 
 
 # %% DQN for OpenDQN
-# says: MyDQN should begin with `class MyDQN(lesson.OpenDQN):`, as it is OpenDQN that calls `target_of` and `row_for`
+# says: MyDQN should begin with `class MyDQN(OpenDQN):`, as it is OpenDQN that calls `target_of` and `row_for`
 class MyDQN(DQN):
     __slots__ = ()
 
@@ -221,7 +221,7 @@ class MyDQN(DQN):
 # says: MyDQN has no method `row_for` of its own
 # says: ` of its own, so it uses that of OpenDQN: is the name spelt as in the exercise, and does the method stand inside
 #   the class?
-class MyDQN(lesson.OpenDQN):
+class MyDQN(OpenDQN):
     __slots__ = ()
 
     def target_of(self, row):

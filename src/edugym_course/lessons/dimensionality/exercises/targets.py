@@ -130,8 +130,7 @@ def _require_own_methods(answer: Any) -> None:
     """Refuse a class whose target and rows are those of the package, or are used by nobody."""
     if not issubclass(answer, OpenDQN):
         raise WrongAnswer(
-            "MyDQN should begin with `class MyDQN(lesson.OpenDQN):`, as it is OpenDQN that calls `target_of` and"
-            " `row_for`"
+            "MyDQN should begin with `class MyDQN(OpenDQN):`, as it is OpenDQN that calls `target_of` and `row_for`"
         )
     for name in ("target_of", "row_for"):
         if getattr(answer, name) is getattr(OpenDQN, name):

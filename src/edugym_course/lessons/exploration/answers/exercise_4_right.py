@@ -4,7 +4,7 @@
 #   to a quarter of the first bonus.
 frozen = repeat(
     lake,
-    exploration.METHODS | {"mine": lambda e: QLearning.create(e, discount=0.9, initial_value=1.0)},
+    METHODS | {"mine": lambda e: QLearning.create(e, discount=0.9, initial_value=1.0)},
     20_000,
     repetitions=5,
 )
@@ -12,14 +12,14 @@ frozen = repeat(
 # %% all labels written out
 methods = {
     "mine": lambda e: GoExplore.create(e, learning_rate=0.5, discount=0.9, explore_steps=5),
-    "Go-Explore": exploration.METHODS["Go-Explore"],
-    "novelty reward": exploration.METHODS["novelty reward"],
-    "ε-greedy": exploration.METHODS["ε-greedy"],
+    "Go-Explore": METHODS["Go-Explore"],
+    "novelty reward": METHODS["novelty reward"],
+    "ε-greedy": METHODS["ε-greedy"],
 }
 frozen = repeat(lake, methods, n_steps=20_000, repetitions=5)
 
 # %% two of one's own
-methods = dict(exploration.METHODS)
+methods = dict(METHODS)
 methods["SARSA"] = SARSA.create
 methods["optimist"] = lambda e: QLearning.create(e, initial_value=1)
 frozen = repeat(lake, methods, 20_000, repetitions=5, seed=3)
@@ -36,12 +36,12 @@ class Sleeper(NamedTuple):
         self.Q[state, action] = reward
 
 
-frozen = repeat(lake, {**exploration.METHODS, "sleeper": lambda e: Sleeper(np.zeros((64, 4)))}, 20_000, repetitions=5)
+frozen = repeat(lake, {**METHODS, "sleeper": lambda e: Sleeper(np.zeros((64, 4)))}, 20_000, repetitions=5)
 
 # %% the id and its parameters
 frozen = repeat(
     "FrozenLake-v1",
-    {**exploration.METHODS, "mine": QLearning.create},
+    {**METHODS, "mine": QLearning.create},
     20_000,
     repetitions=5,
     parameters={"map_name": "8x8", "is_slippery": False},
@@ -53,12 +53,10 @@ def make(layout_seed):
     return gym.make("FrozenLake-v1", map_name="8x8", is_slippery=False)
 
 
-frozen = repeat(make(0), {**exploration.METHODS, "mine": CountBased.create}, 20_000, repetitions=5, jobs=1)
+frozen = repeat(make(0), {**METHODS, "mine": CountBased.create}, 20_000, repetitions=5, jobs=1)
 
 # %% one run after the other, more points
-frozen = repeat(
-    lake, {**exploration.METHODS, "mine": QLearning.create}, 20_000, repetitions=5, jobs=1, evaluate_every=500
-)
+frozen = repeat(lake, {**METHODS, "mine": QLearning.create}, 20_000, repetitions=5, jobs=1, evaluate_every=500)
 
 # %% keyword arguments only
-frozen = repeat(environment=lake, agents={**exploration.METHODS, "mine": SARSA.create}, n_steps=20_000, repetitions=5)
+frozen = repeat(environment=lake, agents={**METHODS, "mine": SARSA.create}, n_steps=20_000, repetitions=5)

@@ -20,9 +20,9 @@ from edugym_course.grading.results import check_results
 from edugym_course.grading.updates import table_of
 from edugym_course.grading.values import compare, digits, number
 from edugym_course.grading.wrong import WrongAnswer
-from edugym_course.lessons.exploration import DISCOUNT, GO_EXPLORE, LEARNING_RATE, METHODS, N_STEPS, NOVELTY
 from edugym_course.lessons.exploration.exercises.explorer import EXPLORER as EXPLORER
 from edugym_course.lessons.exploration.exercises.explorer import check_act, epsilon_greedy
+from edugym_course.lessons.exploration.methods import DISCOUNT, GO_EXPLORE, LEARNING_RATE, METHODS, N_STEPS, NOVELTY
 
 HEIGHT = 100  # of the wall in exercise 1
 EPSILON = 2 * (1 - 0.5 ** (1 / HEIGHT))

@@ -6,7 +6,7 @@ def table_rows(num_doors, length):
 
 # %% with the package's law
 def table_rows(num_doors, length):
-    return (num_doors + 1) ** memory.window_law(length)
+    return (num_doors + 1) ** windows.window_law(length)
 
 
 # %% with stack_size
@@ -32,7 +32,7 @@ def table_rows(num_doors, length):
 
 # %% by trying windows
 def table_rows(num_doors, length):
-    k = memory.smallest_window(length)
+    k = windows.smallest_window(length)
     return (num_doors + 1) ** k
 
 

@@ -18,4 +18,4 @@ def with_few_points(environment, agent, n_steps, *, seed, **how):
 
 edugym.experiments.repeat.train = with_few_points
 lake = gym.make("FrozenLake-v1", map_name="4x4", is_slippery=True)
-methods = {label: model_based.LEARNED[label] for label in ("Q-learning", "Dyna-10")}
+methods = {label: LEARNED[label] for label in ("Q-learning", "Dyna-10")}

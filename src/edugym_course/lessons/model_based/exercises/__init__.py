@@ -13,9 +13,9 @@ from edugym_course.grading.results import check_results
 from edugym_course.grading.student_code import running
 from edugym_course.grading.values import compare
 from edugym_course.grading.wrong import WrongAnswer
-from edugym_course.lessons.model_based import DYNA_10, LEARNED, OPTIMUM, Q_LEARNING, R_MAX, SWEEPING
 from edugym_course.lessons.model_based.exercises.imagining import exercise_2 as exercise_2
 from edugym_course.lessons.model_based.exercises.sweeping import exercise_3 as exercise_3
+from edugym_course.lessons.model_based.methods import DYNA_10, LEARNED, OPTIMUM, Q_LEARNING, R_MAX, SWEEPING
 
 LAKE_STEPS = 3_000
 ENOUGH = 0.15

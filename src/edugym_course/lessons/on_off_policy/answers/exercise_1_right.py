@@ -11,7 +11,7 @@ negative_reward = -36.984
 
 # %% by a loop downwards
 R = -30.0
-while len(on_off_policy.best_run(0.1, negative_reward=R - 0.1)) == 5:
+while len(exact.best_run(0.1, negative_reward=R - 0.1)) == 5:
     R -= 0.1
 negative_reward = R
 
@@ -19,7 +19,7 @@ negative_reward = R
 low, high = -100.0, -10.0
 while high - low > 0.01:
     middle = (low + high) / 2
-    if len(on_off_policy.best_run(0.1, negative_reward=middle)) == 5:
+    if len(exact.best_run(0.1, negative_reward=middle)) == 5:
         high = middle
     else:
         low = middle
@@ -27,9 +27,9 @@ negative_reward = high
 
 # %% over an array
 values = np.arange(-45.0, -30.0, 0.1)
-negative_reward = min(v for v in values if len(on_off_policy.best_run(0.1, negative_reward=v)) - 1 == 4)
+negative_reward = min(v for v in values if len(exact.best_run(0.1, negative_reward=v)) - 1 == 4)
 
 # %% by the switch
 negative_reward = -38.0
-while on_off_policy.switch(finite_model(make_mdp("Roadrunner", negative_reward=negative_reward))) < 0.1:
+while exact.switch(finite_model(make_mdp("Roadrunner", negative_reward=negative_reward))) < 0.1:
     negative_reward += 0.05

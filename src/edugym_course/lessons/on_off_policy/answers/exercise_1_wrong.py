@@ -63,11 +63,11 @@ negative_reward = "-37"
 
 # %% the run itself
 # says: take an entry of it
-negative_reward = on_off_policy.best_run(0.1, negative_reward=-37)
+negative_reward = exact.best_run(0.1, negative_reward=-37)
 
 # %% the function
 # says: call it
-negative_reward = on_off_policy.best_run
+negative_reward = exact.best_run
 
 # %% zero
 # says: takes 1 step: it is higher than it need be
@@ -76,12 +76,12 @@ negative_reward = 0
 # %% the change of the path
 # says: there the *path* of the safe run changes; the number of its steps changes elsewhere
 negative_reward = -100.0
-while on_off_policy.best_run(0.1, negative_reward=negative_reward)[2] == (2, 1):
+while exact.best_run(0.1, negative_reward=negative_reward)[2] == (2, 1):
     negative_reward += 0.1
 
 # %% one digit too few states
 # says: it is too low
 negative_reward = -100.0
-while len(on_off_policy.best_run(0.1, negative_reward=negative_reward)) > 6:
+while len(exact.best_run(0.1, negative_reward=negative_reward)) > 6:
     negative_reward += 0.1
 negative_reward -= 1

@@ -138,7 +138,7 @@ def switch(model):
 # %% the lesson's model
 # says: the ε of the lesson's road
 def switch(model):
-    return on_off_policy.switch(finite_model(make_mdp("Roadrunner")))
+    return exact.switch(finite_model(make_mdp("Roadrunner")))
 
 
 # %% a list
@@ -162,7 +162,7 @@ def switch():
 # %% the reciprocal
 # says: that is 1/ε
 def switch(model):
-    return 1 / on_off_policy.switch(model, tolerance=1e-7)
+    return 1 / exact.switch(model, tolerance=1e-7)
 
 
 # %% the other probability

@@ -16,7 +16,7 @@ late = (ring + 2 - (1 - works) * 1) / works
 # %% by a search
 late = 0.0
 while True:
-    values = own_problem.solve(own_problem.Morning(late=late))
+    values = exact.solve(Morning(late=late))
     if values.Q[values.model.row((7, 2))].argmax() == 2:
         break
     late += 0.005

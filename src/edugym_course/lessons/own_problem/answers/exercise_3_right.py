@@ -51,7 +51,7 @@ def transition(self, state, action, rng):
 def transition(self, state, action, rng):
     time, depth, chimes = state
     what = 0 if action == 1 and chimes == 2 else action
-    time, depth = own_problem.Morning().transition((time, depth), what, rng)
+    time, depth = Morning().transition((time, depth), what, rng)
     return time, depth, chimes + 1 if action == 1 and chimes < 2 else chimes
 
 

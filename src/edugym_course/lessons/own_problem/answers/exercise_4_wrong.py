@@ -37,12 +37,12 @@ my_problem = Template(days=8)
 
 # %% the problem of the lesson
 # says: that is the problem of the lesson: write one of your own, under its own name
-my_problem = own_problem.Morning(late=20.0)
+my_problem = Morning(late=20.0)
 
 
 # %% the problem of the lesson with another name
 # says: that is the problem of the lesson: write one of your own, under its own name
-class Evening(own_problem.Morning):
+class Evening(Morning):
     __slots__ = ()
 
 

@@ -1,5 +1,7 @@
 from gymnasium.spaces import Box
 
+from edugym_course.lessons.own_problem.morning import Morning
+
 
 class Plant(NamedTuple):
     """A plant that may dry out within ten days: the state is (day, water)."""

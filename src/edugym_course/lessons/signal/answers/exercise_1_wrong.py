@@ -14,29 +14,29 @@ words = None
 # %% divided
 # says: that is 0.4 divided by the bits of one word;
 # says: the words repeat each other in part, so more are needed
-words = math.ceil(0.4 / signal.information(0.1))
+words = math.ceil(0.4 / information(0.1))
 
 # %% divided and rounded down
 # says: that is 0.4 divided by the bits of one word, rounded down;
-words = int(0.4 / signal.information(0.1))
+words = int(0.4 / information(0.1))
 
 # %% divided and not rounded
 # says: words should be a whole number, since half a word is never said, but is
-words = 0.4 / signal.information(0.1)
+words = 0.4 / information(0.1)
 
 # %% the last one below
 # says: that is the last length that carries less than 0.4 bit; one word more is enough
-words = max(L for L in range(1, 40) if signal.information(0.1, L) < 0.4)
+words = max(L for L in range(1, 40) if information(0.1, L) < 0.4)
 
 # %% an index
 # says: one word more is enough
-bits = [signal.information(0.1, L) for L in range(1, 40)]
+bits = [information(0.1, L) for L in range(1, 40)]
 words = next(k for k, b in enumerate(bits) if b >= 0.4)
 
 # %% one too many
 # says: one word less is enough; is the comparison `<`, and the count read before it grows?
 words = 1
-while signal.information(0.1, words - 1) < 0.4:
+while information(0.1, words - 1) < 0.4:
     words += 1
 
 # %% the longest message
@@ -53,15 +53,15 @@ words = 25
 
 # %% the noise of the other figure
 # says: that is the answer for τ = 0.05
-words = next(L for L in range(1, 57) if signal.information(0.05, L) >= 0.4)
+words = next(L for L in range(1, 57) if information(0.05, L) >= 0.4)
 
 # %% half a bit
 # says: that is where *half* a bit is reached
-words = next(L for L in range(1, 57) if signal.information(0.1, L) >= 0.5)
+words = next(L for L in range(1, 57) if information(0.1, L) >= 0.5)
 
 # %% the bits
 # says: a whole number
-words = signal.information(0.1, 22)
+words = information(0.1, 22)
 
 # %% a text
 # says: leave the quotes out
@@ -69,7 +69,7 @@ words = "22"
 
 # %% a list
 # says: take an entry of it
-words = [L for L in range(1, 40) if signal.information(0.1, L) >= 0.4]
+words = [L for L in range(1, 40) if information(0.1, L) >= 0.4]
 
 # %% four words at a time
 # says: the answer for τ = 0.05

@@ -12,12 +12,12 @@ level = None
 
 # %% the hits are forgotten
 # says: that is the crossing with 10 hits; give `max_hits=5` to from_the_tee
-level = stochasticity.crossing()
+level = exact.crossing()
 
 # %% the hits are forgotten in a loop
 # says: that is the crossing with 10 hits
 level = 0.018
-while stochasticity.from_the_tee(level)["drive"] > stochasticity.from_the_tee(level)["chip"]:
+while exact.from_the_tee(level)["drive"] > exact.from_the_tee(level)["chip"]:
     level += 0.00002
 
 # %% the estimate, measured from the safe plan
@@ -48,7 +48,7 @@ level = 0.03
 # %% the comparison the wrong way round
 # says: that is the value with which the cell began
 level = 0.0187
-while stochasticity.from_the_tee(level, max_hits=5)["drive"] < stochasticity.from_the_tee(level, max_hits=5)["chip"]:
+while exact.from_the_tee(level, max_hits=5)["drive"] < exact.from_the_tee(level, max_hits=5)["chip"]:
     level += 0.0001
 
 # %% the deviation
@@ -65,7 +65,7 @@ level = "0.0232"
 
 # %% the worth
 # says: take an entry of it
-level = stochasticity.from_the_tee(0.0232, max_hits=5)
+level = exact.from_the_tee(0.0232, max_hits=5)
 
 # %% a negative level
 # says: the sign is wrong
@@ -73,7 +73,7 @@ level = -0.0232
 
 # %% the function
 # says: call it
-level = stochasticity.crossing
+level = exact.crossing
 
 # %% no chance at all
 # says: is not a level, a number above 0 and far below 1: it is too low
@@ -86,5 +86,5 @@ level = 0.0234
 # %% steps of a thousandth
 # says: too high
 level = 0.0187
-while stochasticity.from_the_tee(level, max_hits=5)["drive"] > stochasticity.from_the_tee(level, max_hits=5)["chip"]:
+while exact.from_the_tee(level, max_hits=5)["drive"] > exact.from_the_tee(level, max_hits=5)["chip"]:
     level += 0.001

@@ -7,12 +7,18 @@
 #
 # **Time.** 45 minutes. **Before you start.** You should know ... (Sutton and Barto, 2nd edition, section 6.5).
 #
-# *This is the template of a lesson. Copy it to `lessons/NN_name.py`, build it, and replace one section after the other.
-# Keep the headings up to the colon.*
+# *This is the template of a lesson. Make one in three steps, and replace one part after the other; keep the headings up to
+# the colon. Nothing outside the folder has to be changed.*
+#
+# ```
+# cp -r lessons/template src/edugym_course/lessons/waiting && cd src/edugym_course/lessons/waiting
+# mv 99_template.py 11_waiting.py
+# sed -i 's/lessons\.template/lessons.waiting/; s/(lesson 99)/(lesson 11)/' *.py
+# ```
 
 # %%
-from edugym import SARSA, EpsilonGreedy, QLearning, finite_model, make_mdp, repeat, train, value_iteration
-from edugym.experiments.figures import Curves, Sheet
+from edugym import QLearning, make_mdp, train
+from edugym_course.lessons.template import experiments
 from edugym_course.notebook import frames, play, predict, sliders, source
 
 # %% [markdown]
@@ -46,24 +52,11 @@ source(QLearning.learn)
 # ## The experiment: what is compared
 #
 # A question comes before each experiment. Then every setting: discount, learning rate, exploration, budget,
-# repetitions. The experiment itself belongs into a file beside the text (CONTRIBUTING), with the
-# claims that the text makes; it is here only to keep the template in one file.
-
+# repetitions. The experiment itself stands in `experiments.py` beside the text, with the claims that the text makes.
 
 # %%
-def compare(epsilon=0.1, learning_rate=0.1):
-    """Draw the learning curves of both methods, with the best possible return."""
-    settings = {"discount": 1.0, "learning_rate": learning_rate, "exploration": EpsilonGreedy(epsilon)}
-    methods = {
-        "Q-learning": lambda environment: QLearning.create(environment, **settings),
-        "SARSA": lambda environment: SARSA.create(environment, **settings),
-    }
-    results = repeat(mdp, methods, 20_000, repetitions=20)
-    optimum = value_iteration(finite_model(mdp)).start
-    return Sheet("comparison", [[Curves(results, "Roadrunner", "training_return", optimum=optimum, smooth=10)]])
-
-
-compare()
+results = experiments.compare()
+display(experiments.learning_curves(results))
 
 # %% [markdown]
 # Say what is to be seen, in the order in which the eye finds it.
@@ -74,7 +67,8 @@ compare()
 # Ask a question that a slider answers. A slider calls a function which the lesson also calls once itself.
 
 # %%
-sliders(compare, epsilon=(0.0, 0.5, 0.05), learning_rate=(0.05, 1.0, 0.05))
+experiments.one_setting()
+sliders(experiments.one_setting, epsilon=(0.0, 0.5, 0.05), learning_rate=(0.05, 1.0, 0.05))
 
 # %% [markdown]
 # ## See inside: why
@@ -95,32 +89,41 @@ ahead = predict("With ε = 0.3, which is ahead while it learns?", ["Q-learning",
 ahead
 
 # %%
-display(compare(epsilon=0.3))
-ahead.measured("SARSA")
+careless = experiments.compare(epsilon=0.3)
+display(experiments.learning_curves(careless))
+gap = careless.difference("SARSA", "Q-learning", "training_return", over="training")
+ahead.measured("SARSA" if gap.estimate > 0 else "Q-learning")
 
 # %% [markdown]
 # <details><summary>What was measured</summary>
 #
-# **Measured.** What the figure shows, with an interval, and why. Each such sentence is a claim in the module of the
-# lesson.
+# **Measured.** SARSA, and why. Each such sentence is a claim in `experiments.py`.
 # </details>
 
 # %% [markdown]
 # ## Exercises
 #
-# ### Exercise 1: change a parameter
+# Each exercise has a cell for the answer, and below it one that checks it: `exercises.py` holds the checks, and
+# `answers` right and wrong answers to them, with what is said of each.
+
+# %%
+from edugym_course.grading import check
+from edugym_course.lessons.template.exercises import exercise_1, exercise_2
+
+# %% [markdown]
+# ### Exercise 1: a number
 # Which whole number `best_return` is the best possible return in this environment?
 #
 # <details><summary>Hint</summary>The dashed line in the figures.</details>
 
 # %%
-best_return = 0
+best_return = ...
 ### BEGIN SOLUTION
 best_return = -2
 ### END SOLUTION
 
 # %% tags=["check"]
-assert best_return == -2, f"value iteration on the exact model gives another number than {best_return}"
+check(exercise_1, best_return)
 
 # %% [markdown]
 # ### Exercise 2: a piece of an algorithm
@@ -138,10 +141,9 @@ def target(reward, values, discount, terminated):
 
 
 # %% tags=["check"] points=2
-found = target(1.0, [0.0, 4.0], 0.5, False)
-assert found == 3.0, f"target(1, [0, 4], 0.5, False) is 1 + 0.5 * 4 = 3, not {found}"
+check(exercise_2, target)
 ### BEGIN HIDDEN TESTS
-assert target(1.0, [0.0, 4.0], 0.5, True) == 1.0, "a terminated episode has no future"
+check(exercise_2, target, seed=1, quiet=True)
 ### END HIDDEN TESTS
 
 # %% [markdown]

@@ -1,0 +1,1 @@
+"""Template (lesson 99)."""

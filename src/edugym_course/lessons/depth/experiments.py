@@ -1,0 +1,268 @@
+"""The depth of credit assignment (lesson 3): n-step SARSA from one step to Monte Carlo.
+
+On Study, n-step SARSA with n = 1, 3, 5 and ∞ (Monte Carlo) trains for 4 000 episodes of ten days, with learning rate
+0.1, ε = 0.1 and discount 1, at standard deviations σ of the reward noise of 0, 0.2 and 1 (n = 1 and ∞ only, but at
+0.2). 80 repetitions; each has its own layout (lecture days and action rewards), which is the same for every method and
+every σ.
+
+"Final" returns are the exact expected returns of the final greedy policies: the dynamics are deterministic, so a greedy
+policy has one path. Learning curves show the mean of 3 greedy evaluation episodes. The optimum and the best ε-soft
+policy come from the exact model, as means over the layouts.
+"""
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from edugym.experiments.figures.curves import Curves
+from edugym.experiments.figures.sheet import Sheet
+from edugym.experiments.results.claims import Above, Below, Claim, Within
+from edugym.experiments.results.statistics import Interval, paired_difference, share_interval
+from edugym.experiments.results.tables import Results
+from edugym.mdp.protocol import Reals
+from edugym_course.lessons.depth.figures import bias_series, rate_series, through_rates, variance_sheet
+from edugym_course.lessons.depth.methods import (
+    DEPTHS,
+    EARLY,
+    MONTE_CARLO,
+    ONE_STEP,
+    PASSING,
+    REPETITIONS,
+    SIGMAS,
+    best_returns,
+    compare,
+    expected_returns,
+    label,
+    layouts,
+    met_exam,
+    passes,
+)
+from edugym_course.lessons.depth.targets import DAYS, EPSILON, target_claims
+from edugym_course.report import Report
+from edugym_course.reporting import SharedArguments, reporting
+
+RATES = (0.01, 0.1, 0.3, 1.0)
+
+
+def final_difference(results: Results, method: str, other: str) -> Interval:
+    """Return the exact final return of a method less that of another, paired by repetition."""
+    return paired_difference(expected_returns(results, method), expected_returns(results, other))
+
+
+def early_difference(results: Results, method: str, other: str) -> Interval:
+    """Return the evaluation return of a method less that of another after `EARLY` steps, paired by repetition."""
+    return paired_difference(results.at(method, EARLY), results.at(other, EARLY))
+
+
+def difference_where_both_pass(results: Results, method: str, other: str) -> Interval:
+    """Return the exact final return of a method less that of another, where both pass the exam."""
+    returns = [expected_returns(results, one) for one in (method, other)]
+    both = (returns[0] > PASSING) & (returns[1] > PASSING)
+    return paired_difference(returns[0][both], returns[1][both])
+
+
+def measure(how: SharedArguments) -> tuple[Any, ...]:
+    """Run the experiments."""
+    by_sigma = {
+        sigma: compare(sigma=sigma, depths=DEPTHS if sigma == 0.2 else DEPTHS[:2], **how(f"sigma_{sigma:g}"))
+        for sigma in SIGMAS
+    }
+    many = compare(n_actions=10, depths=DEPTHS[:3], **how("ten_actions"))
+    wary = compare(initial_value=-5.0, depths=DEPTHS[:2], **how("start_values"))
+    return by_sigma, many, wary, through_rates(RATES, **how())
+
+
+def judge(by_sigma: Mapping[float, Results], many: Results, wary: Results, by_rate: Mapping[float, Results]) -> Report:
+    """Return claims and figures."""
+    claims = [
+        *early_claims(by_sigma),
+        *late_claims(by_sigma),
+        *action_claims(by_sigma[0.2], many),
+        *meeting_claims(many, wary),
+        *rate_claims(by_rate),
+        *target_claims(),
+    ]
+    return Report(claims, figures(by_sigma, many, by_rate))
+
+
+report = reporting(measure, judge, REPETITIONS)
+"""Run the experiments of the lesson (see `edugym_course.reporting.Reporter`)."""
+
+
+def warm_up() -> None:
+    """Compile what the cells of the lesson need."""
+    compare(repetitions=1, n_steps=100, jobs=1)
+
+
+def early_claims(by_sigma: Mapping[float, Results]) -> list[Claim]:
+    """Return the claims on the first episodes."""
+    return [
+        Claim(
+            f"Early on {label(n)} is ahead of n = 1 (σ = {sigma:g})",
+            f"return after {EARLY // DAYS} episodes less that of n = 1",
+            early_difference(results, label(n), ONE_STEP),
+            Above(0.0),
+            "one-step updates carry the exam's reward back by one day an episode",
+        )
+        for sigma, results in by_sigma.items()
+        for n in DEPTHS[1:]
+        if sigma == 0.2 or n == math.inf
+    ]
+
+
+def late_claims(by_sigma: Mapping[float, Results]) -> list[Claim]:
+    """Return the claims on the end of training, and on the noise of rewards."""
+    return [
+        *(
+            Claim(
+                f"Late n = 1 is ahead of Monte Carlo, on layouts where both pass the exam (σ = {sigma:g})",
+                "final return of Monte Carlo less that of n = 1",
+                difference_where_both_pass(results, MONTE_CARLO, ONE_STEP),
+                Below(0.0),
+                "what is left to learn then is which free days are cheap",
+            )
+            for sigma, results in by_sigma.items()
+        ),
+        Claim(
+            "Over all layouts Monte Carlo and n = 1 end within 2 of each other (σ = 0.2)",
+            "final return of Monte Carlo less that of n = 1",
+            final_difference(by_sigma[0.2], MONTE_CARLO, ONE_STEP),
+            Within(-2.0, 2.0),
+            "the few runs that never pass the exam, worth 10 each, hide the small difference",
+        ),
+        *(
+            Claim(
+                f"Noise can help: with σ = 1 {method} passes the exam on more layouts than without noise",
+                "share of runs that pass, σ = 1 less σ = 0",
+                paired_difference(passes(by_sigma[1.0], method), passes(by_sigma[0.0], method)),
+                Above(0.0),
+            )
+            for method in (ONE_STEP, MONTE_CARLO)
+        ),
+        Claim(
+            "With σ = 1 Monte Carlo ends at most 0.5 lower than without noise",
+            "final return of Monte Carlo at σ = 1 less that at σ = 0",
+            paired_difference(
+                expected_returns(by_sigma[1.0], MONTE_CARLO), expected_returns(by_sigma[0.0], MONTE_CARLO)
+            ),
+            Above(-0.5),
+            "the paper says that it suffers; but noise makes runs rarer that fail the exam",
+        ),
+    ]
+
+
+def action_claims(few: Results, many: Results) -> list[Claim]:
+    """Return the claims on more actions without a use."""
+    return [
+        Claim(
+            f"With ten actions {label(n)} ends far behind n = 1",
+            "final return less that of n = 1",
+            final_difference(many, label(n), ONE_STEP),
+            Below(-1.5),
+            "deep targets hand less of the value of untried actions back, so that more runs never meet the exam",
+        )
+        for n in DEPTHS[1:3]
+    ] + [
+        Claim(
+            "Going from five to ten actions costs Monte Carlo more than n = 1",
+            "loss of Monte Carlo less that of n = 1",
+            paired_difference(
+                expected_returns(few, MONTE_CARLO) - expected_returns(many, MONTE_CARLO),
+                expected_returns(few, ONE_STEP) - expected_returns(many, ONE_STEP),
+            ),
+            Above(0.0),
+        )
+    ]
+
+
+def meeting_claims(many: Results, wary: Results) -> list[Claim]:
+    """Return the claims on who meets the exam at all, with ten actions, and with start values of -5."""
+    met = {method: met_exam(many, method) for method in many.methods}
+    return [
+        *(
+            Claim(
+                f"With ten actions {label(n)} meets the exam in fewer runs than n = 1",
+                "share of runs that ever passed in training, less that of n = 1",
+                paired_difference(met[label(n)], met[ONE_STEP]),
+                Below(0.0),
+                "untried actions are worth 0 and tried ones less; bootstrapping hands that on, and returns do not",
+            )
+            for n in DEPTHS[1:3]
+        ),
+        Claim(
+            "With ten actions some Monte Carlo runs meet the exam",
+            "share of runs that ever passed in training",
+            share_interval(met[MONTE_CARLO]),
+            Above(0.01),
+            "these runs show whether Monte Carlo forgets what it has met",
+        ),
+        Claim(
+            "With ten actions Monte Carlo runs that meet the exam still pass it in the end",
+            "share of runs that pass in the end, less the share that ever passed",
+            paired_difference(passes(many, MONTE_CARLO), met[MONTE_CARLO]),
+            Within(-0.1, 0.1),
+            "so its loss is one of exploration, not of credit",
+        ),
+        Claim(
+            "Negative control: with start values of -5, where untried actions look worst, Monte Carlo passes more",
+            "share of runs that pass, less that of n = 1 (five actions, σ = 0.2)",
+            paired_difference(passes(wary, MONTE_CARLO), passes(wary, ONE_STEP)),
+            Above(0.0),
+        ),
+    ]
+
+
+def rate_claims(by_rate: Mapping[float, Results]) -> list[Claim]:
+    """Return the claims on learning rates, for 500 episodes."""
+    slow, quick, fastest = by_rate[0.01], by_rate[0.3], by_rate[1.0]
+
+    def averages(results: Results, method: str) -> Reals:
+        return results.average(method)
+
+    return [
+        Claim(
+            "n = 1 learns faster with rate 0.3 than with 0.01",
+            "return averaged over 500 episodes, rate 0.3 less 0.01",
+            paired_difference(averages(quick, ONE_STEP), averages(slow, ONE_STEP)),
+            Above(0.0),
+            "its targets vary little, but must be handed back day by day",
+        ),
+        Claim(
+            "Monte Carlo learns more slowly with rate 0.3 than with 0.01",
+            "return averaged over 500 episodes, rate 0.3 less 0.01",
+            paired_difference(averages(quick, MONTE_CARLO), averages(slow, MONTE_CARLO)),
+            Below(0.0),
+            "one reason: its targets vary much, and a small rate averages them",
+        ),
+        Claim(
+            "Each with a suitable rate, Monte Carlo (0.01) is ahead of n = 1 (0.3) over the first 500 episodes",
+            "return averaged over 500 episodes, less that of n = 1",
+            paired_difference(averages(slow, MONTE_CARLO), averages(quick, ONE_STEP)),
+            Above(0.0),
+        ),
+        Claim(
+            "Negative control: with rate 1, which keeps only the last target, Monte Carlo loses to n = 1",
+            "return averaged over 500 episodes, less that of n = 1, both with rate 1",
+            paired_difference(averages(fastest, MONTE_CARLO), averages(fastest, ONE_STEP)),
+            Below(0.0),
+        ),
+    ]
+
+
+def figures(by_sigma: Mapping[float, Results], many: Results, by_rate: Mapping[float, Results]) -> list[Sheet]:
+    """Return the figures: learning curves, the learning rates, and the target by n."""
+    tasks = layouts(by_sigma[0.2])
+    optimum, soft = best_returns(tasks, 0.0, EPSILON)
+    [ten] = best_returns(layouts(many), 0.0)
+    greedy = [Curves(results, f"σ = {sigma:g}", optimum=optimum) for sigma, results in by_sigma.items()]
+    exploring = [
+        Curves(results, f"exploring, σ = {sigma:g}", column="training_return", soft_optimum=soft)
+        for sigma, results in by_sigma.items()
+    ]
+    return [
+        Sheet("depth", [greedy, exploring]),
+        Sheet("ten_actions", [[Curves(many, "ten actions, σ = 0.2", optimum=ten)]]),
+        Sheet("rates", [[rate_series(by_rate)]]),
+        variance_sheet(),
+        Sheet("bias", [[bias_series()]]),
+    ]

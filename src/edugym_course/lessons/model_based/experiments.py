@@ -1,0 +1,262 @@
+"""Model-based learning (lesson 9): planning in Supermarket, with a model that is learned or given, right or wrong.
+
+Every method trains for 10 000 steps with discount 0.99, learning rate 1 and ε-greedy exploration with ε = 0.1, except
+for R-max, which needs neither rate nor ε. Dyna-Q and prioritised sweeping plan with 10 updates a step (Dyna-50 with
+50), R-max with up to 1 000. 60 repetitions (100 of the remedies); the seeds are the same for every method.
+
+The given model has wrong rewards where `noise` is above 0: each repetition has a layout of its own, which draws the
+errors, the same for every method; 24 repetitions, and 100 layouts for plans that nobody learns from. With a given model
+discount is 0.95.
+
+"Final" is the return of the last greedy evaluation episode. A policy that never gets to the exit returns -300 or less.
+The best way returns 95.
+
+Time budgets (`step_timeout` and `planning_seconds`) are not compared here: how much an agent plans in a millisecond
+differs from machine to machine.
+"""
+
+import math
+from collections.abc import Mapping
+from functools import partial
+from typing import Any
+
+from edugym.agents.prioritised_sweeping import PrioritisedSweeping
+from edugym.experiments.results.claims import Above, Below, Claim, Within, beginning
+from edugym.experiments.results.statistics import Interval, paired_difference, proportion_interval, share_interval
+from edugym.experiments.results.tables import Results
+from edugym.mdp.protocol import Reals
+from edugym_course.lessons.model_based.figures import figures
+from edugym_course.lessons.model_based.methods import (
+    DECAYING,
+    DYNA_10,
+    DYNA_50,
+    EARLY,
+    EPSILON,
+    GIVEN,
+    LEARNED,
+    MORE_RANDOM,
+    N_STEPS,
+    NOISES,
+    OPTIMUM,
+    PLANNING_DISCOUNT,
+    POINTS,
+    Q_LEARNING,
+    R_MAX,
+    REMEDIES,
+    REPETITIONS,
+    SLOW_DYNA,
+    SWEEPING,
+    WRONG,
+    compare,
+    make,
+    targets_computed,
+    with_right_model,
+)
+from edugym_course.lessons.model_based.plans import Plan, follow_plan, used_and_seen
+from edugym_course.report import Report
+from edugym_course.reporting import SharedArguments, reporting
+
+
+def warm_up() -> None:
+    """Compile what the cells of the lesson need."""
+    targets_computed(compare({**LEARNED, **REMEDIES}, n_steps=POINTS, repetitions=1, jobs=1))
+    compare(with_right_model(GIVEN), n_steps=POINTS, repetitions=1, jobs=1)
+
+
+def early(results: Results, method: str) -> Reals:
+    """Return the mean of the evaluations in the first steps of every run, shape (n_repetitions,)."""
+    mean: Reals = results.curves(method).loc[:EARLY].to_numpy(float).mean(axis=0)
+    return mean
+
+
+def difference(one: Results, method: str, other: Results, compared: str) -> Interval:
+    """Return the final return of a method less that of another one, paired by the repetitions that both have."""
+    returns, others = one.final(method), other.final(compared)
+    shared = min(len(returns), len(others))
+    return paired_difference(returns[:shared], others[:shared])
+
+
+def measure(how: SharedArguments) -> tuple[Any, ...]:
+    """Run the experiments."""
+    learned = compare(LEARNED, **how("learned"))
+    more = {"repetitions": 5 * how.repetitions // 3}  # final returns differ much from run to run
+    remedied = compare({DYNA_10: LEARNED[DYNA_10], **REMEDIES}, **how("remedies", **more))
+    fewer: dict[str, Any] = {"repetitions": max(2 * how.repetitions // 5, 2)}  # the effects of errors are large
+    right = compare(with_right_model(GIVEN), **how("noise_0", **fewer))
+    wrong = compare(GIVEN, noise=WRONG, **how(f"noise_{WRONG:g}", **fewer))
+    whole = {SWEEPING: partial(make, PrioritisedSweeping, given=True, planning_steps=math.inf)}
+    at_once = compare(with_right_model(whole), n_steps=1, **how(**fewer))
+    layouts = sorted(int(seed) for seed in remedied.table["layout_seed"].unique())  # as there are most of them
+    plans = {noise: [follow_plan(noise, seed) for seed in layouts] for noise in NOISES}
+    return learned, remedied, right, wrong, at_once, plans
+
+
+def judge(
+    learned: Results,
+    remedied: Results,
+    right: Results,
+    wrong: Results,
+    at_once: Results,
+    plans: Mapping[float, list[Plan]],
+) -> Report:
+    """Return claims and figures."""
+    claims = [
+        *speed_claims(learned),
+        *end_claims(learned, remedied),
+        *remedy_claims(learned, remedied),
+        *given_claims(right, at_once),
+        *plan_claims(plans),
+        *noise_claims(right, wrong),
+    ]
+    return Report(claims, figures(learned, remedied, right, wrong, plans))
+
+
+report = reporting(measure, judge, REPETITIONS)
+"""Run the experiments of the lesson (see `edugym_course.reporting.Reporter`)."""
+
+
+def speed_claims(learned: Results) -> list[Claim]:
+    """Return the claims on the real steps that learning takes."""
+    return [
+        Claim(
+            f"{beginning(method)} learns in fewer steps than Q-learning",
+            f"greedy return, mean over the first {EARLY} steps, less that of Q-learning",
+            paired_difference(early(learned, method), early(learned, Q_LEARNING)),
+            Above(0.0),
+            "one real step is followed by many updates from memory" if method == DYNA_10 else "",
+        )
+        for method in (DYNA_10, DYNA_50, SWEEPING)
+    ]
+
+
+def end_claims(learned: Results, remedied: Results) -> list[Claim]:
+    """Return the claims on where more planning ends."""
+    seen = {method: best for method, (_, best) in used_and_seen(learned).items()}
+    return [
+        *(
+            Claim(
+                f"{beginning(method)} ends below Q-learning, which does not plan",
+                "final return less that of Q-learning",
+                difference(learned, method, learned, Q_LEARNING),
+                Below(0.0),
+                "its model has not seen the whole shop; the paper shows the quick start only",
+            )
+            for method in (DYNA_10, DYNA_50, SWEEPING)
+        ),
+        *(
+            Claim(
+                f"What {method} has seen allows a lower return than what Q-learning has seen",
+                "return of the best plan by what was seen, less that of Q-learning",
+                paired_difference(seen[method], seen[Q_LEARNING]),
+                Below(0.0),
+                "an agent that plans well exploits early, and gets to know less",
+            )
+            for method in (DYNA_10, DYNA_50, SWEEPING)
+        ),
+        *(
+            Claim(
+                f"{more} planning does not replace exploration: {method} ends below {DECAYING}",
+                f"final return less that of {DECAYING}",
+                difference(learned, method, remedied, DECAYING),
+                Below(0.0),
+                "planning invents no knowledge",
+            )
+            for more, method in (("Five times as much", DYNA_50), ("Better", SWEEPING))
+        ),
+    ]
+
+
+def remedy_claims(learned: Results, remedied: Results) -> list[Claim]:
+    """Return the claims on exploring more, and on planning to explore."""
+    return [
+        *(
+            Claim(
+                f"More exploration helps: {method} ends above {DYNA_10} with ε = {EPSILON:g}",
+                "final return, difference",
+                difference(remedied, method, remedied, DYNA_10),
+                Above(0.0),
+            )
+            for method in (DECAYING, MORE_RANDOM)
+        ),
+        Claim(
+            f"Planning to explore helps: R-max is at the optimum after {EARLY} steps",
+            "share of runs with return 95",
+            share_interval(learned.at(R_MAX, EARLY) >= OPTIMUM),
+            Above(0.8),
+            "it plans as if unknown actions were worth most, so it tries them",
+        ),
+        *(
+            Claim(
+                f"{beginning(method)} is not at the optimum after {EARLY} steps",
+                "share of runs with return 95",
+                share_interval(learned.at(method, EARLY) >= OPTIMUM),
+                Below(0.5),
+            )
+            for method in (Q_LEARNING, DYNA_10, DYNA_50, SWEEPING)
+        ),
+    ]
+
+
+def given_claims(right: Results, at_once: Results) -> list[Claim]:
+    """Return the claims on planning with the right model."""
+    return [
+        Claim(
+            "With the right model given, planning until nothing changes finds the best way before the first step",
+            "share of runs with return 95 after one step",
+            at_once.share(SWEEPING, OPTIMUM),
+            Above(0.8),
+            "dynamic programming: nothing is left to explore",
+        ),
+        Claim(
+            "Samples of a generative model are enough: Dyna-10 with the right model given ends with 95",
+            "share of runs that end with 95",
+            right.share(DYNA_10, OPTIMUM),
+            Above(0.8),
+            f"it draws {N_STEPS * 10} samples in all; sweeping over the descriptive model is done at once",
+        ),
+    ]
+
+
+def plan_claims(plans: Mapping[float, list[Plan]]) -> list[Claim]:
+    """Return the claims on plans that are made with a wrong model."""
+    lost = {noise: [plan for plan in made if not plan.ends] for noise, made in plans.items()}
+    share = {noise: proportion_interval(len(lost[noise]), len(plans[noise])) for noise in NOISES}
+    of_layouts = f"share of layouts, discount {PLANNING_DISCOUNT:g}"
+    return [
+        Claim("With noise 0.5 hardly a plan fails", of_layouts, share[0.5], Below(0.2)),
+        Claim("With noise 1 a few plans never get to the exit", of_layouts, share[1.0], Within(0.01, 0.5)),
+        Claim("With noise 1.5 most plans never get to the exit", of_layouts, share[1.5], Above(0.5)),
+        Claim(
+            "Most plans that never end walk into the same wall for ever",
+            f"share of the plans that never end, noise {WRONG:g}",
+            share_interval([plan.bumps for plan in lost[WRONG]]),
+            Above(0.5),
+            "with an error above 1 the wall seems to pay for each bump, so that bumping without end is worth most",
+        ),
+    ]
+
+
+def noise_claims(right: Results, wrong: Results) -> list[Claim]:
+    """Return the claims on agents that learn with a wrong model."""
+    return [
+        *(
+            Claim(
+                f"Noise {WRONG:g} in the given model ruins {method}",
+                "final return less that without noise",
+                difference(wrong, method, right, method),
+                Below(-100.0),
+                reason,
+            )
+            for method, reason in (
+                (SWEEPING, "all that it learns comes from the model"),
+                (DYNA_10, "with learning rate 1 each imagined reward overwrites what was lived"),
+            )
+        ),
+        Claim(
+            f"With learning rate 0.1 Dyna-10 gets over noise {WRONG:g} in most runs: it loses less than 50",
+            "share of runs",
+            share_interval(wrong.final(SLOW_DYNA) - right.final(SLOW_DYNA) > -50.0),
+            Above(0.7),
+            "where it walks, real steps are more frequent than imagined ones, and they win",
+        ),
+    ]
