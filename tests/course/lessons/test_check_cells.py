@@ -7,21 +7,8 @@ from itertools import pairwise
 import build
 import pytest
 
-from tests.course.lessons.transcripts import NOTEBOOKS
+from tests.course.lessons.shown import NOTEBOOKS
 
-POINTS = {
-    "loop": [1, 1, 2],
-    "exploration": [1, 2, 3, 1],
-    "on_off_policy": [1, 2, 3],
-    "depth": [1, 2, 3],
-    "dimensionality": [1, 2, 3],
-    "memory": [1, 2, 3],
-    "signal": [1, 2, 3],
-    "continuous_actions": [1, 2, 3],
-    "stochasticity": [1, 2, 3],
-    "model_based": [1, 2, 3, 1],
-    "own_problem": [1, 2, 3, 4],
-}
 VISIBLE = re.compile(r"^check\((exercise_\d), (\w+)\)$", re.MULTILINE)
 HIDDEN = re.compile(r"^### BEGIN HIDDEN TESTS\n(.+)\n### END HIDDEN TESTS$", re.MULTILINE)
 
@@ -40,10 +27,11 @@ def checks(lesson: str) -> Iterator[tuple[str, int, bool]]:
 
 @pytest.mark.parametrize("lesson", NOTEBOOKS)
 def test_every_check_checks_what_stands_before_it(lesson: str) -> None:
-    """In order, for these points; code is checked again with another seed, and says nothing then."""
+    """In order, for one to five points; code is checked again with another seed, and says nothing then."""
     found = [*checks(lesson)]
-    assert [points for _, points, _ in found] == POINTS[lesson]
-    for number, (source, _, is_code) in enumerate(found, start=1):
+    assert found
+    for number, (source, points, is_code) in enumerate(found, start=1):
+        assert points in range(1, 6)
         visible = VISIBLE.findall(source)
         assert [exercise for exercise, _ in visible] == [f"exercise_{number}"]
         again = f"check(exercise_{number}, {visible[0][1]}, seed=1, quiet=True)"
