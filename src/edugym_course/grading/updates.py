@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from edugym.training.contract import learns_from
+from edugym_course.grading.mistakes import UNUSUAL
 from edugym_course.grading.student_code import running
 from edugym_course.grading.values import TOLERANCE, digits
 from edugym_course.grading.wrong import WrongAnswer
@@ -158,7 +159,7 @@ class Update:
         changed = int(np.sum(~_close_entries(_before(cases, found, difference), mine[difference.table])))
         if changed > int(np.sum(~_close_entries(_before(cases, found, difference), asked[difference.table]))):
             return f"{changed} entries of `{difference.table}` change, and only one should"
-        return "that is none of the usual mistakes, so compare your code with the equation, term by term"
+        return UNUSUAL
 
     def _fits(self, cases: list[Case], found: Outcomes, settings: Settings) -> bool:
         """Whether the rule with these settings does what the answer does, in every case."""

@@ -12,6 +12,7 @@ from edugym_course.grading.wrong import Unsolved, WrongAnswer
 
 TOLERANCE = 1e-9
 """How far two numbers may differ, relative to the larger one, that are the same but for rounding."""
+UNUSUAL_NUMBER = "that is none of the usual mistakes, so work it out once more by hand"
 
 
 def given(what: str, value: Any) -> None:
@@ -72,7 +73,7 @@ def compare(
     *,
     tolerance: float | None = None,
     says: Callable[[float], str] | None = None,
-    otherwise: str = "that is none of the usual mistakes, so work it out once more by hand",
+    otherwise: str = UNUSUAL_NUMBER,
 ) -> float:
     """Check a number.
 

@@ -12,6 +12,7 @@ from edugym.agents.q_learning import QLearning
 from edugym.envs.memory_corridor import MemoryCorridor
 from edugym_course.grading.agents import require_class, require_function
 from edugym_course.grading.challenge import Challenge
+from edugym_course.grading.mistakes import mistake_that_fits
 from edugym_course.grading.student_code import running
 from edugym_course.grading.values import compare, given, number
 from edugym_course.grading.wrong import WrongAnswer
@@ -165,8 +166,11 @@ def _moved(window: Any, action: int, seen: int) -> list[int]:
 
 def _compare_pushes(pushes: list[tuple[Any, int, int, Any]]) -> None:
     """Compare all windows with those that are right; a mistake is named if it explains them all."""
-    fitting = [why for why, rule in PUSHES.items() if all(np.array_equal(rule(*case), mine) for *case, mine in pushes)]
-    why = [*fitting, "the first two entries should go, and action and observation come at the end"][0]
+    why = mistake_that_fits(
+        PUSHES,
+        lambda rule: all(np.array_equal(rule(*case), mine) for *case, mine in pushes),
+        otherwise="the first two entries should go, and action and observation come at the end",
+    )
     for *case, found in pushes:
         call, right, entries = _push(*case), _moved(*case), np.asarray(found)
         if not np.array_equal(entries, right):
@@ -331,8 +335,11 @@ def exercise_3(answer: Any, seed: int) -> str:
         notes, expected = _right(*case)
         if place == expected and np.array_equal(mine, notes):
             continue
-        fitting = [why for why, rule in UPDATES.items() if all(map(_agree, cases, outcomes, [rule] * len(cases)))]
-        why = fitting[0] if fitting else "that is none of the usual mistakes, so follow this step by hand"
+        why = mistake_that_fits(
+            UPDATES,
+            lambda rule: all(map(_agree, cases, outcomes, [rule] * len(cases))),
+            otherwise="that is none of the usual mistakes, so follow this step by hand",
+        )
         what = (
             f"should leave the notes {_short(notes)}, but leaves {_short(mine)}"
             if not np.array_equal(mine, notes)

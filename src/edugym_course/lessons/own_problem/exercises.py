@@ -15,6 +15,7 @@ from edugym.exact.model import finite_model
 from edugym.mdp.protocol import Random
 from edugym_course.grading.agents import require_class, require_function
 from edugym_course.grading.cases import telling_draw
+from edugym_course.grading.mistakes import NumberCase, compare_all
 from edugym_course.grading.student_code import running
 from edugym_course.grading.values import compare, digits, given, number, same
 from edugym_course.grading.wrong import WrongAnswer
@@ -119,14 +120,16 @@ def exercise_2(answer: Any, seed: int) -> str:
     of = "reward, potential, state, next_state, terminated and discount"
     require_function("shaped_reward", answer, of)
     rules = [partial(_by_rule, rule) for rule in (_shaped, *SHAPING_MISTAKES.values())]
-    cases = [(told, *_shaped_by(answer, told)) for told in shaping_numbers(telling_draw(seed, shaping_numbers, rules))]
-    all_of_it = [
-        why for why, rule in SHAPING_MISTAKES.items() if all(same(rule(*told), value) for told, _, value in cases)
-    ]
-    for told, call, value in cases:
-        right = _shaped(*told)
-        wrong = {why: SHAPING_MISTAKES[why](*told) for why in (all_of_it or SHAPING_MISTAKES)}
-        compare(call, value, right, {why: result for why, result in wrong.items() if result != right})
+    compare_all(
+        [
+            NumberCase(
+                *_shaped_by(answer, told),
+                _shaped(*told),
+                {why: mistake(*told) for why, mistake in SHAPING_MISTAKES.items()},
+            )
+            for told in shaping_numbers(telling_draw(seed, shaping_numbers, rules))
+        ]
+    )
     return "Right: what is given on the way to a state is taken back when it is left. Here are both policies:"
 
 

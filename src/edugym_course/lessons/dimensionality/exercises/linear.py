@@ -9,12 +9,11 @@ import numpy as np
 
 from edugym_course.grading.agents import agent_with_table, learn_step, require_class
 from edugym_course.grading.cases import telling_draw
+from edugym_course.grading.mistakes import UNUSUAL, NumberCase, compare_all, mistake_that_fits
 from edugym_course.grading.student_code import running
 from edugym_course.grading.updates import table_of
-from edugym_course.grading.values import compare, digits, number, same
+from edugym_course.grading.values import digits, number
 from edugym_course.grading.wrong import WrongAnswer
-
-TERMS = "that is none of the usual mistakes, so compare your code with the equation, term by term"
 
 
 class Step(NamedTuple):
@@ -175,9 +174,11 @@ def exercise_2(answer: Any, seed: int) -> str:
     for step, found in zip(cases, outcomes, strict=True):
         if np.allclose(found, right_update(step), rtol=1e-9, atol=1e-9):
             continue
-        fitting = [why for why, rule in UPDATES.items() if all(map(partial(_agrees, rule), cases, outcomes))]
-        here = [why for why, rule in UPDATES.items() if _agrees(rule, step, found)]
-        why = fitting[0] if fitting else f"in this case it looks like this: {here[0]}" if here else TERMS
+        why = mistake_that_fits(
+            UPDATES,
+            lambda rule: all(map(partial(_agrees, rule), cases, outcomes)),
+            lambda rule, step=step, found=found: _agrees(rule, step, found),
+        )
         raise WrongAnswer(f"{_told_update(step, found)}: {why}")
     return "Right: the error times the features. See it catch:"
 
@@ -232,23 +233,17 @@ VALUES: Mapping[str, Callable[[Step, int], float]] = MappingProxyType(
 
 def _check_values(probe: Any, cases: list[Step]) -> None:
     """Check the values of all actions; a mistake is best named if it explains all of them."""
-    places, found = [], []
+    found = []
     for step in cases:
         agent = _made(probe, step)
         for action in range(3):
-            places.append((step, action))
-            found.append(_value(agent, step, action))
-    fitting = [
-        why
-        for why, rule in VALUES.items()
-        if all(same(mine, rule(*place)) for place, mine in zip(places, found, strict=True))
-    ]
-    for (step, action), mine in zip(places, found, strict=True):
-        call = f"value with the features {short(step.x)} and action {action}, where column {action} of w is "
-        right = float(step.x @ step.w[:, action])
-        wrong = {why: VALUES[why](step, action) for why in fitting or VALUES}
-        mistakes = {why: value for why, value in wrong.items() if value != right}
-        compare(call + short(step.w[:, action]), mine, right, mistakes, otherwise=TERMS)
+            column = step.w[:, action]
+            call = f"value with the features {short(step.x)} and action {action}, where column {action} of w is "
+            mistakes = {why: rule(step, action) for why, rule in VALUES.items()}
+            found.append(
+                NumberCase(call + short(column), _value(agent, step, action), float(step.x @ column), mistakes)
+            )
+    compare_all(found, otherwise=UNUSUAL)
 
 
 def _value(agent: Any, step: Step, action: int) -> float:

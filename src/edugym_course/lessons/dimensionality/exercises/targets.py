@@ -9,10 +9,11 @@ import numpy as np
 from edugym.agents.dqn import Layers, forward
 from edugym_course.grading.agents import agent_created_by, require_class
 from edugym_course.grading.cases import telling_draw
+from edugym_course.grading.mistakes import mistake_that_fits
 from edugym_course.grading.student_code import running
 from edugym_course.grading.values import digits, number, same
 from edugym_course.grading.wrong import WrongAnswer
-from edugym_course.lessons.dimensionality.exercises.linear import TERMS, short
+from edugym_course.lessons.dimensionality.exercises.linear import short
 from edugym_course.lessons.dimensionality.open_dqn import OpenDQN
 
 ROWS = (0, 1, 2, 3, 2, 1)
@@ -215,13 +216,11 @@ def _check_targets(cases: list[Remembered], found: list[float]) -> None:
         right = _right(case)
         if same(target, right):
             continue
-        fitting = [
-            why
-            for why, rule in TARGETS.items()
-            if all(same(other, float(rule(one))) for one, other in zip(cases, found, strict=True))
-        ]
-        here = [why for why, rule in TARGETS.items() if same(target, float(rule(case)))]
-        why = fitting[0] if fitting else f"in this case it looks like this: {here[0]}" if here else TERMS
+        why = mistake_that_fits(
+            TARGETS,
+            lambda rule: all(same(other, float(rule(one))) for one, other in zip(cases, found, strict=True)),
+            lambda rule, case=case, target=target: same(target, float(rule(case))),
+        )
         raise WrongAnswer(
             f"with reward {case.reward:g}, terminated = {int(case.terminated)}, γ = {case.gamma:g} and the values"
             f" {short(case.old_next)} of the next state by the old weights, target_of should return"

@@ -6,11 +6,12 @@ from typing import Any
 
 import numpy as np
 
+from edugym_course.grading.mistakes import mistake_that_fits
 from edugym_course.grading.student_code import running
 from edugym_course.grading.updates import table_of
 from edugym_course.grading.values import digits, number, same
 from edugym_course.grading.wrong import WrongAnswer
-from edugym_course.lessons.model_based.exercises.students import SHAPE, Memory, agent_with, first_that_fits, memories
+from edugym_course.lessons.model_based.exercises.students import SHAPE, Memory, agent_with, memories
 
 
 def imagined(
@@ -122,7 +123,7 @@ def exercise_2(answer: Any, seed: int) -> str:
     found = [_imagined_by(agent, case) for case in cases]
     wrong = [k for k in range(len(cases)) if not same(found[k], right[k])]
     if wrong:
-        why = first_that_fits(
+        why = mistake_that_fits(
             IMAGINED_MISTAKES,
             lambda change: all(
                 same(imagined(case, **{**SETTINGS, **change}), mine) for case, mine in zip(cases, found, strict=True)
