@@ -3,11 +3,9 @@
 import threading
 import time
 from collections.abc import Callable
-from types import SimpleNamespace
 
 import pytest
 
-from edugym_course.grading import patience
 from edugym_course.grading.patience import ending
 from edugym_course.grading.student_code import running
 from edugym_course.grading.wrong import WrongAnswer
@@ -96,19 +94,3 @@ def test_the_watching_thread_ends() -> None:
     while any(thread.name == "edugym-patience" for thread in threading.enumerate()) and time.monotonic() < end:
         time.sleep(0.05)
     assert not any(thread.name == "edugym-patience" for thread in threading.enumerate())
-
-
-def test_the_watching_thread_sleeps_between_two_looks(monkeypatch: pytest.MonkeyPatch) -> None:
-    """So it takes no processor time from the code that it watches."""
-    naps, now = list[float](), time.process_time
-
-    def sleep(seconds: float) -> None:
-        naps.append(seconds)
-        time.sleep(seconds)
-
-    monkeypatch.setattr(patience, "time", SimpleNamespace(sleep=sleep, process_time=now))
-    end = time.monotonic() + 10
-    with ending("act(3)"):
-        while not naps and time.monotonic() < end:
-            time.sleep(0.01)
-    assert set(naps) == {patience.INTERVAL}
