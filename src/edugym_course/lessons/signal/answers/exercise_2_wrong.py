@@ -259,3 +259,13 @@ def bits_in(joint):
             if p > 0:
                 total += p * math.log2(p / column.sum())
     return total
+
+# %% rows and columns changed
+# says: that is none of the usual mistakes, so work it out once more by hand
+def bits_in(joint):
+    total = 0.0
+    for x in range(joint.shape[0]):
+        for y in range(joint.shape[1]):
+            if joint[x, y] > 0:
+                total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint.sum()))
+    return total + 1
