@@ -15,6 +15,6 @@ is worth knowing; `check(exercise_2, optimist)` in a notebook shows one or the o
 """
 
 from edugym_course.grading.challenge import Challenge, Score, seed_from_name
-from edugym_course.grading.verdict import Unsolved, WrongAnswer, check
+from edugym_course.grading.checking import Unsolved, WrongAnswer, check
 
 __all__ = ["Challenge", "Score", "Unsolved", "WrongAnswer", "check", "seed_from_name"]

@@ -14,10 +14,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from edugym.training.contract import learns_from
+from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import UNUSUAL
-from edugym_course.grading.student_code import running
+from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import TOLERANCE, digits
-from edugym_course.grading.wrong import WrongAnswer
 
 Tables = dict[str, Any]
 """The arrays of an agent, by the names of its fields."""
@@ -267,7 +267,7 @@ def _students(make: Callable[[], Any], cases: list[Case]) -> tuple[Outcomes, tup
         after: list[Tables] = []
         for transition in case.transitions:
             told = {name: getattr(transition, name) for name in names}
-            with running(f"learn({_arguments(told)})"):
+            with student_code(f"learn({_arguments(told)})"):
                 returned = agent.learn(**told) is not None or returned
             after.append(
                 {

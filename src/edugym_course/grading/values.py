@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from edugym_course.grading.wrong import Unsolved, WrongAnswer
+from edugym_course.grading.errors import Unsolved, WrongAnswer
 
 TOLERANCE = 1e-9
 """How far two numbers may differ, relative to the larger one, that are the same but for rounding."""

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from gymnasium.spaces import Discrete
 
-from edugym_course.grading.patience import LIMIT
-from edugym_course.grading.wrong import WrongAnswer
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.time_limit import LIMIT
 from edugym_course.lessons.own_problem import Morning, exercises, solve
 
 
@@ -91,11 +91,11 @@ def test_a_large_problem_has_time(monkeypatch: pytest.MonkeyPatch) -> None:
     """Five minutes, and half a minute for what should be there at once."""
     asked = []
 
-    def running(what: str, limit: float = LIMIT) -> AbstractContextManager[None]:
+    def noted(what: str, limit: float = LIMIT) -> AbstractContextManager[None]:
         asked.append((what, limit))
         return nullcontext()
 
-    monkeypatch.setattr(exercises, "running", running)
+    monkeypatch.setattr(exercises, "student_code", noted)
     exercises.exercise_4(Stairs(), 0)
     assert asked == [("my_problem", 30.0), ("my_problem", 300.0)]
 

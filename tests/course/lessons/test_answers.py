@@ -104,7 +104,7 @@ def test_every_mistake_of_q_learning_is_told() -> None:
 def test_solutions_pass_and_placeholders_are_not_solved_yet(lesson: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """The lesson's own solution of an exercise is right, and counts; its empty cell is told that it is empty."""
     counted: list[tuple[str, int]] = []
-    monkeypatch.setattr("edugym_course.grading.verdict.record_passed", lambda *passed: counted.append(passed))
+    monkeypatch.setattr("edugym_course.grading.checking.record_passed", lambda *passed: counted.append(passed))
     before, exercises = exercises_of(lesson)
     for number, exercise in enumerate(exercises, start=1):
         solved = Answer(lesson, number, True, "solution", (), exercise.solution)

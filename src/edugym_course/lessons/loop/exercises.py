@@ -8,11 +8,11 @@ import numpy as np
 
 from edugym_course.grading.agents import agent_with_table, require_class, require_function
 from edugym_course.grading.choices import check_choices
+from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import NumberCase, compare_all
 from edugym_course.grading.one_step import Q_LEARNING
-from edugym_course.grading.student_code import running
+from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import number
-from edugym_course.grading.wrong import WrongAnswer
 from edugym_course.lessons.loop.exact import discounted
 
 
@@ -44,7 +44,7 @@ def _call(rewards: Sequence[float], discount: float) -> str:
 def _found(answer: Callable[..., Any], rewards: list[float], discount: float) -> float:
     """Return what a student's function gives, a number."""
     call, passed = _call(rewards, discount), list(rewards)
-    with running(call):
+    with student_code(call):
         found = answer(passed, discount)
     if passed != rewards:
         raise WrongAnswer(f"{call} changes the list of rewards that it is given: work on a copy, or only read it")
@@ -140,7 +140,7 @@ def _uses_the_generator(answer: Any) -> None:
     if not {"default_rng", "RandomState", "seed"}.intersection(names):
         return
     rng, call = np.random.default_rng(0), "choose(values, epsilon, rng)"
-    with running(call):
+    with student_code(call):
         drawn = {str(answer(np.zeros(8), 1.0, rng)) for _ in range(20)}
     if len(drawn) == 1:
         raise WrongAnswer(

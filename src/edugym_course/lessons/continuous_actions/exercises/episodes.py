@@ -11,8 +11,8 @@ from gymnasium.spaces import Discrete, MultiDiscrete
 from edugym_course.grading.agents import agent_created_by, learn_step, with_settings
 from edugym_course.grading.cases import telling_draw
 from edugym_course.grading.challenge import Sizes
+from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.updates import table_of
-from edugym_course.grading.wrong import WrongAnswer
 
 SHAPE = (7, 3)
 """The size of the tables."""

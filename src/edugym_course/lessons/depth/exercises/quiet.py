@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from edugym.mdp.protocol import Reals
+from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.values import digits
-from edugym_course.grading.wrong import WrongAnswer
 from edugym_course.lessons.depth import DISCOUNT, LEARNING_RATE, maker
 from edugym_course.lessons.depth.exercises.episodes import Episode, learn_from, numbers
 

@@ -9,11 +9,11 @@ import numpy as np
 
 from edugym_course.grading.agents import agent_with_table, learn_step, require_class
 from edugym_course.grading.cases import telling_draw
+from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import UNUSUAL, NumberCase, compare_all, mistake_that_fits
-from edugym_course.grading.student_code import running
+from edugym_course.grading.student_code import student_code
 from edugym_course.grading.updates import table_of
 from edugym_course.grading.values import digits, number
-from edugym_course.grading.wrong import WrongAnswer
 
 
 class Step(NamedTuple):
@@ -248,7 +248,7 @@ def _check_values(probe: Any, cases: list[Step]) -> None:
 
 def _value(agent: Any, step: Step, action: int) -> float:
     """Return what the student's `value` gives, a number."""
-    with running("value(...)"):
+    with student_code("value(...)"):
         found = agent.value(step.x.copy(), action)
     if not np.array_equal(table_of(agent, "w", step.w.shape), step.w):
         raise WrongAnswer("value changes the entries of `self.w`; it should only read them, for `learn` changes them")

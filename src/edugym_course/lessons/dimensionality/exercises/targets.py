@@ -9,10 +9,10 @@ import numpy as np
 from edugym.agents.dqn import Layers, forward
 from edugym_course.grading.agents import agent_created_by, require_class
 from edugym_course.grading.cases import telling_draw
+from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import mistake_that_fits
-from edugym_course.grading.student_code import running
+from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import digits, number, same
-from edugym_course.grading.wrong import WrongAnswer
 from edugym_course.lessons.dimensionality.exercises.linear import short
 from edugym_course.lessons.dimensionality.open_dqn import OpenDQN
 
@@ -112,7 +112,7 @@ def exercise_3(answer: Any, seed: int) -> str:
     cases, found = [], []
     for row, case in made_up_memories(agent, drawn_for(agent, seed)):
         before = _tables(agent)
-        with running(f"target_of({row})"):
+        with student_code(f"target_of({row})"):
             target = agent.target_of(row)
         for name, values in _tables(agent).items():
             if not np.array_equal(values, before[name]):
@@ -234,7 +234,7 @@ def _check_rows(answer: Any, steps: int, size: int) -> None:
     agent.steps[0] = steps
     filled = min(steps, size)
     counts = np.zeros(filled, np.int64)
-    with running("row_for(0.5)"):
+    with student_code("row_for(0.5)"):
         again = {str(agent.row_for(0.5)) for _ in range(20)}
     if agent.steps[0] != steps:
         raise WrongAnswer("row_for(0.5) changes `self.steps`: only read it, and return a place")
@@ -244,7 +244,7 @@ def _check_rows(answer: Any, steps: int, size: int) -> None:
         )
     where = f"after {steps} transitions, in a memory of {size} places"
     for u in (np.arange(120 * filled) + 0.5) / (120 * filled):
-        with running(f"row_for({u:.3g})"):
+        with student_code(f"row_for({u:.3g})"):
             found = agent.row_for(float(u))
         row = number(f"row_for({u:.3g})", found)
         if row != int(row) or isinstance(found, float | np.floating):

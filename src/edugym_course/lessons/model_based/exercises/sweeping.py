@@ -8,11 +8,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from edugym_course.grading.agents import learn_step
+from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import mistake_that_fits
-from edugym_course.grading.student_code import running
+from edugym_course.grading.student_code import student_code
 from edugym_course.grading.updates import table_of
 from edugym_course.grading.values import digits, number, same
-from edugym_course.grading.wrong import WrongAnswer
 from edugym_course.lessons.model_based.exercises.students import SHAPE, agent_with
 
 SETTLED = 400
@@ -102,7 +102,7 @@ def _check_sweep(answer: Any, seed: int) -> None:
         agent, model = agent_with("MyRMax", answer, SETTINGS, "sweep"), _some_model(rng)
         for name, values in model._asdict().items():
             table_of(agent, name, SHAPE, values.dtype.kind)[...] = values
-        with running("sweep()"):
+        with student_code("sweep()"):
             first = agent.sweep()
             if first is None:
                 raise WrongAnswer("sweep() gives None: it should return the largest change of a value")

@@ -260,6 +260,7 @@ def bits_in(joint):
                 total += p * math.log2(p / column.sum())
     return total
 
+
 # %% rows and columns changed
 # says: that is none of the usual mistakes, so work it out once more by hand
 def bits_in(joint):
