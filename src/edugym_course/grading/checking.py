@@ -6,11 +6,8 @@ from collections.abc import Callable
 from typing import Any
 
 from edugym.checks.parameters import whole_number
-from edugym_course.grading.errors import Unsolved, WrongAnswer
 from edugym_course.grading.student_code import student_code
 from edugym_course.lab.progress import record_passed
-
-__all__ = ["Unsolved", "WrongAnswer", "check"]
 
 
 def check(exercise: Callable[..., str], answer: Any, *, seed: int = 0, quiet: bool = False) -> None:

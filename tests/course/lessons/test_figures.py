@@ -52,7 +52,7 @@ def shown_in(sheets: list[Sheet]) -> dict[str, list[Series]]:
 
 def varying(table: pd.DataFrame) -> list[str]:
     """Return the columns of a table that do not hold the same everywhere."""
-    return [name for name in table if table[name].astype(str).nunique() > 1]
+    return [str(name) for name in table if table[name].astype(str).nunique() > 1]
 
 
 def curves_of(panel: Curves, series: list[Series], differing: list[str]) -> Iterator[Series]:
@@ -80,7 +80,7 @@ def drawn(ax: Any) -> Iterator[Series]:
         if isinstance(bars, BarContainer):
             yield from labelled(bars, np.array([patch.get_height() for patch in bars], float))
     for picture in ax.images:
-        values = np.ma.filled(np.ma.asarray(picture.get_array(), float), np.nan)
+        values: Any = np.ma.filled(np.ma.asarray(picture.get_array(), float), np.nan)
         if len(known := np.unique(values[np.isfinite(values)])) > 1:
             yield Series("picture", (known[0], known[-1]))
 

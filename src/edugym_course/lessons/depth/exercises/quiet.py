@@ -8,9 +8,9 @@ import numpy as np
 
 from edugym.mdp.protocol import Reals
 from edugym_course.grading.errors import WrongAnswer
-from edugym_course.grading.values import digits
+from edugym_course.grading.values import digits, in_brackets
 from edugym_course.lessons.depth import DISCOUNT, LEARNING_RATE, maker
-from edugym_course.lessons.depth.exercises.episodes import Episode, learn_from, numbers
+from edugym_course.lessons.depth.exercises.episodes import Episode, learn_from
 
 RATES = (LEARNING_RATE, 0.01, 0.05, 0.2, 0.3, 0.5, 0.9, 1.0)
 DISCOUNTS = (DISCOUNT, 0.0, 0.9, 0.95, 0.99)
@@ -30,9 +30,9 @@ def check_depth(agent: Any, days: int, seed: int) -> None:
     fits = [case for case, values in _cases(days, seed).items() if np.allclose(found, values)]
     if not fits:
         raise WrongAnswer(
-            f"after two equal episodes with rewards {numbers(episode.rewards)}, the value of the first action should be"
-            f" {digits(right[0], found[0])}, but is {digits(found[0], right[0])}: that is no n-step SARSA with a usual"
-            " learning rate"
+            f"after two equal episodes with rewards {in_brackets(episode.rewards)}, the value of the first action"
+            f" should be {digits(right[0], found[0])}, but is {digits(found[0], right[0])}: that is no n-step SARSA with"
+            " a usual learning rate"
         )
     n, rate, discount = fits[0]
     wrong = []

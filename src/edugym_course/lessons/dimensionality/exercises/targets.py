@@ -1,6 +1,7 @@
 """Exercise 3 of lesson 4: the target of DQN, and the draw from its memory."""
 
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -12,8 +13,7 @@ from edugym_course.grading.cases import telling_draw
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.mistakes import mistake_that_fits
 from edugym_course.grading.student_code import student_code
-from edugym_course.grading.values import digits, number, same
-from edugym_course.lessons.dimensionality.exercises.linear import short
+from edugym_course.grading.values import digits, in_brackets, number, same
 from edugym_course.lessons.dimensionality.open_dqn import OpenDQN
 
 ROWS = (0, 1, 2, 3, 2, 1)
@@ -218,14 +218,19 @@ def _check_targets(cases: list[Remembered], found: list[float]) -> None:
             continue
         why = mistake_that_fits(
             TARGETS,
-            lambda rule: all(same(other, float(rule(one))) for one, other in zip(cases, found, strict=True)),
-            lambda rule, case=case, target=target: same(target, float(rule(case))),
+            lambda rule: all(_gives(one, other, rule) for one, other in zip(cases, found, strict=True)),
+            partial(_gives, case, target),
         )
         raise WrongAnswer(
             f"with reward {case.reward:g}, terminated = {int(case.terminated)}, γ = {case.gamma:g} and the values"
-            f" {short(case.old_next)} of the next state by the old weights, target_of should return"
+            f" {in_brackets(case.old_next)} of the next state by the old weights, target_of should return"
             f" {digits(right, target)}, but returns {digits(target, right)}: {why}"
         )
+
+
+def _gives(case: Remembered, target: float, rule: Callable[[Remembered], float]) -> bool:
+    """Whether a rule gives the target that was found."""
+    return same(target, float(rule(case)))
 
 
 def _check_rows(answer: Any, steps: int, size: int) -> None:
