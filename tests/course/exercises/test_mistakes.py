@@ -16,6 +16,7 @@ from edugym_course.lessons.depth.exercises import cutting
 from edugym_course.lessons.dimensionality.exercises import linear, sizes, targets
 from edugym_course.lessons.loop import exercises as loop
 from edugym_course.lessons.memory import exercises as memory
+from edugym_course.lessons.memory.windows import window_law
 from edugym_course.lessons.own_problem import exercises as own_problem
 from edugym_course.lessons.signal.exercises import bits_mistakes
 from edugym_course.lessons.signal.exercises.listener import HEARD, LISTENER_MISTAKES, probabilities
@@ -72,7 +73,7 @@ def pushes(seed: int) -> Made:
 
 def rows(seed: int) -> Made:
     """Lesson 5: the size of a table; lesson 7: the number of preferences."""
-    return {"": 5 ** memory.window_law(4), **memory._row_mistakes(4, 4)}
+    return {"": 5 ** window_law(4), **memory._row_mistakes(4, 4)}
 
 
 def preferences(seed: int) -> Made:
@@ -142,13 +143,18 @@ def test_no_two_mistakes_look_alike(make: Callable[[int], Made], seed: int) -> N
     assert [(one, other) for one, other in combinations(made, 2) if made[one] == made[other]] == []
 
 
+def chances(change: Mapping[str, Any]) -> list[Any]:
+    """Return how likely a listener of lesson 6 chooses each action, in all cases."""
+    return [probabilities(case, **change).tolist() for case in HEARD]
+
+
 def only_wrong() -> Iterator[tuple[str, Any, Any]]:
     """Yield mistakes of which some may look like another one, what they give, and what is right."""
     for kind, rules in sizes.MISTAKES.items():
         for why, rule in rules.items():
             yield why, rule(6, 4), sizes.ENTRIES[kind](6, 4)
     for why, change in LISTENER_MISTAKES.items():
-        yield why, *([probabilities(case, **more).tolist() for case in HEARD] for more in (change, {}))
+        yield why, chances(change), chances({})
     values = np.array([1.0, 3.0, 3.0, 0.0])
     for why, shares in loop._choice_mistakes(values, 0.3).items():
         yield why, shares, loop._probabilities(values, 0.3)
