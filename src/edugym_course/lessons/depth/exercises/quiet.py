@@ -31,8 +31,8 @@ def check_depth(agent: Any, days: int, seed: int) -> None:
     if not fits:
         raise WrongAnswer(
             f"after two equal episodes with rewards {in_brackets(episode.rewards)}, the value of the first action"
-            f" should be {digits(right[0], found[0])}, but is {digits(found[0], right[0])}: that is no n-step SARSA with"
-            " a usual learning rate"
+            f" should be {digits(right[0], found[0])}, but is {digits(found[0], right[0])}: that is no n-step SARSA"
+            " with a usual learning rate"
         )
     n, rate, discount = fits[0]
     wrong = []
