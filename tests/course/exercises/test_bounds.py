@@ -9,10 +9,10 @@ from edugym_course.grading import WrongAnswer
 from edugym_course.lessons.exploration import exercises as exploration
 from edugym_course.lessons.loop import exercises as loop
 from edugym_course.lessons.on_off_policy import exercises as on_off_policy
-from edugym_course.lessons.on_off_policy import switch
+from edugym_course.lessons.on_off_policy.exact import switch
 from edugym_course.lessons.own_problem import exercises as own_problem
-from edugym_course.lessons.signal import bits
 from edugym_course.lessons.signal import exercises as signal
+from edugym_course.lessons.signal.words import bits
 from edugym_course.lessons.stochasticity import exercises as stochasticity
 from edugym_course.lessons.stochasticity.exact import crossing
 

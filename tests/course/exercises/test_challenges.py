@@ -12,7 +12,7 @@ from edugym import DynaQ, EpsilonGreedy, QLearning, TreeBackup
 from edugym.experiments.configuration import described
 from edugym_course.grading.challenge import Challenge, Sizes
 from edugym_course.lessons.continuous_actions.exercises import own_container
-from edugym_course.lessons.signal import best_return
+from edugym_course.lessons.signal.moody import best_return
 from edugym_course.lessons.stochasticity.exact import optimum
 
 CHALLENGES: dict[str, Challenge] = {

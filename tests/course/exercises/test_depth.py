@@ -8,7 +8,11 @@ import pytest
 
 from edugym import EpsilonGreedy, NStepSARSA
 from edugym_course.grading import WrongAnswer
-from edugym_course.lessons.depth import (
+from edugym_course.lessons.depth.exercises import exercise_1
+from edugym_course.lessons.depth.exercises.cutting import cases, hand_back, outcomes
+from edugym_course.lessons.depth.exercises.episodes import Episode, learn_from
+from edugym_course.lessons.depth.exercises.ratio import ratio
+from edugym_course.lessons.depth.methods import (
     BY_DEPTH,
     MONTE_CARLO,
     ONE_STEP,
@@ -18,10 +22,6 @@ from edugym_course.lessons.depth import (
     maker,
     passes,
 )
-from edugym_course.lessons.depth.exercises import exercise_1
-from edugym_course.lessons.depth.exercises.cutting import cases, hand_back, outcomes
-from edugym_course.lessons.depth.exercises.episodes import Episode, learn_from
-from edugym_course.lessons.depth.exercises.ratio import ratio
 from tests.course.lessons.answers import solution
 
 LESSON = "03_depth"

@@ -8,8 +8,9 @@ import pytest
 from edugym import SARSA, CountBased, repeat
 from edugym.training.run import Run
 from edugym_course.grading.updates import Transition
-from edugym_course.lessons.exploration import EPSILON_GREEDY, METHODS, N_STEPS, compare, exercises
+from edugym_course.lessons.exploration import exercises
 from edugym_course.lessons.exploration.exercises.explorer import check_act
+from edugym_course.lessons.exploration.methods import EPSILON_GREEDY, METHODS, N_STEPS, compare
 from tests.course.lessons.answers import solution
 
 LESSON = "01_exploration"

@@ -4,10 +4,11 @@ import numpy as np
 import pytest
 
 from edugym import DynaQ
-from edugym_course.lessons.model_based import OPTIMUM, compare, used_and_seen
 from edugym_course.lessons.model_based.exercises.imagining import imagined
 from edugym_course.lessons.model_based.exercises.students import SHAPE, memories
 from edugym_course.lessons.model_based.exercises.sweeping import Model, swept
+from edugym_course.lessons.model_based.methods import OPTIMUM, compare
+from edugym_course.lessons.model_based.plans import used_and_seen
 from tests.course.lessons.answers import solution
 
 LESSON = "09_model_based"

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from edugym import EpsilonGreedy, ExpectedSARSA, QLearning, finite_model, make_mdp
-from edugym_course.lessons.on_off_policy import best_run, exercises, switch
+from edugym_course.lessons.on_off_policy import exercises
+from edugym_course.lessons.on_off_policy.exact import best_run, switch
 
 
 @pytest.mark.parametrize("target_epsilon", [0.0, 0.3, 1.0])

@@ -11,7 +11,9 @@ from gymnasium.spaces import Discrete
 
 from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.time_limit import LIMIT
-from edugym_course.lessons.own_problem import Morning, exercises, solve
+from edugym_course.lessons.own_problem import exercises
+from edugym_course.lessons.own_problem.exact import solve
+from edugym_course.lessons.own_problem.morning import Morning
 
 
 @pytest.mark.parametrize(("late", "action"), [(exercises.LATE - 0.001, 0), (exercises.LATE + 0.001, 2)])

@@ -14,8 +14,8 @@ from edugym.experiments.results.statistics import Interval
 from edugym.experiments.results.tables import Results
 from edugym_course.grading import WrongAnswer, challenge, seed_from_name
 from edugym_course.grading.student_code import student_code
-from edugym_course.lessons.exploration import GO_EXPLORE, METHODS, best_return
 from edugym_course.lessons.exploration.exercises import CHALLENGE, best_average
+from edugym_course.lessons.exploration.methods import GO_EXPLORE, METHODS, best_return
 
 
 class Systematic(NamedTuple):
