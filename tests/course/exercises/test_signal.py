@@ -1,6 +1,7 @@
 """The exercises of lesson 6: their numbers are the package's, and every mistake is one."""
 
-from edugym_course.lessons.signal import exercises, information
+from edugym_course.lessons.signal import exercises
+from edugym_course.lessons.signal.words import information
 
 
 def test_the_number_of_words() -> None:
