@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 
 from edugym.checks.contract import learns_from
-from edugym_course.grading.student_code import running
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import given
-from edugym_course.grading.wrong import WrongAnswer
 
 DEFAULTS: Mapping[str, Any] = MappingProxyType({})
 """No settings: `create` takes its own."""
@@ -58,7 +58,7 @@ def agent_made_by(call: str, make: Callable[[Any], Any], task: Any) -> Any:
     Raises:
         WrongAnswer: the call fails, or what it gives is no agent.
     """
-    with running(call):
+    with student_code(call):
         made = make(task)
     given(call, made)
     if isinstance(made, type):
@@ -131,7 +131,7 @@ def agent_with_table(
     if table in missing:
         raise WrongAnswer(f"{name} should keep its field `{table}`, the table that `learn` changes")
     _require_fields(name, missing, "learn")
-    with running(f"{name}({table}, ...)"):
+    with student_code(f"{name}({table}, ...)"):
         made = answer(**{table: np.zeros(shape)}, **settings)
     if not hasattr(made, "learn"):
         raise WrongAnswer(f"{name} should have a method `learn`")
@@ -168,6 +168,6 @@ def learn_step(agent: Any, step: Mapping[str, Any]) -> str:
         raise WrongAnswer(str(error)) from None
     told = {name: f"{step[name]:g}" if isinstance(step[name], float) else step[name] for name in names}
     call = "learn(" + ", ".join(f"{name}={value}" for name, value in told.items()) + ")"
-    with running(call):
+    with student_code(call):
         agent.learn(**{name: step[name] for name in names})
     return call

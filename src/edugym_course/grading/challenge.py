@@ -17,10 +17,10 @@ from edugym.experiments.repeat import repeat
 from edugym.experiments.results.statistics import Interval, paired_difference
 from edugym.experiments.results.tables import Results
 from edugym.training.train import train
-from edugym_course.grading.patience import LIMIT
-from edugym_course.grading.student_code import running
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.student_code import student_code
+from edugym_course.grading.time_limit import LIMIT
 from edugym_course.grading.values import given
-from edugym_course.grading.wrong import WrongAnswer
 
 YOURS = "your agent"
 FIRST_STEPS = 200
@@ -89,13 +89,13 @@ class Score:
         width = max(map(len, self.rows))
         lines = [f"{'':{width}}  return at the end  average while learning"]
         lines += [f"{label:{width}}  {end:17.2f}  {average:22.2f}" for label, (end, average) in self.rows.items()]
-        return "\n".join([*lines, "", self._verdict()])
+        return "\n".join([*lines, "", self._comparison()])
 
     def _repr_markdown_(self) -> str:
         rows = "\n".join(f"| {label} | {end:.2f} | {average:.2f} |" for label, (end, average) in self.rows.items())
-        return f"| | return at the end | average while learning |\n|---|---:|---:|\n{rows}\n\n{self._verdict()}"
+        return f"| | return at the end | average while learning |\n|---|---:|---:|\n{rows}\n\n{self._comparison()}"
 
-    def _verdict(self) -> str:
+    def _comparison(self) -> str:
         low, high = self.ahead.low, self.ahead.high
         where = "ahead of" if low > 0 else "behind" if high < 0 else "level with"
         return (
@@ -148,9 +148,9 @@ class Challenge:
         mdp = self._task(seed)
         sizes = Sizes(mdp.observation_space, mdp.action_space)
         maker = self._maker(agent, sizes)
-        with running("training your agent", limit=LIMIT):  # what never ends is found here, where it can be stopped
+        with student_code("training your agent", limit=LIMIT):  # what never ends is found here, where it can be stopped
             train(mdp, copy.deepcopy(maker(mdp)), FIRST_STEPS, evaluate_every=FIRST_STEPS)
-        with running("training your agent", limit=math.inf):
+        with student_code("training your agent", limit=math.inf):
             results = repeat(
                 self.environment,
                 {YOURS: maker, **{label: _sees_sizes(make, sizes) for label, make in self.baselines.items()}},
@@ -196,7 +196,7 @@ class Challenge:
                 "your agent should be a function that makes a new agent, so that no run knows what another has learned,"
                 f" but is a {type(agent).__name__}: write `lambda task: ...`"
             )
-        with running("making your agent"):
+        with student_code("making your agent"):
             made = agent(sizes)
         given("my_agent(...)", made)
         try:

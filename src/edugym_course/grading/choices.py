@@ -5,9 +5,9 @@ from typing import Any
 
 import numpy as np
 
-from edugym_course.grading.student_code import running
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import given
-from edugym_course.grading.wrong import WrongAnswer
 
 DRAWS = 600
 MOST_DEVIATIONS = 4.5
@@ -75,7 +75,7 @@ def action_of(call: str, value: Any, n_actions: int) -> int:
 
 def _draw(call: str, choose: Callable[[np.random.Generator], Any], n_actions: int) -> list[int]:
     rng = np.random.default_rng(0)
-    with running(call):
+    with student_code(call):
         return [action_of(call, choose(rng), n_actions) for _ in range(DRAWS)]
 
 

@@ -6,8 +6,8 @@ from typing import Any
 
 from edugym.experiments.configuration import described
 from edugym.experiments.results.tables import Results
+from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.values import given
-from edugym_course.grading.wrong import WrongAnswer
 
 
 def check_results(

@@ -10,8 +10,8 @@ from contextlib import contextmanager
 import numpy as np
 
 from edugym.system.packages import is_installed, own_folders
-from edugym_course.grading.patience import LIMIT, ending
-from edugym_course.grading.wrong import Unsolved, WrongAnswer
+from edugym_course.grading.errors import Unsolved, WrongAnswer
+from edugym_course.grading.time_limit import LIMIT, time_limit
 
 PACKAGES = tuple(map(str, own_folders()))
 
@@ -54,7 +54,7 @@ HINTS = (
 
 
 @contextmanager
-def running(what: str, limit: float = LIMIT) -> Iterator[None]:
+def student_code(what: str, limit: float = LIMIT) -> Iterator[None]:
     """Run a student's code: an error in it becomes one sentence, and a placeholder "not solved yet".
 
     Args:
@@ -66,7 +66,7 @@ def running(what: str, limit: float = LIMIT) -> Iterator[None]:
         Unsolved: the code is the placeholder of the exercise.
     """
     try:
-        with ending(what, limit), np.errstate(all="ignore"), warnings.catch_warnings():
+        with time_limit(what, limit), np.errstate(all="ignore"), warnings.catch_warnings():
             warnings.simplefilter("ignore")
             yield
     except WrongAnswer:

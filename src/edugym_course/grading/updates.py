@@ -14,9 +14,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from edugym.checks.contract import learns_from
-from edugym_course.grading.student_code import running
-from edugym_course.grading.values import TOLERANCE, digits
-from edugym_course.grading.wrong import WrongAnswer
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.mistakes import UNUSUAL
+from edugym_course.grading.student_code import student_code
+from edugym_course.grading.values import TOLERANCE, all_same, differing, digits, in_brackets
 
 Tables = dict[str, Any]
 """The arrays of an agent, by the names of its fields."""
@@ -153,12 +154,13 @@ class Update:
         mine, asked = (outcomes[difference.case][difference.step] for outcomes in (found, right))
         for sentence, change in singles.items():  # none fits everywhere: one that fits here
             outcome = list(self._outcome(cases[difference.case], {**settings, **change}))[difference.step]
-            if _close(outcome[difference.table], mine[difference.table]):
+            if all_same(outcome[difference.table], mine[difference.table]):
                 return f"in this case it looks like this: {sentence}"
-        changed = int(np.sum(~_close_entries(_before(cases, found, difference), mine[difference.table])))
-        if changed > int(np.sum(~_close_entries(_before(cases, found, difference), asked[difference.table]))):
+        before = _before(cases, found, difference)
+        changed = len(differing(before, mine[difference.table]))
+        if changed > len(differing(before, asked[difference.table])):
             return f"{changed} entries of `{difference.table}` change, and only one should"
-        return "that is none of the usual mistakes, so compare your code with the equation, term by term"
+        return UNUSUAL
 
     def _fits(self, cases: list[Case], found: Outcomes, settings: Settings) -> bool:
         """Whether the rule with these settings does what the answer does, in every case."""
@@ -266,7 +268,7 @@ def _students(make: Callable[[], Any], cases: list[Case]) -> tuple[Outcomes, tup
         after: list[Tables] = []
         for transition in case.transitions:
             told = {name: getattr(transition, name) for name in names}
-            with running(f"learn({_arguments(told)})"):
+            with student_code(f"learn({_arguments(told)})"):
                 returned = agent.learn(**told) is not None or returned
             after.append(
                 {
@@ -310,22 +312,14 @@ def _first_difference(right: Outcomes, found: Outcomes) -> Difference | None:
     for case, (steps, mine) in enumerate(zip(right, found, strict=True)):
         for step, (tables, my_tables) in enumerate(zip(steps, mine, strict=True)):
             for name, values in tables.items():
-                wrong = np.argwhere(~_close_entries(values, my_tables[name]))
+                wrong = differing(values, my_tables[name])
                 if len(wrong):
                     return Difference(case, step, name, tuple(map(int, wrong[0])))
     return None
 
 
 def _agree(one: Tables, other: Tables) -> bool:
-    return all(_close(values, other[name]) for name, values in one.items())
-
-
-def _close(one: Any, other: Any) -> bool:
-    return bool(_close_entries(one, other).all())
-
-
-def _close_entries(one: Any, other: Any) -> Any:
-    return np.isclose(one, other, rtol=TOLERANCE, atol=TOLERANCE, equal_nan=True)
+    return all(all_same(values, other[name]) for name, values in one.items())
 
 
 def _told(
@@ -360,7 +354,7 @@ def _told(
 
 
 def _short(values: Any) -> str:
-    return "[" + ", ".join(f"{value:.4g}" for value in values) + "]" if np.ndim(values) else f"{values:.4g}"
+    return in_brackets(values) if np.ndim(values) else f"{values:.4g}"
 
 
 def _arguments(told: Settings) -> str:

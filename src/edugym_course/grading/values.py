@@ -8,10 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from edugym_course.grading.wrong import Unsolved, WrongAnswer
+from edugym_course.grading.errors import Unsolved, WrongAnswer
 
 TOLERANCE = 1e-9
 """How far two numbers may differ, relative to the larger one, that are the same but for rounding."""
+UNUSUAL_NUMBER = "that is none of the usual mistakes, so work it out once more by hand"
 
 
 def given(what: str, value: Any) -> None:
@@ -72,7 +73,7 @@ def compare(
     *,
     tolerance: float | None = None,
     says: Callable[[float], str] | None = None,
-    otherwise: str = "that is none of the usual mistakes, so work it out once more by hand",
+    otherwise: str = UNUSUAL_NUMBER,
 ) -> float:
     """Check a number.
 
@@ -105,6 +106,16 @@ def same(found: float, expected: float) -> bool:
     return abs(found - expected) <= allowance(expected)
 
 
+def differing(expected: Any, found: Any) -> Any:
+    """Return the indices of the entries in which two arrays differ by more than rounding."""
+    return np.argwhere(~np.isclose(expected, found, rtol=TOLERANCE, atol=TOLERANCE, equal_nan=True))
+
+
+def all_same(expected: Any, found: Any) -> bool:
+    """Whether two arrays are the same but for rounding."""
+    return not len(differing(expected, found))
+
+
 def allowance(expected: float) -> float:
     """Return how far rounding may take a number."""
     return TOLERANCE * max(1.0, abs(expected))
@@ -125,3 +136,8 @@ def digits(value: float, other: float) -> str:
     return next(
         (text for places in range(4, 17) if (text := f"{value:.{places}g}") != f"{other:.{places}g}"), repr(value)
     )
+
+
+def in_brackets(values: Any) -> str:
+    """Return numbers as a list, with four digits each."""
+    return "[" + ", ".join(f"{value:.4g}" for value in values) + "]"

@@ -6,14 +6,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edugym import EpsilonGreedy, NStepSARSA, QLearning, TreeBackup
-from edugym.experiments.figures import Curves
+from edugym import EpsilonGreedy, NStepSARSA
 from edugym_course.grading import WrongAnswer
-from edugym_course.lessons.depth.exercises import CHALLENGE, exercise_1
-from edugym_course.lessons.depth.exercises.cutting import MISTAKES, alike, cases, hand_back, outcomes
+from edugym_course.lessons.depth.exercises import exercise_1
+from edugym_course.lessons.depth.exercises.cutting import cases, hand_back, outcomes
 from edugym_course.lessons.depth.exercises.episodes import Episode, learn_from
 from edugym_course.lessons.depth.exercises.ratio import ratio
-from edugym_course.lessons.depth.figures import race
 from edugym_course.lessons.depth.methods import (
     BY_DEPTH,
     MONTE_CARLO,
@@ -28,7 +26,6 @@ from tests.course.lessons.answers import solution
 
 LESSON = "03_depth"
 SETTINGS = {"learning_rate": 0.25, "discount": 0.5}
-OTHER_RATES = (0.01, 0.05, 0.2, 0.3, 0.5, 0.9, 1.0)
 
 
 def test_the_ratio_by_hand() -> None:
@@ -67,20 +64,13 @@ def test_without_the_cut_it_is_monte_carlo() -> None:
             np.testing.assert_allclose(agent.Q, mine, rtol=1e-12)
 
 
-def test_every_mistake_shows() -> None:
-    """The cases tell each mistake from the rule, with any seed."""
-    for seed in range(3):
-        all_cases = cases(seed)
-        right = [*outcomes(all_cases, SETTINGS)]
-        for sentence, change in MISTAKES.items():
-            assert not all(map(alike, right, outcomes(all_cases, {**SETTINGS, **change}))), sentence
-
-
 QUIET = [
     ({}, "Right"),
-    *(({"learning_rate": rate}, f"it has a learning rate of {rate:g}, and it should be 0.1$") for rate in OTHER_RATES),
-    *(({"discount": gamma}, f"it has a discount of {gamma:g}, and it should be 1$") for gamma in (0, 0.9, 0.95, 0.99)),
-    *(({"n": n}, f"its targets have {n} rewards, and Monte Carlo has n=math.inf$") for n in (2, 3, 9)),
+    ({"learning_rate": 0.01}, "it has a learning rate of 0.01, and it should be 0.1$"),
+    ({"learning_rate": 1.0}, "it has a learning rate of 1, and it should be 0.1$"),
+    ({"discount": 0}, "it has a discount of 0, and it should be 1$"),
+    ({"discount": 0.99}, "it has a discount of 0.99, and it should be 1$"),
+    ({"n": 9}, "its targets have 9 rewards, and Monte Carlo has n=math.inf$"),
     ({"n": 1}, "but its targets have 1 reward, and Monte Carlo has n=math.inf$"),
     ({"n": 3, "learning_rate": 0.5, "discount": 0.9}, "3 rewards, .*; and it has a learning .*; and it has a discount"),
     ({"learning_rate": 0.7}, "the first action should be .*: that is no n-step SARSA with a usual learning rate$"),
@@ -113,28 +103,3 @@ def test_what_the_solutions_reach() -> None:
     assert ends["mine"] > max(ends[label(n)] for n in BY_DEPTH)
     early = {method: results.curves(method).loc[2_500].mean() for method in results.methods}
     assert early["mine"] > early[ONE_STEP] + 2
-
-
-@pytest.mark.slow
-def test_a_race_shows_all_methods() -> None:
-    """The four depths and the reader's own, with five and with ten actions."""
-
-    def mine(study: Any) -> QLearning:
-        return QLearning.create((int(np.prod(study.observation_space.nvec)), len(study.action_rewards)))
-
-    sheet = race({"mine": mine}, repetitions=2, n_steps=200)
-    shown = [panel.results.methods for row in sheet.rows for panel in row if isinstance(panel, Curves)]
-    assert shown == [[*map(label, BY_DEPTH), "mine"]] * 2
-
-
-@pytest.mark.slow
-def test_the_challenge() -> None:
-    """Its layouts share the optimum 10; a good agent gets 80 points, and the baselines do not."""
-
-    def good(study: Any) -> TreeBackup:
-        settings: dict[str, Any] = {"learning_rate": 0.5, "discount": 1.0, "exploration": EpsilonGreedy(0.0)}
-        return TreeBackup.create(study, n=10, initial_value=5.0, **settings)
-
-    score = CHALLENGE.score(good, "Ada Lovelace")
-    assert score.points > 75
-    assert score.ahead.low > 0

@@ -5,13 +5,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edugym import SARSA, CountBased, make_mdp, repeat
-from edugym.experiments.figures import Curves, Lines
+from edugym import SARSA, CountBased, repeat
 from edugym.training.run import Run
 from edugym_course.grading.updates import Transition
 from edugym_course.lessons.exploration import exercises
 from edugym_course.lessons.exploration.exercises.explorer import check_act
-from edugym_course.lessons.exploration.figures import race
 from edugym_course.lessons.exploration.methods import EPSILON_GREEDY, METHODS, N_STEPS, compare
 from tests.course.lessons.answers import solution
 
@@ -29,55 +27,6 @@ def test_the_rule_is_that_of_the_packages_agent() -> None:
             agent.learn(now.state, now.action, now.reward, now.next_state, now.terminated)
             np.testing.assert_allclose(agent.Q, tables["Q"], rtol=1e-12)
             np.testing.assert_array_equal(agent.visits, tables["visits"])
-
-
-@pytest.mark.parametrize(
-    ("how", "value"),
-    [
-        ({}, 6.0),
-        ({"novelty": "1/n"}, 4.875),
-        ({"novelty": "1/n/2"}, 4.6875),
-        ({"novelty": "discounted"}, 5.25),
-        ({"novelty": "√n"}, 28.5),
-        ({"novelty": "1/√(n+1)"}, 4.5 + 6 / 17**0.5),
-        ({"novelty": "constant"}, 10.5),
-        ({"novelty": "first visit"}, 4.5),
-        ({"novelty": "minus"}, 3.0),
-        ({"novelty": "none"}, 4.5),
-        ({"novelty": "not at the end"}, 6.0),
-        ({"looks_up": "left"}, 7.5),
-        ({"looks_up": "pair"}, 6.5),
-        ({"late": True}, 4.5 + 6 / 15**0.5),
-        ({"late": True, "least": 36}, 5.5),
-        ({"target": "all discounted"}, 2.25),  # 0.5 * (6 + 1.5 - 3)
-    ],
-)
-def test_a_bonus_by_hand(how: dict[str, Any], value: float) -> None:
-    """The reward is 6 and γ V(S') is 0.5 * -3; β = 6 at the 16th visit of S', 4 of S, and the 9th try of the pair."""
-    tables = {"visits": np.array([4, 15]), "tries": np.array([[3, 8], [5, 2]]), "Q": np.array([(0.0, 2.0), (-3.0, -4)])}
-    now = Transition(0, 1, 6.0, 1, 0, terminated=False, truncated=False)
-    exercises.EXPLORER.rule(tables, now, learning_rate=1.0, discount=0.5, bonus=6.0, **how)
-    assert tables["Q"][0, 1] == pytest.approx(value)
-    assert tables["visits"].tolist() == [4, 16]
-    assert tables["tries"].tolist() == [[3, 9], [5, 2]]
-
-
-@pytest.mark.parametrize(
-    ("how", "visits", "tries"),
-    [
-        ({"counts": "left"}, [5, 15], [[3, 9], [5, 2]]),
-        ({"counts": "nothing"}, [4, 15], [[3, 9], [5, 2]]),
-        ({"tries": "nothing"}, [4, 16], [[3, 8], [5, 2]]),
-        ({"tries": "next"}, [4, 16], [[3, 8], [5, 3]]),
-        ({"tries": "swapped"}, [4, 16], [[3, 8], [6, 2]]),
-    ],
-)
-def test_what_is_counted_wrongly(how: dict[str, Any], visits: list[int], tries: list[list[int]]) -> None:
-    """The state that was left or none, no action, that in the next state, and action and state the other way round."""
-    tables = {"visits": np.array([4, 15]), "tries": np.array([[3, 8], [5, 2]]), "Q": np.zeros((2, 2))}
-    now = Transition(0, 1, 6.0, 1, 0, terminated=False, truncated=False)
-    exercises.EXPLORER.rule(tables, now, learning_rate=1.0, discount=0.5, bonus=6.0, **how)
-    assert (tables["visits"].tolist(), tables["tries"].tolist()) == (visits, tries)
 
 
 def test_at_the_end_the_bonus_counts() -> None:
@@ -149,25 +98,3 @@ def test_what_the_solutions_reach() -> None:
     assert middle.final(EPSILON_GREEDY).mean() < 0.2
     high = compare(100, methods=makers, repetitions=10)
     assert high.final("explorer").mean() > 0.9
-
-
-@pytest.mark.slow
-def test_a_race_shows_all_methods() -> None:
-    """The paper's three and the reader's own, one panel for each height, and their progress on the highest."""
-
-    def mine(wall: Any) -> CountBased:
-        return CountBased.create((wall.height + 1, wall.n_grips), bonus=2.0)
-
-    sheet = race({"mine": mine}, (3, 4), repetitions=2, n_steps=200)
-    *panels, progress = [panel for row in sheet.rows for panel in row]
-    shown = [panel.results.methods for panel in panels if isinstance(panel, Curves)]
-    assert shown == [[*METHODS, "mine"]] * 2
-    assert isinstance(progress, Lines)
-    assert [*progress.lines] == [*METHODS, "mine"]
-    assert progress.x[-1] == 200
-
-
-def test_walls_of_the_lesson_can_be_given() -> None:
-    """Answers may use the fields of the wall."""
-    wall = make_mdp("Boulder", height=4)
-    assert solution(LESSON, 2, "optimist")(wall).Q.shape == (5, 2)

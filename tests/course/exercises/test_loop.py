@@ -42,12 +42,3 @@ def test_by_hand() -> None:
     mistakes = exercises._return_mistakes([4.0, 2.0, 8.0], 0.25)
     assert 5.0 not in mistakes.values()
     assert exercises._probabilities(np.array([1.0, 3.0, 3.0, 0.0]), 0.4) == pytest.approx([0.1, 0.4, 0.4, 0.1])
-
-
-def test_every_mistake_of_choosing_is_one() -> None:
-    """With three different values and ε = 0.3, but for those about equals, which differ where there are two."""
-    for values in (np.array([1.0, 3.0, 2.0, 0.0]), np.array([2.0, 4.0, 4.0, 1.0])):
-        right = exercises._probabilities(values, 0.3)
-        for sentence, shares in exercises._choice_mistakes(values, 0.3).items():
-            assert sum(shares) == pytest.approx(1.0), sentence
-            assert np.ptp(values[1:3]) > 0 or shares != pytest.approx(right), sentence

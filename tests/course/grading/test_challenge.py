@@ -12,7 +12,8 @@ import pytest
 from edugym import QLearning
 from edugym.experiments.results.statistics import Interval
 from edugym.experiments.results.tables import Results
-from edugym_course.grading import WrongAnswer, challenge, seed_from_name, student_code
+from edugym_course.grading import WrongAnswer, challenge, seed_from_name
+from edugym_course.grading.student_code import student_code
 from edugym_course.lessons.exploration.exercises import CHALLENGE, best_average
 from edugym_course.lessons.exploration.methods import GO_EXPLORE, METHODS, best_return
 
@@ -71,12 +72,12 @@ def test_what_is_trained(monkeypatch: pytest.MonkeyPatch) -> None:
 
     limits = []
 
-    def running(what: str, limit: float = 30.0) -> AbstractContextManager[None]:
+    def noted(what: str, limit: float = 30.0) -> AbstractContextManager[None]:
         limits.append((what, limit))
-        return student_code.running(what, limit)
+        return student_code(what, limit)
 
     monkeypatch.setattr(challenge, "repeat", repeat)
-    monkeypatch.setattr(challenge, "running", running)
+    monkeypatch.setattr(challenge, "student_code", noted)
     with pytest.raises(WrongAnswer, match="enough"):
         CHALLENGE.score(systematic, "Ada Lovelace")
     assert limits == [("making your agent", 30.0), ("training your agent", 30.0), ("training your agent", math.inf)]
@@ -206,7 +207,7 @@ def test_an_agent_that_never_ends(monkeypatch: pytest.MonkeyPatch) -> None:
         (lambda wall: QLearning.create((3, 2)), r"must have a table Q of shape \(61, 2\)"),
     ],
 )
-def test_slips(agent: Any, says: str) -> None:
+def test_what_makes_no_agent(agent: Any, says: str) -> None:
     """Each gets its sentence; the task cannot be looked at."""
     with pytest.raises(WrongAnswer, match=says):
         CHALLENGE.score(agent, "Ada")

@@ -11,7 +11,7 @@ import pytest
 
 from edugym import QLearning
 from edugym_course.grading import Unsolved, WrongAnswer
-from edugym_course.grading.student_code import HINTS, PACKAGES, running
+from edugym_course.grading.student_code import HINTS, PACKAGES, student_code
 
 
 def run(code: str, **names: Any) -> str:
@@ -19,7 +19,7 @@ def run(code: str, **names: Any) -> str:
     linecache.cache["<cell>"] = (len(code), None, code.splitlines(keepends=True), "<cell>")
     namespace: dict[str, Any] = names
     exec(compile(code, "<cell>", "exec"), namespace)
-    with pytest.raises(WrongAnswer) as caught, running("f()"):
+    with pytest.raises(WrongAnswer) as caught, student_code("f()"):
         namespace["f"]()
     assert caught.value.__suppress_context__
     assert caught.value.__cause__ is None  # one sentence, and no chain of tracebacks
@@ -48,11 +48,11 @@ def test_the_line_is_the_students() -> None:
 )
 def test_without_a_line_of_the_students(code: str, says: str) -> None:
     """What the package refuses says all that there is to say; of other errors it is told where they come from."""
-    check = f"with running('my_agent'):\n    {code}\n"
+    check = f"with student_code('my_agent'):\n    {code}\n"
     with pytest.raises(WrongAnswer) as caught:
         exec(
             compile(check, f"{PACKAGES[0]}/check.py", "exec"),
-            {"running": running, "QLearning": QLearning, "random": random},
+            {"student_code": student_code, "QLearning": QLearning, "random": random},
         )
     assert str(caught.value).startswith(says)
 
@@ -127,17 +127,17 @@ def test_placeholders_are_not_solved_yet() -> None:
         "raise NotImplementedError()",
     ):
         assert run(f"def f():\n    {placeholder}").startswith("Not solved yet")
-    with pytest.raises(Unsolved), running("f()"):
+    with pytest.raises(Unsolved), student_code("f()"):
         raise NotImplementedError
 
 
-def test_warnings_and_verdicts_pass() -> None:
-    """Warnings are not shown, a verdict stays as it is, and an interrupt ends the check."""
-    with warnings.catch_warnings(record=True) as caught, running("f()"):
+def test_warnings_and_wrong_answers_pass() -> None:
+    """Warnings are not shown, a wrong answer stays as it is, and an interrupt ends the check."""
+    with warnings.catch_warnings(record=True) as caught, student_code("f()"):
         warnings.warn("old", stacklevel=1)
         assert np.isinf(np.float64(1.0) / np.float64(0.0))
     assert caught == []
-    with pytest.raises(WrongAnswer, match=r"^as it is$"), running("f()"):
+    with pytest.raises(WrongAnswer, match=r"^as it is$"), student_code("f()"):
         raise WrongAnswer("as it is")
-    with pytest.raises(KeyboardInterrupt), running("f()"):
+    with pytest.raises(KeyboardInterrupt), student_code("f()"):
         raise KeyboardInterrupt

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from edugym import QLearning
-from edugym_course.grading import WrongAnswer, updates
+from edugym_course.grading import WrongAnswer
 from edugym_course.grading.one_step import Q_LEARNING
 from edugym_course.grading.updates import Transition, Update
 from edugym_course.lessons.exploration.exercises import EXPLORER
@@ -218,11 +218,3 @@ def test_tables_that_are_replaced_are_found() -> None:
             self.Q = Q
 
     Q_LEARNING.check(Plain, SIZE, RIGHT, 0)
-
-
-def test_what_is_told_of_a_wrong_entry() -> None:
-    """Where it started, where it should be, and what it is."""
-    case = updates.Case({"Q": np.ones((2, 1))}, [updates.Transition(0, 0, 5.0, 1, 0, True, False)])
-    right, found = [[{"Q": np.array([[3.0], [1.0]])}]], [[{"Q": np.array([[1.0], [1.0]])}]]
-    told = updates._told([case], right, found, updates.Difference(0, 0, "Q", (0, 0)), ("reward",), {})
-    assert told.endswith("Q[0, 0] should go from 1 to 3, but is 1")

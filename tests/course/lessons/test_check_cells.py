@@ -7,7 +7,7 @@ from itertools import pairwise
 import build
 import pytest
 
-from tests.course.lessons.transcripts import NOTEBOOKS
+from tests.course.lessons.shown import NOTEBOOKS
 
 VISIBLE = re.compile(r"^check\((exercise_\d), (\w+)\)$", re.MULTILINE)
 HIDDEN = re.compile(r"^### BEGIN HIDDEN TESTS\n(.+)\n### END HIDDEN TESTS$", re.MULTILINE)

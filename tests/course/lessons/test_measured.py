@@ -11,7 +11,7 @@ import nbformat
 import pytest
 from rules import is_code
 
-from tests.course.lessons.transcripts import NOTEBOOKS
+from tests.course.lessons.shown import NOTEBOOKS
 
 SMALL = {"none": 0, "one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "seven": 7, "ten": 10}
 NUMBER = re.compile(r"(?<![\w.])\d+(?: \d{3})*(?:\.\d+)?")

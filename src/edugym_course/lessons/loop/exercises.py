@@ -8,10 +8,11 @@ import numpy as np
 
 from edugym_course.grading.agents import agent_with_table, require_class, require_function
 from edugym_course.grading.choices import check_choices
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.mistakes import NumberCase, compare_all
 from edugym_course.grading.one_step import Q_LEARNING
-from edugym_course.grading.student_code import running
-from edugym_course.grading.values import compare, number, same
-from edugym_course.grading.wrong import WrongAnswer
+from edugym_course.grading.student_code import student_code
+from edugym_course.grading.values import number
 from edugym_course.lessons.loop.exact import discounted
 
 
@@ -22,18 +23,17 @@ def exercise_1(answer: Any, seed: int) -> str:
     cases: list[tuple[list[float], float]] = [([4.0, 2.0, 8.0], 0.25)]
     for length, discount in ((4, 0.5), (6, 0.25), (3, 1.0), (5, 0.0), (1, 0.5)):
         cases.append((rng.choice([-4.0, -2.0, 1.0, 2.0, 3.0, 4.0, 8.0], length).tolist(), discount))
-    answers = [_found(answer, rewards, discount) for rewards, discount in cases]
-    right = [discounted(np.array(rewards), discount) for rewards, discount in cases]
-    wrong = [_return_mistakes(rewards, discount) for rewards, discount in cases]
-    everywhere = [
-        sentence
-        for sentence in wrong[0]
-        if all(same(found, mistakes[sentence]) for found, mistakes in zip(answers, wrong, strict=True))
-    ]
-    for (rewards, discount), found, expected, mistakes in zip(cases, answers, right, wrong, strict=True):
-        fitting = {sentence: mistakes[sentence] for sentence in everywhere or mistakes}
-        different = {sentence: value for sentence, value in fitting.items() if value != expected}
-        compare(_call(rewards, discount), found, expected, different)
+    compare_all(
+        [
+            NumberCase(
+                _call(rewards, discount),
+                _found(answer, rewards, discount),
+                discounted(np.array(rewards), discount),
+                _return_mistakes(rewards, discount),
+            )
+            for rewards, discount in cases
+        ]
+    )
     return "Right. From the last reward to the first, one multiplication a step is enough, and no power of γ is needed."
 
 
@@ -44,7 +44,7 @@ def _call(rewards: Sequence[float], discount: float) -> str:
 def _found(answer: Callable[..., Any], rewards: list[float], discount: float) -> float:
     """Return what a student's function gives, a number."""
     call, passed = _call(rewards, discount), list(rewards)
-    with running(call):
+    with student_code(call):
         found = answer(passed, discount)
     if passed != rewards:
         raise WrongAnswer(f"{call} changes the list of rewards that it is given: work on a copy, or only read it")
@@ -140,7 +140,7 @@ def _uses_the_generator(answer: Any) -> None:
     if not {"default_rng", "RandomState", "seed"}.intersection(names):
         return
     rng, call = np.random.default_rng(0), "choose(values, epsilon, rng)"
-    with running(call):
+    with student_code(call):
         drawn = {str(answer(np.zeros(8), 1.0, rng)) for _ in range(20)}
     if len(drawn) == 1:
         raise WrongAnswer(

@@ -12,9 +12,10 @@ from edugym.agents.q_learning import QLearning
 from edugym.envs.memory_corridor import MemoryCorridor
 from edugym_course.grading.agents import require_class, require_function
 from edugym_course.grading.challenge import Challenge
-from edugym_course.grading.student_code import running
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.mistakes import mistake_that_fits
+from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import compare, given, number
-from edugym_course.grading.wrong import WrongAnswer
 from edugym_course.lessons.memory.players import DISCOUNT, Rememberer
 from edugym_course.lessons.memory.secret import SECRET_STEPS, secret_corridor
 from edugym_course.lessons.memory.windows import action_law, window_law
@@ -29,7 +30,7 @@ def exercise_1(answer: Any, seed: int) -> str:
     cases = [(4, 3 + int(rng.integers(2))), (int(rng.integers(5, 8)), 3), (2, 5), (3, 2), (6, 1)]
     for doors, length in cases:
         call = f"table_rows({doors}, {length})"
-        with running(call):
+        with student_code(call):
             found = answer(doors, length)
         right = (doors + 1) ** window_law(length)
         mistakes = {why: float(wrong) for why, wrong in _row_mistakes(doors, length).items() if wrong != right}
@@ -74,7 +75,7 @@ def exercise_2(answer: Any, seed: int) -> str:
     rng = np.random.default_rng(seed)
     pushes: list[tuple[Any, int, int, Any]] = []
     for k, n, m in ((4, 4, 3), (3, 3, 2), (2, 5, 4)):
-        with running("MyWindow(...)"):
+        with student_code("MyWindow(...)"):
             made = answer(MemoryCorridor.create(m), k=k, n_observations=n, n_actions=m)
         for _ in range(4):
             window = _some_window(k, n, m, rng)
@@ -135,7 +136,7 @@ def _only(window: Any, action: int, seen: int, start: int) -> Any:
 def _pushed(made: Any, window: Any, action: int, seen: int) -> Any:
     """Return what a student's `push` gives: as many entries as before."""
     call, mine = _push(window, action, seen), window.copy()
-    with running(call):
+    with student_code(call):
         found = made.push(mine, action, seen)
     given(call, found)
     if not np.array_equal(mine, window):
@@ -165,8 +166,11 @@ def _moved(window: Any, action: int, seen: int) -> list[int]:
 
 def _compare_pushes(pushes: list[tuple[Any, int, int, Any]]) -> None:
     """Compare all windows with those that are right; a mistake is named if it explains them all."""
-    fitting = [why for why, rule in PUSHES.items() if all(np.array_equal(rule(*case), mine) for *case, mine in pushes)]
-    why = [*fitting, "the first two entries should go, and action and observation come at the end"][0]
+    why = mistake_that_fits(
+        PUSHES,
+        lambda rule: all(np.array_equal(rule(*case), mine) for *case, mine in pushes),
+        otherwise="the first two entries should go, and action and observation come at the end",
+    )
     for *case, found in pushes:
         call, right, entries = _push(*case), _moved(*case), np.asarray(found)
         if not np.array_equal(entries, right):
@@ -207,7 +211,7 @@ def _check_rows(made: Any, k: int, n: int, m: int) -> None:
         window = np.array(entries)
         call = f"row({window.tolist()}) with {n} observations and {m} actions"
         mine = window.copy()
-        with running(call):
+        with student_code(call):
             found = made.row(mine)
         row = _whole(call, found)
         if not np.array_equal(mine, window):
@@ -322,7 +326,7 @@ def exercise_3(answer: Any, seed: int) -> str:
     rng = np.random.default_rng(seed)
     cases, outcomes = [], []
     for n in (3, 4, 6):
-        with running("Notebook(...)"):
+        with student_code("Notebook(...)"):
             made = answer(MemoryCorridor.create(n), num_doors=n)
         walk = [*_walk(n, rng)]
         cases += walk
@@ -331,8 +335,11 @@ def exercise_3(answer: Any, seed: int) -> str:
         notes, expected = _right(*case)
         if place == expected and np.array_equal(mine, notes):
             continue
-        fitting = [why for why, rule in UPDATES.items() if all(map(_agree, cases, outcomes, [rule] * len(cases)))]
-        why = fitting[0] if fitting else "that is none of the usual mistakes, so follow this step by hand"
+        why = mistake_that_fits(
+            UPDATES,
+            lambda rule: all(map(_agree, cases, outcomes, [rule] * len(cases))),
+            otherwise="that is none of the usual mistakes, so follow this step by hand",
+        )
         what = (
             f"should leave the notes {_short(notes)}, but leaves {_short(mine)}"
             if not np.array_equal(mine, notes)
@@ -356,7 +363,7 @@ def _short(notes: Any) -> str:
 def _updated(made: Any, notes: Any, place: int, seen: int, action: int, n: int) -> Notes:
     """Run a student's update on a copy of the notes."""
     mine, call = notes.copy(), _call(notes, place, seen, action, n)
-    with running(call):
+    with student_code(call):
         found = made.update(mine, place, seen, action)
     if isinstance(found, tuple | np.ndarray):
         raise WrongAnswer(

@@ -12,11 +12,11 @@ from edugym.exact.model import finite_model
 from edugym.exact.tables import FiniteModel
 from edugym_course.grading.agents import agent_with_table, require_class, require_function
 from edugym_course.grading.challenge import Challenge
+from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.one_step import Q_LEARNING, made_up_values, numbers_of, one_step_update
-from edugym_course.grading.student_code import running
+from edugym_course.grading.student_code import student_code
 from edugym_course.grading.updates import Tables, Transition, Update
 from edugym_course.grading.values import compare, digits, number
-from edugym_course.grading.wrong import WrongAnswer
 from edugym_course.lessons.on_off_policy.exact import FAST, best_run, best_soft_return, switch
 from edugym_course.lessons.on_off_policy.methods import EPSILON, methods_with
 
@@ -87,7 +87,7 @@ def exercise_2(answer: Any, seed: int) -> str:
         task = Roadrunner.create(size=size, negative_reward=-float(rng.integers(low, high)))
         model = finite_model(task)
         call = f"switch(model) for W = {size} and negative_reward = {task.negative_reward:g}"
-        with running(call):
+        with student_code(call):
             found = answer(model)
         expected = switch(model, tolerance=1e-7)
         value = number(call, found)

@@ -16,9 +16,10 @@ from edugym.mdp.protocol import Random
 from edugym.mdp.task import check_mdp, task_of
 from edugym_course.grading.agents import require_class, require_function
 from edugym_course.grading.cases import telling_draw
-from edugym_course.grading.student_code import running
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.mistakes import NumberCase, compare_all
+from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import compare, digits, given, number, same
-from edugym_course.grading.wrong import WrongAnswer
 from edugym_course.lessons.own_problem.exact import random_return, solve
 from edugym_course.lessons.own_problem.figures import names_of
 from edugym_course.lessons.own_problem.morning import RING, Morning
@@ -28,7 +29,7 @@ LATE = 59 / 9
 CLOSE = 0.005
 MOST_STATES = 20_000
 """The largest problem of a student's own."""
-PATIENCE = 300.0
+PLANNING_SECONDS = 300.0
 """The seconds of processor time in which such a problem must be checked and solved."""
 
 
@@ -120,14 +121,16 @@ def exercise_2(answer: Any, seed: int) -> str:
     of = "reward, potential, state, next_state, terminated and discount"
     require_function("shaped_reward", answer, of)
     rules = [partial(_by_rule, rule) for rule in (_shaped, *SHAPING_MISTAKES.values())]
-    cases = [(told, *_shaped_by(answer, told)) for told in shaping_numbers(telling_draw(seed, shaping_numbers, rules))]
-    all_of_it = [
-        why for why, rule in SHAPING_MISTAKES.items() if all(same(rule(*told), value) for told, _, value in cases)
-    ]
-    for told, call, value in cases:
-        right = _shaped(*told)
-        wrong = {why: SHAPING_MISTAKES[why](*told) for why in (all_of_it or SHAPING_MISTAKES)}
-        compare(call, value, right, {why: result for why, result in wrong.items() if result != right})
+    compare_all(
+        [
+            NumberCase(
+                *_shaped_by(answer, told),
+                _shaped(*told),
+                {why: mistake(*told) for why, mistake in SHAPING_MISTAKES.items()},
+            )
+            for told in shaping_numbers(telling_draw(seed, shaping_numbers, rules))
+        ]
+    )
     return "Right: what is given on the way to a state is taken back when it is left. Here are both policies:"
 
 
@@ -156,7 +159,7 @@ def _shaped_by(answer: Callable[..., Any], told: Numbers) -> tuple[str, float]:
     def potential(state: str) -> float:
         return {"bed": before, "door": after}[state]
 
-    with running(call):
+    with student_code(call):
         found = answer(reward, potential, "bed", "door", terminated, discount)
     return call, number(call, found)
 
@@ -215,11 +218,11 @@ USED_MISTAKES = {
 def exercise_3(answer: Any, seed: int) -> str:
     """Check the class of a morning whose sleeper gets used to the chime."""
     require_class("UsedToIt", answer)
-    with running("UsedToIt()"):
+    with student_code("UsedToIt()"):
         mine = answer()
     with _told_as_wrong():
         task_of(mine, "UsedToIt()", MDP_ONLY)
-    with running("initial(rng)"):
+    with student_code("initial(rng)"):
         first = mine.initial(np.random.default_rng(seed))
     if _three("initial(rng)", first) != (0, 2, 0):
         raise WrongAnswer(f"initial should return (0, 2, 0), fast asleep and no chime yet, but returns {first!r}")
@@ -262,7 +265,7 @@ AS_IT_WAS = "that method was right as it was, for only `observation_space`, `ini
 def _compare_the_rest(mine: Any, right: UsedToChimes) -> None:
     """Compare the observation space, and the methods that should not change, in all states."""
     last, rng = right.length, np.random.default_rng(0)
-    with running("observation_space"):
+    with student_code("observation_space"):
         space = mine.observation_space
     if [*getattr(space, "nvec", ())] != [last + 1, 3, 3]:
         raise WrongAnswer(
@@ -271,19 +274,19 @@ def _compare_the_rest(mine: Any, right: UsedToChimes) -> None:
         )
     for state in product(range(last + 1), range(3), range(3)):
         call = f"terminal({state})"
-        with running(call):
+        with student_code(call):
             ends = bool(mine.terminal(state))
         if ends != right.terminal(state[:2]):
             raise WrongAnswer(f"{call} should be {not ends}, but is {ends}: {AS_IT_WAS}")
         call = f"observation({state}, rng)"
-        with running(call):
+        with student_code(call):
             seen = mine.observation(state, rng)
         if not np.array_equal(seen, state):
             raise WrongAnswer(f"{call} should be the whole state, but is {seen!r}: {AS_IT_WAS}")
     for state, action in product(product(range(last), range(3), range(3)), range(3)):
         for _, after in branches(partial(right.transition, state, action)):
             call = f"reward({state}, {action}, {after}, rng)"
-            with running(call):
+            with student_code(call):
                 found = mine.reward(state, action, after, rng)
             expected, paid = right.reward(state[:2], action, after[:2], rng), number(call, found)
             if not same(paid, expected):
@@ -297,7 +300,7 @@ def _compare_ways(mine: Any, right: UsedToChimes, steps: Sequence[tuple[Any, int
     found, expected, draws = [], [], GlobalDraws(type(mine).__name__)
     for state, action in steps:
         call = f"transition({state}, {action}, rng)"
-        with _told_as_wrong(), draws.refused("transition"), running(call):
+        with _told_as_wrong(), draws.refused("transition"), student_code(call):
             found.append(_ways(partial(mine.transition, state, action), call))
         expected.append(_ways(partial(right.transition, state, action), call))
     wrong = [k for k, ways in enumerate(found) if not _same(ways, expected[k])]
@@ -353,7 +356,7 @@ def exercise_4(answer: Any, seed: int) -> str:
         raise WrongAnswer("that is the problem with which the cell began: write one of your own, under its own name")
     if isinstance(answer, Morning) or type(answer).__name__ == "Morning":
         raise WrongAnswer("that is the problem of the lesson: write one of your own, under its own name")
-    with running("my_problem"), _told_as_wrong():
+    with student_code("my_problem"), _told_as_wrong():
         task_of(answer, "my_problem", MDP_ONLY)
     kind = type(answer)
     if not issubclass(kind, tuple):
@@ -366,7 +369,7 @@ def exercise_4(answer: Any, seed: int) -> str:
             "my_problem has `max_steps`, so the best action depends on how many steps are left: keep the time in the"
             " state, and end the episode by `terminal`, as Morning does"
         )
-    with running("my_problem", limit=PATIENCE):
+    with student_code("my_problem", limit=PLANNING_SECONDS):
         check_mdp(answer)
         _require_small(answer)
         values = solve(answer)

@@ -9,11 +9,11 @@ import numpy as np
 
 from edugym_course.grading.agents import agent_with_table, require_class, require_function
 from edugym_course.grading.challenge import Challenge
+from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.one_step import Q_LEARNING, numbers_of, one_step_update
-from edugym_course.grading.student_code import running
+from edugym_course.grading.student_code import student_code
 from edugym_course.grading.updates import Tables, Transition, Update
 from edugym_course.grading.values import compare, digits, given, number
-from edugym_course.grading.wrong import WrongAnswer
 from edugym_course.lessons.stochasticity.exact import crossing, from_the_tee
 from edugym_course.lessons.stochasticity.methods import LEVEL, methods_with
 
@@ -172,14 +172,14 @@ def _names(answer: Callable[..., Any], players: Mapping[str, Pair]) -> set[str]:
     """Return the names that an answer gives for some players."""
     call = f"frontier(players) with {len(players)} players"
     mine = dict(players)
-    with running(call):
+    with student_code(call):
         found = answer(mine)
     given(call, found)
     if mine != players:
         raise WrongAnswer(f"{call} changes the dictionary that it is given; collect the names in a list of their own")
     if isinstance(found, str):
         raise WrongAnswer(f"{call} should be a list of names, but is the text {found!r}: there may be several")
-    with running(call):
+    with student_code(call):
         try:
             names = [*found]
         except TypeError:

@@ -4,29 +4,6 @@ def preferences(joints, bins, cells):
     return 2 * cells**joints * bins**joints
 
 
-# %% one power
-def preferences(joints, bins, cells):
-    return 2 * (cells * bins) ** joints
-
-
-# %% a loop
-def preferences(joints, bins, cells):
-    n = 2
-    for joint in range(joints):
-        n *= cells * bins
-    return n
-
-
-# %% with pow
-def preferences(joints, bins, cells):
-    return pow(cells, joints) * pow(bins, joints) * 2
-
-
-# %% as a float
-def preferences(joints, bins, cells):
-    return 2.0 * float(cells) ** joints * bins**joints
-
-
 # %% rows and columns
 def preferences(joints, bins, cells):
     holding = 2

@@ -1,30 +1,7 @@
-# %% dots
-# says: Not solved yet
-preferences = ...
-
-
-# %% the placeholder
-# says: Not solved yet
-def preferences(joints, bins, cells):
-    raise NotImplementedError("not solved yet: replace this line")
-
-
 # %% a number
 # says: should be a function
 # says: joints, bins and cells
 preferences = 2 * 30**2 * 5**2
-
-
-# %% no return
-# says: is a `return` missing?
-def preferences(joints, bins, cells):
-    n = 2 * cells**joints * bins**joints
-
-
-# %% printed
-# says: is a `return` missing?
-def preferences(joints, bins, cells):
-    print(2 * cells**joints * bins**joints)
 
 
 # %% without the box

@@ -4,17 +4,6 @@ def my_scores(a, mu, sigma):
     raise NotImplementedError("not solved yet: replace this line")
 
 
-# %% dots
-# says: Not solved yet
-my_scores = ...
-
-
-# %% no return
-# says: is a `return` missing?
-def my_scores(a, mu, sigma):
-    of_mu, of_log_sigma = (a - mu) / sigma**2, (a - mu) ** 2 / sigma**2 - 1
-
-
 # %% only one
 # says: should give two numbers, one for μ and one for ln σ, but gives
 # says: : end with `return of_mu, of_log_sigma`
@@ -136,12 +125,6 @@ def my_scores(a, mu, sigma):
 # says: raises TypeError
 def my_scores(a, mu, sigma):
     return (a - mu) / sigma**2, math.exp(2 * math.log(abs(a - mu) / sigma)) - 1
-
-
-# %% σ undefined
-# says: is not defined
-def my_scores(a, mu, sigma):
-    return (a - mu) / s**2, (a - mu) ** 2 / s**2 - 1
 
 
 # %% it writes into the actions

@@ -10,15 +10,6 @@ def update(self, n):
     pass
 
 
-# %% only the baseline
-# says: should go from
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.V[self.states[t]] += self.value_learning_rate * (G - self.V[self.states[t]])
-
-
 # %% no γ^t
 # says: the factor γ^t is missing in the step of the preferences
 # says: and preferences[
@@ -497,23 +488,6 @@ def update(self, n):
             self.preferences[state, a] += self.learning_rate * delta * score
 
 
-# %% self forgotten
-# says: is not defined
-def update(self, n):
-    G = 0.0
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        self.rewards[t] = G
-    for t in range(n):
-        state = self.states[t]
-        delta = self.rewards[t] - self.V[state]
-        V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
-
-
 # %% one index
 # says: after the episode with states
 # says: that is none of the usual mistakes, so follow this episode by hand
@@ -540,14 +514,6 @@ def create(cls, task):
     return cls(np.zeros((n_states, n_actions)), np.zeros(n_states), np.zeros(n_actions), *episode)
 
 
-# %% lists of preferences
-# says: the table `preferences` should be a NumPy array, but is a list
-def create(cls, task):
-    n_states, n_actions = int(np.prod(task.observation_space.nvec)), int(task.action_space.n)
-    episode = np.zeros(200, np.int64), np.zeros(200, np.int64), np.zeros(200), np.zeros(1, np.int64)
-    return cls([[0.0] * n_actions for _ in range(n_states)], np.zeros(n_states), np.zeros(n_actions), *episode)
-
-
 # %% a baseline for each action
 # says: the table `V` should have the shape (7,)
 def create(cls, task):
@@ -556,25 +522,10 @@ def create(cls, task):
     return cls(np.zeros((n_states, n_actions)), np.zeros((n_states, n_actions)), np.zeros(n_actions), *episode)
 
 
-# %% whole rewards
-# says: loses what is behind the decimal point
-def create(cls, task):
-    n_states, n_actions = int(np.prod(task.observation_space.nvec)), int(task.action_space.n)
-    episode = np.zeros(200, np.int64), np.zeros(200, np.int64), np.zeros(200, np.int64), np.zeros(1, np.int64)
-    return cls(np.zeros((n_states, n_actions)), np.zeros(n_states), np.zeros(n_actions), *episode)
-
-
 # %% create gives the class back
 # says: gives the class MyREINFORCE
 def create(cls, task):
     return cls
-
-
-# %% no create
-# says: MyREINFORCE should keep its method `create`
-class MyREINFORCE(NamedTuple):
-    preferences: np.ndarray
-    V: np.ndarray
 
 
 # %% it learns from terminated episodes alone
@@ -619,24 +570,6 @@ def update(self, n):
         if state in self.states[:t]:
             continue
         delta = self.rewards[t] - self.V[state]
-        self.V[state] += self.value_learning_rate * delta
-        self.look(state)
-        for a in range(len(self.probabilities)):
-            score = (1.0 if a == self.actions[t] else 0.0) - self.probabilities[a]
-            self.preferences[state, a] += self.learning_rate * self.discount**t * delta * score
-
-
-# %% the last visit alone
-# says: a state that comes twice is updated twice
-def update(self, n):
-    G, seen = 0.0, []
-    for t in range(n - 1, -1, -1):
-        G = self.rewards[t] + self.discount * G
-        state = self.states[t]
-        if state in seen:
-            continue
-        seen.append(state)
-        delta = G - self.V[state]
         self.V[state] += self.value_learning_rate * delta
         self.look(state)
         for a in range(len(self.probabilities)):

@@ -11,9 +11,9 @@ from edugym.agents.gaussian_actor_critic import GaussianActorCritic
 from edugym.envs.trashbot.task import Trashbot
 from edugym_course.grading.agents import require_class, require_function
 from edugym_course.grading.challenge import Challenge
-from edugym_course.grading.student_code import running
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import allowance, compare, given, number
-from edugym_course.grading.wrong import WrongAnswer
 from edugym_course.lessons.continuous_actions.exercises.episodes import check_update
 from edugym_course.lessons.continuous_actions.methods import gaussian, tiles_on_the_wrist
 
@@ -27,7 +27,7 @@ def exercise_1(answer: Any, seed: int) -> str:
     cases = [(3, 5, 10 + int(rng.integers(5))), (2, 3, 7), (3, 4, 6), (1, 9, 12), (4, 3, 5 + int(rng.integers(3)))]
     for joints, bins, cells in cases:
         call = f"preferences({joints}, {bins}, {cells})"
-        with running(call):
+        with student_code(call):
             found = answer(joints, bins, cells)
         right = 2 * cells**joints * bins**joints
         mistakes = {why: float(n) for why, n in _size_mistakes(joints, bins, cells).items() if n != right}
@@ -73,7 +73,7 @@ def exercise_2(answer: Any, seed: int) -> str:
     found = []
     for a, mu, sigma in cases:
         call = f"my_scores({a:g}, {mu:g}, {sigma:g})"
-        with running(call):
+        with student_code(call):
             pair = answer(a, mu, sigma)
         found.append(_two(call, pair))
     for k, (what, formulas) in enumerate((("μ", OF_MEAN), ("ln σ", OF_LOG_SPREAD))):
@@ -103,7 +103,7 @@ def _check_arrays(answer: Any) -> None:
     }
     mine = {name: values.copy() for name, values in several.items()}
     call = "my_scores(a, mu, sigma) with three actions at once"
-    with running(call):
+    with student_code(call):
         pair = answer(*mine.values())
     _require_pair(call, pair)
     for name, values in several.items():

@@ -11,8 +11,9 @@ from gymnasium.spaces import Discrete, MultiDiscrete
 from edugym_course.grading.agents import agent_created_by, learn_step, with_settings
 from edugym_course.grading.cases import telling_draw
 from edugym_course.grading.challenge import Sizes
+from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.updates import table_of
-from edugym_course.grading.wrong import WrongAnswer
+from edugym_course.grading.values import all_same, differing
 
 SHAPE = (7, 3)
 """The size of the tables."""
@@ -279,14 +280,14 @@ def _explains(change: Mapping[str, Any], made: list[Case], found: list[Any]) -> 
 
 
 def _same(one: Any, other: Any) -> bool:
-    return all(np.allclose(a, b, rtol=1e-9, atol=1e-9, equal_nan=True) for a, b in zip(one, other, strict=True))
+    return all(map(all_same, one, other))
 
 
 def _told(case: Case, right: Any, found: Any) -> str:
     """Return what was expected, and what came."""
     tables = zip(("preferences", "V"), (case.preferences, case.V), right, found, strict=True)
-    name, before, expected, mine = next(four for four in tables if len(_differing(*four[2:])))
-    entry = tuple(int(i) for i in _differing(expected, mine)[0])
+    name, before, expected, mine = next(four for four in tables if len(differing(*four[2:])))
+    entry = tuple(int(i) for i in differing(expected, mine)[0])
     index, state = ", ".join(map(str, entry)), entry[0]
     from_, to = f"{before[entry]:.4g}", f"{expected[entry]:.4g}"
     should = f"should stay at {to}" if from_ == to else f"should go from {from_} to {to}"
@@ -297,11 +298,6 @@ def _told(case: Case, right: Any, found: Any) -> str:
         f" preferences[{state}] = {case.preferences[state].tolist()}, {name}[{index}] {should},"
         f" but is {mine[entry]:.4g}"
     )
-
-
-def _differing(expected: Any, mine: Any) -> Any:
-    """Return the indices of the entries that differ."""
-    return np.argwhere(~np.isclose(expected, mine, rtol=1e-9, atol=1e-9))
 
 
 def _learned(kind: Any, case: Case) -> tuple[Any, Any]:

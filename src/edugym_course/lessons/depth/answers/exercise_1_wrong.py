@@ -1,15 +1,3 @@
-# %% not solved
-# says: Not solved yet
-def quiet(study):
-    raise NotImplementedError("not solved yet: replace this line")
-
-
-# %% no return
-# says: is a `return` missing?
-def quiet(study):
-    NStepSARSA.create(study, n=math.inf, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0))
-
-
 # %% n left out
 # says: its targets have 4 rewards
 # says: the quiet agent should be that of the experiment, but
@@ -21,26 +9,6 @@ def quiet(study):
 # says: its targets have 1 reward, and Monte Carlo has n=math.inf
 def quiet(study):
     return NStepSARSA.create(study, n=1, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0))
-
-
-# %% SARSA
-# says: its targets have 1 reward
-def quiet(study):
-    return SARSA.create(study, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0))
-
-
-# %% nine days
-# says: its targets have 9 rewards
-def quiet(study):
-    return NStepSARSA.create(study, n=9, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0))
-
-
-# %% too short a memory
-# says: its targets have 5 rewards
-def quiet(study):
-    return NStepSARSA.create(
-        study, n=math.inf, longest=5, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0)
-    )
 
 
 # %% discount left out
@@ -57,24 +25,11 @@ def quiet(study):
     return NStepSARSA.create(study, n=math.inf, learning_rate=0.01, discount=1.0, exploration=EpsilonGreedy(0.0))
 
 
-# %% two settings
-# says: a learning rate of 0.5
-# says: a discount of 0.9
-def quiet(study):
-    return NStepSARSA.create(study, n=math.inf, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0))
-
-
 # %% still exploring
 # says: ε should be 0, but it is 0.1
 # says: the quiet agent never explores, so ε should be 0, but it is
 def quiet(study):
     return NStepSARSA.create(study, n=math.inf, learning_rate=0.1, discount=1.0)
-
-
-# %% always exploring
-# says: ε should be 0, but it is 1
-def quiet(study):
-    return NStepSARSA.create(study, n=math.inf, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(1.0))
 
 
 # %% softmax
@@ -90,12 +45,6 @@ def quiet(study):
     return NStepSARSA.create(
         study, n=math.inf, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0), initial_value=10.0
     )
-
-
-# %% the class
-# says: should give an agent, but gives the class NStepSARSA
-def quiet(study):
-    return NStepSARSA
 
 
 # %% called already
@@ -120,24 +69,6 @@ def quiet(study):
 # says: should have the shape (220, 2), but has (220, 5)
 def quiet(study):
     return NStepSARSA.create((220, 5), n=math.inf, learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0))
-
-
-# %% a setting misspelt
-# says: has no setting 'epsilon'
-def quiet(study):
-    return NStepSARSA.create(study, n=math.inf, learning_rate=0.1, discount=1.0, epsilon=0.0)
-
-
-# %% ε for the strategy
-# says: exploration must be a strategy
-def quiet(study):
-    return NStepSARSA.create(study, n=math.inf, learning_rate=0.1, discount=1.0, exploration=0.0)
-
-
-# %% n as a text
-# says: n must be
-def quiet(study):
-    return NStepSARSA.create(study, n="inf", learning_rate=0.1, discount=1.0, exploration=EpsilonGreedy(0.0))
 
 
 # %% the first of equals

@@ -14,13 +14,6 @@ def importance_ratio(greedy, epsilon, n_actions):
     return math.prod(1 / b if is_greedy else 0 for is_greedy in greedy[1:])
 
 
-# %% NumPy
-def importance_ratio(greedy, epsilon, n_actions):
-    pi = np.array(greedy[1:], float)
-    b = np.where(pi == 1, 1 - epsilon + epsilon / n_actions, epsilon / n_actions)
-    return np.prod(np.divide(pi, b, out=np.zeros_like(pi), where=b > 0))
-
-
 # %% a loop with indices
 def importance_ratio(greedy, epsilon, n_actions):
     rho = 1.0
@@ -29,28 +22,3 @@ def importance_ratio(greedy, epsilon, n_actions):
         b = 1 - epsilon + epsilon / n_actions if greedy[k] else epsilon / n_actions
         rho *= pi / b
     return rho
-
-
-# %% it ends early
-def importance_ratio(greedy, epsilon, n_actions):
-    rho = 1
-    for is_greedy in greedy[1:]:
-        if not is_greedy:
-            return 0
-        rho /= 1 - epsilon + epsilon / n_actions
-    return rho
-
-
-# %% recursion
-def importance_ratio(greedy, epsilon, n_actions):
-    if len(greedy) <= 1:
-        return 1.0
-    rest = importance_ratio(greedy[:-1], epsilon, n_actions)
-    return rest / (1 - epsilon + epsilon / n_actions) if greedy[-1] else 0.0
-
-
-# %% logarithms
-def importance_ratio(greedy, epsilon, n_actions):
-    if False in greedy[1:]:
-        return 0.0
-    return math.exp(-(len(greedy) - 1) * math.log(1 - epsilon + epsilon / n_actions))

@@ -1,21 +1,7 @@
-# %% not solved
-# says: Not solved yet
-def importance_ratio(greedy, epsilon, n_actions):
-    raise NotImplementedError("not solved yet: replace this line")
-
-
 # %% a number
 # says: should be a function
 # says: greedy, epsilon and n_actions
 importance_ratio = 2.1
-
-
-# %% no return
-# says: is a `return` missing?
-def importance_ratio(greedy, epsilon, n_actions):
-    rho = 1.0
-    for is_greedy in greedy[1:]:
-        rho *= 1 / (1 - epsilon + epsilon / n_actions) if is_greedy else 0.0
 
 
 # %% with the first action
@@ -140,13 +126,6 @@ def importance_ratio(greedy, epsilon, n_actions):
     return rho
 
 
-# %% integer division
-# says: not 1 − ε
-def importance_ratio(greedy, epsilon, n_actions):
-    b = 1 - epsilon + epsilon // n_actions
-    return b ** -(len(greedy) - 1) if all(greedy[1:]) else 0.0
-
-
 # %% an array
 # says: should be one number, but is a
 def importance_ratio(greedy, epsilon, n_actions):
@@ -158,15 +137,6 @@ def importance_ratio(greedy, epsilon, n_actions):
 def importance_ratio(greedy, epsilon, n_actions):
     greedy.pop(0)
     return (1 - epsilon + epsilon / n_actions) ** -len(greedy) if all(greedy) else 0.0
-
-
-# %% division by zero
-# says: should be
-def importance_ratio(greedy, epsilon, n_actions):
-    rho = 1.0
-    for is_greedy in greedy[1:]:
-        rho *= 1 / (1 - epsilon) if is_greedy else 0.0 / (epsilon / n_actions)
-    return rho if epsilon < 1 else 1 / (1 - epsilon)
 
 
 # %% two parameters

@@ -10,20 +10,6 @@ def hand_back(self, length):
             G = max(self.Q[s])
 
 
-# %% NumPy's maximum
-def hand_back(self, length):
-    G = 0.0
-    for i in range(1, length + 1):
-        k = length - i
-        s = self.states[k]
-        a = self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        self.Q[s, a] = self.Q[s, a] + self.learning_rate * (G - self.Q[s, a])
-        best = np.max(self.Q[s])
-        if best > self.Q[s, a]:
-            G = best
-
-
 # %% while
 def hand_back(self, length):
     k, G = length - 1, 0.0
@@ -48,56 +34,3 @@ def hand_back(self, length):
             if self.Q[s, b] > best:
                 best = self.Q[s, b]
         G = G if self.Q[s, a] >= best else best
-
-
-# %% by argmax
-def hand_back(self, length):
-    G = 0.0
-    for k in range(length - 1, -1, -1):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        if a != np.argmax(self.Q[s]):
-            G = np.max(self.Q[s])
-
-
-# %% two names
-def hand_back(self, length):
-    future = 0.0
-    for k in range(length - 1, -1, -1):
-        s, a = self.states[k], self.actions[k]
-        target = self.rewards[k] + self.discount * future
-        error = target - self.Q[s, a]
-        self.Q[s, a] += self.learning_rate * error
-        if self.Q[s, a] < max(self.Q[s]):
-            future = max(self.Q[s])
-        else:
-            future = target
-
-
-# %% all in learn
-def learn(self, state, action, reward, next_state, terminated):
-    k = self.length[0]
-    self.states[k], self.actions[k], self.rewards[k] = state, action, reward
-    self.length[0] += 1
-    if terminated:
-        G = 0.0
-        while self.length[0] > 0:
-            self.length[0] -= 1
-            k = self.length[0]
-            s, a = self.states[k], self.actions[k]
-            G = self.rewards[k] + self.discount * G
-            self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-            if self.Q[s, a] < max(self.Q[s]):
-                G = max(self.Q[s])
-
-
-# %% a row by name
-def hand_back(self, length):
-    G = 0.0
-    for k in range(length - 1, -1, -1):
-        row, a = self.Q[self.states[k]], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        row[a] += self.learning_rate * (G - row[a])
-        if row[a] < row.max():
-            G = row.max()

@@ -1,9 +1,3 @@
-# %% not solved
-# says: Not solved yet
-def hand_back(self, length):
-    raise NotImplementedError("not solved yet: replace this line")
-
-
 # %% the smallest value
 # says: Q[
 # says: that is none of the usual mistakes, so compare your loop with the three lines, term by term
@@ -40,18 +34,6 @@ def hand_back(self, length):
         self.Q[s, a] += self.learning_rate * (self.rewards[k] + self.discount * best - self.Q[s, a])
 
 
-# %% a whole number for G
-# says: Q[
-def hand_back(self, length):
-    G = 0
-    for k in range(length - 1, -1, -1):
-        s, a = self.states[k], self.actions[k]
-        G = int(self.rewards[k] + self.discount * G)
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        if self.Q[s, a] < max(self.Q[s]):
-            G = max(self.Q[s])
-
-
 # %% nothing
 # says: `hand_back` changes nothing in Q
 def hand_back(self, length):
@@ -66,17 +48,6 @@ def hand_back(self, length):
         s, a = self.states[k], self.actions[k]
         G = self.rewards[k] + self.discount * G
         self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-
-
-# %% always cut
-# says: G is cut at every action
-def hand_back(self, length):
-    G = 0.0
-    for k in range(length - 1, -1, -1):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + self.discount * G
-        self.Q[s, a] += self.learning_rate * (G - self.Q[s, a])
-        G = max(self.Q[s])
 
 
 # %% the condition upside down
@@ -312,19 +283,6 @@ def hand_back(self, length):
             G = max(self.Q[s])
 
 
-# %% both numbers of its own
-# says: use self.learning_rate
-# says: use self.discount
-def hand_back(self, length):
-    G = 0.0
-    for k in range(length - 1, -1, -1):
-        s, a = self.states[k], self.actions[k]
-        G = self.rewards[k] + 0.9 * G
-        self.Q[s, a] += 0.1 * (G - self.Q[s, a])
-        if self.Q[s, a] < max(self.Q[s]):
-            G = max(self.Q[s])
-
-
 # %% Monte Carlo, and without the discount
 # says: the third line is missing
 # says: discount
@@ -358,25 +316,9 @@ def hand_back(self, length):
             G = max(self.Q[s])
 
 
-# %% a field is set
-# says: raises AttributeError
-def hand_back(self, length):
-    self.G = 0.0
-
-
 # %% an agent in place of the class
 # says: MyAgent should be the class
 MyAgent = NStepSARSA.create((12, 3))
-
-
-# %% the episode is never begun anew
-# says: after a second episode
-def learn(self, state, action, reward, next_state, terminated):
-    k = self.length[0]
-    self.states[k], self.actions[k], self.rewards[k] = state, action, reward
-    self.length[0] = k + 1
-    if terminated:
-        self.hand_back(k + 1)
 
 
 # %% the reward of the next step

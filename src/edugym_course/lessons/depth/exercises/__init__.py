@@ -13,11 +13,11 @@ from edugym.adapters.registration import make_mdp
 from edugym_course.grading.agents import agent_created_by, agent_made_by, require_class, require_function, with_settings
 from edugym_course.grading.challenge import Challenge, Sizes
 from edugym_course.grading.choices import check_choices
-from edugym_course.grading.student_code import running
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.student_code import student_code
 from edugym_course.grading.updates import table_of
-from edugym_course.grading.values import number, same
-from edugym_course.grading.wrong import WrongAnswer
-from edugym_course.lessons.depth.exercises.cutting import alike, cases, explained, outcomes
+from edugym_course.grading.values import all_same, number, same
+from edugym_course.lessons.depth.exercises.cutting import cases, explained, outcomes
 from edugym_course.lessons.depth.exercises.episodes import N_ACTIONS, N_STATES, learn_from
 from edugym_course.lessons.depth.exercises.quiet import check_depth
 from edugym_course.lessons.depth.exercises.ratio import RatioCase, compare_ratios, ratio
@@ -98,7 +98,7 @@ def exercise_2(answer: Any, seed: int) -> str:
 def _answered(answer: Any, greedy: list[bool], epsilon: float, n_actions: int) -> float:
     """Return what a student's function gives, a number."""
     call, mine = f"importance_ratio({greedy}, {epsilon:g}, {n_actions})", list(greedy)
-    with running(call):
+    with student_code(call):
         found = answer(mine, epsilon, n_actions)
     if mine != greedy:
         raise WrongAnswer(f"{call} changes its list `greedy`; leave it as it is, for the caller still needs it")
@@ -117,7 +117,7 @@ def exercise_3(answer: Any, seed: int) -> str:
         for episode in episodes:
             learn_from(agent, episode)
             found.append(table_of(agent, "Q", Q.shape).copy())
-    if not all(map(alike, outcomes(all_cases, settings), found)):
+    if not all(map(all_same, outcomes(all_cases, settings), found)):
         raise WrongAnswer(explained(all_cases, found, settings))
     return "Right: greedy actions hand the reward on, and exploring ones do not blur it. See it race:"
 

@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from edugym.mdp.protocol import Reals
-from edugym_course.grading.values import digits
-from edugym_course.lessons.depth.exercises.episodes import N_ACTIONS, N_STATES, Episode, make_episode, numbers
+from edugym_course.grading.values import all_same, differing, digits, in_brackets
+from edugym_course.lessons.depth.exercises.episodes import N_ACTIONS, N_STATES, Episode, make_episode
 
 Settings = Mapping[str, Any]
 
@@ -165,38 +165,33 @@ def outcomes(all_cases: Sequence[Case], settings: Settings) -> Iterator[Reals]:
             yield now.copy()
 
 
-def alike(one: Reals, other: Reals) -> bool:
-    """Whether two tables are the same but for rounding."""
-    return bool(np.allclose(one, other, rtol=1e-9, atol=1e-9, equal_nan=True))
-
-
 def explained(all_cases: Sequence[Case], found: Sequence[Reals], settings: Settings) -> str:
     """Return the sentence on values that are not right: the first case in which they differ, and the mistake."""
     right = [*outcomes(all_cases, settings)]
-    wrong = next(i for i, (one, other) in enumerate(zip(right, found, strict=True)) if not alike(one, other))
+    wrong = next(i for i, (one, other) in enumerate(zip(right, found, strict=True)) if not all_same(one, other))
     steps = [(Q, episode, number) for Q, episodes in all_cases for number, episode in enumerate(episodes)]
     Q, episode, number = steps[wrong]
     before = right[wrong - 1] if number else Q
     elsewhere = np.ones(Q.shape, bool)
     elsewhere[episode.states, episode.actions] = False
     why = _why(all_cases, found, settings)
-    if why == UNUSUAL and not alike(before[elsewhere], found[wrong][elsewhere]):
+    if why == UNUSUAL and not all_same(before[elsewhere], found[wrong][elsewhere]):
         why = "a value changes that is not on the path: the steps of the episode are 0 to length - 1"
     return _where(before, episode, number, right[wrong], found[wrong], settings) + why
 
 
 def _where(before: Reals, episode: Episode, number: int, right: Reals, found: Reals, settings: Settings) -> str:
     """Return the first part of the sentence: the episode, and the first value that is wrong."""
-    rows = ", ".join(f"Q[{s}] = {numbers(before[s])}" for s in episode.states)
+    rows = ", ".join(f"Q[{s}] = {in_brackets(before[s])}" for s in episode.states)
     start = (
         f"after {'a second' if number else 'an'} episode with states {episode.states}, actions {episode.actions} and"
-        f" rewards {numbers(episode.rewards)}, where α = {settings['learning_rate']:g}, γ = {settings['discount']:g}"
-        f" and {rows}, "
+        f" rewards {in_brackets(episode.rewards)}, where α = {settings['learning_rate']:g}, γ ="
+        f" {settings['discount']:g} and {rows}, "
     )
     path = zip(episode.states[::-1], episode.actions[::-1], strict=True)
-    first = next((entry for entry in path if not alike(right[entry], found[entry])), None)
+    first = next((entry for entry in path if not all_same(right[entry], found[entry])), None)
     if first is None:
-        s, a = map(int, np.argwhere(~np.isclose(right, found, rtol=1e-9, atol=1e-9))[0])
+        s, a = map(int, differing(right, found)[0])
         return start + f"Q[{s}, {a}] should stay {right[s, a]:.4g}, but is {found[s, a]:.4g}: "
     asked, mine = float(right[first]), float(found[first])
     return start + f"Q[{first[0]}, {first[1]}] should become {digits(asked, mine)}, but is {digits(mine, asked)}: "
@@ -206,7 +201,7 @@ def _why(all_cases: Sequence[Case], found: Sequence[Reals], settings: Settings) 
     """Return the mistake that explains every case, or a number that was written in, or two mistakes together."""
 
     def fits(change: Settings) -> bool:
-        return all(map(alike, outcomes(all_cases, {**settings, **change}), found))
+        return all(map(all_same, outcomes(all_cases, {**settings, **change}), found))
 
     if fits({"steps": "none"}):
         return "`hand_back` changes nothing in Q"

@@ -1,6 +1,5 @@
 """Made-up episodes, and how a student's agent learns from them."""
 
-from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -53,8 +52,3 @@ def learn_from(agent: Any, episode: Episode, end: int = N_STATES - 1) -> None:
             "truncated": False,
         }
         learn_step(agent, step)
-
-
-def numbers(values: Iterable[float]) -> str:
-    """Return numbers in brackets, each as short as it is."""
-    return "[" + ", ".join(f"{value:.4g}" for value in values) + "]"

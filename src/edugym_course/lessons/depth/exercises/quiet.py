@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 
 from edugym.mdp.protocol import Reals
-from edugym_course.grading.values import digits
-from edugym_course.grading.wrong import WrongAnswer
-from edugym_course.lessons.depth.exercises.episodes import Episode, learn_from, numbers
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.values import digits, in_brackets
+from edugym_course.lessons.depth.exercises.episodes import Episode, learn_from
 from edugym_course.lessons.depth.methods import LEARNING_RATE, maker
 from edugym_course.lessons.depth.targets import DISCOUNT
 
@@ -31,9 +31,9 @@ def check_depth(agent: Any, days: int, seed: int) -> None:
     fits = [case for case, values in _cases(days, seed).items() if np.allclose(found, values)]
     if not fits:
         raise WrongAnswer(
-            f"after two equal episodes with rewards {numbers(episode.rewards)}, the value of the first action should be"
-            f" {digits(right[0], found[0])}, but is {digits(found[0], right[0])}: that is no n-step SARSA with a usual"
-            " learning rate"
+            f"after two equal episodes with rewards {in_brackets(episode.rewards)}, the value of the first action"
+            f" should be {digits(right[0], found[0])}, but is {digits(found[0], right[0])}: that is no n-step SARSA"
+            " with a usual learning rate"
         )
     n, rate, discount = fits[0]
     wrong = []

@@ -4,7 +4,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any, TypeAlias
 
-from edugym_course.grading.values import compare, same
+from edugym_course.grading.mistakes import NumberCase, compare_all
 
 RatioCase: TypeAlias = tuple[list[bool], float, int]
 """Which actions were greedy, ε, and the number of actions."""
@@ -107,14 +107,14 @@ def compare_ratios(cases: Sequence[RatioCase], found: Sequence[float]) -> None:
     Raises:
         WrongAnswer: one is not right.
     """
-    tried = list(zip(cases, found, strict=False))
-    whole = {s: c for s, c in MISTAKES.items() if all(same(value, ratio(*case, **c)) for case, value in tried)}
-    for case, value in tried:
-        right = ratio(*case)
-        wrong = {sentence: ratio(*case, **change) for sentence, change in (whole or MISTAKES).items()}
-        compare(
-            f"importance_ratio({case[0]}, {case[1]:g}, {case[2]})",
-            value,
-            right,
-            {sentence: one for sentence, one in wrong.items() if not same(one, right)},
-        )
+    compare_all(
+        [
+            NumberCase(
+                f"importance_ratio({case[0]}, {case[1]:g}, {case[2]})",
+                value,
+                ratio(*case),
+                {sentence: ratio(*case, **change) for sentence, change in MISTAKES.items()},
+            )
+            for case, value in zip(cases, found, strict=False)
+        ]
+    )

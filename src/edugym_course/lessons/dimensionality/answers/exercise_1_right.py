@@ -11,25 +11,6 @@ def table_entries(rows, columns, kind):
     )
 
 
-# %% through exponents of two
-def table_entries(rows, columns, kind):
-    if kind == "grid":
-        return 3 * (1 << (rows * columns))
-    if kind == "rgb":
-        return 3 * (1 << (8 * 3 * rows * columns))
-    return 3 * rows * columns**2
-
-
-# %% math.prod
-def table_entries(rows, columns, kind):
-    values = {
-        "vectorised": [columns, rows, columns],
-        "grid": [2] * (rows * columns),
-        "rgb": [256] * (3 * rows * columns),
-    }
-    return math.prod(values[kind]) * 3
-
-
 # %% by the spaces
 def table_entries(rows, columns, kind):
     from edugym.envs.catch import Catch
@@ -48,25 +29,3 @@ def table_entries(rows, columns, kind):
         return 3.0 * cells * columns
     base, exponent = (2.0, cells) if kind == "grid" else (256.0, 3 * cells)
     return 3 * base**exponent
-
-
-# %% a loop
-def table_entries(rows, columns, kind):
-    if kind == "vectorised":
-        return rows * columns * columns * 3
-    entries = 3
-    for _ in range(rows * columns):
-        entries *= 2 if kind == "grid" else 256**3
-    return entries
-
-
-# %% a match
-def table_entries(rows, columns, kind):
-    match kind:
-        case "vectorised":
-            n = columns * columns * rows
-        case "grid":
-            n = pow(2, rows * columns)
-        case _:
-            n = pow(256, 3 * rows * columns)
-    return n + n + n

@@ -1,9 +1,3 @@
-# %% no return
-# says: is a `return` missing?
-def table_entries(rows, columns, kind):
-    entries = 3 * 2 ** (rows * columns)
-
-
 # %% rows alone
 # says: that is the number of rows; each of them holds a number for each of the three actions
 def table_entries(rows, columns, kind):

@@ -197,12 +197,6 @@ def learn(self, state, action, reward, next_state, terminated):
     w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
 
 
-# %% a new field
-# says: change the entries of its arrays instead
-def learn(self, state, action, reward, next_state, terminated):
-    self.w = self.w + self.learning_rate
-
-
 # %% the sum of the weights
 # says: that is the sum of the weights; multiply each by its feature
 # says: value with the features
@@ -214,18 +208,6 @@ def value(self, board, action):
 # says: that is the largest value of all actions; take the column of `action`
 def value(self, board, action):
     return (self.features(board) @ self.w).max()
-
-
-# %% all values
-# says: should be one number
-def value(self, board, action):
-    return self.features(board) @ self.w
-
-
-# %% a product without a sum
-# says: should be one number
-def value(self, board, action):
-    return self.features(board) * self.w[:, action]
 
 
 # %% a forgotten self
@@ -257,27 +239,12 @@ def learn(self, state, action, reward, next_state, next_action, terminated):
     self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
 
 
-# %% done
-# says: is 'terminated' meant?
-def learn(self, state, action, reward, next_state, done):
-    self.w[:, action] += self.learning_rate * reward
-
-
 # %% value writes into the weights
 # says: value changes the entries of `self.w`; it should only read them, for `learn` changes them
 def value(self, board, action):
     terms = self.w[:, action]
     terms *= self.features(board)
     return terms.sum()
-
-
-# %% nine features written in
-# says: two arrays of different sizes
-def learn(self, state, action, reward, next_state, terminated):
-    x = np.zeros(9)
-    x[4] = 1.0
-    target = reward if terminated else reward + self.discount * max(self.value(next_state, a) for a in range(3))
-    self.w[:, action] += self.learning_rate * (target - self.value(state, action)) * x
 
 
 # %% the learning rate is no field

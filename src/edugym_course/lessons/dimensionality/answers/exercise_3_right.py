@@ -6,13 +6,6 @@ def target_of(self, row):
     return one_step_target(memory.rewards[row], self.discount, np.max(self.Q), memory.terminated[row] == 1)
 
 
-# %% a factor
-def target_of(self, row):
-    memory = self.memory
-    dqn.forward(self.target, memory.next_states[row], self.h, self.Q)
-    return memory.rewards[row] + (1 - memory.terminated[row]) * self.discount * np.max(self.Q[0])
-
-
 # %% a loop for the maximum
 def target_of(self, row):
     y = self.memory.rewards[row]
@@ -25,28 +18,7 @@ def target_of(self, row):
     return y
 
 
-# %% a branch for a full memory
-def row_for(self, u):
-    n = len(self.memory.actions)
-    if self.steps[0] < n:
-        n = self.steps[0]
-    return int(np.floor(u * n))
-
-
 # %% backwards
 def row_for(self, u):
     n = min(self.steps[0], len(self.memory.rewards))
     return n - 1 - int(u * n)
-
-
-# %% math.floor
-def row_for(self, u):
-    return math.floor(u * min(int(self.steps[0]), self.memory.actions.shape[0]))
-
-
-# %% own arrays
-def target_of(self, row):
-    memory = self.memory
-    h, Q = np.zeros(len(self.h)), np.zeros(self.Q.shape)
-    dqn.forward(self.target, memory.next_states[row], h, Q)
-    return float(memory.rewards[row] + self.discount * Q.max() * (memory.terminated[row] == 0))

@@ -147,23 +147,11 @@ def row_for(self, u):
     return round(u * (min(self.steps[0], len(self.memory.actions)) - 1))
 
 
-# %% a remainder
-# says: nor a remainder by % is even
-def row_for(self, u):
-    return int(u * self.steps[0]) % len(self.memory.actions)
-
-
 # %% not whole
 # says: : make it one by int(...)
 # says: ) should be a whole number, but is
 def row_for(self, u):
     return u * min(self.steps[0], len(self.memory.actions))
-
-
-# %% always the newest
-# says: never comes up
-def row_for(self, u):
-    return (self.steps[0] - 1) % len(self.memory.actions)
 
 
 # %% a function

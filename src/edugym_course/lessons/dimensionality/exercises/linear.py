@@ -9,12 +9,11 @@ import numpy as np
 
 from edugym_course.grading.agents import agent_with_table, learn_step, require_class
 from edugym_course.grading.cases import telling_draw
-from edugym_course.grading.student_code import running
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.mistakes import UNUSUAL, NumberCase, compare_all, mistake_that_fits
+from edugym_course.grading.student_code import student_code
 from edugym_course.grading.updates import table_of
-from edugym_course.grading.values import compare, digits, number, same
-from edugym_course.grading.wrong import WrongAnswer
-
-TERMS = "that is none of the usual mistakes, so compare your code with the equation, term by term"
+from edugym_course.grading.values import all_same, differing, digits, in_brackets, number
 
 
 class Step(NamedTuple):
@@ -173,11 +172,13 @@ def exercise_2(answer: Any, seed: int) -> str:
     _check_values(probe, cases)
     outcomes = [_learned(_made(probe, step), step) for step in cases]
     for step, found in zip(cases, outcomes, strict=True):
-        if np.allclose(found, right_update(step), rtol=1e-9, atol=1e-9):
+        if all_same(right_update(step), found):
             continue
-        fitting = [why for why, rule in UPDATES.items() if all(map(partial(_agrees, rule), cases, outcomes))]
-        here = [why for why, rule in UPDATES.items() if _agrees(rule, step, found)]
-        why = fitting[0] if fitting else f"in this case it looks like this: {here[0]}" if here else TERMS
+        why = mistake_that_fits(
+            UPDATES,
+            lambda rule: all(_gives(one, other, rule) for one, other in zip(cases, outcomes, strict=True)),
+            partial(_gives, step, found),
+        )
         raise WrongAnswer(f"{_told_update(step, found)}: {why}")
     return "Right: the error times the features. See it catch:"
 
@@ -232,28 +233,22 @@ VALUES: Mapping[str, Callable[[Step, int], float]] = MappingProxyType(
 
 def _check_values(probe: Any, cases: list[Step]) -> None:
     """Check the values of all actions; a mistake is best named if it explains all of them."""
-    places, found = [], []
+    found = []
     for step in cases:
         agent = _made(probe, step)
         for action in range(3):
-            places.append((step, action))
-            found.append(_value(agent, step, action))
-    fitting = [
-        why
-        for why, rule in VALUES.items()
-        if all(same(mine, rule(*place)) for place, mine in zip(places, found, strict=True))
-    ]
-    for (step, action), mine in zip(places, found, strict=True):
-        call = f"value with the features {short(step.x)} and action {action}, where column {action} of w is "
-        right = float(step.x @ step.w[:, action])
-        wrong = {why: VALUES[why](step, action) for why in fitting or VALUES}
-        mistakes = {why: value for why, value in wrong.items() if value != right}
-        compare(call + short(step.w[:, action]), mine, right, mistakes, otherwise=TERMS)
+            column = step.w[:, action]
+            call = f"value with the features {in_brackets(step.x)} and action {action}, where column {action} of w is "
+            mistakes = {why: rule(step, action) for why, rule in VALUES.items()}
+            found.append(
+                NumberCase(call + in_brackets(column), _value(agent, step, action), float(step.x @ column), mistakes)
+            )
+    compare_all(found, otherwise=UNUSUAL)
 
 
 def _value(agent: Any, step: Step, action: int) -> float:
     """Return what the student's `value` gives, a number."""
-    with running("value(...)"):
+    with student_code("value(...)"):
         found = agent.value(step.x.copy(), action)
     if not np.array_equal(table_of(agent, "w", step.w.shape), step.w):
         raise WrongAnswer("value changes the entries of `self.w`; it should only read them, for `learn` changes them")
@@ -278,24 +273,20 @@ def _learned(agent: Any, step: Step) -> Any:
     return before.copy()
 
 
-def _agrees(rule: Rule, step: Step, found: Any) -> bool:
-    return bool(np.allclose(rule(step), found, rtol=1e-9, atol=1e-9))
+def _gives(step: Step, found: Any, rule: Rule) -> bool:
+    """Whether a rule gives the weights that were found."""
+    return all_same(rule(step), found)
 
 
 def _told_update(step: Step, found: Any) -> str:
     """Return the first part of the sentence: what was expected in which case, and what came."""
     right = right_update(step)
-    i, a = np.argwhere(~np.isclose(right, found, rtol=1e-9, atol=1e-9))[0]
+    i, a = differing(right, found)[0]
     what = f"to {digits(right[i, a], found[i, a])}" if right[i, a] != step.w[i, a] else "nowhere"
-    ended = "the episode over" if step.terminated else f"next features {short(step.x_next)} with the values "
-    ended += "" if step.terminated else short(step.x_next @ step.w)
+    ended = "the episode over" if step.terminated else f"next features {in_brackets(step.x_next)} with the values "
+    ended += "" if step.terminated else in_brackets(step.x_next @ step.w)
     return (
-        f"with α = {step.alpha:g}, γ = {step.gamma:g}, features {short(step.x)}, action {step.action} of the value"
-        f" {step.x @ step.w[:, step.action]:g}, reward {step.reward:g} and {ended}, w[{i}, {a}] should go from"
+        f"with α = {step.alpha:g}, γ = {step.gamma:g}, features {in_brackets(step.x)}, action {step.action} of the"
+        f" value {step.x @ step.w[:, step.action]:g}, reward {step.reward:g} and {ended}, w[{i}, {a}] should go from"
         f" {step.w[i, a]:g} {what}, but is {digits(found[i, a], right[i, a])}"
     )
-
-
-def short(values: Any) -> str:
-    """Return numbers as a short text."""
-    return "[" + ", ".join(f"{value:g}" for value in values) + "]"

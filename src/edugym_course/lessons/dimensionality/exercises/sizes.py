@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from edugym_course.grading.agents import require_function
-from edugym_course.grading.student_code import running
+from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import compare
 
 UNUSUAL = "that is none of the usual mistakes, so work it out by hand for a small board"
@@ -22,7 +22,7 @@ def exercise_1(answer: Any, seed: int) -> str:
         # the smallest board first for an image: for larger ones not all mistakes give numbers that fit into a float
         for size in sorted(sizes) if kind == "rgb" else sizes:
             call = f"table_entries({size[0]}, {size[1]}, {kind!r})"
-            with running(call):
+            with student_code(call):
                 found = answer(*size, kind)
             right = ENTRIES[kind](*size)
             mistakes = {why: float(wrong(*size)) for why, wrong in MISTAKES[kind].items() if wrong(*size) != right}

@@ -1,6 +1,7 @@
 """Exercise 3 of lesson 4: the target of DQN, and the draw from its memory."""
 
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -9,10 +10,10 @@ import numpy as np
 from edugym.agents.dqn import Layers, forward
 from edugym_course.grading.agents import agent_created_by, require_class
 from edugym_course.grading.cases import telling_draw
-from edugym_course.grading.student_code import running
-from edugym_course.grading.values import digits, number, same
-from edugym_course.grading.wrong import WrongAnswer
-from edugym_course.lessons.dimensionality.exercises.linear import TERMS, short
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.mistakes import mistake_that_fits
+from edugym_course.grading.student_code import student_code
+from edugym_course.grading.values import digits, in_brackets, number, same
 from edugym_course.lessons.dimensionality.open_dqn import OpenDQN
 
 ROWS = (0, 1, 2, 3, 2, 1)
@@ -111,7 +112,7 @@ def exercise_3(answer: Any, seed: int) -> str:
     cases, found = [], []
     for row, case in made_up_memories(agent, drawn_for(agent, seed)):
         before = _tables(agent)
-        with running(f"target_of({row})"):
+        with student_code(f"target_of({row})"):
             target = agent.target_of(row)
         for name, values in _tables(agent).items():
             if not np.array_equal(values, before[name]):
@@ -214,18 +215,21 @@ def _check_targets(cases: list[Remembered], found: list[float]) -> None:
         right = _right(case)
         if same(target, right):
             continue
-        fitting = [
-            why
-            for why, rule in TARGETS.items()
-            if all(same(other, float(rule(one))) for one, other in zip(cases, found, strict=True))
-        ]
-        here = [why for why, rule in TARGETS.items() if same(target, float(rule(case)))]
-        why = fitting[0] if fitting else f"in this case it looks like this: {here[0]}" if here else TERMS
+        why = mistake_that_fits(
+            TARGETS,
+            lambda rule: all(_gives(one, other, rule) for one, other in zip(cases, found, strict=True)),
+            partial(_gives, case, target),
+        )
         raise WrongAnswer(
             f"with reward {case.reward:g}, terminated = {int(case.terminated)}, γ = {case.gamma:g} and the values"
-            f" {short(case.old_next)} of the next state by the old weights, target_of should return"
+            f" {in_brackets(case.old_next)} of the next state by the old weights, target_of should return"
             f" {digits(right, target)}, but returns {digits(target, right)}: {why}"
         )
+
+
+def _gives(case: Remembered, target: float, rule: Callable[[Remembered], float]) -> bool:
+    """Whether a rule gives the target that was found."""
+    return same(target, float(rule(case)))
 
 
 def _check_rows(answer: Any, steps: int, size: int) -> None:
@@ -234,7 +238,7 @@ def _check_rows(answer: Any, steps: int, size: int) -> None:
     agent.steps[0] = steps
     filled = min(steps, size)
     counts = np.zeros(filled, np.int64)
-    with running("row_for(0.5)"):
+    with student_code("row_for(0.5)"):
         again = {str(agent.row_for(0.5)) for _ in range(20)}
     if agent.steps[0] != steps:
         raise WrongAnswer("row_for(0.5) changes `self.steps`: only read it, and return a place")
@@ -244,7 +248,7 @@ def _check_rows(answer: Any, steps: int, size: int) -> None:
         )
     where = f"after {steps} transitions, in a memory of {size} places"
     for u in (np.arange(120 * filled) + 0.5) / (120 * filled):
-        with running(f"row_for({u:.3g})"):
+        with student_code(f"row_for({u:.3g})"):
             found = agent.row_for(float(u))
         row = number(f"row_for({u:.3g})", found)
         if row != int(row) or isinstance(found, float | np.floating):

@@ -2,23 +2,8 @@
 # says: Right: ε = 1.38 % is little, and yet one wrong grip in 145 costs half of the climbs.
 epsilon = 2 - 2 * math.exp(math.log(0.5) / 100)
 
-# %% four digits
-epsilon = 0.0138
-
-# %% six digits
-epsilon = 0.013815
-
-# %% in single precision
-epsilon = np.float32(2 * (1 - 0.5 ** (1 / 100)))
-
-# %% an array without axes
-epsilon = np.array(2 * (1 - 0.5**0.01))
-
 # %% a fraction
 epsilon = Fraction(27631, 2_000_000)
-
-# %% a decimal number
-epsilon = Decimal("0.01382")
 
 # %% by bisection
 low, high = 0.0, 1.0
@@ -29,6 +14,3 @@ for _ in range(60):
     else:
         high = middle
 epsilon = low
-
-# %% log1p
-epsilon = -2 * np.expm1(np.log(0.5) / 100)

@@ -72,25 +72,9 @@ epsilon = (1 - 0.0138 / 2) ** 100 == 0.5
 # says: half should, so ε must be
 epsilon = 0.014
 
-# %% much too large
-# says: ε must be smaller
-epsilon = 0.3
-
-# %% no exploration
-# says: ε must be larger
-epsilon = 0
-
 # %% a function
 # says: should be a number, but is a function: call it, with parentheses
 epsilon = lambda height: 2 * (1 - 0.5 ** (1 / height))
-
-# %% a tuple by a comma
-# says: take an entry
-epsilon = (2 * (1 - 0.5 ** (1 / 100)),)
-
-# %% integer division
-# says: ε must be larger
-epsilon = 2 * (1 - 0.5 ** (1 // 100))
 
 # %% two thirds
 # says: of two grips a random action takes the wrong one with probability 1/2, not 2/3

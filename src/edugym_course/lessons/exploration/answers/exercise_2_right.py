@@ -6,44 +6,9 @@ def optimist(wall):
     return QLearning(Q, 0.5, 0.9, EpsilonGreedy(0.0))
 
 
-# %% filled afterwards
-def optimist(wall):
-    agent = QLearning.create(wall, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0))
-    agent.Q[:] = 1
-    return agent
-
-
 # %% the greedy strategy, whole numbers
 def optimist(wall):
     return QLearning.create(wall, learning_rate=1 / 2, discount=9 / 10, exploration=Greedy(), initial_value=1)
-
-
-# %% by _replace
-def optimist(wall):
-    agent = QLearning.create(wall, initial_value=1.0)
-    return agent._replace(learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0))
-
-
-# %% settings in a dictionary
-settings = dict(learning_rate=0.5, discount=0.9, initial_value=1.0)
-optimist = lambda wall: QLearning.create(wall, exploration=EpsilonGreedy(epsilon=0.0), **settings)
-
-
-# %% from the spaces
-def optimist(environment, value=1.0):
-    shape = int(environment.observation_space.n), int(environment.action_space.n)
-    return QLearning.create(shape, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=value)
-
-
-# %% novelty without a bonus
-def optimist(wall):
-    return CountBased.create(wall, bonus=0.0, learning_rate=0.5, discount=0.9, exploration=Greedy(), initial_value=1.0)
-
-
-# %% partial
-from functools import partial
-
-optimist = partial(QLearning.create, learning_rate=0.5, discount=0.9, exploration=EpsilonGreedy(0.0), initial_value=1.0)
 
 
 # %% an own class

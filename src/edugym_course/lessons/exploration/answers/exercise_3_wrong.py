@@ -1,20 +1,3 @@
-# %% not solved
-# says: Not solved yet
-def learn(self, state, action, reward, next_state, terminated):
-    raise NotImplementedError("not solved yet: replace this line")
-
-
-# %% act not solved
-# says: Not solved yet
-def act(self, state, rng):
-    raise NotImplementedError
-
-
-# %% nothing
-# says: changes no table at all
-def learn(self, state, action, reward, next_state, terminated): ...
-
-
 # %% the answer of the lesson's novelty agent
 # says: `tries` does not count
 def learn(self, state, action, reward, next_state, terminated):
@@ -38,25 +21,6 @@ def learn(self, state, action, reward, next_state, terminated):
 def learn(self, state, action, reward, next_state, terminated):
     self.visits[next_state] += 1
     self.tries[state, action] -= 1
-
-
-# %% no bootstrapping
-# says: without bootstrapping
-def learn(self, state, action, reward, next_state, terminated):
-    self.tries[state, action] += 1
-    self.visits[next_state] += 1
-    target = reward + self.bonus / self.visits[next_state] ** 0.5
-    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
-
-
-# %% mean for max
-# says: the mean over the actions
-def learn(self, state, action, reward, next_state, terminated):
-    self.tries[state, action] += 1
-    self.visits[next_state] += 1
-    value = 0.0 if terminated else self.Q[next_state].mean()
-    target = reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * value
-    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
 
 
 # %% the state that was left
@@ -99,122 +63,10 @@ def learn(self, state, action, reward, next_state, terminated):
     self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
 
 
-# %% terminated forgotten
-# says: a terminal state has no future
-def learn(self, state, action, reward, next_state, terminated):
-    self.tries[state, action] += 1
-    self.visits[next_state] += 1
-    target = reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * max(self.Q[next_state])
-    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
-
-
-# %% truncated treated as terminated
-# says: only its clock ran out
-def learn(self, state, action, reward, next_state, terminated, truncated):
-    self.tries[state, action] += 1
-    self.visits[next_state] += 1
-    value = 0.0 if terminated or truncated else max(self.Q[next_state])
-    target = reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * value
-    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
-
-
-# %% numbers written out
-# says: use self.learning_rate
-# says: use self.discount
-def learn(self, state, action, reward, next_state, terminated):
-    self.tries[state, action] += 1
-    self.visits[next_state] += 1
-    value = 0.0 if terminated else max(self.Q[next_state])
-    target = reward + self.bonus / self.visits[next_state] ** 0.5 + 0.9 * value
-    self.Q[state, action] += 0.5 * (target - self.Q[state, action])
-
-
-# %% β left out
-# says: a first bonus of 1
-def learn(self, state, action, reward, next_state, terminated):
-    self.tries[state, action] += 1
-    self.visits[next_state] += 1
-    value = 0.0 if terminated else max(self.Q[next_state])
-    target = reward + 1 / self.visits[next_state] ** 0.5 + self.discount * value
-    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
-
-
-# %% max after the update
-# says: compute the whole target from the old Q
-def learn(self, state, action, reward, next_state, terminated):
-    self.tries[state, action] += 1
-    self.visits[next_state] += 1
-    self.Q[state, action] *= 1 - self.learning_rate
-    value = 0.0 if terminated else max(self.Q[next_state])
-    target = reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * value
-    self.Q[state, action] += self.learning_rate * target
-
-
-# %% the old value forgotten
-# says: − Q(S, A) is missing
-def learn(self, state, action, reward, next_state, terminated):
-    self.tries[state, action] += 1
-    self.visits[next_state] += 1
-    value = 0.0 if terminated else max(self.Q[next_state])
-    self.Q[state, action] += self.learning_rate * (
-        reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * value
-    )
-
-
-# %% assigned, not added
-# says: write `+=`
-def learn(self, state, action, reward, next_state, terminated):
-    self.tries[state, action] += 1
-    self.visits[next_state] += 1
-    value = 0.0 if terminated else max(self.Q[next_state])
-    target = reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * value
-    self.Q[state, action] = self.learning_rate * (target - self.Q[state, action])
-
-
-# %% the value is returned
-# says: changes no table at all
-# says: it returns something instead
-def learn(self, state, action, reward, next_state, terminated):
-    value = 0.0 if terminated else max(self.Q[next_state])
-    return self.Q[state, action] + self.learning_rate * (reward + self.discount * value - self.Q[state, action])
-
-
-# %% two mistakes
-# says: the mean over the actions
-# says: ; and
-# says: count first
-def learn(self, state, action, reward, next_state, terminated):
-    bonus = self.bonus / self.visits[next_state] ** 0.5
-    self.tries[state, action] += 1
-    self.visits[next_state] += 1
-    value = 0.0 if terminated else sum(self.Q[next_state]) / len(self.Q[next_state])
-    self.Q[state, action] += self.learning_rate * (reward + bonus + self.discount * value - self.Q[state, action])
-
-
-# %% a field is assigned
-# says: the fields of a NamedTuple are fixed
-# says: self.visits = self.visits + 1
-def learn(self, state, action, reward, next_state, terminated):
-    self.visits = self.visits + 1
-
-
 # %% self forgotten
 # says: write `self.` before a field
 def learn(self, state, action, reward, next_state, terminated):
     visits[next_state] += 1
-
-
-# %% index out of the table
-# says: the order of the indices
-# says: self.tries[action, state] += 1
-def learn(self, state, action, reward, next_state, terminated):
-    self.tries[action, state] += 1
-
-
-# %% another parameter
-# says: has the parameter 'done': is 'terminated' meant?
-def learn(self, state, action, reward, next_state, done):
-    self.tries[state, action] += 1
 
 
 # %% act always greedy
@@ -249,31 +101,6 @@ def act(self, state, rng):
     return int(np.argmin(self.tries[state]))
 
 
-# %% act without a return at the end
-# says: is a `return` missing?
-def act(self, state, rng):
-    for action in range(self.Q.shape[1]):
-        if self.tries[state, action] == 0:
-            return action
-    self.greedy(state, rng)
-
-
-# %% only two grips
-# says: a grip that was never tried comes first
-def act(self, state, rng):
-    for action in range(2):
-        if self.tries[state, action] == 0:
-            return action
-    return self.greedy(state, rng)
-
-
-# %% the untried grips as an array
-# says: gives an array
-def act(self, state, rng):
-    untried = np.flatnonzero(self.tries[state] == 0)
-    return untried if len(untried) else self.greedy(state, rng)
-
-
 # %% act counts
 # says: changes the table `tries`
 def act(self, state, rng):
@@ -283,30 +110,6 @@ def act(self, state, rng):
             best = action
     self.tries[state, best] += 1
     return best
-
-
-# %% ties not broken
-# says: ties should be broken at random, and it takes the first of equals
-def act(self, state, rng):
-    for action in range(self.Q.shape[1]):
-        if self.tries[state, action] == 0:
-            return action
-    return int(np.argmax(self.Q[state]))
-
-
-# %% the value for the action
-# says: should give the number of an action
-def act(self, state, rng):
-    return max(self.Q[state])
-
-
-# %% another random source
-# says: does not draw its random numbers from `rng`
-def act(self, state, rng):
-    for action in range(self.Q.shape[1]):
-        if self.tries[state, action] == 0:
-            return action
-    return int(np.random.choice(np.flatnonzero(self.Q[state] == self.Q[state].max())))
 
 
 # %% an instance for the class
@@ -355,74 +158,6 @@ def learn(self, state, action, reward, next_state, terminated):
     self.Q[state] += self.learning_rate * (
         reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * v - self.Q[state]
     )
-
-
-# %% visits of both states
-# says: 2 entries of `visits` change
-def learn(self, state, action, reward, next_state, terminated):
-    self.tries[state, action] += 1
-    self.visits[next_state] += 1
-    self.visits[state] += 1
-    v = 0.0 if terminated else max(self.Q[next_state])
-    self.Q[state, action] += self.learning_rate * (
-        reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * v - self.Q[state, action]
-    )
-
-
-# %% terminated replaced by a reward of 1
-# says: a terminal state has no future
-def learn(self, state, action, reward, next_state, terminated):
-    self.tries[state, action] += 1
-    self.visits[next_state] += 1
-    v = 0.0 if reward == 1 else max(self.Q[next_state])
-    self.Q[state, action] += self.learning_rate * (
-        reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * v - self.Q[state, action]
-    )
-
-
-# %% discount twice
-# says: discounted twice
-def learn(self, state, action, reward, next_state, terminated):
-    self.tries[state, action] += 1
-    self.visits[next_state] += 1
-    v = 0.0 if terminated else self.discount * max(self.Q[next_state])
-    self.Q[state, action] += self.learning_rate * (
-        reward + self.bonus / self.visits[next_state] ** 0.5 + self.discount * v - self.Q[state, action]
-    )
-
-
-# %% act returns in the loop
-# says: a grip that was never tried comes first
-def act(self, state, rng):
-    for action in range(self.Q.shape[1]):
-        if self.tries[state, action] == 0:
-            return action
-        return self.greedy(state, rng)
-
-
-# %% greedy without rng
-# says: greedy
-def act(self, state, rng):
-    for action in range(self.Q.shape[1]):
-        if self.tries[state, action] == 0:
-            return action
-    return self.greedy(state)
-
-
-# %% act prefers actions up to one try
-# says: the *best* one counts
-def act(self, state, rng):
-    for action in range(self.Q.shape[1]):
-        if self.tries[state, action] <= 1:
-            return action
-    return self.greedy(state, rng)
-
-
-# %% decorated as static
-# says: must have self as its first parameter
-@staticmethod
-def learn(state, action, reward, next_state, terminated):
-    MyExplorer.visits[next_state] += 1
 
 
 # %% counts the visit after it has divided

@@ -18,35 +18,6 @@ methods = {
 }
 frozen = repeat(lake, methods, n_steps=20_000, repetitions=5)
 
-# %% two of one's own
-methods = dict(METHODS)
-methods["SARSA"] = SARSA.create
-methods["optimist"] = lambda e: QLearning.create(e, initial_value=1)
-frozen = repeat(lake, methods, 20_000, repetitions=5, seed=3)
-
-
-# %% an agent of one's own
-class Sleeper(NamedTuple):
-    Q: np.ndarray
-
-    def act(self, state, rng):
-        return 1
-
-    def learn(self, state, action, reward):
-        self.Q[state, action] = reward
-
-
-frozen = repeat(lake, {**METHODS, "sleeper": lambda e: Sleeper(np.zeros((64, 4)))}, 20_000, repetitions=5)
-
-# %% the id and its parameters
-frozen = repeat(
-    "FrozenLake-v1",
-    {**METHODS, "mine": QLearning.create},
-    20_000,
-    repetitions=5,
-    parameters={"map_name": "8x8", "is_slippery": False},
-)
-
 
 # %% a function that makes the lake
 def make(layout_seed):
@@ -54,9 +25,3 @@ def make(layout_seed):
 
 
 frozen = repeat(make(0), {**METHODS, "mine": CountBased.create}, 20_000, repetitions=5, jobs=1)
-
-# %% one run after the other, more points
-frozen = repeat(lake, {**METHODS, "mine": QLearning.create}, 20_000, repetitions=5, jobs=1, evaluate_every=500)
-
-# %% keyword arguments only
-frozen = repeat(environment=lake, agents={**METHODS, "mine": SARSA.create}, n_steps=20_000, repetitions=5)

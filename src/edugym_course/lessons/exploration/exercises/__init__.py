@@ -15,11 +15,11 @@ from edugym.agents.strategies import EpsilonGreedy
 from edugym_course.grading.agents import agent_created_by, agent_made_by, require_class, require_function, with_settings
 from edugym_course.grading.challenge import Challenge
 from edugym_course.grading.choices import check_choices
+from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.one_step import Q_LEARNING
 from edugym_course.grading.results import check_results
 from edugym_course.grading.updates import table_of
 from edugym_course.grading.values import compare, digits, number
-from edugym_course.grading.wrong import WrongAnswer
 from edugym_course.lessons.exploration.exercises.explorer import EXPLORER as EXPLORER
 from edugym_course.lessons.exploration.exercises.explorer import check_act, epsilon_greedy
 from edugym_course.lessons.exploration.methods import DISCOUNT, GO_EXPLORE, LEARNING_RATE, METHODS, N_STEPS, NOVELTY

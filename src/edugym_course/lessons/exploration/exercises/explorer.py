@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 
 from edugym_course.grading.choices import action_of, check_choices
+from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.one_step import Q_LEARNING, made_up_values, numbers_of, one_step_update
-from edugym_course.grading.student_code import running
+from edugym_course.grading.student_code import student_code
 from edugym_course.grading.updates import Tables, Transition, Update
-from edugym_course.grading.wrong import WrongAnswer
 
 DRAWS = 20
 LAST_STATE = 4
@@ -191,7 +191,7 @@ def _check_untried(agent: Any, state: int, n_grips: int) -> None:
         agent.tries[state], agent.visits[state], agent.Q[state] = tries, sum(tries), values
         call = f"act({state}, rng), where tries[{state}] = {tries} and Q[{state}] = {values},"
         for _ in range(DRAWS):
-            with running(call):
+            with student_code(call):
                 found = agent.act(state, rng)
             grip = action_of(call, found, n_grips)
             if tries[grip]:

@@ -4,14 +4,6 @@ def discounted_return(rewards, discount):
     raise NotImplementedError("not solved yet: replace this line")
 
 
-# %% no return
-# says: is a `return` missing?
-def discounted_return(rewards, discount):
-    G = 0
-    for reward in reversed(rewards):
-        G = reward + discount * G
-
-
 # %% the sum
 # says: that is the sum without a discount
 def discounted_return(rewards, discount):
@@ -22,15 +14,6 @@ def discounted_return(rewards, discount):
 # says: the first reward counts in full, γ^0 = 1; here everything is discounted once too often
 def discounted_return(rewards, discount):
     return sum(discount ** (k + 1) * reward for k, reward in enumerate(rewards))
-
-
-# %% backwards, all discounted
-# says: here everything is discounted once too often
-def discounted_return(rewards, discount):
-    G = 0
-    for reward in reversed(rewards):
-        G = discount * (reward + G)
-    return G
 
 
 # %% forwards with the backward rule
@@ -64,12 +47,6 @@ def discounted_return(rewards, discount):
 # says: the weight is k^γ or γ*k in the place of γ^k: `**` is the power, and γ stands before it
 def discounted_return(rewards, discount):
     return sum(k**discount * reward for k, reward in enumerate(rewards))
-
-
-# %% the caret
-# says: TypeError
-def discounted_return(rewards, discount):
-    return sum(discount ^ k * reward for k, reward in enumerate(rewards))
 
 
 # %% the mean
@@ -115,15 +92,6 @@ def discounted_return(rewards, discount):
     for reward in reversed(rewards):
         G = reward + discount * G
         return G
-
-
-# %% G is overwritten
-# says: that is the first reward alone
-def discounted_return(rewards, discount):
-    G = 0
-    for reward in reversed(rewards):
-        G = reward
-    return G
 
 
 # %% all returns

@@ -7,14 +7,6 @@ def choose(values, epsilon, rng):
     return int(rng.random() * len(values))
 
 
-# %% argmax of a shuffled order
-def choose(values, epsilon, rng):
-    if rng.uniform() < epsilon:
-        return int(rng.integers(0, len(values)))
-    order = rng.permutation(len(values))
-    return int(order[np.argmax(values[order])])
-
-
 # %% probabilities
 def choose(values, epsilon, rng):
     n = len(values)
@@ -36,18 +28,3 @@ def choose(values, epsilon, rng):
             if rng.random() < 1 / ties:
                 best = action
     return best
-
-
-# %% a tiny noise
-def choose(values, epsilon, rng):
-    if rng.random() < epsilon:
-        return rng.integers(values.size)
-    return np.argmax(values + 1e-9 * rng.random(values.size))
-
-
-# %% argwhere
-def choose(values, epsilon, rng):
-    explore = rng.binomial(1, epsilon)
-    if explore:
-        return rng.choice(len(values))
-    return rng.choice(np.argwhere(values == np.max(values)).ravel())

@@ -1,9 +1,3 @@
-# %% not solved
-# says: Not solved yet
-def choose(values, epsilon, rng):
-    raise NotImplementedError("not solved yet: replace this line")
-
-
 # %% the first of equals
 # says: ties should be broken at random, and it takes the first of equals
 # says: choose(values, epsilon, rng)
@@ -62,14 +56,6 @@ def choose(values, epsilon, rng):
     return values.max()
 
 
-# %% all best actions
-# says: return one of its entries, drawn with rng.choice
-def choose(values, epsilon, rng):
-    if rng.random() < epsilon:
-        return rng.integers(len(values))
-    return np.flatnonzero(values == values.max())
-
-
 # %% four actions
 # says: should give an action from 0 to 2
 def choose(values, epsilon, rng):
@@ -83,14 +69,6 @@ def choose(values, epsilon, rng):
 def choose(values, epsilon, rng):
     if rng.random() < epsilon:
         return rng.integers(len(values) - 1)
-    return rng.choice(np.flatnonzero(values == values.max()))
-
-
-# %% one too many
-# says: should give an action from 0 to 3, but gives 4
-def choose(values, epsilon, rng):
-    if rng.random() < epsilon:
-        return rng.integers(len(values) + 1)
     return rng.choice(np.flatnonzero(values == values.max()))
 
 
@@ -109,35 +87,6 @@ def choose(values, epsilon, rng):
     if rng.random() < epsilon:
         return rng.integers(len(values))
     return rng.choice(np.flatnonzero(values == values.max()))
-
-
-# %% a new seed in each call
-# says: it draws the same number every time: use the `rng`
-def choose(values, epsilon, rng):
-    np.random.seed(1)
-    if np.random.rand() < epsilon:
-        return np.random.randint(len(values))
-    return np.random.choice(np.flatnonzero(values == values.max()))
-
-
-# %% no return when greedy
-# says: is a `return` missing?
-def choose(values, epsilon, rng):
-    if rng.random() < epsilon:
-        return rng.integers(len(values))
-    rng.choice(np.flatnonzero(values == values.max()))
-
-
-# %% starts from zero
-# says: should choose action 3
-def choose(values, epsilon, rng):
-    if rng.random() < epsilon:
-        return rng.integers(len(values))
-    best, highest = 0, 0
-    for action, value in enumerate(values):
-        if value > highest:
-            best, highest = action, value
-    return best
 
 
 # %% sorts the values

@@ -8,18 +8,6 @@ def learn(self, state, action, reward, next_state, terminated):
     self.Q[state, action] += self.learning_rate * error
 
 
-# %% a weighted mean
-def learn(self, state, action, reward, next_state, terminated):
-    target = reward + (1 - terminated) * self.discount * self.Q[next_state].max()
-    self.Q[state, action] = (1 - self.learning_rate) * self.Q[state, action] + self.learning_rate * target
-
-
-# %% the package's pieces
-def learn(self, state, action, reward, next_state, terminated):
-    target = one_step_target(reward, self.discount, max(self.Q[next_state]), terminated)
-    self.Q[state][action] += self.learning_rate * (target - self.Q[state][action])
-
-
 # %% a loop for the maximum
 def learn(self, state, action, reward, next_state, terminated):
     best = self.Q[next_state, 0]
@@ -31,48 +19,11 @@ def learn(self, state, action, reward, next_state, terminated):
     self.Q[state, action] += self.learning_rate * (reward + self.discount * best - self.Q[state, action])
 
 
-# %% argmax
-def learn(self, state, action, reward, next_state, terminated):
-    target = reward
-    if not terminated:
-        target += self.discount * self.Q[next_state, np.argmax(self.Q[next_state])]
-    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
-
-
-# %% truncated is taken and not used
-def learn(self, state, action, reward, next_state, terminated, truncated):
-    if terminated:
-        target = reward
-    else:
-        target = reward + self.discount * max(self.Q[next_state])
-    self.Q[state, action] -= self.learning_rate * (self.Q[state, action] - target)
-
-
-# %% parameters in another order
-def learn(self, reward, terminated, next_state, action, state):
-    target = reward if terminated else reward + self.discount * max(self.Q[next_state])
-    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
-
-
 # %% the table is the last field
 class MyAgent(NamedTuple):
     learning_rate: float = 0.5
     discount: float = 0.99
     Q: np.ndarray = np.zeros((1, 1))
-
-    def act(self, state, rng):
-        return 0
-
-    def learn(self, state, action, reward, next_state, terminated):
-        target = reward if terminated else reward + self.discount * max(self.Q[next_state])
-        self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
-
-
-# %% settings by name
-class MyAgent:
-    def __init__(self, Q, **settings):
-        self.Q = Q
-        self.__dict__.update(settings)
 
     def act(self, state, rng):
         return 0

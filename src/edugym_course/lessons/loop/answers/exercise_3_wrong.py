@@ -1,9 +1,3 @@
-# %% not solved
-# says: Not solved yet
-def learn(self, state, action, reward, next_state, terminated):
-    raise NotImplementedError("not solved yet: replace this line")
-
-
 # %% nothing after the end is forgotten
 # says: a terminal state has no future: its value is 0, so leave γ max_a Q(S', a) out when `terminated`
 def learn(self, state, action, reward, next_state, terminated):
@@ -15,13 +9,6 @@ def learn(self, state, action, reward, next_state, terminated):
 # says: the value of the next state is missing, γ max_a Q(S', a): without bootstrapping nothing is carried back
 def learn(self, state, action, reward, next_state, terminated):
     self.Q[state, action] += self.learning_rate * (reward - self.Q[state, action])
-
-
-# %% the mean
-# says: the mean over the actions stands where the maximum should
-def learn(self, state, action, reward, next_state, terminated):
-    target = reward if terminated else reward + self.discount * self.Q[next_state].mean()
-    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
 
 
 # %% no discount
@@ -59,20 +46,6 @@ def learn(self, state, action, reward, next_state, terminated):
     self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
 
 
-# %% the numbers of the lesson
-# says: a learning rate of 0.5
-def learn(self, state, action, reward, next_state, terminated):
-    target = reward if terminated else reward + 0.99 * max(self.Q[next_state])
-    self.Q[state, action] += 0.5 * (target - self.Q[state, action])
-
-
-# %% the wrong sign
-# says: the sign is wrong: it moves away from the target
-def learn(self, state, action, reward, next_state, terminated):
-    target = reward if terminated else reward + self.discount * max(self.Q[next_state])
-    self.Q[state, action] -= self.learning_rate * (target - self.Q[state, action])
-
-
 # %% the brackets
 # says: α belongs to the whole bracket, not to Q(S, A) alone
 def learn(self, state, action, reward, next_state, terminated):
@@ -87,33 +60,11 @@ def learn(self, state, action, reward, next_state, terminated):
     self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
 
 
-# %% truncated like terminated
-# says: a truncated episode is treated as terminated, but only its clock ran out: the value of the next state still
-#   counts
-def learn(self, state, action, reward, next_state, terminated, truncated):
-    target = reward if terminated or truncated else reward + self.discount * max(self.Q[next_state])
-    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
-
-
 # %% nothing is stored
 # says: `learn` changes no table at all; it returns something instead
 def learn(self, state, action, reward, next_state, terminated):
     target = reward if terminated else reward + self.discount * max(self.Q[next_state])
     return self.Q[state, action] + self.learning_rate * (target - self.Q[state, action])
-
-
-# %% argmax for max
-# says: argmax gives the *number* of the best action; its value is needed, max
-def learn(self, state, action, reward, next_state, terminated):
-    target = reward if terminated else reward + self.discount * np.argmax(self.Q[next_state])
-    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
-
-
-# %% the whole row
-# says: and only one should
-def learn(self, state, action, reward, next_state, terminated):
-    target = reward if terminated else reward + self.discount * max(self.Q[next_state])
-    self.Q[state] += self.learning_rate * (target - self.Q[state])
 
 
 # %% max of the table
@@ -160,21 +111,6 @@ class MyAgent(NamedTuple):
     def learn(self, state, action, reward, next_state, terminated):
         target = reward if terminated else reward + self.discount * max(self.Q[next_state])
         self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
-
-
-# %% the table has another name
-# says: MyAgent should keep its field `Q`, the table
-class MyAgent(NamedTuple):
-    table: np.ndarray
-    learning_rate: float = 0.5
-    discount: float = 0.99
-
-    def act(self, state, rng):
-        return 0
-
-    def learn(self, state, action, reward, next_state, terminated):
-        target = reward if terminated else reward + self.discount * max(self.table[next_state])
-        self.table[state, action] += self.learning_rate * (target - self.table[state, action])
 
 
 # %% the minimum
@@ -262,13 +198,6 @@ def learn(self, state, action, reward, next_state, terminated):
 def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else self.Q[next_state].max()
     self.Q[state, action] = self.learning_rate * (reward + self.discount * value)
-
-
-# %% the weights exchanged
-# says: α and 1 − α have changed places
-def learn(self, state, action, reward, next_state, terminated):
-    value = 0.0 if terminated else self.Q[next_state].max()
-    self.Q[state, action] += (1 - self.learning_rate) * (reward + self.discount * value - self.Q[state, action])
 
 
 # %% the next row

@@ -4,17 +4,6 @@ def table_rows(num_doors, length):
     return (num_doors + 1) ** (length * (length - 1) // 2 + 1)
 
 
-# %% with the package's law
-def table_rows(num_doors, length):
-    return (num_doors + 1) ** windows.window_law(length)
-
-
-# %% with stack_size
-def table_rows(num_doors, length):
-    window = length * (length - 1) // 2 + 1
-    return stack_size(num_doors + 1, window)
-
-
 # %% by a loop over the corridors
 def table_rows(num_doors, length):
     rows = num_doors + 1
@@ -28,14 +17,3 @@ def table_rows(num_doors, length):
 def table_rows(num_doors, length):
     window = sum(range(length)) + 1
     return float(num_doors + 1) ** window
-
-
-# %% by trying windows
-def table_rows(num_doors, length):
-    k = windows.smallest_window(length)
-    return (num_doors + 1) ** k
-
-
-# %% with numpy
-def table_rows(num_doors, length):
-    return np.prod(np.full(int(length * (length - 1) / 2) + 1, num_doors + 1, dtype=float))

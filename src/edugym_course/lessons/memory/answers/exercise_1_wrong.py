@@ -4,27 +4,10 @@ def table_rows(num_doors, length):
     raise NotImplementedError("not solved yet: replace this line")
 
 
-# %% dots
-# says: Not solved yet
-table_rows = ...
-
 # %% a number
 # says: should be a function
 # says: the doors and the length
 table_rows = 4**7
-
-
-# %% no return
-# says: is a `return` missing?
-def table_rows(num_doors, length):
-    window = length * (length - 1) // 2 + 1
-    rows = (num_doors + 1) ** window
-
-
-# %% printed
-# says: is a `return` missing?
-def table_rows(num_doors, length):
-    print((num_doors + 1) ** (length * (length - 1) // 2 + 1))
 
 
 # %% no mark is forgotten
@@ -98,12 +81,6 @@ def table_rows(num_doors, length):
 # says: L(L-1) should be divided by 2
 def table_rows(num_doors, length):
     return (num_doors + 1) ** (length * (length - 1) + 1)
-
-
-# %% three doors for ever
-# says: should be
-def table_rows(num_doors, length):
-    return 4 ** (length * (length - 1) // 2 + 1)
 
 
 # %% exclusive or

@@ -62,12 +62,6 @@ def push(self, window, action, seen):
     return np.concatenate((window, np.array([action, seen])))
 
 
-# %% only the oldest observation goes
-# says: two go and two come
-def push(self, window, action, seen):
-    return np.concatenate((window[1:], np.array([action, seen])))
-
-
 # %% it moves by one
 # says: it moves by one entry only; an action *and* an observation are new
 def push(self, window, action, seen):
@@ -138,36 +132,6 @@ def row(self, window):
     return number
 
 
-# %% the bases exchanged
-# says: different windows need different rows
-def row(self, window):
-    number = 0
-    for i in range(len(window)):
-        if i % 2 == 0:
-            number = number * self.n_actions + window[i]
-        else:
-            number = number * self.n_observations + window[i]
-    return number
-
-
-# %% rows from 1
-# says: should be from 0 to
-def row(self, window):
-    number = 0
-    for i in range(len(window)):
-        number = number * (self.n_actions if i % 2 else self.n_observations) + window[i]
-    return number + 1
-
-
-# %% decimal digits
-# says: should be from 0 to
-def row(self, window):
-    number = 0
-    for entry in window:
-        number = number * 10 + entry
-    return number
-
-
 # %% the digit is added too early
 # says: multiply by the number of values of the digit that you add, and then add it: n_observations at even indices,
 #   n_actions at odd ones
@@ -223,15 +187,6 @@ def row(self, window):
     for i in range(1, len(window)):
         window[i] += window[i - 1] * (self.n_observations if i % 2 == 0 else self.n_actions)
     return window[-1]
-
-
-# %% at the front, another way
-# says: the latest ones stand at the *end* of the window
-def push(self, window, action, seen):
-    new = window.copy()
-    new[2:] = window[:-2]
-    new[0], new[1] = seen, action
-    return new
 
 
 # %% the window as it was

@@ -7,33 +7,10 @@ def update(self, notes, place, seen, action):
     return place + 1
 
 
-# %% in two lines
-def update(self, notes, place, seen, action):
-    notes[place] = action
-    return place + 1 if seen == self.num_doors else 0
-
-
-# %% the mark is noted
-def update(self, notes, place, seen, action):
-    if seen != self.num_doors:
-        notes[place] = seen
-        return 0
-    return place + 1
-
-
 # %% arithmetic
 def update(self, notes, place, seen, action):
     notes[place] = action
     return (place + 1) * int(seen == self.num_doors)
-
-
-# %% an empty note means the end
-def update(self, notes, place, seen, action):
-    last = notes[place] == self.num_doors
-    notes[place] = action
-    if last:
-        return 0
-    return place + 1
 
 
 # %% with a local name
@@ -44,14 +21,3 @@ def update(self, notes, place, seen, action):
     if marked:
         next_place = 0
     return next_place
-
-
-# %% noted once
-def update(self, notes, place, seen, action):
-    if notes[place] == self.num_doors:
-        notes[place] = action
-    if seen == self.num_doors:
-        place += 1
-    else:
-        place = 0
-    return place

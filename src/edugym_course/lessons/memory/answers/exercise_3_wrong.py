@@ -85,35 +85,11 @@ def update(self, notes, place, seen, action):
     return place + 1 if seen == self.num_doors else 0
 
 
-# %% a copy is changed
-# says: the marked door is not noted
-def update(self, notes, place, seen, action):
-    notes = notes.copy()
-    notes[place] = action
-    return place + 1 if seen == self.num_doors else 0
-
-
-# %% the marked door is lost
-# says: the marked door is not noted
-def update(self, notes, place, seen, action):
-    if seen == self.num_doors:
-        notes[place] = action
-        return place + 1
-    return 0
-
-
 # %% the place is noted
 # says: it notes the place instead of the door
 def update(self, notes, place, seen, action):
     notes[place] = place
     return place + 1 if seen == self.num_doors else 0
-
-
-# %% compared with the door
-# says: compare what was *seen*
-def update(self, notes, place, seen, action):
-    notes[place] = action
-    return place + 1 if action == self.num_doors else 0
 
 
 # %% compared with the place
@@ -145,32 +121,11 @@ def update(self, notes, place, seen, action):
     return notes, place + 1 if seen == self.num_doors else 0
 
 
-# %% compared instead of written
-# says: the marked door is not noted
-def update(self, notes, place, seen, action):
-    notes[place] == action
-    return place + 1 if seen == self.num_doors else 0
-
-
 # %% the wrong index
 # says: it writes the note to `notes[action]`; the index is the place
 def update(self, notes, place, seen, action):
     notes[action] = action
     return place + 1 if seen == self.num_doors else 0
-
-
-# %% a share of a place
-# says: should be a whole number, but is 1.9
-def update(self, notes, place, seen, action):
-    notes[place] = action
-    return place + 1.9 if seen == self.num_doors else 0
-
-
-# %% a float
-# says: should be a whole number, but is 1.0
-def update(self, notes, place, seen, action):
-    notes[place] = action
-    return (place + 1.0) if seen == self.num_doors else 0
 
 
 # %% the observation as an index

@@ -4,10 +4,6 @@ def smallest_error(v, gamma):
     return 1 + v - gamma * v
 
 
-# %% a lambda
-smallest_error = lambda v, gamma: (1 - gamma) * v + 1
-
-
 # %% other names
 def smallest_error(value, discount):
     return value * (1 - discount) + 1.0
@@ -23,20 +19,3 @@ def smallest_error(v, gamma):
         else:
             low = e
     return high
-
-
-# %% a NumPy number
-def smallest_error(v, gamma):
-    return np.float64(1) + (1 - gamma) * np.array(v)
-
-
-# %% a fraction
-def smallest_error(v, gamma):
-    return Fraction(1) + (1 - Fraction(gamma)) * Fraction(v)
-
-
-# %% in steps
-def smallest_error(v, gamma):
-    reward_that_breaks_even = v * (1 - gamma)
-    cost = -1
-    return reward_that_breaks_even - cost

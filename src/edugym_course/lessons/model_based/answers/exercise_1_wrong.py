@@ -1,13 +1,3 @@
-# %% nothing
-# says: Not solved yet
-def smallest_error(v, gamma):
-    raise NotImplementedError
-
-
-# %% the placeholder
-# says: Not solved yet
-smallest_error = ...
-
 # %% a number
 # says: should be a function
 # says: v and gamma
@@ -92,28 +82,10 @@ def smallest_error(v, gamma):
     return 1 + v / (1 + gamma + gamma**2)
 
 
-# %% no return
-# says: is a `return` missing
-def smallest_error(v, gamma):
-    1 + (1 - gamma) * v
-
-
-# %% divided by zero
-# says: ZeroDivisionError
-def smallest_error(v, gamma):
-    return 1 + v / (gamma - gamma)
-
-
 # %% one parameter
 # says: its parameters are not those of the exercise
 def smallest_error(v):
     return 1 + v
-
-
-# %% a text
-# says: leave the quotes out
-def smallest_error(v, gamma):
-    return "1 + (1 - gamma) * v"
 
 
 # %% half of it

@@ -19,43 +19,6 @@ def imagine(self, s, a):
     return self.rewards[s, a] + self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5 + self.discount * future
 
 
-# %% a loop for the maximum
-def imagine(self, s, a):
-    n = s
-    if self.last[s, a] > 0:
-        n = self.next_states[s, a]
-    best = self.Q[n, 0]
-    for b in range(1, self.Q.shape[1]):
-        if self.Q[n, b] > best:
-            best = self.Q[n, b]
-    target = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
-    if self.last[s, a] > 0:
-        target += self.rewards[s, a]
-    if self.last[s, a] == 0 or self.ends[s, a] == 0:
-        target += self.discount * best
-    return target
-
-
-# %% math.sqrt
-def imagine(self, s, a):
-    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
-    if self.last[s, a] == 0:
-        reward, next_state, ended = 0.0, s, False
-    bonus = self.kappa * math.sqrt(self.clock[0] - self.last[s, a])
-    value = 0.0 if ended else max(self.Q[next_state])
-    return reward + bonus + self.discount * value
-
-
-# %% argmax and entry
-def imagine(self, s, a):
-    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
-    if self.last[s, a] == 0:
-        reward, next_state, ended = 0.0, s, False
-    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
-    value = 0.0 if ended else self.Q[next_state, np.argmax(self.Q[next_state])]
-    return reward + bonus + self.discount * value
-
-
 # %% other parameter names
 def imagine(self, state, action):
     reward, next_state, ended = (
@@ -68,14 +31,3 @@ def imagine(self, state, action):
     bonus = self.kappa * (self.clock[0] - self.last[state, action]) ** 0.5
     value = 0.0 if ended else max(self.Q[next_state])
     return reward + bonus + self.discount * value
-
-
-# %% the clock first
-def imagine(self, s, a):
-    now = self.clock[0]
-    known = self.last[s, a] != 0
-    r = self.rewards[s, a] if known else 0.0
-    r = r + self.kappa * (now - self.last[s, a]) ** (1 / 2)
-    if known and self.ends[s, a] == 1:
-        return r
-    return r + self.discount * max(self.Q[self.next_states[s, a] if known else s])

@@ -257,55 +257,10 @@ def imagine(self, s, a):
     self.Q[s, a] = reward + bonus + self.discount * value
 
 
-# %% does the update and returns it
-# says: `act` puts that into Q
-def imagine(self, s, a):
-    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
-    if self.last[s, a] == 0:
-        reward, next_state, ended = 0.0, s, False
-    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
-    value = 0.0 if ended else max(self.Q[next_state])
-    self.Q[s, a] = reward + bonus + self.discount * value
-    return self.Q[s, a]
-
-
-# %% no return
-# says: is a `return` missing
-def imagine(self, s, a):
-    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
-    if self.last[s, a] == 0:
-        reward, next_state, ended = 0.0, s, False
-    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
-    value = 0.0 if ended else max(self.Q[next_state])
-    total = reward + bonus + self.discount * value
-
-
-# %% self forgotten
-# says: NameError
-def imagine(self, s, a):
-    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
-    if self.last[s, a] == 0:
-        reward, next_state, ended = 0.0, s, False
-    bonus = kappa * (self.clock[0] - self.last[s, a]) ** 0.5
-    value = 0.0 if ended else max(self.Q[next_state])
-    return reward + bonus + self.discount * value
-
-
 # %% not solved
 # says: Not solved yet
 def imagine(self, s, a):
     raise NotImplementedError
-
-
-# %% the clock as an array
-# says: take an entry
-def imagine(self, s, a):
-    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
-    if self.last[s, a] == 0:
-        reward, next_state, ended = 0.0, s, False
-    bonus = self.kappa * (self.clock - self.last[s, a]) ** 0.5
-    value = 0.0 if ended else max(self.Q[next_state])
-    return reward + bonus + self.discount * value
 
 
 # %% any action of the state asked
@@ -314,18 +269,6 @@ def imagine(self, s, a):
 def imagine(self, s, a):
     reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
     if max(self.last[s]) == 0:
-        reward, next_state, ended = 0.0, s, False
-    bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
-    value = 0.0 if ended else max(self.Q[next_state])
-    return reward + bonus + self.discount * value
-
-
-# %% the list of states asked
-# says: whether any action of the state was tried
-# says: this *pair*
-def imagine(self, s, a):
-    reward, next_state, ended = self.rewards[s, a], self.next_states[s, a], self.ends[s, a] == 1
-    if s not in self.seen[: self.n_seen[0]]:
         reward, next_state, ended = 0.0, s, False
     bonus = self.kappa * (self.clock[0] - self.last[s, a]) ** 0.5
     value = 0.0 if ended else max(self.Q[next_state])

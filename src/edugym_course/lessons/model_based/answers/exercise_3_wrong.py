@@ -58,20 +58,6 @@ def sweep(self):
     return largest
 
 
-# %% the mean
-# says: the mean over the actions
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = 0.0 if self.ends[s, a] == 1 else self.Q[self.next_states[s, a]].mean()
-                new = self.rewards[s, a] + self.discount * value
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] = new
-    return largest
-
-
 # %% the own state
 # says: the maximum is taken over the state itself instead of the next state
 def sweep(self):
@@ -86,34 +72,6 @@ def sweep(self):
     return largest
 
 
-# %% the same action
-# says: *same* action
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = 0.0 if self.ends[s, a] == 1 else self.Q[self.next_states[s, a], a]
-                new = self.rewards[s, a] + self.discount * value
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] = new
-    return largest
-
-
-# %% no future
-# says: the value of the next state is missing
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
-                new = self.rewards[s, a]
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] = new
-    return largest
-
-
 # %% all discounted
 # says: the whole target is discounted; γ belongs to the value of the next state only
 def sweep(self):
@@ -123,34 +81,6 @@ def sweep(self):
             if self.known[s, a] == 1:
                 value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
                 new = self.discount * (self.rewards[s, a] + value)
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] = new
-    return largest
-
-
-# %% no reward
-# says: the reward is missing
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
-                new = self.discount * value
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] = new
-    return largest
-
-
-# %% hardly any reward
-# says: that is none of the usual mistakes, so compare your code with the equation, term by term
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
-                new = 0.005 * self.rewards[s, a] + self.discount * value
                 largest = max(largest, abs(new - self.Q[s, a]))
                 self.Q[s, a] = new
     return largest
@@ -298,56 +228,12 @@ def learn(self, state, action, reward, next_state, terminated):
         self.plan()
 
 
-# %% known of the next state
-# says: known
-# says: it is remembered for next_state; what followed belongs to the pair that was tried, [state, action]
-def learn(self, state, action, reward, next_state, terminated):
-    if self.known[state, action] == 0:
-        self.known[next_state, action] = 1
-        self.rewards[state, action] = reward
-        self.next_states[state, action] = next_state
-        self.ends[state, action] = 1 if terminated else 0
-        self.plan()
-
-
-# %% everything for the next state
-# says: rewards[
-def learn(self, state, action, reward, next_state, terminated):
-    if self.known[state, action] == 0:
-        self.known[state, action] = 1
-        self.rewards[next_state, action] = reward
-        self.next_states[state, action] = next_state
-        self.ends[state, action] = 1 if terminated else 0
-        self.plan()
-
-
 # %% no reward kept
 # says: [state, action]` keeps what followed
 def learn(self, state, action, reward, next_state, terminated):
     if self.known[state, action] == 0:
         self.known[state, action] = 1
         self.next_states[state, action] = next_state
-        self.ends[state, action] = 1 if terminated else 0
-        self.plan()
-
-
-# %% the best reward kept
-# says: keeps what followed
-def learn(self, state, action, reward, next_state, terminated):
-    if self.known[state, action] == 0:
-        self.known[state, action] = 1
-        self.rewards[state, action] = max(reward, self.rewards[state, action])
-        self.next_states[state, action] = next_state
-        self.ends[state, action] = 1 if terminated else 0
-        self.plan()
-
-
-# %% no next state kept
-# says: keeps what followed
-def learn(self, state, action, reward, next_state, terminated):
-    if self.known[state, action] == 0:
-        self.known[state, action] = 1
-        self.rewards[state, action] = reward
         self.ends[state, action] = 1 if terminated else 0
         self.plan()
 
@@ -360,39 +246,6 @@ def learn(self, state, action, reward, next_state, terminated):
         self.rewards[state, action] = reward
         self.next_states[state, action] = next_state
         self.ends[state, action] = 0
-        self.plan()
-
-
-# %% ends the wrong way round
-# says: `ends` should be 1
-def learn(self, state, action, reward, next_state, terminated):
-    if self.known[state, action] == 0:
-        self.known[state, action] = 1
-        self.rewards[state, action] = reward
-        self.next_states[state, action] = next_state
-        self.ends[state, action] = 0 if terminated else 1
-        self.plan()
-
-
-# %% state in place of next state
-# says: next_states[
-def learn(self, state, action, reward, next_state, terminated):
-    if self.known[state, action] == 0:
-        self.known[state, action] = 1
-        self.rewards[state, action] = reward
-        self.next_states[state, action] = state
-        self.ends[state, action] = 1 if terminated else 0
-        self.plan()
-
-
-# %% the test the wrong way round in learn
-# says: known[
-def learn(self, state, action, reward, next_state, terminated):
-    if self.known[state, action] == 1:
-        self.known[state, action] = 1
-        self.rewards[state, action] = reward
-        self.next_states[state, action] = next_state
-        self.ends[state, action] = 1 if terminated else 0
         self.plan()
 
 
@@ -487,31 +340,6 @@ def sweep(self):
     return largest
 
 
-# %% the last change
-# says: a change of the last state
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
-                new = self.rewards[s, a] + self.discount * value
-                largest = abs(new - self.Q[s, a])
-                self.Q[s, a] = new
-    return largest
-
-
-# %% known after the plan
-# says: `known` is set only after self.plan()
-def learn(self, state, action, reward, next_state, terminated):
-    if self.known[state, action] == 0:
-        self.rewards[state, action] = reward
-        self.next_states[state, action] = next_state
-        self.ends[state, action] = 1 if terminated else 0
-        self.plan()
-        self.known[state, action] = 1
-
-
 # %% plans first
 # says: ` is set only after self.plan(), which cannot use it then: remember first, and plan last
 def learn(self, state, action, reward, next_state, terminated):
@@ -523,17 +351,6 @@ def learn(self, state, action, reward, next_state, terminated):
         self.ends[state, action] = 1 if terminated else 0
 
 
-# %% rewards after the plan
-# says: `rewards` is set only after self.plan()
-def learn(self, state, action, reward, next_state, terminated):
-    if self.known[state, action] == 0:
-        self.known[state, action] = 1
-        self.next_states[state, action] = next_state
-        self.ends[state, action] = 1 if terminated else 0
-        self.plan()
-        self.rewards[state, action] = reward
-
-
 # %% an instance
 # says: should be the class
 MyRMax = RMax.create((6, 3))
@@ -542,20 +359,6 @@ MyRMax = RMax.create((6, 3))
 # says: known
 # says: the agent should have a table `
 MyRMax = RMax
-
-
-# %% the discount as a number
-# says: a discount of 0.99: use self.discount
-def sweep(self):
-    largest = 0.0
-    for s in range(self.Q.shape[0]):
-        for a in range(self.Q.shape[1]):
-            if self.known[s, a] == 1:
-                value = 0.0 if self.ends[s, a] == 1 else max(self.Q[self.next_states[s, a]])
-                new = self.rewards[s, a] + 0.99 * value
-                largest = max(largest, abs(new - self.Q[s, a]))
-                self.Q[s, a] = new
-    return largest
 
 
 # %% remembered for the next state

@@ -10,33 +10,6 @@ lake_results = repeat(
     evaluation_episodes=10,
 )
 
-# %% prioritised sweeping
-lake_results = repeat(
-    lake,
-    {**methods, "mine": partial(PrioritisedSweeping.create, learning_rate=1.0)},
-    3_000,
-    repetitions=5,
-    evaluation_episodes=10,
-)
-
-# %% a lambda
-lake_results = repeat(
-    lake,
-    {**methods, "mine": lambda e: DynaQ.create(e, learning_rate=0.5, expected_updates=True)},
-    3_000,
-    repetitions=5,
-    evaluation_episodes=10,
-)
-
-# %% R-max with many tries
-lake_results = repeat(
-    lake,
-    {**methods, "mine": partial(RMax.create, known_after=20, highest_return=1.0, lowest_return=0.0)},
-    3_000,
-    repetitions=5,
-    evaluation_episodes=10,
-)
-
 # %% two of one's own
 lake_results = repeat(
     lake,
@@ -49,15 +22,6 @@ lake_results = repeat(
     repetitions=5,
 )
 
-# %% another seed
-lake_results = repeat(
-    lake,
-    {**methods, "mine": partial(DynaQ.create, learning_rate=1.0, planning_steps=10, expected_updates=True)},
-    3_000,
-    repetitions=5,
-    seed=7,
-)
-
 # %% the id and its parameters
 lake_results = repeat(
     "FrozenLake-v1",
@@ -66,8 +30,3 @@ lake_results = repeat(
     repetitions=5,
     parameters={"map_name": "4x4", "is_slippery": True},
 )
-
-# %% written out
-others = dict(methods)
-others["expected"] = partial(DynaQ.create, learning_rate=1.0, planning_steps=10, expected_updates=True)
-lake_results = repeat(environment=lake, agents=others, n_steps=3000, repetitions=5, jobs=1)

@@ -9,10 +9,10 @@ from edugym.agents.planning import Updates
 from edugym.system.packages import is_ours
 from edugym_course.grading.agents import require_function
 from edugym_course.grading.challenge import Challenge
+from edugym_course.grading.errors import WrongAnswer
 from edugym_course.grading.results import check_results
-from edugym_course.grading.student_code import running
+from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import compare
-from edugym_course.grading.wrong import WrongAnswer
 from edugym_course.lessons.model_based.exercises.imagining import exercise_2 as exercise_2
 from edugym_course.lessons.model_based.exercises.sweeping import exercise_3 as exercise_3
 from edugym_course.lessons.model_based.methods import DYNA_10, LEARNED, OPTIMUM, Q_LEARNING, R_MAX, SWEEPING
@@ -26,7 +26,7 @@ def exercise_1(answer: Any, seed: int) -> str:
     """Check the error from which bumping into a wall for ever looks better than anything else."""
     require_function("smallest_error", answer, "v and gamma")
     for v, gamma in ((40.0, 0.75), (8.0 + seed % 4, 0.5), (33.0, 0.875)):
-        with running(f"smallest_error({v:g}, {gamma})"):
+        with student_code(f"smallest_error({v:g}, {gamma})"):
             found = answer(v, gamma)
         right = 1 + (1 - gamma) * v
         compare(

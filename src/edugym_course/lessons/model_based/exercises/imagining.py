@@ -6,11 +6,12 @@ from typing import Any
 
 import numpy as np
 
-from edugym_course.grading.student_code import running
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.mistakes import mistake_that_fits
+from edugym_course.grading.student_code import student_code
 from edugym_course.grading.updates import table_of
 from edugym_course.grading.values import digits, number, same
-from edugym_course.grading.wrong import WrongAnswer
-from edugym_course.lessons.model_based.exercises.students import SHAPE, Memory, agent_with, first_that_fits, memories
+from edugym_course.lessons.model_based.exercises.students import SHAPE, Memory, agent_with, memories
 
 
 def imagined(
@@ -122,7 +123,7 @@ def exercise_2(answer: Any, seed: int) -> str:
     found = [_imagined_by(agent, case) for case in cases]
     wrong = [k for k in range(len(cases)) if not same(found[k], right[k])]
     if wrong:
-        why = first_that_fits(
+        why = mistake_that_fits(
             IMAGINED_MISTAKES,
             lambda change: all(
                 same(imagined(case, **{**SETTINGS, **change}), mine) for case, mine in zip(cases, found, strict=True)
@@ -156,7 +157,7 @@ def _imagined_by(agent: Any, case: Memory) -> float:
     for name, values in tables.items():
         table_of(agent, name, values.shape, values.dtype.kind)[...] = values
     call = f"imagine({case.state}, {case.action})"
-    with running(call):
+    with student_code(call):
         found = agent.imagine(case.state, case.action)
     if any(not np.array_equal(getattr(agent, name), values) for name, values in tables.items()):
         raise WrongAnswer(f"{call} changes a table: it should only return the target, and `act` puts that into Q")

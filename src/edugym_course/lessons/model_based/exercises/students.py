@@ -1,6 +1,6 @@
 """What the checks of exercises 2 and 3 share: made-up memories, and the student's agent with other settings."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -59,11 +59,3 @@ def agent_with(name: str, answer: Any, settings: Mapping[str, float], method: st
     require_class(name, answer)
     shop = Sizes(Discrete(SHAPE[0]), Discrete(SHAPE[1]))
     return with_settings(name, agent_created_by(name, answer, "shop", shop), settings, method)
-
-
-def first_that_fits(mistakes: Mapping[str, Any], fits: Callable[[Any], bool]) -> str:
-    """Return the sentence of the mistake that gives what was found in every case."""
-    for sentence, change in mistakes.items():
-        if fits(change):
-            return sentence
-    return "that is none of the usual mistakes, so compare your code with the equation, term by term"

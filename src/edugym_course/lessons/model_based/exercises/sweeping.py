@@ -8,11 +8,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from edugym_course.grading.agents import learn_step
-from edugym_course.grading.student_code import running
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.mistakes import mistake_that_fits
+from edugym_course.grading.student_code import student_code
 from edugym_course.grading.updates import table_of
 from edugym_course.grading.values import digits, number, same
-from edugym_course.grading.wrong import WrongAnswer
-from edugym_course.lessons.model_based.exercises.students import SHAPE, agent_with, first_that_fits
+from edugym_course.lessons.model_based.exercises.students import SHAPE, agent_with
 
 SETTLED = 400
 """After so many sweeps nothing changes any more."""
@@ -101,7 +102,7 @@ def _check_sweep(answer: Any, seed: int) -> None:
         agent, model = agent_with("MyRMax", answer, SETTINGS, "sweep"), _some_model(rng)
         for name, values in model._asdict().items():
             table_of(agent, name, SHAPE, values.dtype.kind)[...] = values
-        with running("sweep()"):
+        with student_code("sweep()"):
             first = agent.sweep()
             if first is None:
                 raise WrongAnswer("sweep() gives None: it should return the largest change of a value")
@@ -148,7 +149,7 @@ def _check_values(found: Any, model: Model) -> None:
             " `for`"
         )
     else:
-        why = first_that_fits(SWEEP_MISTAKES, partial(_sweeps_to, found, model))
+        why = mistake_that_fits(SWEEP_MISTAKES, partial(_sweeps_to, found, model))
     s, a = wrong[0]
     what = "known" if model.known[s, a] else "not known"
     raise WrongAnswer(

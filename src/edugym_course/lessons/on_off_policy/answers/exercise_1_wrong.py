@@ -6,10 +6,6 @@ negative_reward = -100.0
 # says: Not solved yet
 negative_reward = ...
 
-# %% none
-# says: Not solved yet
-negative_reward = None
-
 # %% rounded, to where the safe run is the best
 # says: takes 5 steps: that is too low, by a little: take the next higher tenth
 negative_reward = -37
@@ -22,27 +18,14 @@ negative_reward = -30.0
 # says: that is 1/ε; a random action is the deadly one in only one of three cases, and the rest of the run slips too
 negative_reward = -1 / 0.1
 
-# %% no minus
-# says: the number must be negative
-negative_reward = 37.0
-
 # %% no minus, and the right tenth
 # says: negative_reward = 36.9: a fall is no gain, so the number must be negative
 negative_reward = 36.9
-
-# %% the estimate without its minus
-# says: the number must be negative
-negative_reward = 3 / 0.1
 
 # %% far too low
 # says: is below -1 000 000
 # says: too low, and the fast run of 4 steps should be best
 negative_reward = -1e9
-
-# %% rounded to tens
-# says: the best run at ε = 0.1 takes 5 steps
-# says: it is too low
-negative_reward = -40
 
 # %% rounded to fives
 # says: takes 4 steps
@@ -53,35 +36,8 @@ negative_reward = -35
 # says: ; you are close, look at every tenth
 negative_reward = -36.5
 
-# %% half a point off on the other side
-# says: you are close
-negative_reward = -37.5
-
-# %% a text
-# says: leave the quotes out
-negative_reward = "-37"
-
-# %% the run itself
-# says: take an entry of it
-negative_reward = exact.best_run(0.1, negative_reward=-37)
-
-# %% the function
-# says: call it
-negative_reward = exact.best_run
-
-# %% zero
-# says: takes 1 step: it is higher than it need be
-negative_reward = 0
-
 # %% the change of the path
 # says: there the *path* of the safe run changes; the number of its steps changes elsewhere
 negative_reward = -100.0
 while exact.best_run(0.1, negative_reward=negative_reward)[2] == (2, 1):
     negative_reward += 0.1
-
-# %% one digit too few states
-# says: it is too low
-negative_reward = -100.0
-while len(exact.best_run(0.1, negative_reward=negative_reward)) > 6:
-    negative_reward += 0.1
-negative_reward -= 1

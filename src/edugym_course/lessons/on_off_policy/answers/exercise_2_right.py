@@ -14,49 +14,6 @@ def switch(model):
     return high
 
 
-# %% with bounds for rounding
-def switch(model):
-    best = value_iteration(model).start
-    epsilon = 0.0
-    while True:
-        epsilon += 0.0005
-        values = value_iteration(model, epsilon=epsilon, horizon=50)
-        if policy_evaluation(model, values.greedy_policy(), horizon=50).start < best - 0.5:
-            return epsilon
-
-
-# %% the change of the return
-def switch(model):
-    def greedy_return(epsilon):
-        plan = value_iteration(model, epsilon=epsilon, horizon=60)
-        return policy_evaluation(model, plan.greedy_policy(), horizon=60).start
-
-    epsilons = np.linspace(0, 0.2, 201)
-    returns = np.array([greedy_return(epsilon) for epsilon in epsilons])
-    return epsilons[np.argmax(returns < returns[0])]
-
-
-# %% without a horizon
-def switch(model):
-    fastest = value_iteration(model).start
-    for i in range(201):
-        policy = value_iteration(model, epsilon=i / 1000).greedy_policy()
-        if policy_evaluation(model, policy).start != fastest:
-            return i / 1000
-
-
-# %% from above
-def switch(model):
-    fastest = value_iteration(model, horizon=50).start
-    epsilon = 0.2
-    while epsilon > 0:
-        policy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
-        if policy_evaluation(model, policy, horizon=50).start == fastest:
-            break
-        epsilon -= 0.001
-    return epsilon + 0.001
-
-
 # %% by playing the run
 def switch(model):
     def steps(epsilon):

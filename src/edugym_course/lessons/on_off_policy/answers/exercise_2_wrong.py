@@ -1,9 +1,3 @@
-# %% not solved
-# says: Not solved yet
-def switch(model):
-    raise NotImplementedError("not solved yet: replace this line")
-
-
 # %% no return
 # says: is a `return` missing?
 # says: switch(model) for W =
@@ -34,17 +28,6 @@ def switch(model):
     fastest = value_iteration(model, horizon=50).start
     for epsilon in np.arange(0.0, 0.2, 0.001):
         if value_iteration(model, epsilon=epsilon, horizon=50).start < fastest:
-            return epsilon
-
-
-# %% the slipping policy is evaluated
-# says: played *without* slips
-def switch(model):
-    fastest = value_iteration(model, horizon=50).start
-    for epsilon in np.arange(0.0, 0.2, 0.001):
-        greedy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
-        soft = (1 - epsilon) * greedy + epsilon / 3
-        if policy_evaluation(model, soft, horizon=50).start < fastest:
             return epsilon
 
 
@@ -103,54 +86,6 @@ def switch(model):
 # says: that is the estimate, 3 divided by the cost of a fall, not the exact value: plan on the model
 def switch(model):
     return 3 / abs(model.mdp.negative_reward)
-
-
-# %% epsilon is not given to the planner
-# says: is a `return` missing?
-def switch(model):
-    fastest = value_iteration(model, horizon=50).start
-    for epsilon in np.arange(0.0, 0.2, 0.001):
-        policy = value_iteration(model, horizon=50).greedy_policy()
-        if policy_evaluation(model, policy, horizon=50).start < fastest:
-            return epsilon
-
-
-# %% the policy for the values
-# says: raises
-def switch(model):
-    fastest = value_iteration(model, horizon=50).start
-    for epsilon in np.arange(0.0, 0.2, 0.001):
-        policy = value_iteration(model, epsilon=epsilon, horizon=50)
-        if policy_evaluation(model, policy, horizon=50).start < fastest:
-            return epsilon
-
-
-# %% values instead of their start
-# says: raises
-def switch(model):
-    fastest = value_iteration(model, horizon=50)
-    for epsilon in np.arange(0.0, 0.2, 0.001):
-        policy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
-        if policy_evaluation(model, policy, horizon=50) < fastest.start:
-            return epsilon
-
-
-# %% the lesson's model
-# says: the ε of the lesson's road
-def switch(model):
-    return exact.switch(finite_model(make_mdp("Roadrunner")))
-
-
-# %% a list
-# says: take an entry of it
-def switch(model):
-    fastest = value_iteration(model, horizon=50).start
-    found = []
-    for epsilon in np.arange(0.0, 0.2, 0.01):
-        policy = value_iteration(model, epsilon=epsilon, horizon=50).greedy_policy()
-        if policy_evaluation(model, policy, horizon=50).start < fastest:
-            found.append(epsilon)
-    return found
 
 
 # %% no parameter

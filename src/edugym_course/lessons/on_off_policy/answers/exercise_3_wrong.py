@@ -1,14 +1,3 @@
-# %% not solved
-# says: Not solved yet
-def learn(self, state, action, reward, next_state, terminated):
-    raise NotImplementedError("not solved yet: replace this line")
-
-
-# %% nothing
-# says: changes no table at all
-def learn(self, state, action, reward, next_state, terminated): ...
-
-
 # %% the target is returned
 # says: ; it returns something instead, which nobody reads
 def learn(self, state, action, reward, next_state, terminated):
@@ -130,53 +119,12 @@ def learn(self, state, action, reward, next_state, terminated):
     self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
 
 
-# %% no brackets around the two terms
-# says: Q(S, A)
-def learn(self, state, action, reward, next_state, terminated):
-    value = (1 - self.target_epsilon) * max(self.Q[next_state]) + self.target_epsilon * np.mean(self.Q[next_state])
-    target = reward if terminated else reward + self.discount * value
-    self.Q[state, action] = self.learning_rate * (target - self.Q[state, action])
-
-
-# %% a fixed learning rate
-# says: a learning rate of 0.03
-def learn(self, state, action, reward, next_state, terminated):
-    value = (1 - self.target_epsilon) * max(self.Q[next_state]) + self.target_epsilon * np.mean(self.Q[next_state])
-    target = reward if terminated else reward + self.discount * value
-    self.Q[state, action] += 0.03 * (target - self.Q[state, action])
-
-
-# %% a fixed target policy
-# says: an ε_π of 0.1
-def learn(self, state, action, reward, next_state, terminated):
-    value = 0.9 * max(self.Q[next_state]) + 0.1 * np.mean(self.Q[next_state])
-    target = reward if terminated else reward + self.discount * value
-    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
-
-
-# %% no discount
-# says: not discounted
-def learn(self, state, action, reward, next_state, terminated):
-    value = (1 - self.target_epsilon) * max(self.Q[next_state]) + self.target_epsilon * np.mean(self.Q[next_state])
-    target = reward if terminated else reward + value
-    self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
-
-
 # %% self is forgotten
 # says: write `self.` before a field
 def learn(self, state, action, reward, next_state, terminated):
     value = (1 - target_epsilon) * max(self.Q[next_state]) + target_epsilon * np.mean(self.Q[next_state])
     target = reward if terminated else reward + self.discount * value
     self.Q[state, action] += self.learning_rate * (target - self.Q[state, action])
-
-
-# %% nothing is learned at the end
-# says: at the end of an episode nothing is learned
-def learn(self, state, action, reward, next_state, terminated):
-    if terminated:
-        return
-    value = (1 - self.target_epsilon) * max(self.Q[next_state]) + self.target_epsilon * np.mean(self.Q[next_state])
-    self.Q[state, action] += self.learning_rate * (reward + self.discount * value - self.Q[state, action])
 
 
 # %% an agent instead of the class

@@ -3,24 +3,6 @@
 #   so but a number.
 late = 59 / 9
 
-# %% two digits
-late = 6.56
-
-# %% rounded down
-late = 6.555
-
-# %% solved for the cost
-ring, works = 4.0, 0.9
-late = (ring + 2 - (1 - works) * 1) / works
-
-# %% by a search
-late = 0.0
-while True:
-    values = exact.solve(Morning(late=late))
-    if values.Q[values.model.row((7, 2))].argmax() == 2:
-        break
-    late += 0.005
-
 # %% NumPy's number
 late = np.float32(6.5556)
 

@@ -6,10 +6,6 @@ late = 10.0
 # says: Not solved yet
 late = ...
 
-# %% none
-# says: Not solved yet
-late = None
-
 # %% a ring that never fails
 # says: a ring fails with probability 0.1; then she is dozing, which is worth 1 and costs `late`
 late = 6
@@ -54,23 +50,6 @@ late = 8
 # %% one digit
 # says: ; you are close, round it to two digits after the decimal point
 late = 6.6
-
-# %% rounded the wrong way
-# says: best to stay quiet
-# says: round it to two digits
-late = 6.55
-
-# %% a text
-# says: leave the quotes out
-late = "6.56"
-
-# %% a function
-# says: is a function
-late = lambda: 59 / 9
-
-# %% the slider's list
-# says: should be one number
-late = [6.5, 7.0]
 
 # %% the decimal point
 # says: that is ten times as much, or the decimal point is in the wrong place

@@ -115,28 +115,10 @@ def shaped_reward(reward, potential, state, next_state, terminated, discount):
     return reward + discount * potential(next_state) - before
 
 
-# %% no return
-# says: is a `return` missing
-def shaped_reward(reward, potential, state, next_state, terminated, discount):
-    reward += discount * potential(next_state) * (not terminated) - potential(state)
-
-
 # %% the potential as a table
 # says: a function is called, with parentheses
 def shaped_reward(reward, potential, state, next_state, terminated, discount):
     return reward + discount * potential[next_state] - potential[state]
-
-
-# %% printed
-# says: is a `return` missing
-def shaped_reward(reward, potential, state, next_state, terminated, discount):
-    print(reward - potential(state))
-
-
-# %% an argument left out
-# says: its parameters are not those of the exercise
-def shaped_reward(reward, potential, state, next_state, discount):
-    return reward + discount * potential(next_state) - potential(state)
 
 
 # %% discount and end exchanged

@@ -13,22 +13,6 @@ def transition(self, state, action, rng):
     return t + 1, d, min(c + (action == 1), 2)
 
 
-# %% with a flag
-def transition(self, state, action, rng):
-    time, depth, chimes = state
-    heard = action == 1 and chimes != 2
-    luck = rng.random()
-    if action == 2:
-        depth = 0 if luck < 0.9 else max(depth - 1, 0)
-    elif heard:
-        depth = max(depth - 1, 0) if luck < 0.7 else depth
-    else:
-        depth = min(depth + 1, 2) if luck < 0.5 else depth
-    if action == 1 and chimes < 2:
-        chimes += 1
-    return (time + 1, depth, chimes)
-
-
 # %% an unheard chime becomes silence
 def transition(self, state, action, rng):
     time, depth, chimes = state
@@ -47,30 +31,7 @@ def transition(self, state, action, rng):
     return time + 1, max(0, min(2, depth)), count
 
 
-# %% by the method of Morning
-def transition(self, state, action, rng):
-    time, depth, chimes = state
-    what = 0 if action == 1 and chimes == 2 else action
-    time, depth = Morning().transition((time, depth), what, rng)
-    return time, depth, chimes + 1 if action == 1 and chimes < 2 else chimes
-
-
 # %% the space in numbers
 @property
 def observation_space(self):
     return MultiDiscrete([9, 3, 3])
-
-
-# %% the start as a tuple
-def initial(self, rng):
-    return (0, 2, 0)
-
-
-# %% the space as an array
-@property
-def observation_space(self):
-    return MultiDiscrete(np.array([self.length + 1, 3, 3]))
-
-
-def initial(self, rng):
-    return tuple([0, 2, 0])

@@ -31,20 +31,6 @@ def transition(self, state, action, rng):
     return time + 1, depth, chimes
 
 
-# %% rings do nothing
-# says: that is none of the usual mistakes: write down by hand what can happen
-def transition(self, state, action, rng):
-    time, depth, chimes = state
-    luck = rng.random()
-    if action == 1 and chimes < 2:
-        depth = max(depth - 1, 0) if luck < 0.7 else depth
-    else:
-        depth = min(depth + 1, 2) if luck < 0.5 else depth
-    if action == 1:
-        chimes = min(chimes + 1, 2)
-    return time + 1, depth, chimes
-
-
 # %% counted first
 # says: the second chime does nothing any more: look at how many chimes came *before* this one
 def transition(self, state, action, rng):
@@ -56,21 +42,6 @@ def transition(self, state, action, rng):
         depth = 0 if luck < 0.9 else max(depth - 1, 0)
     elif action == 1 and chimes < 2:
         depth = max(depth - 1, 0) if luck < 0.7 else depth
-    else:
-        depth = min(depth + 1, 2) if luck < 0.5 else depth
-    return time + 1, depth, chimes
-
-
-# %% she always hears it
-# says: after two of them a chime should be like silence
-def transition(self, state, action, rng):
-    time, depth, chimes = state
-    luck = rng.random()
-    if action == 2:
-        depth = 0 if luck < 0.9 else max(depth - 1, 0)
-    elif action == 1:
-        depth = max(depth - 1, 0) if luck < 0.7 else depth
-        chimes = min(chimes + 1, 2)
     else:
         depth = min(depth + 1, 2) if luck < 0.5 else depth
     return time + 1, depth, chimes
@@ -253,13 +224,6 @@ def observation_space(self):
     return MultiDiscrete([self.length + 1, 3, 2])
 
 
-# %% the old space
-# says: observation_space should be
-@property
-def observation_space(self):
-    return MultiDiscrete([self.length + 1, 3])
-
-
 # %% a value of the class
 # says: should be the class
 class UsedToIt(NamedTuple):
@@ -267,20 +231,6 @@ class UsedToIt(NamedTuple):
 
 
 UsedToIt = UsedToIt()
-
-
-# %% a list
-# says: of the type list
-def transition(self, state, action, rng):
-    time, depth, chimes = state
-    luck = rng.random()
-    if action == 2:
-        depth = 0 if luck < 0.9 else max(depth - 1, 0)
-    elif action == 1 and chimes < 2:
-        depth = max(depth - 1, 0) if luck < 0.7 else depth
-    else:
-        depth = min(depth + 1, 2) if luck < 0.5 else depth
-    return [time + 1, depth, min(chimes + (action == 1), 2)]
 
 
 # %% parameters exchanged
@@ -295,26 +245,6 @@ def transition(self, action, state, rng):
     else:
         depth = min(depth + 1, 2) if luck < 0.5 else depth
     return time + 1, depth, min(chimes + (action == 1), 2)
-
-
-# %% random numbers of its own
-# says: draw from rng
-def transition(self, state, action, rng):
-    time, depth, chimes = state
-    luck = random.random()
-    if action == 2:
-        depth = 0 if luck < 0.9 else max(depth - 1, 0)
-    elif action == 1 and chimes < 2:
-        depth = max(depth - 1, 0) if luck < 0.7 else depth
-    else:
-        depth = min(depth + 1, 2) if luck < 0.5 else depth
-    return time + 1, depth, min(chimes + (action == 1), 2)
-
-
-# %% an array for a start
-# says: of the type ndarray
-def initial(self, rng):
-    return np.array([0, 2, 0])
 
 
 # %% the count is hidden

@@ -40,24 +40,6 @@ my_problem = Template(days=8)
 my_problem = Morning(late=20.0)
 
 
-# %% the problem of the lesson with another name
-# says: that is the problem of the lesson: write one of your own, under its own name
-class Evening(Morning):
-    __slots__ = ()
-
-
-my_problem = Evening()
-
-
-# %% the problem of the lesson with another class
-# says: that is the problem of the lesson: write one of your own, under its own name
-class Morning(Plant):
-    __slots__ = ()
-
-
-my_problem = Morning()
-
-
 # %% nothing to choose
 # says: my_problem should have two actions and four states or more, but has 1 and
 class Watched(Plant):
@@ -68,42 +50,9 @@ class Watched(Plant):
 my_problem = Watched()
 
 
-# %% the class
-# says: is the class Thirsty
-class Thirsty(Plant):
-    __slots__ = ()
-
-
-my_problem = Thirsty
-
 # %% a name
 # says: is the name
 my_problem = "Boulder"
-
-
-# %% a method is missing
-# says: must have a method terminal
-class Clock(NamedTuple):
-    observation_space = property(lambda self: Discrete(3))
-    action_space = property(lambda self: Discrete(2))
-
-    def initial(self, rng):
-        return 0
-
-    def transition(self, state, action, rng):
-        return min(state + action, 2)
-
-    def reward(self, state, action, next_state, rng):
-        return 1.0
-
-    def is_terminal(self, state):
-        return state == 2
-
-    def observation(self, state, rng):
-        return state
-
-
-my_problem = Clock()
 
 
 # %% no NamedTuple
@@ -157,21 +106,6 @@ class Queue(NamedTuple):
 
 
 my_problem = Queue()
-
-
-# %% an episode that never ends
-# says: no state of Endless is terminal, so an episode never ends: let `terminal` be True somewhere
-class Endless(Plant):
-    __slots__ = ()
-
-    def transition(self, state, action, rng):
-        return 0, min(max(state[1] + (1 if rng.random() < 0.5 else -1), 0), 3)
-
-    def terminal(self, state):
-        return state[0] == 1
-
-
-my_problem = Endless()
 
 
 # %% no chance
@@ -237,73 +171,6 @@ class Flat(Plant):
 my_problem = Flat()
 
 
-# %% no end
-# says: an episode never ends
-class Forever(Plant):
-    __slots__ = ()
-    observation_space = property(lambda self: MultiDiscrete([2, 4]))
-
-    def transition(self, state, action, rng):
-        return 0, max(min(state[1] + 2 * action, 3) - int(rng.random() < 0.6), 0)
-
-    def terminal(self, state):
-        return False
-
-
-my_problem = Forever()
-
-
-# %% may never end
-# says: may never end
-class Maybe(Plant):
-    __slots__ = ()
-    observation_space = property(lambda self: MultiDiscrete([2, 4]))
-
-    def transition(self, state, action, rng):
-        return 0, max(min(state[1] + 2 * action, 3) - int(rng.random() < 0.6), 0)
-
-    def terminal(self, state):
-        return state[1] == 0
-
-
-my_problem = Maybe()
-
-
-# %% dice of its own
-# says: draw from rng
-class Dice(Plant):
-    __slots__ = ()
-
-    def transition(self, state, action, rng):
-        return state[0] + 1, np.random.randint(4)
-
-
-my_problem = Dice()
-
-
-# %% a reward on some paths only
-# says: is a return missing
-class Sometimes(Plant):
-    __slots__ = ()
-
-    def reward(self, state, action, next_state, rng):
-        if next_state[1] == 0:
-            return -1.0
-
-
-my_problem = Sometimes()
-
-
-# %% out of its space
-# says: must return an element of
-class Space(Plant):
-    __slots__ = ()
-    observation_space = property(lambda self: MultiDiscrete([self.days, 3]))
-
-
-my_problem = Space()
-
-
 # %% states with fractions
 # says: no finite model
 class Fine(Plant):
@@ -318,40 +185,3 @@ class Fine(Plant):
 
 
 my_problem = Fine()
-
-
-# %% a mistake in a method
-# says: raises NameError
-class Typo(Plant):
-    __slots__ = ()
-
-    def reward(self, state, action, next_state, rng):
-        return watter * 1.0
-
-
-my_problem = Typo()
-
-
-# %% too small
-# says: my_problem should have two actions and four states or more, but has
-class Coin(NamedTuple):
-    observation_space = property(lambda self: Discrete(2))
-    action_space = property(lambda self: Discrete(2))
-
-    def initial(self, rng):
-        return 0
-
-    def transition(self, state, action, rng):
-        return 1 if rng.random() < 0.5 else 0
-
-    def reward(self, state, action, next_state, rng):
-        return 1.0 * action * next_state
-
-    def terminal(self, state):
-        return state == 1
-
-    def observation(self, state, rng):
-        return state
-
-
-my_problem = Coin()

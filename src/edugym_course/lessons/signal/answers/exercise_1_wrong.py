@@ -7,10 +7,6 @@ words = 1
 # says: Not solved yet
 words = ...
 
-# %% none
-# says: Not solved yet
-words = None
-
 # %% divided
 # says: that is 0.4 divided by the bits of one word;
 # says: the words repeat each other in part, so more are needed
@@ -27,11 +23,6 @@ words = 0.4 / information(0.1)
 # %% the last one below
 # says: that is the last length that carries less than 0.4 bit; one word more is enough
 words = max(L for L in range(1, 40) if information(0.1, L) < 0.4)
-
-# %% an index
-# says: one word more is enough
-bits = [information(0.1, L) for L in range(1, 40)]
-words = next(k for k, b in enumerate(bits) if b >= 0.4)
 
 # %% one too many
 # says: one word less is enough; is the comparison `<`, and the count read before it grows?
@@ -58,19 +49,3 @@ words = next(L for L in range(1, 57) if information(0.05, L) >= 0.4)
 # %% half a bit
 # says: that is where *half* a bit is reached
 words = next(L for L in range(1, 57) if information(0.1, L) >= 0.5)
-
-# %% the bits
-# says: a whole number
-words = information(0.1, 22)
-
-# %% a text
-# says: leave the quotes out
-words = "22"
-
-# %% a list
-# says: take an entry of it
-words = [L for L in range(1, 40) if information(0.1, L) >= 0.4]
-
-# %% four words at a time
-# says: the answer for τ = 0.05
-words = math.ceil(22 / 4)

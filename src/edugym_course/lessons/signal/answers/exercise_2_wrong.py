@@ -4,16 +4,6 @@ def bits_in(joint):
     raise NotImplementedError
 
 
-# %% no return
-# says: is a `return` missing?
-def bits_in(joint):
-    total = 0.0
-    for x in range(joint.shape[0]):
-        for y in range(joint.shape[1]):
-            if joint[x, y] > 0:
-                total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
-
-
 # %% a whole number beyond all real ones
 # says: should be a finite number, but is
 # says: : is something divided by zero?
@@ -53,16 +43,6 @@ def bits_in(joint):
 def bits_in(joint):
     both = np.outer(joint.sum(axis=1), joint.sum(axis=0))
     return np.sum(joint * np.log2(joint / both))
-
-
-# %% zeros in a loop
-# says: raises ValueError
-def bits_in(joint):
-    total = 0.0
-    for x in range(joint.shape[0]):
-        for y in range(joint.shape[1]):
-            total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
-    return total
 
 
 # %% no weights
@@ -212,28 +192,6 @@ def bits_in(joint):
     return total
 
 
-# %% always four by four
-# says: raises IndexError
-def bits_in(joint):
-    total = 0.0
-    for x in range(4):
-        for y in range(4):
-            if joint[x, y] > 0:
-                total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint[:, y].sum()))
-    return total
-
-
-# %% rows and columns changed
-# says: none of the usual mistakes
-def bits_in(joint):
-    total = 0.0
-    for x in range(joint.shape[0]):
-        for y in range(joint.shape[1]):
-            if joint[x, y] > 0:
-                total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint.sum()))
-    return total + 1
-
-
 # %% it changes the table
 # says: bits_in changes the table that it is given: work with a copy, or with new variables
 def bits_in(joint):
@@ -244,12 +202,6 @@ def bits_in(joint):
 # %% a number
 # says: should be a function
 bits_in = 2.0
-
-
-# %% an array
-# says: take an entry of it
-def bits_in(joint):
-    return joint * np.log2(np.maximum(joint, 1e-9))
 
 
 # %% rounded
@@ -307,3 +259,14 @@ def bits_in(joint):
             if p > 0:
                 total += p * math.log2(p / column.sum())
     return total
+
+
+# %% rows and columns changed
+# says: that is none of the usual mistakes, so work it out once more by hand
+def bits_in(joint):
+    total = 0.0
+    for x in range(joint.shape[0]):
+        for y in range(joint.shape[1]):
+            if joint[x, y] > 0:
+                total += joint[x, y] * math.log2(joint[x, y] / (joint[x].sum() * joint.sum()))
+    return total + 1

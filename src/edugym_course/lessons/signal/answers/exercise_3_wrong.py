@@ -11,32 +11,6 @@ def act(self, observation, rng):
     return action
 
 
-# %% a truth value as an action
-# says: should give the number of an action
-def act(self, observation, rng):
-    votes = np.zeros(4)
-    for k in range(1, len(observation)):
-        votes[observation[k] % 4] += 1.0
-    if self.last[0] >= 0:
-        votes[self.last[0]] = -1.0
-    self.last[0] = pick(votes, rng)
-    return votes
-
-
-# %% the word itself
-# says: should give an action from 0 to 3
-def act(self, observation, rng):
-    word = observation[1]
-    self.last[0] = word
-    return int(word)
-
-
-# %% nothing
-# says: Not solved yet
-def act(self, observation, rng):
-    raise NotImplementedError
-
-
 # %% the vote alone
 # says: that is the vote alone; the action that was taken last should be left out
 def act(self, observation, rng):
@@ -92,19 +66,6 @@ def act(self, observation, rng):
     for k in range(1, len(observation)):
         votes = np.zeros(4)
         votes[observation[k] % 4] += 1.0
-    if self.last[0] >= 0:
-        votes[self.last[0]] = -1.0
-    action = pick(votes, rng)
-    self.last[0] = action
-    return action
-
-
-# %% no synonyms
-# says: raises IndexError
-def act(self, observation, rng):
-    votes = np.zeros(4)
-    for k in range(1, len(observation)):
-        votes[observation[k]] += 1.0
     if self.last[0] >= 0:
         votes[self.last[0]] = -1.0
     action = pick(votes, rng)
@@ -226,29 +187,6 @@ def act(self, observation, rng):
     return action
 
 
-# %% no return
-# says: is a `return` missing?
-def act(self, observation, rng):
-    votes = np.zeros(4)
-    for k in range(1, len(observation)):
-        votes[observation[k] % 4] += 1.0
-    if self.last[0] >= 0:
-        votes[self.last[0]] = -1.0
-    self.last[0] = pick(votes, rng)
-
-
-# %% the field itself
-# says: the fields of a NamedTuple are fixed
-def act(self, observation, rng):
-    votes = np.zeros(4)
-    for k in range(1, len(observation)):
-        votes[observation[k] % 4] += 1.0
-    if self.last[0] >= 0:
-        votes[self.last[0]] = -1.0
-    self.last = pick(votes, rng)
-    return self.last
-
-
 # %% the fewest words
 # says: it takes the need with the *fewest* words
 def act(self, observation, rng):
@@ -278,20 +216,6 @@ def act(self, observation, rng):
     action = pick(votes, rng)
     if action == self.last[0]:
         action = (action + 1 + int(rng.random() * 3)) % 4
-    self.last[0] = action
-    return action
-
-
-# %% its own random numbers
-# says: does not draw its random numbers from `rng`
-def act(self, observation, rng):
-    votes = np.zeros(4)
-    for k in range(1, len(observation)):
-        votes[observation[k] % 4] += 1.0
-    if self.last[0] >= 0:
-        votes[self.last[0]] = -1.0
-    best = np.flatnonzero(votes == votes.max())
-    action = int(np.random.default_rng().choice(best))
     self.last[0] = action
     return action
 

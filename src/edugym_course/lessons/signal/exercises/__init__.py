@@ -11,9 +11,9 @@ from edugym.checks.values import is_finite_number
 from edugym.mdp.protocol import Reals
 from edugym_course.grading.agents import require_class, require_function
 from edugym_course.grading.challenge import Challenge
-from edugym_course.grading.student_code import running
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import compare, number, same
-from edugym_course.grading.wrong import WrongAnswer
 from edugym_course.lessons.signal.exercises.listener import (
     CLOSE,
     HEARD,
@@ -121,7 +121,7 @@ def _told(joint: Reals) -> str:
 def _call(answer: Any, joint: Reals) -> Any:
     """Return what a student's function gives for a table."""
     before = joint.copy()
-    with running(f"bits_in({_told(joint)})"):
+    with student_code(f"bits_in({_told(joint)})"):
         found = answer(joint)
     if not np.array_equal(joint, before):
         raise WrongAnswer("bits_in changes the table that it is given: work with a copy, or with new variables")

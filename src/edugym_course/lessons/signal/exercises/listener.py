@@ -9,9 +9,9 @@ import numpy as np
 from edugym.mdp.protocol import Integers, Reals
 from edugym_course.grading.agents import agent_created_by
 from edugym_course.grading.choices import action_of, check_choices
-from edugym_course.grading.student_code import running
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.student_code import student_code
 from edugym_course.grading.updates import table_of
-from edugym_course.grading.wrong import WrongAnswer
 
 FOUR_NEEDS = 4
 DRAWS, CLOSE = 300, 0.12
@@ -147,7 +147,7 @@ def _chooser(made: Any, case: Heard) -> Callable[[np.random.Generator], Any]:
 def shares_of(made: Any, case: Heard) -> Reals:
     """Return how often each action is chosen in a case."""
     rng, choose, shares = np.random.default_rng(2), _chooser(made, case), np.zeros(FOUR_NEEDS)
-    with running(case.call):
+    with student_code(case.call):
         for _ in range(DRAWS):
             shares[action_of(case.call, choose(rng), FOUR_NEEDS)] += 1 / DRAWS
     return shares
@@ -177,7 +177,7 @@ def made_by(answer: Any) -> Any:
 def check_memory(made: Any, case: Heard) -> None:
     """Check that the action is remembered."""
     call = case.call
-    with running(call):
+    with student_code(call):
         action = action_of(call, _chooser(made, case)(np.random.default_rng(1)), FOUR_NEEDS)
     if made.last[0] == action:
         return

@@ -1,24 +1,10 @@
-# %% nothing was done
-# says: the value with which the cell began
-level = 0.0187
-
 # %% the placeholder
 # says: Not solved yet
 level = ...
 
-# %% none
-# says: Not solved yet
-level = None
-
 # %% the hits are forgotten
 # says: that is the crossing with 10 hits; give `max_hits=5` to from_the_tee
 level = exact.crossing()
-
-# %% the hits are forgotten in a loop
-# says: that is the crossing with 10 hits
-level = 0.018
-while exact.from_the_tee(level)["drive"] > exact.from_the_tee(level)["chip"]:
-    level += 0.00002
 
 # %% the estimate, measured from the safe plan
 # says: that is an estimate with a cost of 1.6 for a lost ball; the fast plan returns 0.8 now, so it costs 1.8
@@ -41,10 +27,6 @@ level = 0.02
 # says: ; you are close, look in steps of 0.0001
 level = 0.023
 
-# %% too high
-# says: it is too high
-level = 0.03
-
 # %% the comparison the wrong way round
 # says: that is the value with which the cell began
 level = 0.0187
@@ -55,36 +37,6 @@ while exact.from_the_tee(level, max_hits=5)["drive"] < exact.from_the_tee(level,
 # says: that is the standard deviation of a drive, 100 times the level
 level = 2.32
 
-# %% in percent of one
-# says: is not a level
-level = 23.2
-
-# %% a text
-# says: leave the quotes out
-level = "0.0232"
-
-# %% the worth
-# says: take an entry of it
-level = exact.from_the_tee(0.0232, max_hits=5)
-
 # %% a negative level
 # says: the sign is wrong
 level = -0.0232
-
-# %% the function
-# says: call it
-level = exact.crossing
-
-# %% no chance at all
-# says: is not a level, a number above 0 and far below 1: it is too low
-level = 0
-
-# %% two steps too far
-# says: look in steps of 0.0001
-level = 0.0234
-
-# %% steps of a thousandth
-# says: too high
-level = 0.0187
-while exact.from_the_tee(level, max_hits=5)["drive"] > exact.from_the_tee(level, max_hits=5)["chip"]:
-    level += 0.001

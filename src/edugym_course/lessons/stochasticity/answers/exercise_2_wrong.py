@@ -1,9 +1,3 @@
-# %% not solved
-# says: Not solved yet
-def frontier(players):
-    raise NotImplementedError("not solved yet: replace this line")
-
-
 # %% no return
 # says: is a `return` missing?
 # says: frontier(players) with
@@ -120,13 +114,6 @@ def frontier(players):
     ]
 
 
-# %% numbers of players
-# says: should hold names
-def frontier(players):
-    pairs = list(players.values())
-    return [i for i, (m, s) in enumerate(pairs) if not any(a >= m and b <= s and (a, b) != (m, s) for a, b in pairs)]
-
-
 # %% only the first name
 # says: : there may be several
 # says: should be a list of names, but is the text
@@ -191,15 +178,6 @@ def frontier(players):
     for n, (m, s) in list(players.items()):
         if any(a >= m and b <= s and (a, b) != (m, s) for a, b in players.values()):
             del players[n]
-    return list(players)
-
-
-# %% removed while looping
-# says: raises RuntimeError
-def frontier(players):
-    for n, (m, s) in players.items():
-        if any(a >= m and b <= s and (a, b) != (m, s) for a, b in players.values()):
-            players.pop(n)
     return list(players)
 
 

@@ -11,27 +11,6 @@ def learn(self, state, action, reward, next_state, terminated):
         self.Q[state, action] += self.learning_rate * (1 + self.kappa) * delta
 
 
-# %% the package's functions
-def learn(self, state, action, reward, next_state, terminated):
-    target = one_step_target(reward, self.discount, best_value(self.Q, next_state), terminated)
-    delta = target - self.Q[state, action]
-    w = 1 - self.kappa if delta > 0 else 1 + self.kappa
-    self.Q[state, action] += self.learning_rate * w * delta
-
-
-# %% by the sign
-def learn(self, state, action, reward, next_state, terminated):
-    delta = reward + self.discount * np.max(self.Q[next_state]) * (not terminated) - self.Q[state, action]
-    self.Q[state, action] += self.learning_rate * (1 - self.kappa * np.sign(delta)) * delta
-
-
-# %% by the absolute value
-def learn(self, state, action, reward, next_state, terminated):
-    value = 0.0 if terminated else self.Q[next_state].max()
-    delta = reward + self.discount * value - self.Q[state, action]
-    self.Q[state, action] += self.learning_rate * (delta - self.kappa * abs(delta))
-
-
 # %% an index
 def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else max(self.Q[next_state])
@@ -46,14 +25,3 @@ def learn(self, state, action, reward, next_state, terminated):
     target = reward if terminated else reward + self.discount * self.Q[next_state].max()
     rate = self.learning_rate * (1 - self.kappa if target >= old else 1 + self.kappa)
     self.Q[state, action] = (1 - rate) * old + rate * target
-
-
-# %% more parameters than needed
-def learn(self, state, action, reward, next_state, next_action, terminated, truncated):
-    delta = -self.Q[state, action] + reward
-    if not terminated:
-        delta += self.discount * max(self.Q[next_state])
-    weight = 1 + self.kappa
-    if delta > 0:
-        weight = 1 - self.kappa
-    self.Q[state, action] += self.learning_rate * weight * delta

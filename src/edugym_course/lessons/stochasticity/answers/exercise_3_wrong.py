@@ -1,24 +1,3 @@
-# %% not solved
-# says: Not solved yet
-def learn(self, state, action, reward, next_state, terminated):
-    raise NotImplementedError("not solved yet: replace this line")
-
-
-# %% nothing
-# says: changes no table at all
-def learn(self, state, action, reward, next_state, terminated): ...
-
-
-# %% a local variable
-# says: changes no table at all
-def learn(self, state, action, reward, next_state, terminated):
-    q = self.Q[state, action]
-    value = 0.0 if terminated else max(self.Q[next_state])
-    delta = reward + self.discount * value - q
-    w = 1 - self.kappa if delta > 0 else 1 + self.kappa
-    q += self.learning_rate * w * delta
-
-
 # %% the signs
 # says: good and bad surprises have changed places: κ > 0 avoids risk, so that bad ones weigh 1 + κ (β has the opposite
 #   sign)
@@ -128,31 +107,6 @@ def learn(self, state, action, reward, next_state, terminated):
     self.Q[state, action] += self.learning_rate * (w * target - self.Q[state, action])
 
 
-# %% terminated forgotten
-# says: a terminal state has no future
-def learn(self, state, action, reward, next_state, terminated):
-    delta = reward + self.discount * max(self.Q[next_state]) - self.Q[state, action]
-    w = 1 - self.kappa if delta > 0 else 1 + self.kappa
-    self.Q[state, action] += self.learning_rate * w * delta
-
-
-# %% no old value in the error
-# says: − Q(S, A) is missing
-def learn(self, state, action, reward, next_state, terminated):
-    target = reward if terminated else reward + self.discount * max(self.Q[next_state])
-    w = 1 - self.kappa if target > self.Q[state, action] else 1 + self.kappa
-    self.Q[state, action] += self.learning_rate * w * target
-
-
-# %% the old value is lost
-# says: the old value is lost
-def learn(self, state, action, reward, next_state, terminated):
-    value = 0.0 if terminated else max(self.Q[next_state])
-    delta = reward + self.discount * value - self.Q[state, action]
-    w = 1 - self.kappa if delta > 0 else 1 + self.kappa
-    self.Q[state, action] = self.learning_rate * w * delta
-
-
 # %% minus
 # says: the sign is wrong: it moves away from the target
 def learn(self, state, action, reward, next_state, terminated):
@@ -162,29 +116,11 @@ def learn(self, state, action, reward, next_state, terminated):
     self.Q[state, action] -= self.learning_rate * w * delta
 
 
-# %% old less target
-# says: the sign is wrong: it moves away from the target
-def learn(self, state, action, reward, next_state, terminated):
-    value = 0.0 if terminated else max(self.Q[next_state])
-    delta = self.Q[state, action] - (reward + self.discount * value)
-    w = 1 + self.kappa if delta > 0 else 1 - self.kappa
-    self.Q[state, action] += self.learning_rate * w * delta
-
-
 # %% the sign of δ
 # says: δ has the wrong sign: it is the target less Q(S, A), not Q(S, A) less the target
 def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else max(self.Q[next_state])
     delta = self.Q[state, action] - (reward + self.discount * value)
-    w = 1 - self.kappa if delta > 0 else 1 + self.kappa
-    self.Q[state, action] += self.learning_rate * w * delta
-
-
-# %% the mean for the maximum
-# says: the mean over the actions
-def learn(self, state, action, reward, next_state, terminated):
-    value = 0.0 if terminated else np.mean(self.Q[next_state])
-    delta = reward + self.discount * value - self.Q[state, action]
     w = 1 - self.kappa if delta > 0 else 1 + self.kappa
     self.Q[state, action] += self.learning_rate * w * delta
 
@@ -198,48 +134,11 @@ def learn(self, state, action, reward, next_state, terminated):
     self.Q[state, action] += self.learning_rate * w * delta
 
 
-# %% a fixed learning rate
-# says: a learning rate of 0.02
-def learn(self, state, action, reward, next_state, terminated):
-    value = 0.0 if terminated else max(self.Q[next_state])
-    delta = reward + self.discount * value - self.Q[state, action]
-    w = 1 - self.kappa if delta > 0 else 1 + self.kappa
-    self.Q[state, action] += 0.02 * w * delta
-
-
-# %% no discount
-# says: not discounted
-def learn(self, state, action, reward, next_state, terminated):
-    value = 0.0 if terminated else max(self.Q[next_state])
-    delta = reward + value - self.Q[state, action]
-    w = 1 - self.kappa if delta > 0 else 1 + self.kappa
-    self.Q[state, action] += self.learning_rate * w * delta
-
-
 # %% self is forgotten
 # says: write `self.` before a field
 def learn(self, state, action, reward, next_state, terminated):
     value = 0.0 if terminated else max(self.Q[next_state])
     delta = reward + discount * value - self.Q[state, action]
-    w = 1 - self.kappa if delta > 0 else 1 + self.kappa
-    self.Q[state, action] += self.learning_rate * w * delta
-
-
-# %% kappa without self
-# says: write `self.` before a field
-def learn(self, state, action, reward, next_state, terminated):
-    value = 0.0 if terminated else max(self.Q[next_state])
-    delta = reward + self.discount * value - self.Q[state, action]
-    w = 1 - kappa if delta > 0 else 1 + kappa
-    self.Q[state, action] += self.learning_rate * w * delta
-
-
-# %% nothing is learned at the end
-# says: at the end of an episode nothing is learned
-def learn(self, state, action, reward, next_state, terminated):
-    if terminated:
-        return
-    delta = reward + self.discount * max(self.Q[next_state]) - self.Q[state, action]
     w = 1 - self.kappa if delta > 0 else 1 + self.kappa
     self.Q[state, action] += self.learning_rate * w * delta
 

@@ -3,14 +3,12 @@
 import threading
 import time
 from collections.abc import Callable
-from types import SimpleNamespace
 
 import pytest
 
-from edugym_course.grading import patience
-from edugym_course.grading.patience import ending
-from edugym_course.grading.student_code import running
-from edugym_course.grading.wrong import WrongAnswer
+from edugym_course.grading.errors import WrongAnswer
+from edugym_course.grading.student_code import student_code
+from edugym_course.grading.time_limit import time_limit
 
 
 def waits_for_ever() -> None:
@@ -34,8 +32,8 @@ def test_code_that_never_ends_is_ended_with_a_sentence(code: Callable[[], None])
     """Also within code that has no limit."""
     with (
         pytest.raises(WrongAnswer, match=r"act\(3\) has not ended after 0.1 seconds: is there a `while`"),
-        running("your code", limit=1_000),
-        running("act(3)", limit=0.1),
+        student_code("your code", limit=1_000),
+        student_code("act(3)", limit=0.1),
     ):
         code()
 
@@ -43,9 +41,9 @@ def test_code_that_never_ends_is_ended_with_a_sentence(code: Callable[[], None])
 def test_the_limit_of_all_goes_on_where_the_limit_of_a_part_is_over() -> None:
     """Each stretch of code is watched until its own end."""
 
-    @ending("your code", limit=0.2)
+    @time_limit("your code", limit=0.2)
     def long() -> None:
-        with ending("act(3)"):
+        with time_limit("act(3)"):
             pass
         end = time.process_time() + 2
         while time.process_time() < end:
@@ -58,7 +56,7 @@ def test_the_limit_of_all_goes_on_where_the_limit_of_a_part_is_over() -> None:
 def test_code_that_ends_in_time_is_not_interrupted() -> None:
     """Neither then nor later."""
     for _ in range(200):
-        with ending("act(3)", limit=0.3):
+        with time_limit("act(3)", limit=0.3):
             pass
     end = time.process_time() + 0.8
     while time.process_time() < end:
@@ -67,7 +65,7 @@ def test_code_that_ends_in_time_is_not_interrupted() -> None:
 
 def test_ctrl_c_stays_ctrl_c() -> None:
     """It is no wrong answer."""
-    with pytest.raises(KeyboardInterrupt), ending("act(3)"):
+    with pytest.raises(KeyboardInterrupt), time_limit("act(3)"):
         raise KeyboardInterrupt
 
 
@@ -76,7 +74,7 @@ def test_another_thread_has_no_limit() -> None:
     done: list[bool] = []
 
     def long() -> None:
-        with ending("act(3)", limit=0.0):
+        with time_limit("act(3)", limit=0.0):
             time.sleep(0.5)
             done.append(True)
 
@@ -89,26 +87,10 @@ def test_another_thread_has_no_limit() -> None:
 def test_the_watching_thread_ends() -> None:
     """It does not stay for the rest of the session."""
     for _ in range(3):
-        with ending("act(3)"):
-            (watching,) = [thread for thread in threading.enumerate() if thread.name == "edugym-patience"]
+        with time_limit("act(3)"):
+            (watching,) = [thread for thread in threading.enumerate() if thread.name == "edugym-time-limit"]
             assert watching.daemon  # Python does not wait for it at its end
     end = time.monotonic() + 10
-    while any(thread.name == "edugym-patience" for thread in threading.enumerate()) and time.monotonic() < end:
+    while any(thread.name == "edugym-time-limit" for thread in threading.enumerate()) and time.monotonic() < end:
         time.sleep(0.05)
-    assert not any(thread.name == "edugym-patience" for thread in threading.enumerate())
-
-
-def test_the_watching_thread_sleeps_between_two_looks(monkeypatch: pytest.MonkeyPatch) -> None:
-    """So it takes no processor time from the code that it watches."""
-    naps, now = list[float](), time.process_time
-
-    def sleep(seconds: float) -> None:
-        naps.append(seconds)
-        time.sleep(seconds)
-
-    monkeypatch.setattr(patience, "time", SimpleNamespace(sleep=sleep, process_time=now))
-    end = time.monotonic() + 10
-    with ending("act(3)"):
-        while not naps and time.monotonic() < end:
-            time.sleep(0.01)
-    assert set(naps) == {patience.INTERVAL}
+    assert not any(thread.name == "edugym-time-limit" for thread in threading.enumerate())

@@ -1,4 +1,4 @@
-"""The verdict on an answer: one line when it is right, one sentence when it is not."""
+"""`check`: it prints one line if an answer is right, and raises one sentence if it is not."""
 
 import math
 import re
@@ -6,11 +6,8 @@ from collections.abc import Callable
 from typing import Any
 
 from edugym.checks.parameters import whole_number
-from edugym_course.grading.student_code import running
-from edugym_course.grading.wrong import Unsolved, WrongAnswer
+from edugym_course.grading.student_code import student_code
 from edugym_course.lab.progress import record_passed
-
-__all__ = ["Unsolved", "WrongAnswer", "check"]
 
 
 def check(exercise: Callable[..., str], answer: Any, *, seed: int = 0, quiet: bool = False) -> None:
@@ -29,7 +26,7 @@ def check(exercise: Callable[..., str], answer: Any, *, seed: int = 0, quiet: bo
         Unsolved: there is no answer yet.
     """
     whole_number("seed", seed, 0)
-    with running("your code", limit=math.inf):
+    with student_code("your code", limit=math.inf):
         worth_knowing = exercise(answer, seed)
     lesson = exercise.__module__.removeprefix("edugym_course.lessons.").partition(".")[0]
     number = re.fullmatch(r"exercise_(\d+)", exercise.__name__)

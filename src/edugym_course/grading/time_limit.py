@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 
-from edugym_course.grading.wrong import WrongAnswer
+from edugym_course.grading.errors import WrongAnswer
 
 LIMIT = 30.0
 """The seconds of processor time that one call of a student's code may take."""
@@ -45,7 +45,7 @@ class _Watch:
             self._stretches.append(stretch)
             if not self._is_running:
                 self._is_running = True
-                threading.Thread(target=self._run, name="edugym-patience", daemon=True).start()
+                threading.Thread(target=self._run, name="edugym-time-limit", daemon=True).start()
 
     def end(self, stretch: _Stretch) -> None:
         """Stop watching a stretch; after that it is not interrupted."""
@@ -71,7 +71,7 @@ _watch = _Watch()
 
 
 @contextmanager
-def ending(what: str, limit: float = LIMIT) -> Iterator[None]:
+def time_limit(what: str, limit: float = LIMIT) -> Iterator[None]:
     """Run a student's code, and end it when it takes too long. Only the main thread can be interrupted.
 
     Args:

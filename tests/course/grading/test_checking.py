@@ -8,7 +8,8 @@ import pytest
 from nbclient import NotebookClient
 from nbformat.v4 import new_code_cell, new_notebook
 
-from edugym_course.grading import Unsolved, WrongAnswer, check, student_code, verdict
+from edugym_course.grading import Unsolved, WrongAnswer, check, checking
+from edugym_course.grading.student_code import student_code
 
 
 def exercise(answer: int, seed: int) -> str:
@@ -46,11 +47,11 @@ def test_a_whole_check_may_take_long(monkeypatch: pytest.MonkeyPatch) -> None:
     """Only each call of the student's code has a limit."""
     limits: list[tuple[str, float]] = []
 
-    def running(what: str, limit: float = 30.0) -> AbstractContextManager[None]:
+    def noted(what: str, limit: float = 30.0) -> AbstractContextManager[None]:
         limits.append((what, limit))
-        return student_code.running(what, limit)
+        return student_code(what, limit)
 
-    monkeypatch.setattr(verdict, "running", running)
+    monkeypatch.setattr(checking, "student_code", noted)
     check(exercise, 2, quiet=True)
     assert limits == [("your code", math.inf)]
 

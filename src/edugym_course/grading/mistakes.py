@@ -1,0 +1,61 @@
+"""Which of the usual mistakes explains what an answer gives, in all cases of a check."""
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import NamedTuple, TypeVar
+
+from edugym_course.grading.values import UNUSUAL_NUMBER, compare, same
+
+Mistake = TypeVar("Mistake")
+
+UNUSUAL = "that is none of the usual mistakes, so compare your code with the equation, term by term"
+
+
+def mistake_that_fits(
+    mistakes: Mapping[str, Mistake],
+    everywhere: Callable[[Mistake], bool],
+    here: Callable[[Mistake], bool] | None = None,
+    otherwise: str = UNUSUAL,
+) -> str:
+    """Return the sentence of a mistake.
+
+    Args:
+        mistakes: the mistakes, by the sentence that tells of each.
+        everywhere: whether a mistake gives what the answer gives in all cases.
+        here: whether it does so in the case that is told; None names no such mistake.
+        otherwise: what to say if none fits.
+    """
+    for sentence, mistake in mistakes.items():
+        if everywhere(mistake):
+            return sentence
+    for sentence, mistake in mistakes.items():
+        if here is not None and here(mistake):
+            return f"in this case it looks like this: {sentence}"
+    return otherwise
+
+
+class NumberCase(NamedTuple):
+    """A number that an answer gives.
+
+    Attributes:
+        what: what the number is, for the sentence: a call.
+        found: the answer's number.
+        expected: the right one.
+        mistakes: by sentence, what each mistake gives; the same sentences in every case.
+    """
+
+    what: str
+    found: float
+    expected: float
+    mistakes: Mapping[str, float]
+
+
+def compare_all(cases: Sequence[NumberCase], otherwise: str = UNUSUAL_NUMBER) -> None:
+    """Check several numbers. If there are mistakes that explain all of them, no others are named.
+
+    Raises:
+        WrongAnswer: one is not right.
+    """
+    everywhere = [why for why in cases[0].mistakes if all(same(case.found, case.mistakes[why]) for case in cases)]
+    for what, found, expected, mistakes in cases:
+        wrong = {why: mistakes[why] for why in everywhere or mistakes if not same(mistakes[why], expected)}
+        compare(what, found, expected, wrong, otherwise=otherwise)

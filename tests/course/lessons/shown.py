@@ -1,0 +1,100 @@
+"""The figures that a lesson shows, in its report and in its cells, after training that is made up."""
+
+import ast
+import contextlib
+import io
+import linecache
+import sys
+import warnings
+from collections.abc import Iterator
+from functools import partial
+from typing import Any
+from unittest.mock import patch
+
+import build
+from rules import is_code, without_marks
+
+from edugym.experiments.figures import Sheet
+from edugym.experiments.repeat import repeat
+from edugym.experiments.results.tables import Results
+from edugym.training.train import train
+from edugym_course.grading.challenge import Challenge
+from edugym_course.lessons import load_experiments
+from edugym_course.lessons.dimensionality import networks
+from edugym_course.notebook.prediction import Prediction
+from tests.course.lessons.few_runs import ANY_RETURN, SOLVED_OR_NOT, few_runs, made_up_run
+
+NOTEBOOKS = {path.parent.name: path for path in build.lesson_sources().values()}
+RETURNS = {"exploration": SOLVED_OR_NOT, "signal": (-1_000.0, 7_000.0)}
+"""From where to where the made-up returns of a lesson are, if not those of the others."""
+LEFT_OUT = (
+    "importlib.util",  # installs the package
+    "ppo.trainer(",  # trains a network
+    "best_return(0.1", "crossing_by_attitude()", "repetitions=24)", "play_at_random(env", "after=300",
+)  # fmt: skip
+"""What is in the cells that are not run; the others in the list take seconds, and show what further cells show."""
+
+
+@contextlib.contextmanager
+def short_training(lesson: str, runs: int = 2, most: int = 50) -> Iterator[Any]:
+    """Let agents train for a few steps, in a few runs, with returns that depend on nothing but the arguments.
+
+    Args:
+        lesson: the name of the lesson.
+        runs: how many runs there are at most.
+        most: for how many steps agents really train.
+
+    Yields:
+        The module of the lesson.
+    """
+    module: Any = load_experiments(lesson)
+    made_up = partial(made_up_run, returns=RETURNS.get(lesson, ANY_RETURN), most=most)
+
+    def seldom(*arguments: Any, **how: Any) -> Results:
+        return few_runs(*arguments, most=runs, **how | {"jobs": 1})
+
+    with contextlib.ExitStack() as stack:
+        stack.enter_context(warnings.catch_warnings(action="ignore"))
+        for found in [found for name, found in sys.modules.items() if name.startswith(("edugym.", "edugym_course."))]:
+            for name, real, instead in (("train", train, made_up), ("repeat", repeat, seldom)):
+                if vars(found).get(name) is real:
+                    stack.enter_context(patch.object(found, name, instead))
+        stack.enter_context(patch.object(networks, "train_network", side_effect=ImportError))
+        stack.enter_context(patch.object(Challenge, "score", lambda *_: ""))
+        stack.enter_context(patch.object(Prediction, "measured", lambda *_: ""))
+        yield module
+
+
+def sheets_of_report(lesson: str, seed: int = 1, **short: int) -> list[Sheet]:
+    """Return the figures of a lesson's report."""
+    with short_training(lesson, **short) as module:
+        return list(module.report(repetitions=short.get("runs", 2), seed=seed, jobs=1).figures)
+
+
+def sheets_of_cells(lesson: str, **short: int) -> list[Sheet]:
+    """Return the figures that the cells of a lesson show, and what its sliders show where they start.
+
+    Checks are not made.
+    """
+    shown: list[Any] = []
+    namespace: dict[str, Any] = {"__name__": "__main__", "display": lambda *values: shown.extend(values)}
+    with short_training(lesson, **short), contextlib.redirect_stdout(io.StringIO()):
+        for cell in build.read_lesson(NOTEBOOKS[lesson]).cells:
+            if is_code(cell) and not any(text in cell.source for text in LEFT_OUT):
+                run_cell(without_marks(cell.source), f"<{lesson}, {cell.id}>", namespace)
+        shown += [
+            one.function(**{name: control.value for name, control in one.controls.items()})
+            for one in shown
+            if type(one).__name__ == "Sliders"
+        ]
+    return [one for one in shown if isinstance(one, Sheet)]
+
+
+def run_cell(source: str, file: str, namespace: dict[str, Any]) -> None:
+    """Run a cell without its calls of `check`; its last value is displayed, as in a notebook."""
+    body = [part for part in ast.parse(source).body if not ast.unparse(part).startswith("check(")]
+    last = body.pop().value if body and isinstance(body[-1], ast.Expr) else None  # type: ignore[attr-defined]
+    linecache.cache[file] = (len(source), None, source.splitlines(keepends=True), file)
+    exec(compile(ast.Module(body, []), file, "exec"), namespace)
+    if last:
+        namespace["display"](eval(compile(ast.Expression(last), file, "eval"), namespace))

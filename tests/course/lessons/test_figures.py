@@ -1,0 +1,172 @@
+"""What the figures of each lesson show is what `figures.txt` in its folder says: panels, labels, series, exact numbers.
+
+Training is made up. Of a series that depends on it the file has the label alone, and of learning curves whose they are:
+the agent, and the settings in which curves and panels differ. The numbers of all other series, which theory and
+planning give, are the first and the last one. Colours, sizes, places, and what all curves have in common are not in it.
+"""
+
+import re
+from collections.abc import Container, Iterator
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+import pandas as pd
+import pytest
+from matplotlib.container import BarContainer
+
+from edugym.experiments.figures import Curves, Sheet
+from tests.course.lessons.figures import check_legends
+from tests.course.lessons.shown import NOTEBOOKS, sheets_of_cells, sheets_of_report
+
+IN_CELLS = "In the cells"
+"""The line of the file between the figures of the report and those that only cells show."""
+NUMBERS = re.compile(r" \[(\S+), (\S+)\]$")
+
+
+class Series(NamedTuple):
+    """A series of a panel: its label, and its first and last number; for a picture the lowest and the highest."""
+
+    label: str
+    ends: tuple[float, ...] = ()
+
+
+def shown_in(sheets: list[Sheet]) -> dict[str, list[Series]]:
+    """Return the series of all panels of all sheets, by what is written on the panels."""
+    curves = [panel for sheet in sheets for row in sheet.rows for panel in row if isinstance(panel, Curves)]
+    tables = [panel.results.table.filter(regex=r"^(environment|n_steps)") for panel in curves]
+    differing = varying(pd.concat(tables)) if tables else []
+    found: dict[str, list[Series]] = {}
+    for sheet in sheets:
+        axes, width = sheet.draw().axes, max(map(len, sheet.rows))
+        for y, row in enumerate(sheet.rows):
+            for ax, panel in zip(axes[y * width :], row, strict=False):
+                series = [*drawn(ax)]
+                if isinstance(panel, Curves):
+                    series = [*curves_of(panel, series, differing)]
+                title = ax.get_title().partition("\n")[0]
+                written = " | ".join([f"{sheet.name}: {title}", ax.get_xlabel(), ax.get_ylabel()]).rstrip(" |")
+                found[f"{written} (again)" if written in found else written] = series
+    return found
+
+
+def varying(table: pd.DataFrame) -> list[str]:
+    """Return the columns of a table that do not hold the same everywhere."""
+    return [str(name) for name in table if table[name].astype(str).nunique() > 1]
+
+
+def curves_of(panel: Curves, series: list[Series], differing: list[str]) -> Iterator[Series]:
+    """Yield the series of learning curves: the settings of the panel, the agent of each curve, and straight lines."""
+    rows = panel.results.table.groupby("method", sort=False).first()
+    for name in differing:
+        if name in rows:
+            yield Series(f"{name}: {rows[name].iloc[0]}")
+    agents = rows.filter(regex=r"^agent")
+    for one in series:
+        if "agent" in agents and one.label in agents.index:
+            own = agents.loc[one.label]
+            alike = agents[agents["agent"] == own["agent"]]
+            settings = [f"{name.removeprefix('agent.')} {own[name]}" for name in varying(alike)]
+            yield Series(f"{one.label}: {', '.join([str(own['agent']), *settings])}")
+        else:
+            yield one
+
+
+def drawn(ax: Any) -> Iterator[Series]:
+    """Yield the series of a panel: lines and bars with a label, and pictures."""
+    for line in ax.lines:
+        yield from labelled(line, np.array(line.get_ydata(), float))
+    for bars in ax.containers:
+        if isinstance(bars, BarContainer):
+            yield from labelled(bars, np.array([patch.get_height() for patch in bars], float))
+    for picture in ax.images:
+        values: Any = np.ma.filled(np.ma.asarray(picture.get_array(), float), np.nan)
+        if len(known := np.unique(values[np.isfinite(values)])) > 1:
+            yield Series("picture", (known[0], known[-1]))
+
+
+def labelled(artist: Any, values: Any) -> Iterator[Series]:
+    """Yield the series that an artist draws, if it has a label."""
+    label, known = str(artist.get_label()), values[np.isfinite(values)]
+    if label and not label.startswith("_"):
+        yield Series(label, (known[0], known[-1]) if len(known) else ())
+
+
+def told(found: dict[str, list[Series]], other: dict[str, list[Series]]) -> str:
+    """Return what figures show as text, with the numbers that are the same after other training."""
+    lines = []
+    for written, series in found.items():
+        lines.append(written)
+        others = {again.label: again.ends for again in other.get(written, [])}
+        for one in series:
+            exact = any(one.ends) and others.get(one.label) == one.ends
+            lines.append(f"  {one.label} [{one.ends[0]:.4g}, {one.ends[1]:.4g}]" if exact else f"  {one.label}")
+    return "\n".join(lines)
+
+
+def check(text: str, found: dict[str, list[Series]]) -> None:
+    """Compare what figures show with the text; numbers may differ in the last digits, as on other machines."""
+    blocks = [block.splitlines() for block in re.split(r"\n(?! )", text.strip())]
+    for written, *lines in blocks:
+        series = found[written]
+        assert len(lines) == len(series), written
+        for line, one in zip(lines, series, strict=True):
+            assert one.label.startswith(NUMBERS.sub("", line.strip())), written  # the file may leave settings out
+            if numbers := NUMBERS.search(line):
+                assert [*map(float, numbers.groups())] == pytest.approx(one.ends, rel=2e-3, abs=1e-9), (
+                    f"{written}: {line}"
+                )
+    assert {written for written, *_ in blocks} == {*found}
+
+
+def read(lesson: str) -> tuple[Path, str, str]:
+    """Return the file of a lesson, what it says of the report, and of the cells."""
+    path = NOTEBOOKS[lesson].parent / "figures.txt"
+    text = path.read_text(encoding="utf-8") if path.exists() else ""
+    report, _, cells = text.partition(f"\n{IN_CELLS}\n")
+    return path, report, cells
+
+
+@pytest.fixture(autouse=True)
+def torch_is_there_where_it_is_needed(lesson: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Networks are trained with it."""
+    if lesson == "continuous_actions":
+        pytest.importorskip("torch")
+    monkeypatch.chdir(tmp_path)
+
+
+@pytest.mark.parametrize("lesson", NOTEBOOKS)
+def test_figures_of_the_report(lesson: str) -> None:
+    """If a change is meant, edit the file, or delete it: this test writes it anew, for you to read `git diff`."""
+    path, report, _ = read(lesson)
+    sheets = sheets_of_report(lesson)
+    found = shown_in(sheets)
+    if not report:
+        cells = only_in_cells(sheets_of_cells(lesson), found)
+        others = shown_in(sheets_of_report(lesson, seed=2, runs=3, most=300))
+        path.write_text(f"{told(found, others)}\n{IN_CELLS}\n{told(cells, {})}\n", encoding="utf-8")
+        pytest.fail(f"{path} is new: read it, and commit it")
+    check(report, found)
+    for sheet in sheets:
+        check_legends(sheet)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("lesson", NOTEBOOKS)
+def test_figures_of_the_cells(lesson: str) -> None:
+    """Those that only the lesson's text shows, and its sliders where they start."""
+    _, report, cells = read(lesson)
+    sheets = sheets_of_cells(lesson)
+    check(cells, only_in_cells(sheets, report.splitlines()))
+    for sheet in sheets:
+        check_legends(sheet)
+
+
+def only_in_cells(sheets: list[Sheet], report: Container[str]) -> dict[str, list[Series]]:
+    """Return what sheets show on panels that are not in the report.
+
+    Args:
+        sheets: the sheets of the cells.
+        report: what is written on the panels of the report.
+    """
+    return {written: series for written, series in shown_in(sheets).items() if written not in report}
