@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from edugym_course.grading.agents import require_function
-from edugym_course.grading.student_code import running
+from edugym_course.grading.student_code import student_code
 from edugym_course.grading.values import compare
 from edugym_course.lessons.template.experiments import OPTIMUM
 
@@ -41,7 +41,7 @@ def exercise_2(answer: Any, seed: int) -> str:
         case: Case = (float(rng.integers(1, 9)), values, float(rng.choice([0.25, 0.5])), terminated)
         reward, values, discount, _ = case
         call = f"target({reward}, {values}, {discount}, {terminated})"
-        with running(call):
+        with student_code(call):
             found = answer(reward, [*values], discount, terminated)
         expected = reward if terminated else reward + discount * max(values)
         compare(call, found, expected, {why: rule(*case) for why, rule in RULES.items() if rule(*case) != expected})

@@ -1,1 +1,1 @@
-"""The same MDP as a Gymnasium environment and as a vector environment."""
+"""An MDP as a Gymnasium environment, as a vector environment, or as a game to play; the names of the environments."""

@@ -1,1 +1,1 @@
-"""Experiments: repetition over seeds, tables of results, and figures."""
+"""Experiments: many runs over seeds, tables of results, intervals and claims, and figures."""

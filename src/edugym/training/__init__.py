@@ -1,1 +1,1 @@
-"""Training: the loops in which an agent meets a task, learning curves, and repetition over seeds."""
+"""Training: the loops in which an agent meets a task, and `train`, which measures the learning curve."""
