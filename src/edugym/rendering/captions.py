@@ -3,8 +3,9 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from edugym.rendering.drawing import LONGEST_SIDE
 from edugym.rendering.palette import PAPER
-from edugym.rendering.scene import LONGEST_SIDE, Scene
+from edugym.rendering.scene import Scene
 from edugym.rendering.shapes import Arc, Circle, Line, Point, Polygon, Rectangle, Shape, Text
 
 WIDTH = 400

@@ -12,7 +12,8 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import Any, NamedTuple
 
-from edugym.rendering.scene import Arc, Circle, Filled, Line, Point, Polygon, Rectangle, Scene, Shape, Stroke, Text
+from edugym.rendering.drawing import Drawing
+from edugym.rendering.shapes import Arc, Circle, Filled, Line, Point, Polygon, Rectangle, Shape, Stroke, Text
 
 REACH = 2.0
 """How far around the picture shapes are kept, in longer sides of the picture; outlines are at most twice as wide."""
@@ -41,7 +42,7 @@ class Box(NamedTuple):
         return across and self.top <= other.bottom and other.top <= self.bottom
 
 
-def visible(scene: Scene) -> Iterator[Shape]:
+def visible(scene: Drawing) -> Iterator[Shape]:
     """Yield the shapes that can be seen, from back to front; replace very large ones by the part near the picture.
 
     The picture stays the same, except where a line or an outline is more than four times as wide as the picture, or the
@@ -59,7 +60,7 @@ def visible(scene: Scene) -> Iterator[Shape]:
                 yield part
 
 
-def _box(shape: Shape, scene: Scene) -> Box | None:
+def _box(shape: Shape, scene: Drawing) -> Box | None:
     """Return a box around a shape with its outline, or None for a shape of an unknown class."""
     pen = 0.0
     if isinstance(shape, Stroke):
@@ -84,7 +85,7 @@ def _box(shape: Shape, scene: Scene) -> Box | None:
     return Box(left - x_pen, top - y_pen, right + x_pen, bottom + y_pen)
 
 
-def _limited(shape: Shape, scene: Scene) -> Shape:
+def _limited(shape: Shape, scene: Drawing) -> Shape:
     """Return a shape without infinite numbers, its outline and its text no larger than the back ends can draw."""
     limits = {
         "outline_width": 2 * REACH * scene.longer_side,
@@ -103,7 +104,7 @@ def _limited(shape: Shape, scene: Scene) -> Shape:
     return replace(shape, **changes)
 
 
-def _cut(shape: Shape, scene: Scene, frame: Box) -> Iterator[Shape]:
+def _cut(shape: Shape, scene: Drawing, frame: Box) -> Iterator[Shape]:
     """Yield the parts of a shape that lie in the frame around the picture."""
     match shape:
         case Rectangle(x=x, y=y):
@@ -127,7 +128,7 @@ def _cut(shape: Shape, scene: Scene, frame: Box) -> Iterator[Shape]:
             yield shape
 
 
-def _cut_circle(circle: Circle, scene: Scene, frame: Box) -> Iterator[Shape]:
+def _cut_circle(circle: Circle, scene: Drawing, frame: Box) -> Iterator[Shape]:
     """Yield a circle that fits into the frame nearly; of a very large one, the side that passes the picture."""
     margin = REACH * scene.longer_side
     x, y = scene.width / 2, scene.height / 2

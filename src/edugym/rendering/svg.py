@@ -4,10 +4,11 @@ from collections.abc import Sequence
 from xml.sax.saxutils import escape
 
 from edugym.rendering.clipping import visible
-from edugym.rendering.scene import Arc, Circle, Filled, Line, Point, Polygon, Rectangle, Scene, Shape, Stroke, Text
+from edugym.rendering.drawing import Drawing
+from edugym.rendering.shapes import Arc, Circle, Filled, Line, Point, Polygon, Rectangle, Shape, Stroke, Text
 
 
-def to_svg(scene: Scene, width_pixels: int | None = None) -> str:
+def to_svg(scene: Drawing, width_pixels: int | None = None) -> str:
     """Write a scene as a standalone SVG document, with one line for each shape that can be seen.
 
     The same scene always gives the same text. It has no ids and no style sheet: several pictures on one page do not
@@ -35,7 +36,7 @@ def to_svg(scene: Scene, width_pixels: int | None = None) -> str:
     return "\n".join((head, title, background, *(_element(shape, scene) for shape in visible(scene)), "</svg>"))
 
 
-def _element(shape: Shape, scene: Scene) -> str:
+def _element(shape: Shape, scene: Drawing) -> str:
     match shape:
         case Rectangle():
             corners = f' rx="{_number(shape.radius)}"' if shape.radius else ""
@@ -62,7 +63,7 @@ def _element(shape: Shape, scene: Scene) -> str:
     raise TypeError(f"no SVG for a shape of class {type(shape).__name__}")
 
 
-def _paint(shape: Filled | Stroke, scene: Scene) -> str:
+def _paint(shape: Filled | Stroke, scene: Drawing) -> str:
     if isinstance(shape, Filled):
         fill, edge, width = shape.fill, shape.outline, shape.outline_width
     else:
