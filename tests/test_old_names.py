@@ -12,7 +12,7 @@ from types import ModuleType
 import pytest
 
 from edugym import Results
-from edugym._old_names import MOVED, new_name
+from edugym._old_names import MOVED, RENAMED, new_name
 from edugym.adapters import registration
 
 
@@ -76,6 +76,14 @@ def test_the_notebook_of_a_student() -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", DeprecationWarning)
         exec(NOTEBOOK, {})
+
+
+@pytest.mark.filterwarnings("ignore:edugym:DeprecationWarning")
+@pytest.mark.parametrize("old", RENAMED)
+def test_a_name_that_is_another_now(old: str) -> None:
+    """It is found where it was."""
+    (before, name), (now, new) = ((path.rpartition(".")[0], path.rpartition(".")[2]) for path in (old, RENAMED[old]))
+    assert getattr(importlib.import_module(before), name) is getattr(importlib.import_module(now), new)
 
 
 def test_a_pickle_with_an_old_name() -> None:

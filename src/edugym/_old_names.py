@@ -45,6 +45,7 @@ MOVED = {
     "memory": "edugym.system.memory",
     "notebook": "edugym_course.notebook",
     "playing": "edugym.adapters.playing",
+    "plotting.report": "edugym_course.report",
     "plotting": "edugym.experiments.figures",
     "registration": "edugym.adapters.registration",
     "results": "edugym.experiments.results",
@@ -60,6 +61,20 @@ MOVED = {
     "training.repeat": "edugym.experiments.repeat",
 }
 """The new place of each module or package that has moved, by its old name below `edugym`."""
+
+RENAMED = {
+    "edugym.grading.student_code.running": "edugym_course.grading.student_code.student_code",
+    "edugym.interrupts.Work": "edugym.system.interrupts.SignalGuard",
+    "edugym.interrupts.held": "edugym.system.interrupts.deferring_signals",
+    "edugym.mdp.checking.check_mdp": "edugym.mdp.task.check_mdp",
+    "edugym.mdp.checking.require_environment": "edugym.checks.interfaces.require_environment",
+    "edugym.mdp.checking.require_mdp": "edugym.checks.interfaces.require_mdp",
+    "edugym.mdp.checking.require_method": "edugym.checks.interfaces.require_method",
+    "edugym.mdp.values.own_copy": "edugym.checks.values.deep_copy",
+    "edugym.plotting.style.own_axes": "edugym.experiments.figures.style.axes_or_new",
+    "edugym.registration.full_id": "edugym.mdp.task.full_id",
+}
+"""Names in these modules that are called otherwise now, or lie in another module than the rest."""
 
 
 def new_name(old: str) -> str | None:
@@ -112,6 +127,9 @@ class Moved(ModuleType):
         """Look up a name; a lesson once handed on what its files define."""
         if name.startswith("__") and name != "__all__":
             raise AttributeError(name)
+        if renamed := RENAMED.get(f"{self.__name__}.{name}"):
+            place, _, now = renamed.rpartition(".")
+            return getattr(importlib.import_module(place), now)
         module = importlib.import_module(self._new)
         found = getattr(module, name, None)
         if re.fullmatch(r"edugym_course\.lessons\.\w+", self._new):
