@@ -7,14 +7,8 @@
 #
 # **Time.** 45 minutes. **Before you start.** You should know ... (Sutton and Barto, 2nd edition, section 6.5).
 #
-# *This is the template of a lesson. Make one in three steps, and replace one part after the other; keep the headings up to
-# the colon. Nothing outside the folder has to be changed.*
-#
-# ```
-# cp -r lessons/template src/edugym_course/lessons/waiting && cd src/edugym_course/lessons/waiting
-# mv 99_template.py 11_waiting.py
-# sed -i 's/lessons\.template/lessons.waiting/; s/(lesson 99)/(lesson 11)/' *.py
-# ```
+# *This is the template of a lesson; CONTRIBUTING says how to copy it. Replace one part after the other, and this one first.
+# Keep the headings up to the colon.*
 
 # %%
 from edugym import QLearning, make_mdp, train
