@@ -1,7 +1,7 @@
 """Draw the rooms of EduGym and what imports what, and write their table into ARCHITECTURE.md; both come from the code.
 
 The floors are the layers in pyproject.toml, which import-linter checks. The sentence about a room is the first one of
-its `__init__.py`, and the arrows are the imports in its files. An arrow is left out where a longer way shows it too.
+its `__init__.py`, and the arrows are the imports in its files. Arrows that follow from a chain of others are left out.
 
     python docs/architecture.py            write the picture and the table
     python docs/architecture.py --check    write nothing; fail if one of them is out of date

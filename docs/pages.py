@@ -50,8 +50,9 @@ def parameters(entry: Entry) -> str:
 
 
 def lesson_link(entry: Entry) -> str:
-    """Return a link to the lesson on an environment, or nothing if it is not written yet."""
-    sources = (PAGES.parents[1] / "src/edugym_course/lessons").glob(f"*/{entry.lesson or 0:02d}_*.py")
+    """Return a link to the lesson on an environment, or nothing if there is none."""
+    lessons = PAGES.parents[1] / "src/edugym_course/lessons"
+    sources = [] if entry.lesson is None else lessons.glob(f"*/{entry.lesson:02d}_*.py")
     links = [f" · lesson: [{source.stem[3:]}](../../notebooks/{source.stem}.ipynb)" for source in sources]
     return "".join(links)
 
