@@ -98,14 +98,11 @@ def test_tables_change_in_place_and_training_can_go_on() -> None:
 
 def test_stop_ends_a_run_before_it_begins(monkeypatch: pytest.MonkeyPatch) -> None:
     """With what has been measured, and nothing compiled."""
-
-    class New(Stairs):
-        __slots__ = ()
-
+    new = type("New", (Stairs,), {"__slots__": ()})
     monkeypatch.setattr(execution, "compiled", None)
     stop = threading.Event()
     stop.set()
-    run = train(New(), QLearning.create(Stairs()), 10**12, stop=stop)
+    run = train(new(), QLearning.create(Stairs()), 10**12, stop=stop)
     assert (run.steps.tolist(), run.returns.tolist(), run.complete) == ([0], [6.0], False)
 
 

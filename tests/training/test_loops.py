@@ -1,5 +1,6 @@
 """The loops of training are the textbook's, however a run is cut into pieces, interpreted or compiled."""
 
+import traceback
 from typing import Any
 
 import gymnasium
@@ -19,13 +20,14 @@ from edugym import (
 from edugym.compiled import execution
 from edugym.compiled.compiler import compiled
 from edugym.mdp.protocol import Reals
+from tests.compiled.cells import LEARNER, cell
+from tests.training.slips import VALUE, changed
 from tests.training.tasks import (
     Ring,
     SlipperyWalk,
     Stairs,
     StudentsQLearning,
     StudentsSarsa,
-    TellTale,
     interpret,
     tell_tale,
 )
@@ -104,7 +106,7 @@ def test_a_students_agent_is_the_packages() -> None:
     assert pytest.approx(ours.Q, rel=1e-9) == own.Q
 
 
-def sarsa_by_the_book(mdp: SlipperyWalk, n_steps: int, limit: int, seed: int) -> Reals:
+def sarsa_by_the_book(mdp: Any, n_steps: int, limit: int, seed: int) -> Reals:
     """The box of section 6.4, with a step limit after which an episode is cut off."""
     environment_rng, agent_rng, _, _ = map(np.random.default_rng, np.random.SeedSequence(seed).spawn(4))
     Q = np.zeros((7, 2))
@@ -165,21 +167,15 @@ def test_max_steps_takes_the_place_of_the_environments_own_limit() -> None:
 
 def test_an_error_in_a_students_agent_shows_its_line(compiled_loops: list[str]) -> None:
     """Also one that comes only after a thousand steps of machine code, and the tables are as they were then."""
-
-    class Breaks(StudentsQLearning):
-        __slots__ = ()
-
-        def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool) -> None:
-            self.Q[0, 0] += 1.0
-            self.Q[int(self.Q[0, 0]) // 1_000, 1] = 1.0
-
+    line = "self.Q[int(self.Q[0, 0]) // 1_000, 1] = 1.0"
+    Breaks = cell(changed(LEARNER, VALUE, f"self.Q[0, 0] += 1.0; {line}; return\n        {VALUE}"))["Learner"]
     train(SlipperyWalk(), Breaks(np.zeros((7, 2))), execution.COMPILE_FROM - 1)
     assert not compiled_loops
     agent = Breaks(np.zeros((7, 2)))
     with pytest.raises(IndexError, match="index 7 is out of bounds") as error:
         train(SlipperyWalk(), agent, 100_000)
     assert len(compiled_loops) == 2
-    assert "self.Q[int(self.Q[0, 0]) // 1_000, 1] = 1.0" in str(error.traceback[-1].statement)
+    assert line in (traceback.extract_tb(error.tb)[-1].line or "")
     assert agent.Q[0, 0] == 7_000.0
 
 
@@ -196,7 +192,7 @@ def test_a_schedule_counts_the_actions_that_are_taken(kind: Any, wrapped: bool) 
 class Clock:
     """An order to stop, which never comes, and notes when it is asked for; each step takes `seconds`."""
 
-    def __init__(self, agent: TellTale, seconds: float) -> None:
+    def __init__(self, agent: Any, seconds: float) -> None:
         """See the class."""
         self.agent, self.seconds, self.asked = agent, seconds, [0]
 
