@@ -31,21 +31,17 @@ def test_the_curve_by_hand(wrapped: bool, kind: Any, n_steps: int) -> None:
 
 
 def test_points() -> None:
-    """By default a hundred, and one at the start; short runs have one for each step."""
+    """By default a hundred, and one at the start; short runs have one for each step; without an episode it is NaN."""
     agent = QLearning.create(Stairs())
     assert train(Stairs(), agent, 1_000).steps.tolist() == list(range(0, 1_001, 10))
     assert train(Stairs(), agent, 3).steps.tolist() == [0, 1, 2, 3]
     for every in (70, 999, 1_000):
         assert train(Stairs(), agent, 3_000, evaluate_every=every).steps.tolist() == [*range(0, 3_000, every), 3_000]
-    small: Any = np.int8(100)  # in which 100 + 100 is -56
-    assert train(Stairs(), agent, small, evaluate_every=small).steps.tolist() == [0, 100]
-
-
-def test_points_where_no_episode_ended_are_nan() -> None:
-    """Every second step a point: episodes end in the intervals (2, 4], (4, 6], (8, 10]."""
-    run = train(Stairs(), QLearning.create(Stairs()), 10, evaluate_every=2)
+    run = train(Stairs(), agent, 10, evaluate_every=2)  # episodes end in the intervals (2, 4], (4, 6], (8, 10]
     assert run.episodes.tolist() == [0, 0, 1, 1, 0, 1]
     assert np.isnan(run.training_returns).tolist() == [True, True, False, False, True, False]
+    small: Any = np.int8(100)  # in which 100 + 100 is -56
+    assert train(Stairs(), agent, small, evaluate_every=small).steps.tolist() == [0, 100]
 
 
 def test_a_point_is_the_mean_of_its_evaluation_episodes() -> None:
@@ -88,11 +84,10 @@ def test_a_task_without_end_or_limit_is_evaluated_all_the_same() -> None:
 
 def test_tables_change_in_place_and_training_can_go_on() -> None:
     """The agent that was given is trained; a second run starts from there."""
-    mdp = make_mdp("Boulder", height=3)
-    agent = QLearning.create(mdp)
-    assert train(mdp, agent, 1_000, seed=0).agent.Q is agent.Q
+    agent = QLearning.create(SlipperyWalk())
+    assert train(SlipperyWalk(), agent, 1_000, seed=0).agent.Q is agent.Q
     before = agent.Q.copy()
-    train(mdp, agent, 1_000, seed=1)
+    train(SlipperyWalk(), agent, 1_000, seed=1)
     assert not np.array_equal(before, agent.Q)
 
 
