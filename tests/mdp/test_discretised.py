@@ -26,7 +26,7 @@ def shows(low: float = -1.0, high: float = 1.0, actions: Any = None) -> Any:
     [(-7, 0), (-1, 0), (-0.51, 0), (-0.5, 1), (-0.01, 1), (0, 2), (0.49, 2), (0.5, 3), (0.99, 3), (1, 3), (np.inf, 3)],
 )
 def test_bins(value: float, expected: int) -> None:
-    """Four from -1 to 1, of which each begins where the one before ends; what is outside is in the last, NaN in none."""
+    """Four from -1 to 1, of which each begins where the one before ends; what is outside is in the last."""
     task: Any = Discretised.create(shows(), 4)
     assert task.observation((value, 0.0), None).tolist() == [expected, 2]
     named("NaN bin", lambda: task.observation((np.nan, 0.0), None))
