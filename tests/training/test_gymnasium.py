@@ -145,7 +145,7 @@ def test_both_loops_are_one(kind: Any) -> None:
     assert all(np.array_equal(one, other, equal_nan=True) for one, other in zip(*runs, strict=True))
 
 
-LOOKS = """
+Looks = cell("""
 class Looks(NamedTuple):
     seen: np.ndarray
     tabular = False
@@ -154,13 +154,13 @@ class Looks(NamedTuple):
         return 1
     def learn(self, state, action, reward, next_state, terminated):
         self.seen[1] = max(self.seen[1], abs(next_state[1]))
-"""
+""")["Looks"]
 
 
 @pytest.mark.parametrize("environment", ["CartPole-v1", "edugym/Golf-v0"])
 def test_an_agent_without_a_table_sees_observations_as_they_are(environment: str) -> None:
     """Arrays and tuples, where `tabular` is False."""
-    agent = cell(LOOKS)["Looks"](np.zeros(2))
+    agent = Looks(np.zeros(2))
     train(environment, agent, 200)
     assert (agent.seen > 0).all()
 
