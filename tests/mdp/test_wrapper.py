@@ -177,7 +177,7 @@ def bins(capacity: int) -> Any:
 TASKS: dict[str, Any] = {
     "bins": lambda: bins(3_000),
     "noise": lambda: Hashed.create(Brightness.create(NoisyObservation.create(IMAGE, 4, 20.0), 0.5), 500, overflow=True),
-    "frames": lambda: Tabular.create(SeparateFrames.create(CORRIDOR, 7, actions=True)),  # type: ignore[type-var]
+    "frames": lambda: Tabular.create(SeparateFrames.create(CORRIDOR, 7, actions=True)),  # type: ignore[arg-type]
     "long frames": lambda: FrameStack.create(CORRIDOR, 20),
 }
 
