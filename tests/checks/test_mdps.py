@@ -103,16 +103,11 @@ def test_the_states_that_are_met(end: int) -> None:
 
 def test_what_is_right_passes() -> None:
     """NumPy's numbers and types that mean the same, and states that are copied and changed."""
+    ordinary = "class Walk:\n    mdp = print\n    def __init__(self, n): self.size = n"
     for old, new in (
-        (END, f"return np.bool_({END[7:]})"),
-        (SEE, "return np.int8(state)\n"),
-        (PAY, "return np.float32(1)"),
-        (PAY, "return True"),
-        (
-            "class Walk(NamedTuple):\n    size: int",
-            "class Walk:\n    mdp = print\n    def __init__(self, n): self.size = n",
-        ),
-    ):
+        (END, f"return np.bool_({END[7:]})"), (SEE, "return np.int8(state)\n"), (PAY, "return np.float32(1)"),
+        (PAY, "return True"), ("class Walk(NamedTuple):\n    size: int", ordinary),
+    ):  # fmt: skip
         check_mdp(walk(changed(WALK, old, new)), 20)
     board = WALK.replace("return 0\n", "return [0]\n").replace(SEE, "return 0\n")
     check_mdp(walk(changed(board, MOVE, "state = list(state); state[0] += action; return state")))
@@ -128,20 +123,16 @@ def test_checking_leaves_the_task_alone() -> None:
     assert not task.seen.any()
 
 
-class Written(CatchGrid):
-    """A student's board, which is written into an array; as bright as there are rows, and so too bright from two on."""
-
-    __slots__ = ()
-
-    def observe_into(self, state: Any, rng: Any, board: Any) -> None:
-        """Write it."""
-        super().observe_into(state, rng, board)
-        board[:] *= self.rows
+def observe_too_brightly(self: Any, state: Any, rng: Any, board: Any) -> None:
+    """Write a student's board into an array; as bright as there are rows."""
+    CatchGrid.observe_into(self, state, rng, board)
+    board[:] *= self.rows
 
 
 def test_observations_that_are_written() -> None:
     """They are checked."""
-    named("observation Written Box(", lambda: MDPEnv(Written(4, 3)).reset(seed=0))
+    written = type("Written", (CatchGrid,), {"__slots__": (), "observe_into": observe_too_brightly})
+    named("observation Written Box(", lambda: MDPEnv(written(4, 3)).reset(seed=0))
 
 
 def test_spaces_of_several_parts() -> None:

@@ -18,7 +18,7 @@ from edugym.checks.parameters import (
     number_of_steps,
     one_of,
     whole_number,
-)
+)  # fmt: skip
 
 NO_NUMBERS = ["2", None, True, np.True_, [2], 2j]
 LARGEST = int(sys.float_info.max)

@@ -10,20 +10,12 @@ from gymnasium import spaces
 from hypothesis import given
 from hypothesis import strategies as st
 
-from edugym import (
-    FrameStack,
-    Hashed,
-    HashedTable,
-    NoisyObservation,
-    QLearning,
-    finite_model,
-    make_mdp,
-    train,
-    value_iteration,
-)
-from edugym.envs.catch import Fall
+from edugym import FrameStack, Hashed, HashedTable, QLearning, finite_model, make_mdp, train, value_iteration
+from edugym.envs.catch import CatchGrid, Fall
 from edugym.mdp.hashed_table import PRIME
-from tests.mdp.watch import Shows, watched
+from edugym.mdp.in_place import SeveralNumbers, WholeArray, blank, in_place
+from edugym.mdp.protocol import writes_in_place
+from tests.mdp.watch import Shows
 from tests.training.slips import named
 
 NUMBERS = st.one_of(
@@ -54,19 +46,18 @@ def test_keys_that_belong_in_the_same_slot() -> None:
     assert table.used == 4
 
 
+SPREAD: dict[str, Any] = {
+    "first": lambda k: (k, 0, 0),
+    "second": lambda k: (0, k, 0),
+    "digits": lambda k: (k % 10, k // 10 % 10, k // 100),
+    "fraction first": lambda k: (k / 1_000, 0.5),
+    "fraction last": lambda k: (0.5, k / 1_000),
+    "pixels": lambda k: [(k >> bit) & 1 for bit in range(20)],
+}
+
+
 @pytest.mark.parametrize("capacity", [1_000, 100_000])
-@pytest.mark.parametrize(
-    "numbers",
-    [
-        lambda k: (k, 0, 0),
-        lambda k: (0, k, 0),
-        lambda k: (k % 10, k // 10 % 10, k // 100),
-        lambda k: (k / 1_000, 0.5),
-        lambda k: (0.5, k / 1_000),
-        lambda k: [(k >> bit) & 1 for bit in range(20)],
-    ],
-    ids=["first", "second", "digits", "fraction first", "fraction last", "pixels"],
-)
+@pytest.mark.parametrize("numbers", SPREAD.values(), ids=SPREAD)
 def test_keys_are_spread_over_the_slots(numbers: Any, capacity: int) -> None:
     """Wherever they differ, a search takes few steps; it would take as many as there are keys among full slots."""
     keys = [np.array(numbers(k)) for k in range(1_000)]
@@ -78,12 +69,11 @@ def test_keys_are_spread_over_the_slots(numbers: Any, capacity: int) -> None:
     assert np.mean((places - homes) % len(table.slots)) < 1.5
 
 
+BOULDER = make_mdp("Boulder")
 REFUSED: list[tuple[Any, str]] = [
-    *(
-        (lambda wrong=wrong: Hashed.create(make_mdp("Boulder"), wrong), f"capacity 1 {wrong}")
-        for wrong in (0, 3.0, None)
-    ),
-    (lambda: Hashed.create(make_mdp("Boulder"), 2**28 + 1), f"capacity {2**28} {2**28 + 1}"),
+    (lambda: Hashed.create(BOULDER, 0), "capacity 1 0"),
+    (lambda: Hashed.create(BOULDER, 3.0), "capacity 1 3.0"),  # type: ignore[arg-type]
+    (lambda: Hashed.create(BOULDER, 2**28 + 1), f"capacity {2**28} {2**28 + 1}"),
     (lambda: HashedTable.create(np.zeros(10_000), 2**28), "keys terabytes capacity"),
     (lambda: Hashed.create(Shows(spaces.Text(3), "a"), 10), "mdp numbers Text"),
     (lambda: Hashed.create(Shows(spaces.MultiDiscrete([5, 5]), (1, 2, 3)), 10), "mdp (1, 2, 3) MultiDiscrete"),
@@ -93,10 +83,10 @@ REFUSED: list[tuple[Any, str]] = [
 ]
 
 
-@pytest.mark.parametrize(("call", "names"), REFUSED, ids=[names for _, names in REFUSED])
-def test_what_is_refused(call: Any, names: str) -> None:
+def test_what_is_refused() -> None:
     """Capacities, memory that there is not, and observations that have no row."""
-    named(names, call)
+    for call, names in REFUSED:
+        named(names, call)
 
 
 @pytest.mark.parametrize("kind", ["grid", pytest.param("rgb", marks=pytest.mark.slow)])
@@ -131,36 +121,73 @@ def test_evaluation_changes_nothing_in_the_training() -> None:
     assert learnt[0] == learnt[1]
 
 
-def test_every_image_is_new_under_noise_of_real_numbers() -> None:
-    """Lesson 4: a table cannot generalise; one noisy pixel of few levels only makes more rows."""
-    catch = make_mdp("Catch")
-    real = Hashed.create(NoisyObservation.create(catch, sigma=0.1), 500)
-    assert watched(real, 500)[:, 0].tolist() == list(range(500))
-    few, plain = (Hashed.create(task, 2_000) for task in (NoisyObservation.create(catch, levels=3), catch))
-    watched(few), watched(plain)
-    assert 2 * plain.used < few.used <= 3 * plain.used + 5
+FORMS: dict[str, tuple[Any, Any]] = {
+    "a row": (make_mdp("Boulder"), np.int64),
+    "62 bits": (FrameStack.create(make_mdp("MemoryCorridor"), 31), np.int64),
+    "numbers": (make_mdp("Golf"), np.int64),
+    "tuples": (make_mdp("Trashbot"), np.float64),
+    "what is written": (make_mdp("Catch"), np.float64),
+    "arrays": (make_mdp("Catch", observation_type="rgb"), np.int64),
+}
 
 
-@pytest.mark.parametrize(
-    "mdp",
-    [
-        FrameStack.create(make_mdp("MemoryCorridor"), 31),
-        make_mdp("Golf"),
-        make_mdp("Trashbot"),
-        make_mdp("Catch", observation_type="rgb"),
-    ],
-    ids=["62 bits", "numbers", "tuples", "arrays"],
-)
-def test_forms_of_observations(mdp: Any) -> None:
-    """The row is the same for the same observation."""
-    task: Any = Hashed.create(mdp, 1_000)
-    rng, known, state = np.random.default_rng(0), dict[bytes, int](), mdp.initial(np.random.default_rng(0))
+@pytest.mark.parametrize(("mdp", "kind"), FORMS.values(), ids=FORMS)
+def test_forms_of_observations(mdp: Any, kind: Any) -> None:
+    """They are written over what was there, in the right kind of numbers; and have the same row when they come again.
+
+    A task that writes itself is left as it is.
+    """
+    task, hashed, out = in_place(mdp), Hashed.create(mdp, 1_000), blank(in_place(mdp))
+    assert (task is mdp) == hasattr(mdp, "observe_into")
+    assert out.dtype == kind
+    rng, known = np.random.default_rng(0), dict[bytes, int]()
+    state = mdp.initial(rng)
     mdp.action_space.seed(0)
     for _ in range(50):
-        shown = np.array(mdp.observation(state, rng)).tobytes()
-        assert task.observation(state, rng) == known.setdefault(shown, len(known))
+        shown = np.array(mdp.observation(state, rng))
+        out[...] = 77
+        task.observe_into(state, rng, out)
+        assert np.array_equal(np.ravel(out), np.ravel(shown))
+        assert hashed.observation(state, rng) == known.setdefault(shown.tobytes(), len(known))
         state = mdp.initial(rng) if mdp.terminal(state) else mdp.transition(state, mdp.action_space.sample(), rng)
     assert len(known) > 3
+
+
+SEEN: list[Any] = [-0.75, (-0.75,), np.array([-0.75]), (0.25, -0.5), np.array([[0.25], [-0.5]])]
+
+
+@pytest.mark.parametrize("seen", SEEN)
+def test_real_numbers_stay_what_they_are(seen: Any) -> None:
+    """One alone, several, or an array."""
+    task = in_place(Shows(spaces.Box(-1.0, 1.0, np.shape(seen) or (1,), np.float64), seen))
+    out = blank(task)
+    task.observe_into(0, None, out)
+    assert out.dtype == np.float64
+    assert np.array_equal(out, np.reshape(seen, out.shape))
+    if np.ndim(seen):  # machine code copies an array at once, and a tuple number by number
+        assert type(task) is (WholeArray if isinstance(seen, np.ndarray) else SeveralNumbers)
+
+
+def test_other_forms() -> None:
+    """A tuple space is one row, as in `Tabular`; another number of numbers than is said is refused."""
+    task = in_place(Shows(spaces.Tuple((spaces.Discrete(3, start=1), spaces.Discrete(2))), (2, 0)))
+    out = blank(task)
+    task.observe_into(0, None, out)
+    assert out.tolist() == [2]
+    for seen, shape in (((0.25, -0.5), (1,)), (0.25, (2,)), (np.zeros((1, 2)), (2,))):
+        space = spaces.Box(-1.0, 1.0, shape, np.float64)
+        named(f"mdp {seen!r} {space}", lambda: in_place(Shows(space, seen)))  # noqa: B023
+
+
+def test_a_subclass_that_overrides_observation_alone() -> None:
+    """What it observes is written, not what its parent does."""
+    half = {"__slots__": (), "observation": lambda self, *of: CatchGrid.observation(self, *of) / 2}
+    darker: Any = type("Darker", (CatchGrid,), half)(4, 3)
+    assert writes_in_place(CatchGrid(4, 3))
+    assert not writes_in_place(darker)
+    task, out = in_place(darker), np.zeros((4, 3))
+    task.observe_into(darker.initial(np.random.default_rng(0)), None, out)
+    assert out.max() == 0.5
 
 
 def test_copies_have_a_table_of_their_own() -> None:

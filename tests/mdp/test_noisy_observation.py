@@ -99,10 +99,8 @@ DARK: list[tuple[Any, Any, str]] = [
 ]
 
 
-@pytest.mark.parametrize(
-    ("kind", "mdp", "arguments", "names"),
-    [*((NoisyObservation, *row) for row in NOISY), *((Brightness, *row) for row in DARK)],
-)
-def test_what_is_refused(kind: Any, mdp: Any, arguments: Any, names: str) -> None:
+@pytest.mark.parametrize(("kind", "rows"), [(NoisyObservation, NOISY), (Brightness, DARK)])
+def test_what_is_refused(kind: Any, rows: Any) -> None:
     """The parameter is named, its value, and what is allowed."""
-    named(names, lambda: kind.create(mdp, **arguments))
+    for mdp, arguments, names in rows:
+        named(names, lambda: kind.create(mdp, **arguments))  # noqa: B023

@@ -20,7 +20,7 @@ from tests.compiled.cells import WALK, cell
 from tests.mdp.watch import Shows
 from tests.training.slips import named
 
-CLOCK = """
+Clock = cell("""
 class Clock(NamedTuple):
     in_parts: bool
     max_steps: int = 50
@@ -35,28 +35,24 @@ class Clock(NamedTuple):
         if self.in_parts:
             return spaces.Tuple([spaces.Discrete(3, start=10), spaces.Discrete(4, start=-1)])
         return spaces.MultiDiscrete([3, 4], start=[10, -1])
-"""
-Clock = cell(CLOCK)["Clock"]
+""")["Clock"]
 """Counts 3 hours of 4 quarters; they are called 10, 11, 12 and -1, 0, 1, 2."""
 
 
-class Showing(gymnasium.Env[Any, Any]):
-    """A Gymnasium environment that shows the elements of a space that it is given, one after another."""
-
-    def __init__(self, space: spaces.Space[Any], elements: list[Any], actions: int = 2) -> None:
-        """Show these."""
+Showing = cell("""
+import gymnasium
+class Showing(gymnasium.Env):
+    def __init__(self, space, elements, actions=2):
         self.observation_space, self.action_space, self.elements = space, spaces.Discrete(actions), elements
         self.shown = 0
-
-    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
-        """The first."""
+    def reset(self, *, seed=None, options=None):
         self.shown = 0
         return self.elements[0], {}
-
-    def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
-        """The next."""
+    def step(self, action):
         self.shown += 1
         return self.elements[self.shown], 0.0, self.shown == len(self.elements) - 1, False, {}
+""")["Showing"]
+"""A Gymnasium environment that shows the elements of a space that it is given, one after another."""
 
 
 def rows_shown(space: spaces.Space[Any], elements: list[Any]) -> list[int]:
@@ -83,12 +79,8 @@ ALL: list[tuple[spaces.Space[Any], list[Any]]] = [
     (spaces.MultiBinary([2, 2]), [np.reshape(e, (2, 2)).astype(np.int8) for e in grid(TWO, TWO, TWO, TWO)]),
     (spaces.Tuple([spaces.Discrete(4), spaces.Discrete(2)]), grid(range(4), TWO)),
     (
-        spaces.Tuple([spaces.Discrete(2, start=3), spaces.MultiDiscrete([2, 3], start=[0, 1])]),
-        [(a, np.array([b, c])) for a, b, c in grid(range(3, 5), TWO, range(1, 4))],
-    ),
-    (
-        spaces.Tuple([spaces.Tuple([spaces.Discrete(2), spaces.Discrete(3)]), spaces.Discrete(2)]),
-        [((a, b), c) for a, b, c in grid(TWO, range(3), TWO)],
+        spaces.Tuple([spaces.Tuple([spaces.Discrete(2, start=3), spaces.MultiDiscrete([2, 3])]), spaces.Discrete(2)]),
+        [((a, np.array([b, c])), d) for a, b, c, d in grid(range(3, 5), TWO, range(3), TWO)],
     ),
 ]
 
@@ -135,13 +127,6 @@ def test_training_does_not_care_how_the_numbers_begin() -> None:
     assert agent.Q.any()
 
 
-def test_what_is_a_row_already_stays_as_it_is() -> None:
-    """No wrapper where none is needed."""
-    mdp, env = make_mdp("Boulder"), gymnasium.make("edugym/Boulder-v0")
-    assert tabular(mdp) is mdp
-    assert tabular(env) is env
-
-
 WHOLE = "table whole numbers"
 REFUSED: list[tuple[spaces.Space[Any], str, str]] = [  # in a Gymnasium environment, in an MDP
     (spaces.Box(0, 1, (2,)), f"{WHOLE} Box", f"{WHOLE} Box"),
@@ -160,18 +145,16 @@ REFUSED: list[tuple[spaces.Space[Any], str, str]] = [  # in a Gymnasium environm
 @pytest.mark.parametrize(("space", "of_env", "of_mdp"), REFUSED, ids=str)
 def test_what_is_not_whole_numbers_is_refused(space: spaces.Space[Any], of_env: str, of_mdp: str) -> None:
     """The message shows the space; an MDP shows its numbers side by side, an environment may nest them."""
-    for names, make in (
-        (of_env, lambda: TabularObservation(Showing(space, []))),
-        (of_mdp, lambda: tabular(Shows(space))),
-    ):
-        if names:
-            named(names, make)
-        else:
-            make()
+    env, mdp = (lambda: TabularObservation(Showing(space, []))), (lambda: tabular(Shows(space)))
+    for names, make in ((of_env, env), (of_mdp, mdp)):
+        named(names, make) if names else make()
 
 
 def test_where_a_table_ends() -> None:
-    """Machine code counts to 2^63 - 1; one number needs no table."""
+    """Machine code counts to 2^63 - 1; one number needs no wrapper."""
+    mdp, env = make_mdp("Boulder"), gymnasium.make("edugym/Boulder-v0")
+    assert tabular(mdp) is mdp
+    assert tabular(env) is env
     assert number_of_rows([2**32 - 1, 2**31]) == 2**63 - 2**31
     assert number_of_rows([2**63 - 1]) == 2**63 - 1
     named("9,223,372,036,854,775,808 63", lambda: number_of_rows([2**32, 2**31]))
@@ -230,14 +213,12 @@ def test_a_wrapped_environment_can_be_copied_and_pickled() -> None:
         assert other.observation_space == env.observation_space
 
 
-WRITING = """
+def test_what_is_written_in_place_is_one_row() -> None:
+    """The row of what the task has written last."""
+    writing = """
 class Writing(NamedTuple):
     observation_space: object = spaces.MultiDiscrete([3, 4])
     def observe_into(self, state, rng, out): out[:] = state // 4, state % 4
 """
-
-
-def test_what_is_written_in_place_is_one_row() -> None:
-    """The row of what the task has written last."""
-    task: Any = Tabular.create(cell(WRITING)["Writing"]())
+    task: Any = Tabular.create(cell(writing)["Writing"]())
     assert [task.observation(state, None) for state in (7, 0, 11)] == [7, 0, 11]

@@ -27,7 +27,7 @@ from edugym import (
     share,
     table_size,
     train,
-)
+)  # fmt: skip
 from edugym.adapters.playing.game import Game
 from edugym.checks import contract, interfaces
 from edugym.checks.contract import contract_of

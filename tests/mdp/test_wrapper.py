@@ -16,6 +16,7 @@ from edugym import (
     MDPVectorEnv,
     NoisyObservation,
     QLearning,
+    SeparateFrames,
     Tabular,
     check_mdp,
     finite_model,
@@ -23,10 +24,11 @@ from edugym import (
     train,
     value_iteration,
     wrapper,
-)
+)  # fmt: skip
 from edugym.mdp.protocol import named_actions
 from edugym.rendering.ansi import to_text
 from tests.compiled.cells import cell
+from tests.mdp.watch import watched
 from tests.training.slips import named
 from tests.training.tasks import interpret
 
@@ -135,10 +137,10 @@ def test_exact_model_and_training(monkeypatch: pytest.MonkeyPatch) -> None:
     """A wrapped task has its exact model, and runs compiled as it does interpreted."""
     task = KINDS.Costly(WALL, 0.5)
     assert value_iteration(finite_model(task)).start == pytest.approx(1.0 - 1.5)
-    one, other = (QLearning.create(task, learning_rate=0.5) for _ in range(2))
-    train(task, one, 6_000, seed=2, evaluate_every=6_000)
-    interpret(monkeypatch)
-    train(task, other, 6_000, seed=2, evaluate_every=6_000)
+    one, other = agents = [QLearning.create(task, learning_rate=0.5) for _ in range(2)]
+    for agent in agents:
+        train(task, agent, 6_000, seed=2, evaluate_every=6_000)
+        interpret(monkeypatch)
     assert np.array_equal(one.Q, other.Q)
     assert one.Q.min() < -0.5
 
@@ -162,3 +164,36 @@ def test_wrappers_ask_for_an_mdp(kind: Any) -> None:
     """A name, a class or a Gymnasium environment in its place is answered with one sentence."""
     for wrong in ("Catch", type(WALL), MDPEnv(WALL)):
         named("mdp", lambda: kind.create(wrong, 3))  # noqa: B023
+
+
+IMAGE, CORRIDOR = make_mdp("Catch", observation_type="rgb"), make_mdp("MemoryCorridor")
+
+
+def bins(capacity: int) -> Any:
+    """Bins for what is seen and what is done."""
+    return Hashed.create(Discretised.create(DiscreteActions.create(make_mdp("Trashbot"), 3), 20), capacity)
+
+
+TASKS: dict[str, Any] = {
+    "bins": lambda: bins(3_000),
+    "noise": lambda: Hashed.create(Brightness.create(NoisyObservation.create(IMAGE, 4, 20.0), 0.5), 500, overflow=True),
+    "frames": lambda: Tabular.create(SeparateFrames.create(CORRIDOR, 7, actions=True)),  # type: ignore[arg-type]
+    "long frames": lambda: FrameStack.create(CORRIDOR, 20),
+}
+
+
+@pytest.mark.parametrize("make", TASKS.values(), ids=TASKS)
+def test_machine_code_does_the_same(make: Any) -> None:
+    """On random walks: rows, rewards, and the table of a hashed task."""
+    one, other = make(), make()
+    shown = watched(one)
+    assert np.array_equal(watched(other, machine_code=True), shown)
+    assert len(np.unique(shown[:, 0])) > 20
+    if isinstance(one, Hashed):
+        assert all(map(np.array_equal, one.table, other.table))
+
+
+def test_a_full_table_stops_machine_code() -> None:
+    """With the same sentence."""
+    with pytest.raises(ValueError, match=r"full.* capacity"):
+        watched(bins(3), machine_code=True)

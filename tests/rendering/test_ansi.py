@@ -8,25 +8,14 @@ from edugym.rendering.scene import Arc, Circle, Line, Polygon, Rectangle, Scene,
 
 def test_text_of_a_small_scene() -> None:
     """A board of cells, two characters wide and one high, with a frame, words and a smiley; what is outside is cut."""
-    picture = Scene(
-        8,
-        5,
-        (
-            Rectangle(0, 0, 8, 5, glyph="#"),
-            Rectangle(1, 1, 6, 3, glyph=" "),
-            Circle(2.5, 2.5, 0.5),  # no glyph: not drawn
-            Circle(3.5, 2.5, 0.5, glyph="o"),
-            *icons.smiley(1.5, 1.5, 0.4),
-            Rectangle(6, 3, 1, 1, glyph="EXIT"),  # more than a character: at the middle
-            Text(4, 4.5, "HP 10"),
-            Text(1, 3.5, "left", anchor="start"),
-            Text(7, 1.5, "right", anchor="end"),
-            Text(7, 2.5, "cut off", anchor="start"),
-            Text(0.5, 0.5, "word", glyph="?"),
-            Text(0, 1.5, "<>"),
-        ),
-        columns=16,
-    )
+    board = Rectangle(0, 0, 8, 5, glyph="#"), Rectangle(1, 1, 6, 3, glyph=" ")
+    circles = Circle(2.5, 2.5, 0.5), Circle(3.5, 2.5, 0.5, glyph="o")  # without a glyph: not drawn
+    words = (
+        Rectangle(6, 3, 1, 1, glyph="EXIT"),  # more than a character: at the middle
+        Text(4, 4.5, "HP 10"), Text(1, 3.5, "left", anchor="start"), Text(7, 1.5, "right", anchor="end"),
+        Text(7, 2.5, "cut off", anchor="start"), Text(0.5, 0.5, "word", glyph="?"), Text(0, 1.5, "<>"),
+    )  # fmt: skip
+    picture = Scene(8, 5, (*board, *circles, *icons.smiley(1.5, 1.5, 0.4), *words), columns=16)
     assert to_text(picture).splitlines() == [
         "?###############",
         ">#☺      right##",
@@ -42,17 +31,9 @@ def test_text_of_a_small_scene() -> None:
 
 def test_text_draws_lines_and_later_shapes_on_top() -> None:
     """A line's character follows it, an arc's too; a rectangle smaller than a cell still shows; trailing blanks go."""
-    picture = Scene(
-        12,
-        6,
-        (
-            Line(((0.5, 1), (4.5, 5)), glyph="\\"),
-            Arc(9, 5, 3, 180, 360, glyph="*"),
-            Rectangle(0, 5.1, 12, 0.2, glyph="="),
-            Circle(9, 5, 1, glyph="@"),
-        ),
-        columns=24,
-    )
+    line, arc = Line(((0.5, 1), (4.5, 5)), glyph="\\"), Arc(9, 5, 3, 180, 360, glyph="*")
+    ground, ball = Rectangle(0, 5.1, 12, 0.2, glyph="="), Circle(9, 5, 1, glyph="@")
+    picture = Scene(12, 6, (line, arc, ground, ball), columns=24)
     assert to_text(picture).splitlines() == [
         "",
         " \\\\",
@@ -79,26 +60,20 @@ def test_words_stand_in_the_middle_of_what_they_mark() -> None:
     assert to_text(Scene(10, 14, shapes, columns=10)).splitlines() == ["", "    abc", "", "    def", "", "    ghi"]
 
 
-def test_coloured_paths() -> None:
-    """A line and an arc have their own colour, on what is behind them."""
-    ground = Rectangle(0, 0, 2, 1, fill=GREEN, outline=None, glyph=" ")
-    paths = (Line(((0.5, 0.5), (1.5, 0.5)), colour=RED, glyph="-"), Arc(2.5, 1, 0.4, 181, 359, colour=BLUE, glyph="^"))
-    red, blue = ("38;2;{};{};{}".format(*rgb(colour)) for colour in (RED, BLUE))
-    green, paper = ("48;2;{};{};{}".format(*rgb(colour)) for colour in (GREEN, PAPER))
-    assert to_text(Scene(3, 2, (ground, *paths), columns=3), colour=True).startswith(
-        f"\x1b[{red};{green}m--\x1b[{blue};{paper}m^"
-    )
+def escape(front: str, behind: str) -> str:
+    """Begin to write in a colour on another."""
+    return "\x1b[38;2;{};{};{};48;2;{};{};{}m".format(*rgb(front), *rgb(behind))
 
 
-def test_coloured_text() -> None:
-    """In colour, a shape has the colour of its edge on that of its inside, and words leave what is behind them."""
+def test_colours() -> None:
+    """A shape has the colour of its edge on that of its inside; words and paths leave what is behind them."""
     words, block = Text(2, 1, "ab", colour=BLUE), Rectangle(3, 0, 1, 2, fill=GREEN, outline=None, glyph="+")
     picture = Scene(5, 2, (Rectangle(0, 0, 2, 2, fill=RED, glyph="#"), words, block), columns=5)
-
-    def escape(front: str, behind: str) -> str:
-        return "\x1b[38;2;{};{};{};48;2;{};{};{}m".format(*rgb(front), *rgb(behind))
-
     assert to_text(picture, colour=True) == (
         f"{escape(INK, RED)}#{escape(BLUE, RED)}a{escape(BLUE, PAPER)}b"
         f"{escape(GREEN, GREEN)}+{escape(INK, PAPER)} \x1b[0m"
     )
+    ground = Rectangle(0, 0, 2, 1, fill=GREEN, outline=None, glyph=" ")
+    paths = (Line(((0.5, 0.5), (1.5, 0.5)), colour=RED, glyph="-"), Arc(2.5, 1, 0.4, 181, 359, colour=BLUE, glyph="^"))
+    painted = to_text(Scene(3, 2, (ground, *paths), columns=3), colour=True)
+    assert painted.startswith(f"{escape(RED, GREEN)}--{escape(BLUE, PAPER)}^")

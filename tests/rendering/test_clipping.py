@@ -21,11 +21,8 @@ from edugym.rendering.pixels import to_pixels
 from edugym.rendering.scene import Arc, Circle, Line, Polygon, Rectangle, Scene, Shape, Text
 from edugym.rendering.svg import to_svg
 
-NUMBERS = st.one_of(
-    st.floats(-30, 30),
-    st.floats(allow_nan=False),
-    st.sampled_from([math.inf, -math.inf, 1e308, -1e308, 5e-324, 0.0, 1e6]),
-)
+EXTREME = st.sampled_from([math.inf, -math.inf, 1e308, -1e308, 5e-324, 0.0, 1e6])
+NUMBERS = st.one_of(st.floats(-30, 30), st.floats(allow_nan=False), EXTREME)
 SIZES = NUMBERS.map(abs)
 POINTS = st.lists(st.tuples(NUMBERS, NUMBERS), min_size=3, max_size=6)
 EDGES = [(-1, 0), (1, 0), (0, -1), (0, 1)]
@@ -117,21 +114,13 @@ def test_shapes_are_cut_where_nobody_sees_it(shapes: list[Shape]) -> None:
 
 def test_shapes_in_the_picture_stay_as_they_are() -> None:
     """And in their order; those that cannot be seen are left out."""
-    inside: list[Shape] = [
-        Circle(-1, 5, 2),
-        *smiley(5, 5, 3),
-        Text(12, 5, "long enough", anchor="end"),
-        Line(((0, 0), (15, 15))),
-    ]
+    text, line = Text(12, 5, "long enough", anchor="end"), Line(((0, 0), (15, 15)))
+    inside: list[Shape] = [Circle(-1, 5, 2), *smiley(5, 5, 3), text, line]
     outside: list[Shape] = [
-        Circle(-1, 5, 0.9, outline=None),
-        Circle(5, 5, 1e9, fill=None),
-        Rectangle(10.2, 0, 1e9, 10),
-        Rectangle(1e300, 0, math.inf, 1),
-        Line(((11, 0), (11, 1e9))),
-        Polygon(((100, 100), (1e9, 100), (100, 1e9))),
-        Text(-1e6, 5, "far away"),
-    ]
+        Circle(-1, 5, 0.9, outline=None), Circle(5, 5, 1e9, fill=None), Rectangle(10.2, 0, 1e9, 10),
+        Rectangle(1e300, 0, math.inf, 1), Line(((11, 0), (11, 1e9))),
+        Polygon(((100, 100), (1e9, 100), (100, 1e9))), Text(-1e6, 5, "far away"),
+    ]  # fmt: skip
     mixed = [shape for k, one in enumerate(inside) for shape in (*outside[k : k + 1], one)] + outside
     assert list(visible(Scene(10, 10, mixed))) == inside
 
@@ -145,18 +134,17 @@ def test_a_line_that_leaves_the_picture_comes_back() -> None:
     assert {(bit.colour, bit.line_width, bit.glyph) for bit in bits} == {(RED, 0.5, "#")}
 
 
+PENNED: dict[str, Any] = {
+    "Rectangle": lambda x, y, pen: Rectangle(x - 1, y - 1, 2, 2, outline_width=pen),
+    "Circle": lambda x, y, pen: Circle(x, y, 1, outline_width=pen),
+    "Polygon": lambda x, y, pen: Polygon(((x - 1, y - 1), (x + 1, y - 1), (x, y + 1)), outline_width=pen),
+    "Line": lambda x, y, pen: Line(((x - 1, y - 1), (x + 1, y + 1)), line_width=pen),
+    "Arc": lambda x, y, pen: Arc(x, y, 1, 20, 160, line_width=pen),
+}
+
+
 @pytest.mark.parametrize("pen", [0.5, None])
-@pytest.mark.parametrize(
-    "shape",
-    [
-        lambda x, y, pen: Rectangle(x - 1, y - 1, 2, 2, outline_width=pen),
-        lambda x, y, pen: Circle(x, y, 1, outline_width=pen),
-        lambda x, y, pen: Polygon(((x - 1, y - 1), (x + 1, y - 1), (x, y + 1)), outline_width=pen),
-        lambda x, y, pen: Line(((x - 1, y - 1), (x + 1, y + 1)), line_width=pen),
-        lambda x, y, pen: Arc(x, y, 1, 20, 160, line_width=pen),
-    ],
-    ids=["Rectangle", "Circle", "Polygon", "Line", "Arc"],
-)
+@pytest.mark.parametrize("shape", PENNED.values(), ids=PENNED)
 def test_half_of_a_pen_reaches_into_the_picture(shape: Any, pen: float | None) -> None:
     """A shape beyond an edge is seen as far as its outline reaches, whether that has a width of its own or not."""
     empty = Scene(10, 6, ())
@@ -172,9 +160,7 @@ def test_numbers_too_large_for_a_float_are_infinite() -> None:
     assert Line(((0, 0), (10**400, 1))).points == ((0.0, 0.0), (math.inf, 1.0))
 
 
-@pytest.mark.parametrize(
-    ("width", "height"), [(1e-100, 1e100), (1e100, 1e-100), (7, 1e9), (1e-9, 1e-9), (1e100, 1e100)]
-)
+@pytest.mark.parametrize(("width", "height"), [(1e-100, 1e100), (1e100, 1e-100), (7, 1e9), (1e-9, 1e-9)])
 def test_pictures_of_any_proportions(width: float, height: float) -> None:
     """Neither the pixels nor the characters grow without bound."""
     shapes: list[Any] = [Rectangle(0, 0, width, height, glyph="#"), *smiley(width / 2, height / 2, height / 4)]

@@ -1,17 +1,18 @@
-"""Every icon as it is, in a picture beside this file; which colours it has does not matter, but where they are.
+"""The palette; and every icon as it is, in a picture beside this file, whichever colours it has.
 
 After an intended change, run `python -m tests.rendering.test_icons` and look at `icons.svg`.
 """
 
+import colorsys
 import re
 from pathlib import Path
 
 import pytest
 
-from edugym.rendering import icons
+from edugym.rendering import icons, palette
 from edugym.rendering.ansi import to_text
 from edugym.rendering.captions import captioned
-from edugym.rendering.palette import BLUE, PAPER, RED
+from edugym.rendering.palette import BLUE, PAPER, RED, blend, rgb
 from edugym.rendering.scene import Polygon, Rectangle, Scene, Shape, Text
 
 PICTURE = Path(__file__).with_name("icons.svg")
@@ -38,9 +39,8 @@ def every_icon() -> Scene:
         icons.speech_bubble(11, 10, 3.5, 1, "ho", (20, 8.7)),
     ]
     shapes = [shape for group in groups for shape in group]
-    return captioned(
-        Scene(15, 12, shapes, columns=60), ["one line", "a line that is so long that it is written smaller " * 2]
-    )
+    caption = ["one line", "a line that is so long that it is written smaller " * 2]
+    return captioned(Scene(15, 12, shapes, columns=60), caption)
 
 
 def numbered(svg: str) -> list[str]:
@@ -67,13 +67,11 @@ def test_a_narrow_picture_gets_margins() -> None:
     assert (first, second) == (Text(20, 49.5, "a", size=size), Text(20, 51.5, "b", size=size))
 
 
-@pytest.mark.parametrize(
-    ("fraction", "bar"), [(-1.0, "░░░░"), (0.0, "░░░░"), (0.5, "██░░"), (1.0, "████"), (2.0, "████")]
-)
-def test_a_short_gauge_in_characters(fraction: float, bar: str) -> None:
+def test_a_short_gauge_in_characters() -> None:
     """Also one that is less than a unit long is full as far as it should be."""
-    text = to_text(Scene(1, 1, icons.gauge(0, 0.5, 1, 0.3, "", fraction), columns=4))
-    assert bar in text.splitlines()
+    for fraction, bar in ((-1.0, "░░░░"), (0.0, "░░░░"), (0.5, "██░░"), (1.0, "████"), (2.0, "████")):
+        text = to_text(Scene(1, 1, icons.gauge(0, 0.5, 1, 0.3, "", fraction), columns=4))
+        assert bar in text.splitlines()
 
 
 @pytest.mark.parametrize("tip", [(-9.0, 9.0), (4.0, 9.0), (99.0, 9.0), (4.0, -9.0)])
@@ -85,6 +83,37 @@ def test_the_tail_of_a_speech_bubble_leaves_its_edge(tip: tuple[float, float]) -
     assert 1 < left < right < 7
     assert y == other_y == (4 if tip[1] > 0 else 2)
     assert end == pytest.approx(tip)
+
+
+HUES = {
+    "RED": 0, "BRICK": 14, "ORANGE": 24, "WALL": 24, "SAND": 41, "YELLOW": 46, "GRASS": 98, "GREEN": 145, "SKY": 197,
+    "WATER": 203, "BLUE": 219, "PURPLE": 268,
+}  # fmt: skip
+GREYS = ("CRACK", "INK", "ROAD", "STONE", "SHADE", "PAPER", "WHITE")
+
+
+def test_colours_are_what_their_names_say() -> None:
+    """By their place on the circle of colours, or from dark to light; no two are the same."""
+    colours = {name: rgb(value) for name, value in vars(palette).items() if name.isupper()}
+    assert set(colours) == {*HUES, *GREYS}
+    assert len(set(colours.values())) == len(colours)
+    for name, degrees in HUES.items():
+        hue, _, _ = colorsys.rgb_to_hsv(*(part / 255 for part in colours[name]))
+        assert abs((360 * hue - degrees + 180) % 360 - 180) < 6, name
+    sums = [sum(colours[name]) for name in GREYS]
+    assert sums == sorted(sums)
+    assert sums[1] < 200 < 400 < sums[2] < 500 < 600 < sums[3]
+    assert sums[-1] == 3 * 255
+
+
+def test_blend() -> None:
+    """A mixture goes from the one colour to the other."""
+    black, orange = "#000000", "#ff6402"
+    assert rgb("#0a10ff") == (10, 16, 255)
+    assert [blend(black, orange, share) for share in (0.0, 0.5, 1.0)] == [black, "#803201", orange]
+    for wrong in (1.5, -0.5):
+        with pytest.raises(ValueError, match=f"share .*{wrong}"):
+            blend(black, orange, wrong)
 
 
 if __name__ == "__main__":

@@ -26,6 +26,7 @@ EXAMPLES: dict[type[Shape], Shape] = {
     Text: Text(5, 5, "I", size=8, colour=RED, glyph="#"),
 }
 """One shape of every class, each red at the point (5, 5)."""
+each_shape = pytest.mark.parametrize("shape", EXAMPLES.values(), ids=lambda shape: type(shape).__name__)
 
 
 def leaves(kind: type[Shape]) -> set[type[Shape]]:
@@ -44,7 +45,7 @@ def test_every_shape_class_has_an_example() -> None:
     assert set(EXAMPLES) == leaves(Shape)
 
 
-@pytest.mark.parametrize("shape", EXAMPLES.values(), ids=lambda shape: type(shape).__name__)
+@each_shape
 def test_every_back_end_draws_every_shape(shape: Shape) -> None:
     """Each shape reaches the point (5, 5) of the picture in its own colour, and the characters around it."""
     picture = scene_of(shape)
@@ -63,46 +64,44 @@ def test_unknown_shape_is_refused(draw: Callable[[Scene], object]) -> None:
     assert to_text(scene_of(Filled())).strip() == ""  # characters leave out all shapes without a glyph
 
 
-@pytest.mark.parametrize(
-    ("make", "arguments", "options", "message"),
-    [
-        (Rectangle, (0, 0, -1, 1), {}, "width must be 0 or more, got -1"),
-        (Circle, (math.nan, 0, 1), {}, "x must be a number, got nan"),
-        (Circle, (0, 0, 1), {"fill": "red"}, "colour must be written"),
-        (Circle, (0, 0, 1), {"fill": 0xFF0000}, "colour must be written .* got 16711680"),
-        (Line, (((0, 0),),), {}, "points must be at least 2 pairs"),
-        (Polygon, (((0, 0), (1, 1)),), {}, "points must be at least 3 pairs"),
-        (Line, (((0, 0), (1, math.nan)),), {}, "points must be a number, got nan"),
-        (Circle, ("3", 0, 1), {}, "x must be a number, got '3'"),
-        (Line, (((0, 0), (1, 1)),), {"colour": None}, "colour must be given"),
-        (Arc, (0, 0, 1, 90, 90), {}, "stop must be more than start"),
-        (Arc, (0, 0, 1, 0, 360), {}, "stop must be more than start"),
-        (Text, (0, 0, "two\nlines"), {}, "content must be one line"),
-        (Text, (0, 0, 7), {}, "content must be one line"),
-        (Text, (0, 0, "a"), {"anchor": "centre"}, "anchor must be"),
-        (Scene, (0, 1, ()), {}, "width must be positive"),
-        (Scene, (1, math.inf, ()), {}, "height must be positive"),
-        (Scene, (1, 1, ()), {"columns": 0}, "columns must be 1 or more"),
-        (Scene, (1, 1, ()), {"background": "sky"}, "colour must be written"),
-        (Scene, (1, 1, ()), {"title": "\0"}, "title must be one line"),
-        (Scene, (1, 1, (icons.smiley(0, 0, 1),)), {}, "unpack a group"),
-        (icons.smiley, (0, 0, 1, "angry"), {}, "mood must be"),
-        (Scene, (1, 10**400, ()), {}, "height must be positive"),
-        (Scene(1, 1, ()).size_in_pixels, (0,), {}, "width_pixels must be positive"),
-        (Scene(1, 2, ()).size_in_pixels, (2049,), {}, "width_pixels must be at most 2048"),
-        (to_pixels, (Scene(1, 1, ()),), {"supersampling": 3}, "supersampling must be 1, 2, 4 or 8"),
-        (to_text, (Scene(1, 1, ()),), {"columns": 0}, "columns must be 1 or more"),
-    ],
-)
-def test_mistakes_are_named(
-    make: Callable[..., object], arguments: tuple[object, ...], options: dict[str, object], message: str
-) -> None:
+MISTAKES: list[tuple[Callable[..., object], tuple[Any, ...], dict[str, Any], str]] = [
+    (Rectangle, (0, 0, -1, 1), {}, "width must be 0 or more, got -1"),
+    (Circle, (math.nan, 0, 1), {}, "x must be a number, got nan"),
+    (Circle, (0, 0, 1), {"fill": "red"}, "colour must be written"),
+    (Circle, (0, 0, 1), {"fill": 0xFF0000}, "colour must be written .* got 16711680"),
+    (Line, (((0, 0),),), {}, "points must be at least 2 pairs"),
+    (Polygon, (((0, 0), (1, 1)),), {}, "points must be at least 3 pairs"),
+    (Line, (((0, 0), (1, math.nan)),), {}, "points must be a number, got nan"),
+    (Circle, ("3", 0, 1), {}, "x must be a number, got '3'"),
+    (Line, (((0, 0), (1, 1)),), {"colour": None}, "colour must be given"),
+    (Arc, (0, 0, 1, 90, 90), {}, "stop must be more than start"),
+    (Arc, (0, 0, 1, 0, 360), {}, "stop must be more than start"),
+    (Text, (0, 0, "two\nlines"), {}, "content must be one line"),
+    (Text, (0, 0, 7), {}, "content must be one line"),
+    (Text, (0, 0, "a"), {"anchor": "centre"}, "anchor must be"),
+    (Scene, (0, 1, ()), {}, "width must be positive"),
+    (Scene, (1, math.inf, ()), {}, "height must be positive"),
+    (Scene, (1, 1, ()), {"columns": 0}, "columns must be 1 or more"),
+    (Scene, (1, 1, ()), {"background": "sky"}, "colour must be written"),
+    (Scene, (1, 1, ()), {"title": "\0"}, "title must be one line"),
+    (Scene, (1, 1, (icons.smiley(0, 0, 1),)), {}, "unpack a group"),
+    (icons.smiley, (0, 0, 1, "angry"), {}, "mood must be"),
+    (Scene, (1, 10**400, ()), {}, "height must be positive"),
+    (Scene(1, 1, ()).size_in_pixels, (0,), {}, "width_pixels must be positive"),
+    (Scene(1, 2, ()).size_in_pixels, (2049,), {}, "width_pixels must be at most 2048"),
+    (to_pixels, (Scene(1, 1, ()),), {"supersampling": 3}, "supersampling must be 1, 2, 4 or 8"),
+    (to_text, (Scene(1, 1, ()),), {"columns": 0}, "columns must be 1 or more"),
+]
+
+
+@pytest.mark.parametrize(("make", "arguments", "options", "message"), MISTAKES)
+def test_mistakes_are_named(make: Callable[..., object], arguments: Any, options: Any, message: str) -> None:
     """A wrong value is refused where it is written, with its name and what is allowed."""
     with pytest.raises(ValueError, match=message):
         make(*arguments, **options)
 
 
-@pytest.mark.parametrize("shape", EXAMPLES.values(), ids=lambda shape: type(shape).__name__)
+@each_shape
 def test_every_shape_checks_all_that_it_has(shape: Shape) -> None:
     """Its class may check more, but not less."""
     wrong: dict[str, Any] = {"x": math.nan, "radius": -1, "colour": "red", "fill": "red", "points": [], "glyph": "\n"}
@@ -142,22 +141,13 @@ def test_size_in_pixels_is_even() -> None:
 
 def test_svg_of_a_small_scene() -> None:
     """The whole text of a picture, one line for each shape."""
-    picture = Scene(
-        20,
-        10,
-        (
-            Rectangle(0, 8, 20, 2, fill=GREEN, outline=None),
-            Rectangle(1, 1, 2.5, 2, 0.5),
-            Circle(10, 5, 2, fill=YELLOW),
-            Polygon([(0, 0), (1, 0), (0.5, 1 / 3)], outline_width=0.5),
-            Line([(0, 0), (1, 1)]),
-            Arc(10, 5, 1, 0, 180, colour=RED),
-            Arc(10, 5, 1, -90, 180),
-            Text(10, 2, "R < 0 & s = 1", size=2),
-            Text(19, 9, "10", colour=RED, anchor="end"),
-        ),
-        title="A & B",
-    )
+    shapes = (
+        Rectangle(0, 8, 20, 2, fill=GREEN, outline=None), Rectangle(1, 1, 2.5, 2, 0.5), Circle(10, 5, 2, fill=YELLOW),
+        Polygon([(0, 0), (1, 0), (0.5, 1 / 3)], outline_width=0.5), Line([(0, 0), (1, 1)]),
+        Arc(10, 5, 1, 0, 180, colour=RED), Arc(10, 5, 1, -90, 180),
+        Text(10, 2, "R < 0 & s = 1", size=2), Text(19, 9, "10", colour=RED, anchor="end"),
+    )  # fmt: skip
+    picture = Scene(20, 10, shapes, title="A & B")
     assert picture._repr_svg_() == (
         f"""<svg xmlns="http://www.w3.org/2000/svg" width="480" height="240" viewBox="0 0 20 10" \
 stroke-linejoin="round" stroke-linecap="round" font-family="FreeSans, Helvetica, Arial, sans-serif" font-weight="bold">

@@ -12,7 +12,6 @@ import edugym
 from tests.compiled.cells import LEARNER, WALK, cell
 
 PACKAGE = str(Path(edugym.__file__).parent)
-ON_POLICY = LEARNER.replace("next_state, terminated)", "next_state, next_action, terminated)")
 
 # Lines of the walk and of the learner that slips replace.
 MOVE = "return max(0, state + 2 * action - 1)"
@@ -21,9 +20,7 @@ END = "return state == self.size"
 SEE = "return state\n"
 TRANSITION = "def transition(self, state, action, rng):"
 LIMIT = "    def initial"
-ACT = "return best"
 ACTS = "def act(self, state, rng):"
-UPDATE = "self.Q[state, action] +="
 VALUE = "value = 0.0"
 
 ENVIRONMENT = """
@@ -44,15 +41,7 @@ STEP = "return self.place, -1.0, self.place == 5, False, {}"
 
 
 class Slip(NamedTuple):
-    """A slip: what is replaced by what, and what the answer names.
-
-    Attributes:
-        old: a text in the code that is right, found there once.
-        new: what the student writes.
-        names: words that must all be in the sentence.
-        line: the student's line at which the traceback ends; "" where what a method returns is wrong, or what it has.
-        error: the class of the error.
-    """
+    """A slip: what is replaced by what; words that the answer has; where the traceback ends, if in a student's line."""
 
     old: str
     new: str
@@ -80,16 +69,14 @@ def learner(source: str = LEARNER, table: Any = None) -> Any:
 LOOKING = """
 class Looker(NamedTuple):
     tabular = False
-    def act(self, state, rng):
-        return 1
-    def learn(self, state, action, reward, next_state, terminated):
-        pass
+    def act(self, state, rng): return 1
+    def learn(self, state, action, reward, next_state, terminated): pass
 """
 
 
-def looker(source: str = LOOKING, *, tabular: bool = False) -> Any:
+def looker(tabular: str = "False") -> Any:
     """An agent that is shown numbers, and learns nothing."""
-    return cell(source.replace("tabular = False", f"tabular = {tabular}"))["Looker"]()
+    return cell(LOOKING.replace("False", tabular))["Looker"]()
 
 
 def named(names: str, call: Callable[[], Any], error: type[Exception] = ValueError) -> Exception:

@@ -1,12 +1,13 @@
 """One episode of training, to be watched."""
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import pytest
 
 from edugym import SARSA, GoExplore, make_mdp
 from edugym.training.attempt import attempt
+from tests.compiled.cells import cell
 from tests.training.tasks import Stairs
 
 
@@ -22,36 +23,18 @@ def test_attempt_is_an_episode_of_training() -> None:
     assert actions == attempt(GoExplore.create, wall, after=500)
 
 
+Notebook: Any = cell("""
 class Notebook(NamedTuple):
-    """An agent that writes down each step."""
-
-    steps: list[tuple[Any, ...]]
-
-    def act(self, state: Any, rng: Any) -> int:
-        """Always the action 0."""
-        return 0
-
-    def learn(self, state: int, action: int, reward: float, next_state: int, terminated: bool, truncated: bool) -> None:
-        """Write it down."""
+    steps: list
+    def act(self, state, rng): return 0
+    def learn(self, state, action, reward, next_state, terminated, truncated):
         self.steps.append((state, action, reward, next_state, terminated, truncated))
-
-
-class Hidden(Stairs):
-    """Stairs in which the agent sees ten more than the state, with a limit."""
-
-    __slots__ = ()
-    max_steps = 3
-
-    def observation(self, state: int, rng: Any) -> int:
-        """Ten more."""
-        return state + 10
-
-
-class Cut(Hidden):
-    """The limit comes first."""
-
-    __slots__ = ()
-    max_steps = 2
+""")["Notebook"]
+"""An agent that writes down each step."""
+Hidden = type("Hidden", (Stairs,), {"observation": lambda self, state, rng: state + 10, "max_steps": 3})
+"""Stairs in which the agent sees ten more than the state, with a limit."""
+Cut = type("Cut", (Hidden,), {"max_steps": 2})
+"""The limit comes first."""
 
 
 @pytest.mark.parametrize(

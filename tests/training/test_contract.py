@@ -13,15 +13,8 @@ from tests.compiled.cells import cell
 from tests.training.slips import named
 from tests.training.tasks import Stairs, interpret
 
-LAST = {
-    "state": 2,
-    "action": 1,
-    "reward": 3.0,
-    "next_state": 3,
-    "next_action": 1,
-    "terminated": True,
-    "truncated": False,
-}
+LAST = {"state": 2, "action": 1, "reward": 3.0, "next_state": 3, "next_action": 1}
+LAST |= {"terminated": True, "truncated": False}
 NOTING = """
 class Noting:
     def act(self, state, rng): return int(state == 2)
@@ -67,6 +60,7 @@ class Greedy(Acting):
 """
 Staying, Acting, Greedy = (cell(ACTING)[name] for name in ("Staying", "Acting", "Greedy"))
 NAN, INF = float("nan"), float("inf")
+ONE, TWO = spaces.Box(-1.0, 1.0, (1,)), spaces.Box(-1.0, 1.0, (2,))
 ACTIONS: list[tuple[spaces.Space[Any], list[Any], list[Any], str]] = [
     (
         spaces.Discrete(3),
@@ -75,17 +69,12 @@ ACTIONS: list[tuple[spaces.Space[Any], list[Any], list[Any], str]] = [
         "0 to 2",
     ),
     (
-        spaces.Box(-1.0, 1.0, (2,)),
+        TWO,
         [(0.5, 0), [3.0, -9], np.array([1, 2])],  # an MDP may cut them off at the bounds itself
         [(NAN, 0), (INF, 0.0), (0.5,), 0.5, ("a", "b"), None, ((1, 2), (3,)), (True, False), np.zeros((2, 1))],
-        "Box(-1.0, 1.0, (2,), float32)",
+        str(TWO),
     ),
-    (
-        spaces.Box(-1.0, 1.0, (1,)),
-        [0.5, (0.5,), np.array(1), np.array([[0.5]])],
-        [(0.5, 0.5), (), NAN, "x"],
-        "Box(-1.0, 1.0, (1,), float32)",
-    ),
+    (ONE, [0.5, (0.5,), np.array(1), np.array([[0.5]])], [(0.5, 0.5), (), NAN, "x"], str(ONE)),
     (spaces.MultiDiscrete([2, 3]), [(1, 2), [0, 0]], [(2, 0), (1,), 1], "MultiDiscrete([2 3])"),
 ]
 

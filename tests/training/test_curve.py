@@ -3,7 +3,9 @@
 import math
 import threading
 import time
+from pathlib import Path
 from typing import Any
+from unittest.mock import MagicMock
 
 import gymnasium
 import numpy as np
@@ -11,6 +13,7 @@ import pytest
 
 from edugym import SARSA, EpsilonGreedy, MDPEnv, QLearning, make_mdp, train
 from edugym.compiled import execution
+from tests.experiments.experiments import small
 from tests.training.tasks import Ring, SlipperyWalk, Stairs
 
 
@@ -31,21 +34,17 @@ def test_the_curve_by_hand(wrapped: bool, kind: Any, n_steps: int) -> None:
 
 
 def test_points() -> None:
-    """By default a hundred, and one at the start; short runs have one for each step."""
+    """By default a hundred, and one at the start; short runs have one for each step; without an episode it is NaN."""
     agent = QLearning.create(Stairs())
     assert train(Stairs(), agent, 1_000).steps.tolist() == list(range(0, 1_001, 10))
     assert train(Stairs(), agent, 3).steps.tolist() == [0, 1, 2, 3]
     for every in (70, 999, 1_000):
         assert train(Stairs(), agent, 3_000, evaluate_every=every).steps.tolist() == [*range(0, 3_000, every), 3_000]
-    small: Any = np.int8(100)  # in which 100 + 100 is -56
-    assert train(Stairs(), agent, small, evaluate_every=small).steps.tolist() == [0, 100]
-
-
-def test_points_where_no_episode_ended_are_nan() -> None:
-    """Every second step a point: episodes end in the intervals (2, 4], (4, 6], (8, 10]."""
-    run = train(Stairs(), QLearning.create(Stairs()), 10, evaluate_every=2)
+    run = train(Stairs(), agent, 10, evaluate_every=2)  # episodes end in the intervals (2, 4], (4, 6], (8, 10]
     assert run.episodes.tolist() == [0, 0, 1, 1, 0, 1]
     assert np.isnan(run.training_returns).tolist() == [True, True, False, False, True, False]
+    small: Any = np.int8(100)  # in which 100 + 100 is -56
+    assert train(Stairs(), agent, small, evaluate_every=small).steps.tolist() == [0, 100]
 
 
 def test_a_point_is_the_mean_of_its_evaluation_episodes() -> None:
@@ -88,24 +87,20 @@ def test_a_task_without_end_or_limit_is_evaluated_all_the_same() -> None:
 
 def test_tables_change_in_place_and_training_can_go_on() -> None:
     """The agent that was given is trained; a second run starts from there."""
-    mdp = make_mdp("Boulder", height=3)
-    agent = QLearning.create(mdp)
-    assert train(mdp, agent, 1_000, seed=0).agent.Q is agent.Q
+    agent = QLearning.create(SlipperyWalk())
+    assert train(SlipperyWalk(), agent, 1_000, seed=0).agent.Q is agent.Q
     before = agent.Q.copy()
-    train(mdp, agent, 1_000, seed=1)
+    train(SlipperyWalk(), agent, 1_000, seed=1)
     assert not np.array_equal(before, agent.Q)
 
 
 def test_stop_ends_a_run_before_it_begins(monkeypatch: pytest.MonkeyPatch) -> None:
     """With what has been measured, and nothing compiled."""
-
-    class New(Stairs):
-        __slots__ = ()
-
+    new = type("New", (Stairs,), {"__slots__": ()})
     monkeypatch.setattr(execution, "compiled", None)
     stop = threading.Event()
     stop.set()
-    run = train(New(), QLearning.create(Stairs()), 10**12, stop=stop)
+    run = train(new(), QLearning.create(Stairs()), 10**12, stop=stop)
     assert (run.steps.tolist(), run.returns.tolist(), run.complete) == ([0], [6.0], False)
 
 
@@ -132,3 +127,38 @@ def test_a_long_evaluation_stops_between_episodes() -> None:
     assert not run.complete
     assert not len(run.steps)
     assert time.perf_counter() - began < 30
+
+
+@pytest.fixture
+def bars(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
+    """All bars that are shown: mocks, with what they have `seen`, and which say whether they are `closed`."""
+    made = list[Any]()
+
+    def bar(**how: Any) -> MagicMock:
+        one = MagicMock(how=how, seen=[0], closed=False)
+        one.__enter__.return_value = one
+        one.__exit__.side_effect = lambda *_: setattr(one, "closed", True)
+        one.update.side_effect = lambda n: one.seen.append(one.seen[-1] + n)
+        made.append(one)
+        return one
+
+    monkeypatch.setattr("tqdm.auto.tqdm", bar)
+    return made
+
+
+def test_progress_counts_every_step(bars: list[Any]) -> None:
+    """And is closed at the end."""
+    train(Stairs(), QLearning.create(Stairs()), 1_234, progress=True)
+    (bar,) = bars
+    assert (bar.seen[-1], bar.closed) == (1_234, True)
+    assert bar.how == {"total": 1_234, "unit": "steps", "unit_scale": True, "smoothing": 0.1}  # at the speed of late
+
+
+def test_progress_of_an_experiment(bars: list[Any], tmp_path: Path) -> None:
+    """It moves when a run is done, begins with the runs that were done before, and is not shown unless asked for."""
+    small(300, checkpoints=tmp_path, repetitions=1)
+    assert bars == []
+    small(300, checkpoints=tmp_path, progress=True)
+    (bar,) = bars
+    assert (bar.how["total"], bar.how["unit"], bar.closed) == (1_800, "steps", True)
+    assert bar.seen == [0, 600, 900, 1_200, 1_500, 1_800]

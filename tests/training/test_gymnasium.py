@@ -67,41 +67,44 @@ def test_checks_are_taken_away() -> None:
     assert type(broken.env) is TransformReward
 
 
-class GenerousBoulder(MDPEnv[Boulder]):
-    """A student's change: every step pays 1 more."""
-
-    def step(self, action: Any) -> Any:
-        """One step."""
+CHANGED = """
+import gymnasium
+from edugym import MDPEnv
+class Generous(MDPEnv):
+    def step(self, action):
         observation, reward, *rest = super().step(action)
-        return observation, float(reward) + 1.0, *rest
+        return observation, reward + 1.0, *rest
 
-
-class HighBoulder(MDPEnv[Boulder]):
-    """A student's change: the climb starts at height 1."""
-
-    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> Any:
-        """Start."""
+class High(MDPEnv):
+    def reset(self, *, seed=None, options=None):
         _, info = super().reset(seed=seed, options=options)
         self.state = 1
         return 1, info
 
+class Lamp(gymnasium.Env):
+    is_on, action_space = False, spaces.Discrete(2)
+    def __init__(self, in_pair):
+        lamp = spaces.Discrete(2)
+        self.in_pair, self.observation_space = in_pair, spaces.Tuple((lamp, lamp)) if in_pair else lamp
+    def seen(self): return (self.is_on, 1) if self.in_pair else self.is_on
+    def reset(self, *, seed=None, options=None):
+        self.is_on = False
+        return self.seen(), {}
+    def step(self, action):
+        self.is_on = self.is_on != bool(action == 1)
+        return self.seen(), float(self.is_on), False, False, {}
+"""
+Generous, High, Lamp = (cell(CHANGED)[name] for name in ("Generous", "High", "Lamp"))
+"""Every step pays 1 more; the climb starts at height 1; a flag, alone or beside a number, that action 1 switches."""
+
 
 def test_a_students_own_step_and_reset_are_not_left_out() -> None:
     """A subclass of an environment is trained in as it is, not as the MDP inside it."""
-    run = train(GenerousBoulder(Boulder.create(height=4, max_steps=5)), tell_tale(), 10)
-    assert run.training_returns[-1] == 5.0
+    assert train(Generous(Boulder.create(height=4, max_steps=5)), tell_tale(), 10).training_returns[-1] == 5.0
     high = QLearning.create((3, 2), initial_value=1.0)
-    train(HighBoulder(Boulder.create(height=2, max_steps=1)), high, 1_000)
+    train(High(Boulder.create(height=2, max_steps=1)), high, 1_000)
     assert abs(high.Q[1] - 1.0).max() > 0.005
     assert high.Q[0].tolist() == [1.0, 1.0]  # no step was ever taken from the ground
-
-
-def test_a_time_limit_around_an_environment_truncates() -> None:
-    """Gymnasium's wrapper, of 3 steps, around a task of at most 40."""
-    agent = tell_tale()
-    run = train(TimeLimit(gymnasium.make(BOULDER, height=4), 3), agent, 300)
-    assert agent.told.tolist() == [300, 0, 100, 0]
-    assert run.episodes.sum() == 100
 
 
 @pytest.mark.parametrize(
@@ -118,8 +121,11 @@ def test_evaluation_lasts_as_long_as_the_environment_says(make: Any, measured: i
     assert train(make(), agent, 1).returns.tolist() == [measured, measured]
 
 
-def test_max_steps_truncates_training_and_evaluation() -> None:
-    """For a Gymnasium environment without a limit of its own."""
+def test_what_truncates() -> None:
+    """Gymnasium's wrapper, of 3 steps, around a task of at most 40; and `max_steps`, training and evaluation."""
+    agent = tell_tale()
+    assert train(TimeLimit(gymnasium.make(BOULDER, height=4), 3), agent, 300).episodes.sum() == 100
+    assert agent.told.tolist() == [300, 0, 100, 0]
     agent = tell_tale()._replace(Q=np.zeros((48, 4)))
     run = train(CLIFF, agent, 100, max_steps=20, evaluate_every=50)
     assert agent.told.tolist() == [100, 0, 5, 0]
@@ -139,7 +145,7 @@ def test_both_loops_are_one(kind: Any) -> None:
     assert all(np.array_equal(one, other, equal_nan=True) for one, other in zip(*runs, strict=True))
 
 
-LOOKS = """
+Looks = cell("""
 class Looks(NamedTuple):
     seen: np.ndarray
     tabular = False
@@ -148,37 +154,15 @@ class Looks(NamedTuple):
         return 1
     def learn(self, state, action, reward, next_state, terminated):
         self.seen[1] = max(self.seen[1], abs(next_state[1]))
-"""
+""")["Looks"]
 
 
 @pytest.mark.parametrize("environment", ["CartPole-v1", "edugym/Golf-v0"])
 def test_an_agent_without_a_table_sees_observations_as_they_are(environment: str) -> None:
     """Arrays and tuples, where `tabular` is False."""
-    agent = cell(LOOKS)["Looks"](np.zeros(2))
+    agent = Looks(np.zeros(2))
     train(environment, agent, 200)
     assert (agent.seen > 0).all()
-
-
-class Lamp(gymnasium.Env[Any, Any]):
-    """On or off, as a flag; alone, or beside a number. Action 1 switches; every step with the lamp on pays 1."""
-
-    action_space = gymnasium.spaces.Discrete(2)
-
-    def __init__(self, in_pair: bool) -> None:
-        """Show the flag alone, or in a pair."""
-        lamp = gymnasium.spaces.Discrete(2)
-        self.observation_space: Any = gymnasium.spaces.Tuple((lamp, lamp)) if in_pair else lamp
-        self.in_pair, self.is_on = in_pair, False
-
-    def reset(self, *, seed: int | None = None, options: Any = None) -> tuple[Any, dict[str, Any]]:
-        """Off."""
-        self.is_on = False
-        return (False, 1) if self.in_pair else False, {}
-
-    def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
-        """Switch, or not."""
-        self.is_on = self.is_on != bool(action == 1)
-        return (self.is_on, 1) if self.in_pair else self.is_on, float(self.is_on), False, False, {}
 
 
 @pytest.mark.parametrize(("in_pair", "off", "on"), [(False, 0, 1), (True, 1, 3)])

@@ -7,20 +7,7 @@ import pytest
 
 from edugym import QLearning, train
 from tests.compiled.cells import LEARNER, WALK, cell
-from tests.training.slips import (
-    ACTS,
-    ENVIRONMENT,
-    MOVE,
-    PAY,
-    SEE,
-    STEP,
-    VALUE,
-    answered,
-    changed,
-    looker,
-    named,
-    walk,
-)
+from tests.training.slips import ACTS, ENVIRONMENT, MOVE, PAY, SEE, STEP, VALUE, answered, changed, looker, named, walk
 from tests.training.tasks import interpret
 
 pytestmark = pytest.mark.usefixtures("compiled_at_once")
@@ -33,22 +20,25 @@ def late(**returned: str) -> str:
     return "".join(f"if self.late({k[1:]}):\n            return {value}\n        " for k, value in returned.items())
 
 
-FIELDS = "size: int\n    wrong: int\n    count: np.ndarray\n    low: float = 0.0\n    high: float = 9.0\n"
-LATE_WALK = (
-    WALK.replace("size: int\n", f"{FIELDS}\n    def late(self, k): return self.wrong == k and self.count[0] > 3_000\n")
-    .replace(MOVE, COUNTED)
-    .replace(PAY, late(_1="np.nan", _2="np.inf") + PAY)
-    .replace(SEE, late(_3="-1", _4="6") + SEE)
-)
+FIELDS = "size: int\n    wrong: int\n    count: np.ndarray\n    low: float = 0.0\n    high: float = 9.0\n\n"
+COUNTING = WALK.replace(
+    "size: int\n", f"{FIELDS}    def late(self, k): return self.wrong == k and self.count[0] > 3_000\n"
+).replace(MOVE, COUNTED)
+LATE_WALK = COUNTING.replace(PAY, late(_1="np.nan", _2="np.inf") + PAY).replace(SEE, late(_3="-1", _4="6") + SEE)
 """The walk with a slip, number `wrong`, that shows after 3 000 steps."""
-VECTORS = (
-    WALK.replace("size: int\n", f"{FIELDS}\n    def late(self, k): return self.wrong == k and self.count[0] > 3_000\n")
-    .replace(MOVE, COUNTED)
-    .replace(SEE, late(_5="np.array([9.1, 1.0])", _6="np.array([1.0, -0.1])", _7="np.array([0.1, np.nan])") + SEE)
-    .replace(SEE, "return np.array([0.1, 0.1])\n")
-    .replace("spaces.Discrete(self.size + 1)", "spaces.Box(self.low, self.high, (2,))")
-)
-NUMBERS, BOXES = cell(LATE_WALK)["Walk"], cell(VECTORS)["Walk"]
+
+
+def boxes(right: str, shape: str, **wrong: str) -> Any:
+    """The same with vectors to see."""
+    source = COUNTING.replace(SEE, f"{late(**wrong)}return {right}\n")
+    return cell(source.replace("Discrete(self.size + 1)", f"Box(self.low, self.high, {shape})"))["Walk"]
+
+
+NUMBERS = cell(LATE_WALK)["Walk"]
+BOXES = boxes(
+    "np.array([0.1, 0.1])", "(2,)",
+    _5="np.array([9.1, 1.0])", _6="np.array([1.0, -0.1])", _7="np.array([0.1, np.nan])",
+)  # fmt: skip
 LATE = {
     "NaN for a reward": (NUMBERS, 1, "reward Walk nan"),
     "an infinite reward": (NUMBERS, 2, "reward Walk inf"),
@@ -57,6 +47,8 @@ LATE = {
     "above the box": (BOXES, 5, "observation Walk Box( 9.1"),
     "below the box": (BOXES, 6, "observation Walk Box( -0.1"),
     "NaN to see": (BOXES, 7, "observation Walk Box( nan"),
+    "of a tuple": (boxes("(state, 1.0)", "(2,)", _8="(state, 9.5)"), 8, "observation Walk Box( 9.5"),
+    "of many": (boxes("np.full(40, 1.0)", "(40,)", _9="np.full(40, 9.5)"), 9, "observation Walk Box( 9.5"),
 }
 either_way = pytest.mark.parametrize("machine_code", [True, False], ids=["machine code", "interpreted"])
 
@@ -69,7 +61,7 @@ def test_late_slips_in_an_mdp(name: str, machine_code: bool, monkeypatch: pytest
         interpret(monkeypatch)
     kind, wrong, names = LATE[name]
     agent: Any = QLearning.create((6, 2)) if kind is NUMBERS else LOOKER
-    answered(names, lambda: train(kind(5, wrong, np.zeros(1, np.int64)), agent, 9_000))
+    answered(names, lambda: train(kind(5, wrong, np.zeros(1, np.int64)), agent, 9_000, max_steps=99))
 
 
 LOOKER = looker()
@@ -81,17 +73,6 @@ LOOKER = looker()
 def test_bounds_are_those_of_the_type_of_the_space(low: float, high: float) -> None:
     """0.1 is less than 0.1 in a space of float32, and is no slip; without bounds there is nothing to say either."""
     assert train(BOXES(5, 0, np.zeros(1, np.int64), low, high), LOOKER, 6_000, max_steps=9).complete
-
-
-@pytest.mark.parametrize(("seen", "n"), [("(state, {})", 2), ("np.full(40, {})", 40)])
-def test_other_vectors_outside_the_box(seen: str, n: int) -> None:
-    """A tuple of a whole number and a real one, and many numbers: they are guarded in machine code as well."""
-    source = LATE_WALK.replace(SEE, f"return {seen.format(1.0)}\n").replace(
-        "Discrete(self.size + 1)", f"Box(0, 9, ({n},))"
-    )
-    source = source.replace(late(_3="-1", _4="6"), late(_5=seen.format(9.5)))
-    task = cell(source)["Walk"](5, 5, np.zeros(1, np.int64))
-    answered("observation Walk Box( 9.5", lambda: train(task, LOOKER, 9_000, max_steps=9))
 
 
 @pytest.mark.parametrize("late", [0, 1], ids=["training", "evaluation"])
@@ -125,7 +106,6 @@ KINDS = {"Learner": cell(LATE_LEARNER)["Learner"], "None": cell(NONE)["Learner"]
         ("Learner", "machine code", -1),  # which is not the last one
         ("None", "machine code", None),
         *((kind, where, 2) for kind in ("Learner", "SARSA") for where in ("interpreted", "Gymnasium")),
-        *((kind, where, "x") for kind in ("Learner", "SARSA") for where in ("interpreted", "Gymnasium")),
         *(("None", where, None) for where in ("interpreted", "Gymnasium")),
     ],
 )
@@ -176,15 +156,14 @@ class Summing(NamedTuple):
 
 def test_a_board_that_is_written_in_place(monkeypatch: pytest.MonkeyPatch) -> None:
     """It is guarded as others are, and machine code does what the interpreter does."""
-    notebook = cell(BOARD)
-    Board, Summing = notebook["Board"], notebook["Summing"]
+    Board, Summing = map(cell(BOARD).__getitem__, ("Board", "Summing"))
     right, wrong = (Board(is_wrong, np.zeros(1)) for is_wrong in (False, True))
     named("reward Board nan", lambda: train(wrong, Summing(np.zeros(1)), 6_000, max_steps=9))
     named("act Summing 0 1 2", lambda: train(right, Summing(np.zeros(1), 9_000.0), 6_000, max_steps=9))
-    one, other = (Summing(np.zeros(1)) for _ in range(2))
-    train(right, one, 6_000, max_steps=9)
-    interpret(monkeypatch)
-    train(right, other, 6_000, max_steps=9)
+    one, other = agents = [Summing(np.zeros(1)) for _ in range(2)]
+    for agent in agents:
+        train(right, agent, 6_000, max_steps=9)
+        interpret(monkeypatch)
     assert one.sums.tolist() == other.sums.tolist()
 
 

@@ -19,10 +19,9 @@ def streams() -> dict[str, np.random.Generator]:
     return {name: np.random.default_rng(child) for name, child in zip(names, children, strict=True)}
 
 
-def place(rng: Any) -> int:
+def place(rng: Any) -> Any:
     """Where a stream is."""
-    where: int = rng.bit_generator.state["state"]["state"]
-    return where
+    return rng.bit_generator.state["state"]["state"]
 
 
 NAMES = {place(rng): name for name, rng in streams().items()}
@@ -84,10 +83,8 @@ def noting(calls: list[str]) -> SimpleNamespace:
 def step(state: int, action: int, rng: str, *see: str) -> list[str]:
     """What every step asks the task."""
     after = state + 1
-    return [
-        f"transition {state} {action} {rng}", f"reward {state} {action} {after} {rng}", f"terminal {after}",
-        *(f"observation {after} {rng}" for _ in see),
-    ]  # fmt: skip
+    asked = [f"transition {state} {action} {rng}", f"reward {state} {action} {after} {rng}", f"terminal {after}"]
+    return asked + [f"observation {after} {rng}" for _ in see]
 
 
 BEGIN = ["initial env", "observation 0 env"]
@@ -96,77 +93,55 @@ PLAYED = [
     "observation 1 play", "greedy 11 actor", *step(1, 3, "play"),
 ]  # fmt: skip
 """An evaluation episode of two steps."""
+TASKS = {
+    "an end": ("Stairs", (2,), 9, True),
+    "an end at the limit": ("Stairs", (2,), 2, True),
+    "the limit": ("Stairs", (3,), 2, False),
+    "an environment's end": ("Environment", (2, 9), 9, True),
+    "an environment's end at the limit": ("Environment", (2, 9), 2, True),
+    "an environment's end that is cut off": ("Environment", (2, 2), 9, True),
+    "an environment that cuts off": ("Environment", (9, 2), 9, False),
+    "an environment with a limit": ("Environment", (9, 9), 2, False),
+}
 
 
-@pytest.mark.parametrize(
-    ("end", "limit", "terminated"),
-    [(2, 9, True), (2, 2, True), (3, 2, False)],
-    ids=["an end", "an end at the limit", "the limit"],
-)
+@pytest.mark.parametrize("name", TASKS)
 @pytest.mark.parametrize("kind", ["OffPolicy", "OnPolicy"])
-def test_an_mdp(kind: str, end: int, limit: int, terminated: bool) -> None:
+def test_every_call(kind: str, name: str) -> None:
     """An episode of two steps, and the first of another: Q-learning acts and learns, SARSA acts before it learns.
 
     After an end there is no next action; after the limit one is chosen to learn from, and never taken.
     """
+    task, ends, limit, terminated = TASKS[name]
     calls: list[str] = []
-    classes = noting(calls)
-    run = train(classes.Stairs(end), getattr(classes, kind)(), 3, max_steps=limit, evaluate_every=3)
-    ends = f"{terminated} {not terminated}"
+    classes, rngs = noting(calls), streams()
+    run = train(getattr(classes, task)(*ends), getattr(classes, kind)(), 3, max_steps=limit, evaluate_every=3)
+    if task == "Stairs":
+        begin, again, played = BEGIN, BEGIN, [PLAYED, PLAYED]
+    else:
+        begin, again = [f"reset {rngs['env'].integers(2**31)}"], ["reset None"]
+        steps = ["greedy 10 actor", "step 3", "greedy 11 actor", "step 3"]
+        played = [[f"reset {rngs['play'].integers(2**31)}", *steps] for _ in range(2)]
+
+    def took(state: int, action: int) -> list[str]:
+        return step(state, action, "env", "see") if task == "Stairs" else [f"step {action}"]
+
+    end = f"{terminated} {not terminated}"
     if kind == "OffPolicy":
         learned = [
-            "act 10 agent", *step(0, 7, "env", "see"), "learn 10 7 71.0 11 False False",
-            "act 11 agent", *step(1, 8, "env", "see"), f"learn 11 8 182.0 12 {ends}", *BEGIN,
-            "act 10 agent", *step(0, 9, "env", "see"), "learn 10 9 91.0 11 False False",
+            "act 10 agent", *took(0, 7), "learn 10 7 71.0 11 False False",
+            "act 11 agent", *took(1, 8), f"learn 11 8 182.0 12 {end}", *again,
+            "act 10 agent", *took(0, 9), "learn 10 9 91.0 11 False False",
         ]  # fmt: skip
-        expected = [*BEGIN, *PLAYED, *learned, *PLAYED]
+        expected = [*begin, *played[0], *learned, *played[1]]
     else:
         choice, action = ([], 9) if terminated else (["act 12 agent"], 10)
         learned = [
-            *step(0, 7, "env", "see"), "act 11 agent", "learn 10 7 71.0 11 8 False False",
-            *step(1, 8, "env", "see"), *choice, f"learn 11 8 182.0 12 {action - 1} {ends}", *BEGIN, "act 10 agent",
-            *step(0, action, "env", "see"), "act 11 agent",
-            f"learn 10 {action} {10.0 * action + 1} 11 {action + 1} False False",
+            *took(0, 7), "act 11 agent", "learn 10 7 71.0 11 8 False False",
+            *took(1, 8), *choice, f"learn 11 8 182.0 12 {action - 1} {end}", *again, "act 10 agent",
+            *took(0, action), "act 11 agent", f"learn 10 {action} {10.0 * action + 1} 11 {action + 1} False False",
         ]  # fmt: skip
-        expected = [*BEGIN, "act 10 agent", *PLAYED, *learned, *PLAYED]
-    assert calls == expected
-    assert run.returns.tolist() == [31.0 + 132.0] * 2
-    assert (run.training_returns[1], run.episodes.tolist()) == (71.0 + 182.0, [0, 1])
-
-
-@pytest.mark.parametrize(
-    ("end", "cut", "limit", "terminated"),
-    [(2, 9, 9, True), (2, 9, 2, True), (2, 2, 9, True), (9, 2, 9, False), (9, 9, 2, False)],
-    ids=["an end", "an end at the limit", "an end that is cut off", "cut off", "the limit"],
-)
-@pytest.mark.parametrize("kind", ["OffPolicy", "OnPolicy"])
-def test_an_environment(kind: str, end: int, cut: int, limit: int, terminated: bool) -> None:
-    """The same steps."""
-    calls: list[str] = []
-    classes = noting(calls)
-    run = train(classes.Environment(end, cut), getattr(classes, kind)(), 3, max_steps=limit, evaluate_every=3)
-    rngs, ends = streams(), f"{terminated} {not terminated}"
-    begin = f"reset {rngs['env'].integers(2**31)}"
-    played = [
-        [f"reset {rngs['play'].integers(2**31)}", "greedy 10 actor", "step 3", "greedy 11 actor", "step 3"]
-        for _ in range(2)
-    ]
-    if kind == "OffPolicy":
-        learned = [
-            "act 10 agent", "step 7", "learn 10 7 71.0 11 False False",
-            "act 11 agent", "step 8", f"learn 11 8 182.0 12 {ends}", "reset None",
-            "act 10 agent", "step 9", "learn 10 9 91.0 11 False False",
-        ]  # fmt: skip
-        expected = [begin, *played[0], *learned, *played[1]]
-    else:
-        choice, action = ([], 9) if terminated else (["act 12 agent"], 10)
-        learned = [
-            "step 7", "act 11 agent", "learn 10 7 71.0 11 8 False False",
-            "step 8", *choice, f"learn 11 8 182.0 12 {action - 1} {ends}", "reset None",
-            "act 10 agent", f"step {action}", "act 11 agent",
-            f"learn 10 {action} {10.0 * action + 1} 11 {action + 1} False False",
-        ]  # fmt: skip
-        expected = [begin, "act 10 agent", *played[0], *learned, *played[1]]
+        expected = [*begin, "act 10 agent", *played[0], *learned, *played[1]]
     assert calls == expected
     assert run.returns.tolist() == [31.0 + 132.0] * 2
     assert (run.training_returns[1], run.episodes.tolist()) == (71.0 + 182.0, [0, 1])

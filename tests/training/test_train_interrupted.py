@@ -21,13 +21,9 @@ def pressing(at):
 class Agent(NamedTuple):
     Q: np.ndarray
     at: int
-
-    def act(self, state, rng):
-        return int(rng.random() * 2)
-
+    def act(self, state, rng): return int(rng.random() * 2)
     def greedy(self, state, rng):
         return 0
-
     def learn(self, state, action, reward):
         self.Q[state, action] += 0.1 * (reward - self.Q[state, action])
 """

@@ -7,19 +7,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edugym import (
-    QLearning,
-    record_visits,
-    train,
-)
+from edugym import QLearning, record_visits, train
 from tests.agents.case import Case, same
 from tests.agents.cases import AGENTS
 from tests.compiled.cells import cell
 from tests.training.tasks import Ring
 
-remembering = pytest.mark.parametrize(
-    "case", [pytest.param(case, id=label) for label, case in AGENTS.items() if hasattr(case.kind, "forget_episode")]
-)
+REMEMBERING = {label: case for label, case in AGENTS.items() if hasattr(case.kind, "forget_episode")}
+remembering = pytest.mark.parametrize("case", REMEMBERING.values(), ids=REMEMBERING)
 
 
 def memory_of(agent: Any) -> list[str]:
@@ -78,7 +73,6 @@ def test_what_records_an_agent_passes_it_on(case: Case) -> None:
 STUDENT = """
 class Student(NamedTuple):
     length: np.ndarray
-
     def act(self, state, rng): return 0
     def learn(self, state, terminated, truncated): self.length[0] += 1
     def forget_episode(self): self.length[0] = 0
