@@ -89,15 +89,9 @@ def test_states_of_several_kinds(states: list[Any], later: Any) -> None:
 
 @pytest.mark.parametrize(
     ("sample", "stored", "kept"),
-    [
-        ((0, 0), (0, 0.5), False),
-        ((0, 0), (1,), False),
-        ((0, 0), (1, 2, 3), False),
-        ((0, (0, 0)), (1, (2.5, 3)), False),
-        ((0, (0, 0)), (1, (2, 3, 4)), False),
-        ((0.0, 0), (np.nan, 1), True),
-    ],
-)
+    [((0, 0), (0, 0.5), False), ((0, 0), (1,), False), ((0, 0), (1, 2, 3), False),
+     ((0, (0, 0)), (1, (2.5, 3)), False), ((0, (0, 0)), (1, (2, 3, 4)), False), ((0.0, 0), (np.nan, 1), True)],
+)  # fmt: skip
 def test_columns_tell_of_a_loss(sample: Any, stored: Any, kept: bool) -> None:
     """A fraction among whole numbers, or another number of parts; not so in our own tasks, which are not checked."""
     assert columns(sample, 2).store(1, stored) == kept

@@ -137,15 +137,9 @@ def test_file_names(name: str, file: str) -> None:
 
 @pytest.mark.parametrize(
     ("name", "full"),
-    [
-        ("Boulder", "edugym/Boulder-v0"),
-        ("Boulder-v0", "edugym/Boulder-v0"),
-        ("edugym:Boulder", "edugym/Boulder-v0"),
-        ("edugym:edugym/Boulder-v0", "edugym/Boulder-v0"),
-        ("Boulder-v1", "Boulder-v1"),
-        ("CartPole-v1", "CartPole-v1"),
-    ],
-)
+    [("Boulder", "edugym/Boulder-v0"), ("Boulder-v0", "edugym/Boulder-v0"), ("edugym:Boulder", "edugym/Boulder-v0"),
+     ("edugym:edugym/Boulder-v0", "edugym/Boulder-v0"), ("Boulder-v1", "Boulder-v1"), ("CartPole-v1", "CartPole-v1")],
+)  # fmt: skip
 def test_ids(name: str, full: str) -> None:
     """The name alone is enough in the course; other ids stay as they are."""
     assert full_id(name) == full

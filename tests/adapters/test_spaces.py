@@ -86,13 +86,7 @@ class Stumbling(spaces.Discrete):
 
 @pytest.mark.parametrize(
     ("space", "action"),
-    [
-        (SEVERAL, [[0], [1, 2]]),
-        (REAL, ["a", "b"]),
-        (REAL, [True, False]),
-        (TEXT, "abcd"),
-        (Stumbling(3), 10**30),
-    ],
+    [(SEVERAL, [[0], [1, 2]]), (REAL, ["a", "b"]), (REAL, [True, False]), (TEXT, "abcd"), (Stumbling(3), 10**30)],
 )
 def test_what_is_refused(space: spaces.Space[Any], action: Any) -> None:
     """With the action and the space, beside what the contract tests try."""

@@ -246,14 +246,9 @@ def test_boards_stay_boards() -> None:
 
 @pytest.mark.parametrize(
     ("name", "parameters", "n"),
-    [
-        ("Catch", {"observation_type": "rgb"}, 150),
-        ("Catch", {"observation_type": "vectorised"}, 20),
-        ("Boulder", {}, 11),
-        ("Golf", {}, None),
-        ("Tamagotchi", {}, None),
-    ],
-)
+    [("Catch", {"observation_type": "rgb"}, 150), ("Catch", {"observation_type": "vectorised"}, 20),
+     ("Boulder", {}, 11), ("Golf", {}, None), ("Tamagotchi", {}, None)],
+)  # fmt: skip
 def test_vectors_are_those_of_flatten_observation(name: str, parameters: dict[str, Any], n: int | None) -> None:
     """What an agent is shown in `train` is what Gymnasium's wrapper shows in a loop by hand."""
     env = FlattenObservation(make_environment(name, **parameters))

@@ -168,13 +168,9 @@ def test_what_a_function_of_the_package_holds_counts() -> None:
 
 @pytest.mark.parametrize(
     ("name", "other"),
-    [
-        ("platform.machine", lambda: "another machine"),
-        ("platform.python_version", lambda: "3.99"),
-        ("_version", lambda package: "99"),
-        ("_own_code", lambda: "other code of this package"),
-    ],
-)
+    [("platform.machine", lambda: "another machine"), ("platform.python_version", lambda: "3.99"),
+     ("_version", lambda package: "99"), ("_own_code", lambda: "other code of this package")],
+)  # fmt: skip
 def test_what_the_numbers_depend_on_counts(name: str, other: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     """The machine, versions, and all files of this package."""
     before = fingerprint(1)
@@ -216,15 +212,10 @@ def test_a_module_of_ones_own_counts_where_it_is_used(monkeypatch: pytest.Monkey
 
 @pytest.mark.parametrize(
     "line",
-    [
-        "import mine.part as p; return p.f()",
-        "from mine.part import f; return f()",
-        "from mine import part; return part.f()",
-        "from .part import f; return f()",
-        "import other; return other.f()",
-        "import third; return third.f()",
-    ],
-)
+    ["import mine.part as p; return p.f()", "from mine.part import f; return f()",
+     "from mine import part; return part.f()", "from .part import f; return f()", "import other; return other.f()",
+     "import third; return third.f()"],
+)  # fmt: skip
 def test_a_folder_of_ones_own_counts(line: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Also one without __init__.py, and one that is imported when a function is called."""
     monkeypatch.syspath_prepend(str(tmp_path))

@@ -126,11 +126,7 @@ BOULDER = {"environment": "edugym/Boulder-v0", "environment.height": 10, "enviro
         (
             "MemoryCorridor",
             {},
-            {
-                "environment": "edugym/MemoryCorridor-v0",
-                "environment.num_doors": 3,
-                "environment.max_steps": 1000,
-            },
+            {"environment": "edugym/MemoryCorridor-v0", "environment.num_doors": 3, "environment.max_steps": 1000},
             False,
         ),
         (SlipperyWalk(), None, {"environment": "SlipperyWalk"}, False),

@@ -69,22 +69,13 @@ def test_exploring_with_sliders() -> None:
 
 @pytest.mark.parametrize(
     ("allowed", "kind", "value"),
-    [
-        ((0, 4), ipywidgets.IntSlider, 2),
-        ((0, 2), ipywidgets.IntSlider, 2),
-        ((2, 4), ipywidgets.IntSlider, 2),
-        ((-1, 1), ipywidgets.IntSlider, 0),
-        ([1, 0], ipywidgets.SelectionSlider, 0),
-        (["a", ""], ipywidgets.Dropdown, ""),
-        (True, ipywidgets.Checkbox, False),
-        ((0, 4.0), ipywidgets.FloatSlider, 2.0),
-        ((0, 4, 2), ipywidgets.IntSlider, 2),
-        ([1, 2, 5], ipywidgets.SelectionSlider, 2),
-        (range(4), ipywidgets.SelectionSlider, 2),
-        ([2, "two"], ipywidgets.Dropdown, 2),
-        ([2, True], ipywidgets.Dropdown, 2),
-    ],
-)
+    [((0, 4), ipywidgets.IntSlider, 2), ((0, 2), ipywidgets.IntSlider, 2), ((2, 4), ipywidgets.IntSlider, 2),
+     ((-1, 1), ipywidgets.IntSlider, 0), ([1, 0], ipywidgets.SelectionSlider, 0),
+     (["a", ""], ipywidgets.Dropdown, ""), (True, ipywidgets.Checkbox, False),
+     ((0, 4.0), ipywidgets.FloatSlider, 2.0), ((0, 4, 2), ipywidgets.IntSlider, 2),
+     ([1, 2, 5], ipywidgets.SelectionSlider, 2), (range(4), ipywidgets.SelectionSlider, 2),
+     ([2, "two"], ipywidgets.Dropdown, 2), ([2, True], ipywidgets.Dropdown, 2)],
+)  # fmt: skip
 def test_kinds_of_controls(allowed: Any, kind: type[Any], value: Any) -> None:
     """Each starts from the function's default, also from one that is empty, and counts only when it is let go."""
     control = sliders(lambda x=value: None, x=allowed).controls["x"]

@@ -106,16 +106,10 @@ def test_points_of_a_curve() -> None:
 
 @pytest.mark.parametrize(
     ("expected", "low", "high", "holds"),
-    [
-        (Above(0.5), 0.51, 1.0, True),
-        (Above(0.5), 0.5, 1.0, False),
-        (Below(0.5), 0.0, 0.5, False),
-        (Below(0.5), 0.0, 0.49, True),
-        (Within(1, 2), 1, 2, True),
-        (Within(1, 2), 0.9, 1.9, False),
-        (Within(1, 2), 1.1, 2.1, False),
-    ],
-)
+    [(Above(0.5), 0.51, 1.0, True), (Above(0.5), 0.5, 1.0, False), (Below(0.5), 0.0, 0.5, False),
+     (Below(0.5), 0.0, 0.49, True), (Within(1, 2), 1, 2, True), (Within(1, 2), 0.9, 1.9, False),
+     (Within(1, 2), 1.1, 2.1, False)],
+)  # fmt: skip
 def test_claims_ask_the_whole_interval(expected: Above | Below | Within, low: float, high: float, holds: bool) -> None:
     """An estimate on the right side is not enough."""
     interval = Interval((low + high) / 2, low, high, 10)
