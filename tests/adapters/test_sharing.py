@@ -1,21 +1,17 @@
 """An MDP in one file: it is the same one for whoever opens it."""
 
 import linecache
-import math
 import subprocess
 import sys
 from pathlib import Path
-from types import ModuleType
 from typing import Any, NamedTuple
 
 import gymnasium
 import numpy as np
 import pytest
-from gymnasium.spaces import Box
 
 from edugym import finite_model, read_mdp, share, value_iteration, wrapper
 from edugym.adapters.playing import Game
-from edugym.adapters.sharing import _home, source_of
 from edugym_course.lessons.own_problem.morning import Morning, WithBonus
 from tests.adapters.playing.tasks import Walk
 
@@ -141,7 +137,7 @@ def drawn(drawing: str) -> str:
     ("cells", "mdp", "says"),
     [
         ("", "3", "^mdp must be"),
-        ("", "Lost()", "^transition of Lost"),
+        ("class Lost(Coin):\n    def transition(self, *_): pass", "Lost()", "^transition of Lost"),
         ("ends = {'left': 0, 'right': iter([])}", SLOW, "ends must be made of numbers, texts and arrays"),
         ("ends = {'left': 0, 'right': np.array([None, 1])}", SLOW, "ends must be made of"),
         ("Walk.reward = lambda self, *_: 7.0", "Walk(3)", r"Walk\.reward was replaced"),
@@ -164,7 +160,7 @@ def drawn(drawing: str) -> str:
 )
 def test_what_cannot_be_shared(cells: str, mdp: str, says: str, tmp_path: Path, cell: dict[str, Any]) -> None:
     """Is refused in a sentence, and no file is left."""
-    cell |= {"Lost": Lost, "Coin": Walk}
+    cell["Coin"] = Walk
     run(cells, cell)
     with pytest.raises(ValueError, match=says):
         shared(cell, mdp, tmp_path)
@@ -264,26 +260,6 @@ def test_an_older_cell_that_was_run_again(tmp_path: Path, cell: dict[str, Any]) 
     assert "another program's" not in written
 
 
-def test_the_source_is_that_of_the_class_with_its_methods(cell: dict[str, Any]) -> None:
-    """Also where its cell has defined another of that name before or after it."""
-    texts = [f"class Coin(NamedTuple):\n    side: int\n    def value(self): return {n}\n" for n in range(3)]
-    run("\n".join(f"{text}Coin{n} = Coin" for n, text in enumerate(texts)), cell)
-    assert [source_of(cell[f"Coin{n}"]) + "\n" for n in range(3)] == texts
-
-
-def test_what_a_friend_can_import(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A class of a module, if it is there; nothing of the program itself, nor of a module made by hand."""
-    assert _home("Rows", Box) == ("gymnasium.spaces", "Box")
-    assert _home("Box", type("Box", (), {"__module__": "gymnasium.spaces"})) is None
-    program, made = ModuleType("__main__"), ModuleType("made")
-    program.__spec__ = math.__spec__  # as python -m has it
-    for module in (program, made):
-        kind = type("Mine", (), {"__module__": module.__name__})
-        vars(module)["Mine"] = kind
-        monkeypatch.setitem(sys.modules, module.__name__, module)
-        assert _home("Mine", kind) is None
-
-
 @pytest.mark.parametrize(
     ("name", "text", "error", "says"),
     [
@@ -300,15 +276,6 @@ def test_what_cannot_be_read(name: str, text: str, error: type[Exception], says:
         (tmp_path / name).write_text(text)
     with pytest.raises(error, match=says):
         read_mdp(tmp_path / name)
-
-
-class Lost(Walk):
-    """A task whose first steps show a mistake."""
-
-    __slots__ = ()
-
-    def transition(self, state: Any, action: int, rng: Any) -> Any:
-        """No `return`."""
 
 
 @wrapper

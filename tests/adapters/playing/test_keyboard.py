@@ -17,10 +17,9 @@ import pytest
 from gymnasium.spaces import Discrete
 from PIL import Image
 
-from edugym.adapters.keys import keys_of
 from edugym.adapters.playing import play
 from edugym.adapters.playing.game import TERMINATED
-from edugym.adapters.playing.keyboard import CLEAR, key_presses, windows_keys
+from edugym.adapters.playing.keyboard import CLEAR, windows_keys
 from tests.adapters.playing.tasks import Still, Walk
 
 
@@ -33,7 +32,7 @@ def lines_of(keys: list[str], **options: Any) -> list[str]:
 
 def test_play_through_a_pipe() -> None:
     """Keys and names both work, wrong ones are named, a finished episode waits for r, the end of the input ends it."""
-    lines = lines_of(["1", "x", "", "right", "0", "r", "left"])
+    lines = lines_of(["1", "x", "", " right ", "0", "r", "left"])
     scores = [line for line in lines if line.startswith(("start", "step"))]
     assert [score.split(",")[0] for score in scores] == [
         *["start", "step 1: right", "step 1: right", "step 1: right", "step 2: right", "step 2: right"],
@@ -270,25 +269,6 @@ def test_keys_of_a_windows_console() -> None:
     assert list(windows_keys(typed("1\xe0K\x00;a\x04b"))) == ["1", "left", "", "a"]
     with pytest.raises(KeyboardInterrupt):
         list(windows_keys(typed("1\x03")))
-
-
-def test_keys_of_actions() -> None:
-    """Numbers, then letters, or the names themselves; never the keys that quit and begin again."""
-    assert keys_of(["putt", "chip"]) == {"0": "putt", "1": "chip"}
-    assert keys_of(["5", "6"]) == {"5": "5", "6": "6"}
-    assert keys_of(["q", "r"]) == {"0": "q", "1": "r"}
-    many = keys_of([f"action {k}" for k in range(34)])
-    assert len(many) == 34
-    assert not {"q", "r"} & set(many)
-    assert many["a"] == "action 10"
-    with pytest.raises(ValueError, match="at most 34"):
-        keys_of([str(k) for k in range(35)])
-
-
-def test_lines_are_keys_where_there_is_no_terminal() -> None:
-    """Without the blanks around them."""
-    with key_presses(io.StringIO("1\n go out \n\nq")) as presses:
-        assert list(presses) == ["1", "go out", "", "q"]
 
 
 @pytest.mark.parametrize(
