@@ -68,7 +68,8 @@ class Drawn(Remembered):
         return Scene(1.0 + state + 100 * (last_state or 0), 1.0 + sum(map(float, np.ravel(actions))), ())
 """
 """Tasks whose info asks for everything, or for the last action only; or whose picture asks, and the info does not."""
-Remembered, Latest, Drawn = map(cell(REMEMBERING).get, ("Remembered", "Latest", "Drawn"))
+NOTEBOOK = cell(REMEMBERING)
+Remembered, Latest, Drawn = (NOTEBOOK[name] for name in ("Remembered", "Latest", "Drawn"))
 
 
 @pytest.mark.filterwarnings("ignore:.* interpreted")
@@ -164,44 +165,50 @@ class Task(NamedTuple):
     def observation(self, state, rng): return {observation}
     observation_space = property(lambda self: {space})
     action_space = property(lambda self: spaces.Discrete(2))
+{more}
 """
 
 
 def task(initial: str, transition: str, reward: str = "1.0", terminal: str = "False", **seen: str) -> Any:
     """A student's task from a cell, which shows nothing but 0 where nothing else is said."""
-    shown = {"observation": "0", "space": "spaces.Discrete(1)", **seen}
+    shown = {"observation": "0", "space": "spaces.Discrete(1)", "more": "", **seen}
     return cell(TASK.format(initial=initial, transition=transition, reward=reward, terminal=terminal, **shown))[
         "Task"
     ]()
 
 
-SEEN = {
-    "nested": ("((state, 1, 2), (3, rng.random(), -state))", "spaces.Box(-1e3, 1e3, (2, 3), np.float32)", ""),
-    "in place": ("self.seen(state, rng)", "spaces.Box(-1e3, 1e3, (2,), np.float64)", "observe_into"),
-    "an array": ("self.seen(state, rng)", "spaces.Box(-1e3, 1e3, (2,), np.float64)", ""),
-}
 ARRAY = """
-def seen(self, state, rng):
-    seen = np.zeros(2)
-    seen[0] = state
-    seen[1] = rng.random()
-    return seen
-def observe_into(self, state, rng, out):
-    out[0] = state
-    out[1] = rng.random()
+    def seen(self, state, rng):
+        seen = np.zeros(2)
+        seen[0] = state
+        seen[1] = rng.random()
+        return seen
+"""
+IN_PLACE = """
+    def observe_into(self, state, rng, out):
+        out[0] = state
+        out[1] = rng.random()
 """
 
 
+BOX, PAIR = "spaces.Box(-1e3, 1e3, {})", "(2,), np.float64"
+NESTED = "((state, 1, 2), (3, rng.random(), -state))"
+
+
 @pytest.mark.filterwarnings("error")
-@pytest.mark.parametrize(("observation", "space", "method"), SEEN.values(), ids=SEEN)
-def test_observations_of_every_kind(observation: str, space: str, method: str) -> None:
+@pytest.mark.parametrize(
+    ("observation", "space", "more"),
+    [
+        (NESTED, "(2, 3), np.float32", ""),
+        ("self.seen(state, rng)", PAIR, ARRAY),
+        ("self.seen(state, rng)", PAIR, ARRAY + IN_PLACE),
+    ],
+    ids=["nested", "an array", "in place"],
+)
+def test_observations_of_every_kind(observation: str, space: str, more: str) -> None:
     """They are written into rows, last ones included, with the random numbers that they take, in machine code."""
-    start, step = "int(rng.random() * 2)", "state + 1 + action"
-    walk = task(start, step, "float(state)", "state >= 10", observation=observation, space=space)
-    arrays = cell(ARRAY)
-    type(walk).seen = arrays["seen"]
-    if method:
-        type(walk).observe_into = arrays["observe_into"]
+    shown = {"observation": observation, "space": BOX.format(space), "more": more}
+    walk = task("int(rng.random() * 2)", "state + 1 + action", "float(state)", "state >= 10", **shown)
     assert all(alike(walk, AutoresetMode.SAME_STEP, 30))
 
 

@@ -13,12 +13,13 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from edugym import EpsilonGreedy, QLearning, Results, repeat
+from edugym import EpsilonGreedy, QLearning, Results
 from edugym.experiments import checkpoints
 from edugym.experiments import repeat as repeating
 from edugym.system.files import write_whole
 from edugym.training.run import Run
 from edugym.training.train import train
+from tests.experiments import experiments
 
 
 @pytest.fixture
@@ -36,15 +37,8 @@ def trained(monkeypatch: pytest.MonkeyPatch) -> list[int]:
 
 def small(folder: Path | None, **changes: Any) -> Results:
     """Three runs on a low wall."""
-    arguments: dict[str, Any] = {
-        "agents": {"Q": QLearning.create},
-        "n_steps": 300,
-        "repetitions": 3,
-        "parameters": {"height": 4},
-        "jobs": 1,
-        "checkpoints": folder,
-    } | changes
-    return repeat("Boulder", **arguments)
+    arguments = {"agents": {"Q": QLearning.create}, "n_steps": 300, "parameters": {"height": 4}, "checkpoints": folder}
+    return experiments.small(**arguments | changes)
 
 
 def test_finished_runs_are_not_computed_again(tmp_path: Path, trained: list[int]) -> None:

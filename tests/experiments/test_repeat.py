@@ -143,7 +143,8 @@ class Plain:
     def __init__(self):
         self.rate, self._hidden, self.memory = 0.5, 1, [1, 2]
 """
-Fader, Optimist, Plain = map(cell(CLASSES).get, ("Fader", "Optimist", "Plain"))
+NOTEBOOK = cell(CLASSES)
+Fader, Optimist, Plain = (NOTEBOOK[name] for name in ("Fader", "Optimist", "Plain"))
 
 
 def test_runs_share_nothing() -> None:

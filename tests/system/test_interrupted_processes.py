@@ -30,20 +30,6 @@ while True:
     env = gymnasium.make("CliffWalking-v1")
     train(env, QLearning.create(env), 20_000, max_steps=100)
 """,
-    "many updates a step": """
-from typing import NamedTuple
-import numpy as np
-from edugym import make_mdp, train
-class Sweeping(NamedTuple):
-    Q: np.ndarray
-    def act(self, state, rng):
-        return int(rng.random() * 2)
-    def learn(self, state, action, reward):
-        for k in range(1100):
-            self.Q[state, action] += 0.001 * (reward - self.Q[state, action])
-while True:
-    train(make_mdp("Boulder"), Sweeping(np.zeros((11, 2))), 30_000)
-""",
     "repeat": """
 from edugym import CountBased, QLearning, repeat
 for i in range(1_000):
