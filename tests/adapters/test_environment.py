@@ -144,8 +144,8 @@ def test_outcomes_that_are_drawn() -> None:
     assert {outcome.probability for outcome in drawn} == {1.0}
     assert Counter(outcome.next_state for outcome in drawn)[3] == pytest.approx(1_500, abs=80)
     env.reset(seed=3)
-    seeded = [env.model(2, 1, "generative").next_state for _ in range(30)]
-    assert [i for i, state in enumerate(seeded) if state == 1] == [14, 19, 24, 28]
+    seeded: list[Any] = [env.model(2, 1, "generative") for _ in range(30)]
+    assert [i for i, outcome in enumerate(seeded) if outcome.next_state == 1] == [14, 19, 24, 28]
 
 
 def test_specifications() -> None:

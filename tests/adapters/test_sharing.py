@@ -9,9 +9,11 @@ from typing import Any, NamedTuple
 import gymnasium
 import numpy as np
 import pytest
+from gymnasium.spaces import Box
 
 from edugym import finite_model, read_mdp, share, value_iteration, wrapper
 from edugym.adapters.playing import Game
+from edugym.adapters.sharing import _home
 from edugym_course.lessons.own_problem.morning import Morning, WithBonus
 from tests.adapters.playing.tasks import Walk
 
@@ -109,6 +111,12 @@ def test_a_friend_opens_it_in_another_process(cell: dict[str, Any], tmp_path: Pa
     code = "import gymnasium; print(gymnasium.make('walk_of_mine:Walk-v0', render_mode='ansi').reset(seed=1)[0])"
     done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True)
     assert done.stdout == "1\n", done.stderr
+
+
+def test_what_a_friend_can_import() -> None:
+    """A class of a module, under any name, if it is the one that is there."""
+    assert _home("Rows", Box) == ("gymnasium.spaces", "Box")
+    assert _home("Box", type("Box", (), {"__module__": "gymnasium.spaces"})) is None
 
 
 def test_playing_a_file(tmp_path: Path) -> None:

@@ -24,13 +24,9 @@ class Diary(NamedTuple):  # an agent that writes down what it is told
     told: np.ndarray  # the action, the reward, the next action, and the two kinds of end
     time: np.ndarray  # how many steps there were
     tabular: bool = False
-
-    def act(self, state, rng):
-        return 0
-
+    def act(self, state, rng): return 0
     def learn(self, state, action, reward, next_state, terminated, truncated):
         self.note(state, action, reward, next_state, 0, terminated, truncated)
-
     def note(self, state, action, reward, next_state, following, *ends):
         t = self.time[0] % len(self.before)
         self.before[t] = state
@@ -43,12 +39,8 @@ class Diary(NamedTuple):  # an agent that writes down what it is told
         self.time[0] += 1
 
 class VectorDiary(Diary):  # takes vectors, on which its actions depend
-    def act(self, state, rng):
-        return int(np.argmax(state)) % 2
-
-    @property
-    def n_inputs(self):
-        return int(self.before.shape[1])
+    def act(self, state, rng): return int(np.argmax(state)) % 2
+    n_inputs = property(lambda self: int(self.before.shape[1]))
 
 class OnPolicyDiary(VectorDiary):  # is told its next action
     def learn(self, state, action, reward, next_state, next_action, terminated, truncated):
@@ -56,18 +48,13 @@ class OnPolicyDiary(VectorDiary):  # is told its next action
         self.note(state, first, reward, next_state, following, terminated, truncated)
 
 class ForceDiary(VectorDiary):  # whose actions are arrays
-    def act(self, state, rng):
-        return np.array([np.argmax(state) % 2, 0.5], np.float32)
-
+    def act(self, state, rng): return np.array([np.argmax(state) % 2, 0.5], np.float32)
     def learn(self, state, action, reward, next_state, terminated, truncated):
         self.note(state, action[0], reward, next_state, 0, terminated, truncated)
 
 class WritingDiary(ForceDiary):  # writes its actions into an array that it is given
-    def act_into(self, state, rng, action):
-        action[:] = ForceDiary.act(self, state, rng)
-
-    def act(self, state, rng):
-        raise NotImplementedError
+    def act_into(self, state, rng, action): action[:] = ForceDiary.act(self, state, rng)
+    def act(self, state, rng): raise NotImplementedError
 
 class OnPolicyForceDiary(OnPolicyDiary):  # writes in evaluation only: while it learns, an action is kept for later
     act, act_into = ForceDiary.act, WritingDiary.act_into
@@ -77,27 +64,15 @@ class Ring(NamedTuple):  # three states in a ring, the last one terminal; shows 
     observation_space: object
     shown: tuple
     action_space: object = spaces.Discrete(2)
-
     max_steps = property(lambda self: 3)
-
-    def initial(self, rng):
-        return int(rng.random() * 2)
-
-    def transition(self, state, action, rng):
-        return int(state + 1 + np.ravel(action)[0] + int(rng.random() * 2)) % 3
-
-    def reward(self, state, action, next_state, rng):
-        return float(10 * state + np.sum(action))
-
-    def terminal(self, state):
-        return state == 2
-
-    def observation(self, state, rng):
-        return self.shown[state]
+    def initial(self, rng): return int(rng.random() * 2)
+    def transition(self, state, action, rng): return int(state + 1 + np.ravel(action)[0] + int(rng.random() * 2)) % 3
+    def reward(self, state, action, next_state, rng): return float(10 * state + np.sum(action))
+    def terminal(self, state): return state == 2
+    def observation(self, state, rng): return self.shown[state]
 
 class RingInPlace(Ring):
-    def observe_into(self, state, rng, out):
-        out[...] = self.shown[state]
+    def observe_into(self, state, rng, out): out[...] = self.shown[state]
 """
 AGENTS, TASKS = cell(DIARIES), cell(RINGS)
 

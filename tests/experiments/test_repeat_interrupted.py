@@ -140,16 +140,11 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 environment, backend, jobs, runs = sys.argv[1], sys.argv[2], int(sys.argv[3]), int(sys.argv[4])
 every = 1_000_000 if environment == "Boulder" else 2_000
 
-
 class Announced:
     "An agent that says when it has learned for some time."
 
-    def __init__(self, agent):
-        self.agent, self.steps = agent, 0
-
-    def act(self, state, rng):
-        return self.agent.act(state, rng)
-
+    def __init__(self, agent): self.agent, self.steps = agent, 0
+    def act(self, state, rng): return self.agent.act(state, rng)
     def learn(self, state, action, reward, next_state, terminated):
         self.agent.learn(state, action, reward, next_state, terminated)
         self.steps += 1
@@ -157,13 +152,8 @@ class Announced:
             os.write(1, b"learning\\n")  # in one piece, whoever else writes
 
 
-def make(environment):
-    return QLearning.create(environment)
-
-
-def make_announced(environment):
-    return Announced(make(environment))
-
+def make(environment): return QLearning.create(environment)
+def make_announced(environment): return Announced(make(environment))
 
 if __name__ == "__main__":
     agents = {{"Q": make if environment == "Boulder" else make_announced}}
