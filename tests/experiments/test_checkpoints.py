@@ -37,8 +37,8 @@ def trained(monkeypatch: pytest.MonkeyPatch) -> list[int]:
 
 def small(folder: Path | None, **changes: Any) -> Results:
     """Three runs on a low wall."""
-    arguments = {"agents": {"Q": QLearning.create}, "n_steps": 300, "parameters": {"height": 4}, "checkpoints": folder}
-    return experiments.small(**arguments | changes)
+    low: dict[str, Any] = {"n_steps": 300, "parameters": {"height": 4}, "checkpoints": folder}
+    return experiments.small(**low | {"agents": {"Q": QLearning.create}} | changes)
 
 
 def test_finished_runs_are_not_computed_again(tmp_path: Path, trained: list[int]) -> None:

@@ -97,7 +97,8 @@ class Terminal:
         self.before = termios.tcgetattr(self.slave)
         controlled = f"{CONTROL}\n{code}"
         environment = {key: value for key, value in os.environ.items() if key != "NO_COLOR"}
-        command, ends = [sys.executable, "-c", controlled], dict.fromkeys(("stdin", "stdout", "stderr"), self.slave)
+        command = [sys.executable, "-c", controlled]
+        ends: dict[str, Any] = dict.fromkeys(("stdin", "stdout", "stderr"), self.slave)
         self.process = subprocess.Popen(command, start_new_session=True, env=environment, **ends)
         self.written = ""
 
@@ -113,7 +114,7 @@ class Terminal:
 
     def end(self) -> int:
         """Wait for the end; the exit status, once the terminal was found as it had been."""
-        status = self.process.wait(60)
+        status: int = self.process.wait(60)
         assert termios.tcgetattr(self.slave) == self.before
         os.close(self.master)
         os.close(self.slave)
