@@ -4,7 +4,7 @@ import copy
 import pickle
 import traceback
 import warnings
-from typing import Any, NamedTuple
+from typing import Any
 
 import gymnasium
 import numpy as np
@@ -13,8 +13,6 @@ from gymnasium import spaces
 from gymnasium.vector import AutoresetMode
 
 from edugym import MDPEnv, MDPVectorEnv, make_mdp
-from edugym.mdp.protocol import Random
-from edugym.rendering.scene import Scene
 from tests.adapters.tasks import TRAIL
 from tests.compiled.cells import cell
 from tests.contract.play import Copies, every_environment, plain
@@ -45,71 +43,33 @@ def alike(task: Any, mode: AutoresetMode, n_steps: int, action: Any = None) -> l
     return compiled
 
 
+REMEMBERING = """
+from edugym.rendering.scene import Scene
+
 class Remembered(NamedTuple):
-    """A task whose info asks for everything; only some actions lead to the end.
-
-    Attributes:
-        action_space: of the actions.
-        max_steps: the limit.
-        end: the last state that is not terminal.
-    """
-
-    action_space: Any
+    action_space: object
     max_steps: int = 5
-    end: int = 16
-
-    @property
-    def observation_space(self) -> Any:
-        """Whole numbers."""
-        return spaces.Discrete(100)
-
-    def initial(self, rng: Random) -> int:
-        """One of ten."""
-        return int(rng.random() * 10)
-
-    def transition(self, state: int, action: Any, rng: Random) -> int:
-        """On, by chance."""
-        return state + 1 + int(rng.random() * 3)
-
-    def reward(self, state: int, action: Any, next_state: int, rng: Random) -> float:
-        """Less than nothing for low actions, which unsigned numbers cannot tell."""
-        return float(np.ravel(action)[0] - 2)
-
-    def terminal(self, state: int) -> bool:
-        """Far away."""
-        return state > self.end
-
-    def observation(self, state: int, rng: Random) -> int:
-        """The state."""
-        return state
-
-    def info(self, state: int, last_state: Any, last_action: Any, actions: Any, steps: int) -> dict[str, Any]:
-        """All of it."""
+    end: int = 16  # the last state that is not terminal
+    observation_space = property(lambda self: spaces.Discrete(100))
+    def initial(self, rng): return int(rng.random() * 10)
+    def transition(self, state, action, rng): return state + 1 + int(rng.random() * 3)
+    def reward(self, state, action, next_state, rng): return float(np.ravel(action)[0] - 2)  # unsigned would overflow
+    def terminal(self, state): return state > self.end
+    def observation(self, state, rng): return state
+    def info(self, state, last_state, last_action, actions, steps):
         return {"all": (state, last_state, last_action, list(actions), steps)}
 
-
 class Latest(Remembered):
-    """Its info asks for the last action and no other."""
-
-    __slots__ = ()
-
-    def info(self, state: int, last_action: Any) -> dict[str, Any]:  # type: ignore[override]
-        """What is known."""
-        return {"last": last_action}
-
+    def info(self, state, last_action): return {"last": last_action}
 
 class Drawn(Remembered):
-    """Its picture asks, and its info does not."""
-
-    __slots__ = ()
-
-    def info(self, state: int) -> dict[str, Any]:  # type: ignore[override]
-        """Nothing."""
-        return {}
-
-    def scene(self, state: int, last_state: Any, actions: Any) -> Scene:
-        """As wide as what is known."""
+    def info(self, state): return {}
+    def scene(self, state, last_state, actions):
         return Scene(1.0 + state + 100 * (last_state or 0), 1.0 + sum(map(float, np.ravel(actions))), ())
+"""
+"""Tasks whose info asks for everything, or for the last action only; or whose picture asks, and the info does not."""
+NOTEBOOK = cell(REMEMBERING)
+Remembered, Latest, Drawn = (NOTEBOOK[name] for name in ("Remembered", "Latest", "Drawn"))
 
 
 @pytest.mark.filterwarnings("ignore:.* interpreted")
@@ -117,7 +77,6 @@ class Drawn(Remembered):
 @pytest.mark.parametrize(
     "task",
     [
-        Remembered(spaces.Discrete(3)),
         Remembered(spaces.Discrete(1000)),
         Remembered(spaces.Box(0, 1, (2,), np.float32)),
         Remembered(spaces.MultiDiscrete([3, 200])),
@@ -206,50 +165,50 @@ class Task(NamedTuple):
     def observation(self, state, rng): return {observation}
     observation_space = property(lambda self: {space})
     action_space = property(lambda self: spaces.Discrete(2))
+{more}
 """
 
 
 def task(initial: str, transition: str, reward: str = "1.0", terminal: str = "False", **seen: str) -> Any:
     """A student's task from a cell, which shows nothing but 0 where nothing else is said."""
-    shown = {"observation": "0", "space": "spaces.Discrete(1)", **seen}
+    shown = {"observation": "0", "space": "spaces.Discrete(1)", "more": "", **seen}
     return cell(TASK.format(initial=initial, transition=transition, reward=reward, terminal=terminal, **shown))[
         "Task"
     ]()
 
 
-SEEN = {
-    "nested": ("((state, 1, 2), (3, rng.random(), -state))", "spaces.Box(-1e3, 1e3, (2, 3), np.float32)", ""),
-    "in place": ("self.seen(state, rng)", "spaces.Box(-1e3, 1e3, (2,), np.float64)", "observe_into"),
-    "an array": ("self.seen(state, rng)", "spaces.Box(-1e3, 1e3, (2,), np.float64)", ""),
-}
 ARRAY = """
-def seen(self, state, rng):
-    seen = np.zeros(2)
-    seen[0] = state
-    seen[1] = rng.random()
-    return seen
-def observe_into(self, state, rng, out):
-    out[0] = state
-    out[1] = rng.random()
+    def seen(self, state, rng):
+        seen = np.zeros(2)
+        seen[0] = state
+        seen[1] = rng.random()
+        return seen
+"""
+IN_PLACE = """
+    def observe_into(self, state, rng, out):
+        out[0] = state
+        out[1] = rng.random()
 """
 
 
+BOX, PAIR = "spaces.Box(-1e3, 1e3, {})", "(2,), np.float64"
+NESTED = "((state, 1, 2), (3, rng.random(), -state))"
+
+
 @pytest.mark.filterwarnings("error")
-@pytest.mark.parametrize(("observation", "space", "method"), SEEN.values(), ids=SEEN)
-def test_observations_of_every_kind(observation: str, space: str, method: str) -> None:
+@pytest.mark.parametrize(
+    ("observation", "space", "more"),
+    [
+        (NESTED, "(2, 3), np.float32", ""),
+        ("self.seen(state, rng)", PAIR, ARRAY),
+        ("self.seen(state, rng)", PAIR, ARRAY + IN_PLACE),
+    ],
+    ids=["nested", "an array", "in place"],
+)
+def test_observations_of_every_kind(observation: str, space: str, more: str) -> None:
     """They are written into rows, last ones included, with the random numbers that they take, in machine code."""
-    walk = task(
-        "int(rng.random() * 2)",
-        "state + 1 + action",
-        "float(state)",
-        "state >= 10",
-        observation=observation,
-        space=space,
-    )
-    arrays = cell(ARRAY)
-    type(walk).seen = arrays["seen"]
-    if method:
-        type(walk).observe_into = arrays["observe_into"]
+    shown = {"observation": observation, "space": BOX.format(space), "more": more}
+    walk = task("int(rng.random() * 2)", "state + 1 + action", "float(state)", "state >= 10", **shown)
     assert all(alike(walk, AutoresetMode.SAME_STEP, 30))
 
 
@@ -267,22 +226,14 @@ STATES = {
     "texts": ("'start'", "state + '>'", 0),
     "none": ("None", "1 if state is None else state + 1", 0),
     "tuples of any length": ("()", "(*state, action)", 0),
-}
-SLOW_STATES = {
-    "beside an array": (
-        "(np.zeros(2), 0)",
-        "(state[0] + 1.0, state[1] + 1.5 if state[1] > 150 else state[1] + 1)",
-        150,
-    ),
-    "whole at first": ("Place(0, 0)", "Place(state.x + 0.25 + rng.random() / 1000, state.laps + action)", 0),
+    "array": ("(np.zeros(2), 0)", "(state[0] + 1.0, state[1] + 1.5 if state[1] > 150 else state[1] + 1)", 150),
 }
 
 
 @pytest.mark.filterwarnings("ignore:.* cannot be compiled", "ignore:overflow", "ignore:.* number of .* digits")
 @pytest.mark.parametrize(
     ("initial", "transition", "compiled"),
-    [*STATES.values(), *(pytest.param(*values, marks=pytest.mark.slow) for values in SLOW_STATES.values())],
-    ids=[*STATES, *SLOW_STATES],
+    [pytest.param(*values, marks=[pytest.mark.slow] * (name == "array"), id=name) for name, values in STATES.items()],
 )
 def test_states_of_any_kind(initial: str, transition: str, compiled: int) -> None:
     """No digit is lost, also if the type changes after the steps that were tried: all copies go on interpreted.
@@ -325,12 +276,7 @@ def test_who_is_told_that_nothing_is_compiled() -> None:
 
 LATE = {
     "an error": ("state + 1", "float(np.zeros(150)[state])", IndexError, "index 150 is out of bounds"),
-    "no next state": (
-        "None if state == 150 else state + 1",
-        "1.0",
-        ValueError,
-        "the next state, .* None for state .*150",
-    ),
+    "no next state": ("None if state == 150 else state + 1", "1.0", ValueError, "next state, .* None for state .*150"),
     "no reward": ("state + 1", "None if state == 150 else 1.0", ValueError, "a finite number, .* None for state .*150"),
     "nan": ("state + 1", "math.nan if state == 150 else 1.0", ValueError, "a finite number, .* nan for state .*150"),
 }
@@ -342,10 +288,8 @@ def test_late_mistakes(name: str) -> None:
     """One sentence at the student's line says what is wrong, compiled or not, and no copy goes on with NaN."""
     transition, reward, kind, says = LATE[name]
     for initial in ("0", "np.int16(0)"):
-        late = task(
-            initial, transition.replace("state + 1", f"{'np.int16' if '16' in initial else ''}(state + 1)"), reward
-        )
-        vector = MDPVectorEnv(late, 2)
+        following = transition.replace("state + 1", "np.int16(state + 1)") if "16" in initial else transition
+        vector = MDPVectorEnv(task(initial, following, reward), 2)
         vector.reset(seed=0)
         for _ in range(150):
             vector.step([0, 0])

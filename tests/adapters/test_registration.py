@@ -9,6 +9,7 @@ from typing import Any
 
 import gymnasium
 import pytest
+from gymnasium.envs.registration import EnvSpec
 from gymnasium.error import NameNotFound
 
 import edugym
@@ -17,18 +18,8 @@ from edugym.adapters.registration import find, in_snake_case, parameters_of, spe
 from edugym.mdp.task import full_id
 
 HEAVY = [
-    "numba",
-    "pygame",
-    "matplotlib",
-    "pandas",
-    "scipy",
-    "joblib",
-    "ipywidgets",
-    "IPython",
-    "torch",
-    "tqdm",
-    "typer",
-]
+    "numba", "pygame", "matplotlib", "pandas", "scipy", "joblib", "ipywidgets", "IPython", "torch", "tqdm", "typer",
+]  # fmt: skip
 
 
 def in_a_fresh_process(code: str) -> str:
@@ -137,18 +128,16 @@ def test_file_names(name: str, file: str) -> None:
 
 @pytest.mark.parametrize(
     ("name", "full"),
-    [
-        ("Boulder", "edugym/Boulder-v0"),
-        ("Boulder-v0", "edugym/Boulder-v0"),
-        ("edugym:Boulder", "edugym/Boulder-v0"),
-        ("edugym:edugym/Boulder-v0", "edugym/Boulder-v0"),
-        ("Boulder-v1", "Boulder-v1"),
-        ("CartPole-v1", "CartPole-v1"),
-    ],
-)
+    [("Boulder", "edugym/Boulder-v0"), ("Boulder-v0", "edugym/Boulder-v0"), ("edugym:Boulder", "edugym/Boulder-v0"),
+     ("edugym:edugym/Boulder-v0", "edugym/Boulder-v0"), ("Boulder-v1", "Boulder-v1"), ("CartPole-v1", "CartPole-v1")],
+)  # fmt: skip
 def test_ids(name: str, full: str) -> None:
     """The name alone is enough in the course; other ids stay as they are."""
     assert full_id(name) == full
+
+
+def takes_anything(size: int = 3, **more: int) -> Any:
+    """Make an environment that says itself which keywords it does not know."""
 
 
 @pytest.mark.parametrize(
@@ -157,10 +146,17 @@ def test_ids(name: str, full: str) -> None:
         ("Bolder", {}, "environment must be one of Boulder, .*, or an id of Gymnasium's; .*Bolder"),
         ("CartPole-v1", {"x": 1}, "CartPole-v1 has no parameter 'x'; it has sutton_barto_reward"),
         ("Boulder", {"height": 3, "n": 1}, "Boulder has no parameter 'n'; it has height, n_grips, max_st.*, layout"),
+        ("Copies-v0", {}, "env.* must exist as a single one, but 'Copies-v0' is a vector of copies"),
     ],
 )
-def test_what_a_specification_refuses(name: str, parameters: dict[str, int], says: str) -> None:
-    """And what there is instead."""
+def test_what_a_specification_refuses(
+    name: str, parameters: dict[str, int], says: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """And what there is instead; an environment that takes any keyword gets it."""
+    copies = EnvSpec("Copies-v0", vector_entry_point="edugym:any")
+    for spec in (copies, EnvSpec("Open-v0", entry_point=takes_anything)):
+        monkeypatch.setitem(gymnasium.registry, spec.id, spec)
+    assert specification("Open-v0", {"colour": 1})[0].id == "Open-v0"
     with pytest.raises(ValueError, match=f"^{says}"):
         specification(name, parameters)
 
@@ -175,21 +171,3 @@ def test_specifications() -> None:
     env = make_environment("Boulder", height=4, render_mode="ansi")
     assert env.spec.kwargs == {"height": 4, "render_mode": "ansi"}
     assert repr(gymnasium.make(env.spec).unwrapped.mdp) == repr(env.mdp)  # type: ignore[attr-defined]
-
-
-def test_environments_that_exist_only_as_copies(monkeypatch: pytest.MonkeyPatch) -> None:
-    """They cannot be trained on."""
-    spec = gymnasium.envs.registration.EnvSpec("Copies-v0", vector_entry_point="edugym:any")
-    monkeypatch.setitem(gymnasium.registry, "Copies-v0", spec)
-    with pytest.raises(ValueError, match="must exist as a single one, but 'Copies-v0' is a vector of copies"):
-        specification("Copies-v0", {})
-
-
-def test_any_keyword_will_do_where_the_environment_takes_any(monkeypatch: pytest.MonkeyPatch) -> None:
-    """It says itself what it does not know."""
-
-    def make(size: int = 3, **more: int) -> Any:
-        """Take anything."""
-
-    monkeypatch.setitem(gymnasium.registry, "Open-v0", gymnasium.envs.registration.EnvSpec("Open-v0", entry_point=make))
-    assert specification("Open-v0", {"colour": 1})[0].id == "Open-v0"

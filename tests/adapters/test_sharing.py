@@ -1,11 +1,9 @@
 """An MDP in one file: it is the same one for whoever opens it."""
 
 import linecache
-import math
 import subprocess
 import sys
 from pathlib import Path
-from types import ModuleType
 from typing import Any, NamedTuple
 
 import gymnasium
@@ -15,7 +13,7 @@ from gymnasium.spaces import Box
 
 from edugym import finite_model, read_mdp, share, value_iteration, wrapper
 from edugym.adapters.playing import Game
-from edugym.adapters.sharing import _home, source_of
+from edugym.adapters.sharing import _home
 from edugym_course.lessons.own_problem.morning import Morning, WithBonus
 from tests.adapters.playing.tasks import Walk
 
@@ -93,6 +91,8 @@ def test_the_file_is_whole(cell: dict[str, Any], tmp_path: Path) -> None:
     mdp = cell["Slow"](np.int64(5), slip=0.125, steps=np.array([1, 2]))
     path = share(mdp, tmp_path / "walk_of_mine.py")
     text = path.read_text(encoding="utf-8")
+    assert text.startswith('"""Slow: ')
+    assert 'edugym play walk_of_mine.py"""' in text.partition("\n")[0]
     assert "unused" not in text
     assert "time = object" not in text
     read = read_mdp(path)
@@ -111,6 +111,12 @@ def test_a_friend_opens_it_in_another_process(cell: dict[str, Any], tmp_path: Pa
     code = "import gymnasium; print(gymnasium.make('walk_of_mine:Walk-v0', render_mode='ansi').reset(seed=1)[0])"
     done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True)
     assert done.stdout == "1\n", done.stderr
+
+
+def test_what_a_friend_can_import() -> None:
+    """A class of a module, under any name, if it is the one that is there."""
+    assert _home("Rows", Box) == ("gymnasium.spaces", "Box")
+    assert _home("Box", type("Box", (), {"__module__": "gymnasium.spaces"})) is None
 
 
 def test_playing_a_file(tmp_path: Path) -> None:
@@ -141,7 +147,7 @@ def drawn(drawing: str) -> str:
     ("cells", "mdp", "says"),
     [
         ("", "3", "^mdp must be"),
-        ("", "Lost()", "^transition of Lost"),
+        ("class Lost(Coin):\n    def transition(self, *_): pass", "Lost()", "^transition of Lost"),
         ("ends = {'left': 0, 'right': iter([])}", SLOW, "ends must be made of numbers, texts and arrays"),
         ("ends = {'left': 0, 'right': np.array([None, 1])}", SLOW, "ends must be made of"),
         ("Walk.reward = lambda self, *_: 7.0", "Walk(3)", r"Walk\.reward was replaced"),
@@ -164,7 +170,7 @@ def drawn(drawing: str) -> str:
 )
 def test_what_cannot_be_shared(cells: str, mdp: str, says: str, tmp_path: Path, cell: dict[str, Any]) -> None:
     """Is refused in a sentence, and no file is left."""
-    cell |= {"Lost": Lost, "Coin": Walk}
+    cell["Coin"] = Walk
     run(cells, cell)
     with pytest.raises(ValueError, match=says):
         shared(cell, mdp, tmp_path)
@@ -264,30 +270,10 @@ def test_an_older_cell_that_was_run_again(tmp_path: Path, cell: dict[str, Any]) 
     assert "another program's" not in written
 
 
-def test_the_source_is_that_of_the_class_with_its_methods(cell: dict[str, Any]) -> None:
-    """Also where its cell has defined another of that name before or after it."""
-    texts = [f"class Coin(NamedTuple):\n    side: int\n    def value(self): return {n}\n" for n in range(3)]
-    run("\n".join(f"{text}Coin{n} = Coin" for n, text in enumerate(texts)), cell)
-    assert [source_of(cell[f"Coin{n}"]) + "\n" for n in range(3)] == texts
-
-
-def test_what_a_friend_can_import(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A class of a module, if it is there; nothing of the program itself, nor of a module made by hand."""
-    assert _home("Rows", Box) == ("gymnasium.spaces", "Box")
-    assert _home("Box", type("Box", (), {"__module__": "gymnasium.spaces"})) is None
-    program, made = ModuleType("__main__"), ModuleType("made")
-    program.__spec__ = math.__spec__  # as python -m has it
-    for module in (program, made):
-        kind = type("Mine", (), {"__module__": module.__name__})
-        vars(module)["Mine"] = kind
-        monkeypatch.setitem(sys.modules, module.__name__, module)
-        assert _home("Mine", kind) is None
-
-
 @pytest.mark.parametrize(
     ("name", "text", "error", "says"),
     [
-        ("empty.py", "x = 1\n", ValueError, "empty.py .*MDP"),
+        ("empty.py", "x = 1\n", ValueError, "empty.py .*MDP"),  # there is none
         ("wrong.py", "MDP = 3\n", ValueError, "mdp must be an MDP"),
         ("text.txt", "MDP = 3\n", ValueError, "path .*text.txt"),
         ("missing.py", "", FileNotFoundError, "missing.py"),
@@ -300,15 +286,6 @@ def test_what_cannot_be_read(name: str, text: str, error: type[Exception], says:
         (tmp_path / name).write_text(text)
     with pytest.raises(error, match=says):
         read_mdp(tmp_path / name)
-
-
-class Lost(Walk):
-    """A task whose first steps show a mistake."""
-
-    __slots__ = ()
-
-    def transition(self, state: Any, action: int, rng: Any) -> Any:
-        """No `return`."""
 
 
 @wrapper
@@ -337,21 +314,3 @@ def test_values_of_every_kind(held: Any, tmp_path: Path) -> None:
     if isinstance(held, np.ndarray):
         assert (read.dtype, read.shape) == (held.dtype, held.shape)
     assert repr(read) == repr(plain)
-
-
-def test_the_lines_of_the_file(cell: dict[str, Any], tmp_path: Path) -> None:
-    """How to play it, what is imported, what is used before its use, the MDP, and its registration."""
-    text = share(cell["Slow"](5, steps=np.array([1, 2])), tmp_path / "slow.py").read_text(encoding="utf-8")
-    assert text.startswith(
-        '"""Slow: a problem for reinforcement learning, written with EduGym. To play it: edugym play slow.py"""\n\n'
-        "import edugym\nimport gymnasium\nimport math\nimport numpy as np\n"
-        "from edugym.rendering.scene import Scene\nfrom edugym.rendering.shapes import Circle\n"
-        "from gymnasium.spaces import Discrete as Whole\nfrom typing import NamedTuple\n\n\nclass Place(NamedTuple):\n"
-    )
-    starts = ["\nSIDE = 3\n", "\nends = {'left': 0, 'right': (4,)}\n", "\ndef moved(", "\nclass Walk(", "\nclass Slow("]
-    ends = ["\n\n\nMDP = Slow(size=5, slip=0.25, steps=np.array([1, 2], np.int64))\n\n", 'register("Slow-v0"']
-    places = [text.index(part) for part in starts + ends]
-    assert places == sorted(places)
-    assert [text.count(part) for part in starts + ends] == [1] * 7
-    environment = gymnasium.make("Slow-v0", render_mode="rgb_array")
-    assert environment.render_mode == "rgb_array"

@@ -1,6 +1,6 @@
 """What agents without a table are shown and told in training: arrays as they are, or vectors."""
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import pytest
@@ -9,41 +9,25 @@ from gymnasium.wrappers import FlattenObservation
 
 from edugym import LinearQLearning, make_environment, make_mdp, train
 from edugym.compiled import execution
-from edugym.mdp.protocol import Random
 from edugym.training import trainers
 from tests.agents.case import same
+from tests.compiled.cells import cell
 
 TWO, FORCE = spaces.Discrete(2), spaces.Box(-9.0, 9.0, (2,), np.float32)
 PLANE, BOARD = spaces.Box(-9.0, 9.0, (2,), np.float32), spaces.Box(-9.0, 9.0, (2, 2), np.float32)
 
 
-class Diary(NamedTuple):
-    """An agent that writes down what it is told.
-
-    Attributes:
-        before: shape (n, ...): the observations before its steps.
-        after: shape (n, ...): those after them.
-        told: shape (n, 5): the action, the reward, the next action, and the two kinds of end.
-        time: shape (1,): how many steps there were.
-        tabular: it has no table.
-    """
-
-    before: Any
-    after: Any
-    told: Any
-    time: Any
+DIARIES = """
+class Diary(NamedTuple):  # an agent that writes down what it is told
+    before: np.ndarray  # the observations before its steps
+    after: np.ndarray
+    told: np.ndarray  # the action, the reward, the next action, and the two kinds of end
+    time: np.ndarray  # how many steps there were
     tabular: bool = False
-
-    def act(self, state: Any, rng: Random) -> Any:
-        """Always the same."""
-        return 0
-
-    def learn(self, state: Any, action: Any, reward: float, next_state: Any, terminated: bool, truncated: bool) -> None:
-        """Write it down."""
+    def act(self, state, rng): return 0
+    def learn(self, state, action, reward, next_state, terminated, truncated):
         self.note(state, action, reward, next_state, 0, terminated, truncated)
-
-    def note(self, state: Any, action: Any, reward: float, next_state: Any, following: Any, *ends: bool) -> None:
-        """Write it down, and forget the oldest."""
+    def note(self, state, action, reward, next_state, following, *ends):
         t = self.time[0] % len(self.before)
         self.before[t] = state
         self.after[t] = next_state
@@ -54,129 +38,48 @@ class Diary(NamedTuple):
         self.told[t, 4] = 1.0 if ends[1] else 0.0
         self.time[0] += 1
 
+class VectorDiary(Diary):  # takes vectors, on which its actions depend
+    def act(self, state, rng): return int(np.argmax(state)) % 2
+    n_inputs = property(lambda self: int(self.before.shape[1]))
 
-class VectorDiary(Diary):
-    """Takes vectors, on which its whole actions depend."""
-
-    __slots__ = ()
-
-    def act(self, state: Any, rng: Random) -> Any:
-        """The place of the largest number."""
-        return int(np.argmax(state)) % 2
-
-    @property
-    def n_inputs(self) -> int:
-        """Their length."""
-        return int(self.before.shape[1])
-
-
-class OnPolicyDiary(VectorDiary):
-    """The same for an agent that is told its next action."""
-
-    __slots__ = ()
-
-    def learn(  # type: ignore[override]
-        self,
-        state: Any,
-        action: Any,
-        reward: float,
-        next_state: Any,
-        next_action: Any,
-        terminated: bool,
-        truncated: bool,
-    ) -> None:
-        """Write it down."""
+class OnPolicyDiary(VectorDiary):  # is told its next action
+    def learn(self, state, action, reward, next_state, next_action, terminated, truncated):
         first, following = np.ravel(action)[0], np.ravel(next_action)[0]
         self.note(state, first, reward, next_state, following, terminated, truncated)
 
-
-class ForceDiary(VectorDiary):
-    """One whose actions are arrays, of which it writes the first number down."""
-
-    __slots__ = ()
-
-    def act(self, state: Any, rng: Random) -> Any:
-        """A new array."""
-        return np.array([np.argmax(state) % 2, 0.5], np.float32)
-
-    def learn(self, state: Any, action: Any, reward: float, next_state: Any, terminated: bool, truncated: bool) -> None:
-        """Write it down."""
+class ForceDiary(VectorDiary):  # whose actions are arrays
+    def act(self, state, rng): return np.array([np.argmax(state) % 2, 0.5], np.float32)
+    def learn(self, state, action, reward, next_state, terminated, truncated):
         self.note(state, action[0], reward, next_state, 0, terminated, truncated)
 
+class WritingDiary(ForceDiary):  # writes its actions into an array that it is given
+    def act_into(self, state, rng, action): action[:] = ForceDiary.act(self, state, rng)
+    def act(self, state, rng): raise NotImplementedError
 
-class WritingDiary(ForceDiary):
-    """One that writes its actions into an array that it is given."""
-
-    __slots__ = ()
-
-    def act_into(self, state: Any, rng: Random, action: Any) -> None:
-        """Write it."""
-        action[:] = ForceDiary.act(self, state, rng)
-
-    def act(self, state: Any, rng: Random) -> Any:
-        """Not asked."""
-        raise NotImplementedError
-
-
-class OnPolicyForceDiary(OnPolicyDiary):
-    """One that writes in evaluation only: while it learns, an action is kept for the step after."""
-
-    __slots__ = ()
+class OnPolicyForceDiary(OnPolicyDiary):  # writes in evaluation only: while it learns, an action is kept for later
     act, act_into = ForceDiary.act, WritingDiary.act_into
-
-
-def written(kind: type[Diary], *shape: int) -> Any:
-    """For 40 observations of a shape."""
-    return kind(np.zeros((40, *shape)), np.zeros((40, *shape)), np.zeros((40, 5)), np.zeros(1, np.int64))
-
-
-class Ring(NamedTuple):
-    """Three states in a ring, the last one terminal; shows an element of a space for each.
-
-    Attributes:
-        observation_space: of the elements.
-        shown: the elements.
-        action_space: of the actions.
-    """
-
-    observation_space: Any
-    shown: tuple[Any, ...]
-    action_space: Any = TWO
-
-    @property
-    def max_steps(self) -> int:
-        """A few."""
-        return 3
-
-    def initial(self, rng: Random) -> int:
-        """The first or the second."""
-        return int(rng.random() * 2)
-
-    def transition(self, state: int, action: Any, rng: Random) -> int:
-        """On, and further with action 1, or by chance."""
-        return int(state + 1 + np.ravel(action)[0] + int(rng.random() * 2)) % 3
-
-    def reward(self, state: int, action: Any, next_state: int, rng: Random) -> float:
-        """What has been done, and from where."""
-        return float(10 * state + np.sum(action))
-
-    def terminal(self, state: int) -> bool:
-        """The last."""
-        return state == 2
-
-    def observation(self, state: int, rng: Random) -> Any:
-        """The element of the state."""
-        return self.shown[state]
-
+"""
+RINGS = """
+class Ring(NamedTuple):  # three states in a ring, the last one terminal; shows an element of a space for each
+    observation_space: object
+    shown: tuple
+    action_space: object = spaces.Discrete(2)
+    max_steps = property(lambda self: 3)
+    def initial(self, rng): return int(rng.random() * 2)
+    def transition(self, state, action, rng): return int(state + 1 + np.ravel(action)[0] + int(rng.random() * 2)) % 3
+    def reward(self, state, action, next_state, rng): return float(10 * state + np.sum(action))
+    def terminal(self, state): return state == 2
+    def observation(self, state, rng): return self.shown[state]
 
 class RingInPlace(Ring):
-    """The same, written into an array."""
+    def observe_into(self, state, rng, out): out[...] = self.shown[state]
+"""
+AGENTS, TASKS = cell(DIARIES), cell(RINGS)
 
-    __slots__ = ()
 
-    def observe_into(self, state: Any, rng: Random, out: Any) -> None:
-        """The element of the state."""
-        out[...] = self.shown[state]
+def written(kind: str, *shape: int) -> Any:
+    """A diary for 40 observations of a shape."""
+    return AGENTS[kind](np.zeros((40, *shape)), np.zeros((40, *shape)), np.zeros((40, 5)), np.zeros(1, np.int64))
 
 
 PAIR = spaces.Tuple((spaces.Discrete(2, start=5), spaces.Discrete(3, start=-1)))
@@ -202,22 +105,22 @@ SEEN: dict[str, Any] = {
 @pytest.mark.parametrize(
     ("task", "name", "kind"),
     [
-        *((Ring, name, VectorDiary) for name in SEEN),
-        *((RingInPlace, name, VectorDiary) for name in SEEN if name not in ("a number", "a pair")),
-        (Ring, "a vector", OnPolicyDiary),
-        (Ring, "a vector", ForceDiary),
-        (Ring, "a vector", WritingDiary),
-        (RingInPlace, "a whole number", WritingDiary),
-        (RingInPlace, "a board", OnPolicyForceDiary),
+        *(("Ring", name, "VectorDiary") for name in SEEN),
+        *(("RingInPlace", name, "VectorDiary") for name in SEEN if name not in ("a number", "a pair")),
+        ("Ring", "a vector", "OnPolicyDiary"),
+        ("Ring", "a vector", "ForceDiary"),
+        ("Ring", "a vector", "WritingDiary"),
+        ("RingInPlace", "a whole number", "WritingDiary"),
+        ("RingInPlace", "a board", "OnPolicyForceDiary"),
     ],
 )
 @pytest.mark.filterwarnings("ignore:.* interpreted")
-def test_what_is_told_is_what_happened(task: type[Ring], name: str, kind: type[Diary]) -> None:
+def test_what_is_told_is_what_happened(task: str, name: str, kind: str) -> None:
     """Observations before and after a step, each as a vector and not overwritten by the next, actions and ends."""
     space, shown, vectors = SEEN[name]
-    acts = FORCE if issubclass(kind, ForceDiary | OnPolicyForceDiary) else TWO
+    acts = FORCE if "Force" in kind or "Writing" in kind else TWO
     agent = written(kind, len(vectors[0]))
-    train(task(space, tuple(shown), acts), agent, 40, seed=1)
+    train(TASKS[task](space, tuple(shown), acts), agent, 40, seed=1)
     place, steps, expected = {tuple(vector): s for s, vector in enumerate(vectors)}, 0, None
     for before, after, told in zip(agent.before.tolist(), agent.after.tolist(), agent.told.tolist(), strict=True):
         state, next_state, steps = place[tuple(before)], place[tuple(after)], steps + 1
@@ -227,7 +130,7 @@ def test_what_is_told_is_what_happened(task: type[Ring], name: str, kind: type[D
         assert (next_state - state - 1 - action) % 3 in (0, 1)
         assert reward == 10 * state + action + (0.5 if acts is FORCE else 0.0)
         assert (terminated, truncated) == (next_state == 2, steps == 3 and next_state != 2)
-        if issubclass(kind, OnPolicyDiary) and not terminated:
+        if "OnPolicy" in kind and not terminated:
             assert next_action == np.argmax(after) % 2
         expected, steps = (None, 0) if terminated or truncated else (next_state, steps)
     assert len(set(map(tuple, agent.before.tolist()))) == 2
@@ -237,30 +140,25 @@ def test_what_is_told_is_what_happened(task: type[Ring], name: str, kind: type[D
 def test_boards_stay_boards() -> None:
     """For an agent that takes what the task shows."""
     space, shown, vectors = SEEN["a board"]
-    for task in (Ring, RingInPlace):
-        agent = written(Diary, 2, 2)
-        train(task(space, tuple(shown)), agent, 40, seed=1)
+    for task in ("Ring", "RingInPlace"):
+        agent = written("Diary", 2, 2)
+        train(TASKS[task](space, tuple(shown)), agent, 40, seed=1)
         assert {tuple(board.ravel().tolist()) for board in agent.before} == set(map(tuple, vectors[:2]))
         assert {tuple(board.ravel().tolist()) for board in agent.after} == set(map(tuple, vectors))
 
 
 @pytest.mark.parametrize(
     ("name", "parameters", "n"),
-    [
-        ("Catch", {"observation_type": "rgb"}, 150),
-        ("Catch", {"observation_type": "vectorised"}, 20),
-        ("Boulder", {}, 11),
-        ("Golf", {}, None),
-        ("Tamagotchi", {}, None),
-    ],
-)
+    [("Catch", {"observation_type": "rgb"}, 150), ("Catch", {"observation_type": "vectorised"}, 20),
+     ("Boulder", {}, 11), ("Golf", {}, None), ("Tamagotchi", {}, None)],
+)  # fmt: skip
 def test_vectors_are_those_of_flatten_observation(name: str, parameters: dict[str, Any], n: int | None) -> None:
     """What an agent is shown in `train` is what Gymnasium's wrapper shows in a loop by hand."""
     env = FlattenObservation(make_environment(name, **parameters))
     assert env.observation_space.shape is not None
     length = env.observation_space.shape[0]
     assert n in (None, length)
-    agent, by_hand = written(VectorDiary, length), written(VectorDiary, length)
+    agent, by_hand = written("VectorDiary", length), written("VectorDiary", length)
     train(make_mdp(name, **parameters), agent, 40, seed=3)
     env.reset(seed=0)
     env.unwrapped.np_random = np.random.default_rng(np.random.SeedSequence(3).spawn(4)[0])
@@ -279,7 +177,7 @@ def test_other_agents_see_arrays_as_they_are(n_steps: int, monkeypatch: pytest.M
     mdp, agents = make_mdp("Catch"), []
     for run_it in (execution.executable, lambda loop, *_, **__: loop):
         monkeypatch.setattr(trainers, "executable", run_it)
-        agents.append(written(Diary, 10, 5))
+        agents.append(written("Diary", 10, 5))
         train(mdp, agents[-1], n_steps, seed=1, evaluate_every=n_steps)
     assert same(agents[0], agents[1])
     before, after = agents[0].before, agents[0].after
@@ -288,19 +186,14 @@ def test_other_agents_see_arrays_as_they_are(n_steps: int, monkeypatch: pytest.M
     assert 40 * 7 / 9 < goes_on.sum() < 39  # all but the last of nine steps
 
 
-class Wrong(NamedTuple):
-    """No agent but in its sizes."""
-
+WRONG = """
+class Wrong(NamedTuple):  # no agent but in its sizes
     n_inputs: int = 4
     n_actions: int = 2
     tabular: bool = False
-
-    def act(self, state: Any, rng: Random) -> int:
-        """Any."""
-        return 0
-
-    def learn(self, state: Any, action: Any) -> None:
-        """Nothing."""
+    def act(self, state, rng): return 0
+    def learn(self, state, action): pass
+"""
 
 
 @pytest.mark.parametrize(
@@ -309,8 +202,8 @@ class Wrong(NamedTuple):
 )
 def test_an_agent_of_another_size_is_refused(actions: Any, name: str, needed: int) -> None:
     """The message says which size the environment has."""
-    task: Any = Ring(BOARD, tuple(SEEN["a board"][1]), actions)
-    fits = Wrong(n_actions=6 if needed == 6 else 2)
+    task = TASKS["Ring"](BOARD, tuple(SEEN["a board"][1]), actions)
+    fits = cell(WRONG)["Wrong"](n_actions=6 if needed == 6 else 2)
     for given in (needed - 1, needed + 1):
         other: Any = {name: given}
         with pytest.raises(ValueError, match=f"agent must be one for {name} = {needed}, .* but its is {given}$"):
@@ -319,22 +212,15 @@ def test_an_agent_of_another_size_is_refused(actions: Any, name: str, needed: in
         train(task, fits, 10)
 
 
-class Texts(NamedTuple):
-    """Observes texts."""
-
-    observation_space: Any = spaces.Text(5)
-    action_space: Any = TWO
-
-
 def test_texts_are_no_vectors() -> None:
     """Which is said where the agent is made."""
     with pytest.raises(ValueError, match="a vector needs observations that are numbers"):
-        LinearQLearning.create(Texts())
+        LinearQLearning.create(TASKS["Ring"](spaces.Text(5), ()))
 
 
 @pytest.mark.parametrize("seen", [None, 0.5, (0.5,), np.zeros((2, 1))])
 def test_an_observation_of_another_shape_is_refused(seen: Any) -> None:
     """It would be stretched to fit, or become NaN."""
-    mdp: Any = Ring(PLANE, (seen,) * 3)
+    mdp = TASKS["Ring"](PLANE, (seen,) * 3)
     with pytest.raises(ValueError, match="observation of Ring must give what its observation_space says, Box"):
         train(mdp, LinearQLearning.create(mdp), 10)

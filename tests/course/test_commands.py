@@ -9,6 +9,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -79,12 +80,8 @@ def test_play_hands_everything_on(monkeypatch: pytest.MonkeyPatch) -> None:
     arguments = ("--set", "height=4", "--seed", "7", "--render", "human", "--gif", "a.gif")
     assert run("play", "Boulder", *arguments).exit_code == 0
     assert run("play", "Boulder").exit_code == 0
-    assert made == [
-        (4, 7),
-        ("the game", {"render": "human", "gif": Path("a.gif")}),
-        (10, None),
-        ("the game", {"render": "ansi", "gif": None}),
-    ]
+    options = [{"render": "human", "gif": Path("a.gif")}, {"render": "ansi", "gif": None}]
+    assert made == [(4, 7), ("the game", options[0]), (10, None), ("the game", options[1])]
 
 
 def test_playing() -> None:
@@ -102,11 +99,8 @@ def test_playing() -> None:
     [
         ("play Bolder", "Bolder"),
         ("play Boulder --set seed=3", "'seed'"),
-        ("play Boulder --set height={[]:1}", "height must be"),
         ("play Boulder --set height=low", "height must be"),
         ("play Boulder --set heigth=2", "heigth"),
-        ("play Boulder --set height", "name=value"),
-        ("play Boulder --set height=3 --set height=4", "twice"),
         ("play Tamagotchi --set tau=nan", "tau must be"),
         ("play Boulder --gif /proc/x.gif", "/proc/x.gif"),
         ("play Boulder --gif boulder.mp4", ".gif"),
@@ -166,21 +160,14 @@ def test_lab_hands_everything_on(
     assert str(tmp_path / options[0]) in where
 
 
-class Full(io.StringIO):
-    """An output that cannot be written to, with a file of its own."""
+def full(file: int, error: OSError) -> Any:
+    """An output with a file of its own, every flush of which raises the error."""
 
-    def __init__(self, file: int, error: OSError) -> None:
-        """With the error that every flush raises."""
-        super().__init__()
-        self.file, self.error = file, error
+    def flush() -> None:
+        raise error
 
-    def fileno(self) -> int:
-        """The number of the file."""
-        return self.file
-
-    def flush(self) -> None:
-        """Fail."""
-        raise self.error
+    output: Any = io.StringIO()
+    return SimpleNamespace(fileno=lambda: file, flush=flush, write=output.write)
 
 
 NO_SPACE = OSError(errno.ENOSPC, "No space left")
@@ -203,7 +190,7 @@ def test_output_that_fails(
     """One line says why, unless the command has failed already and said so, or nobody reads."""
     monkeypatch.setattr(commands, "app", app)
     with (tmp_path / "output").open("w") as output:
-        monkeypatch.setattr(sys, "stdout", Full(output.fileno(), error))
+        monkeypatch.setattr(sys, "stdout", full(output.fileno(), error))
         with pytest.raises(SystemExit) as ended:
             commands.run()
         assert os.fstat(output.fileno()).st_rdev == os.stat(os.devnull).st_rdev  # Python's own last flush is lost
@@ -213,19 +200,16 @@ def test_output_that_fails(
 def test_ctrl_c_in_a_command(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     """Typer alone would end with the status and no word, and Python would wait for threads that still compile."""
 
-    class AtOnce(Exception):
-        pass
-
     def press() -> list[str]:
         raise KeyboardInterrupt
 
     def end_at_once(status: int) -> None:
-        raise AtOnce(status)
+        raise EOFError(status)
 
     monkeypatch.setattr("edugym_course.commands.lesson_names", press)
     monkeypatch.setattr(sys, "argv", ["edugym", "reproduce"])
     monkeypatch.setattr(os, "_exit", end_at_once)
-    with pytest.raises(AtOnce, match="130"):
+    with pytest.raises(EOFError, match="130"):
         commands.run()
     assert capsys.readouterr().err == "edugym: interrupted\n"
 

@@ -13,12 +13,13 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from edugym import EpsilonGreedy, QLearning, Results, repeat
+from edugym import EpsilonGreedy, QLearning, Results
 from edugym.experiments import checkpoints
 from edugym.experiments import repeat as repeating
 from edugym.system.files import write_whole
 from edugym.training.run import Run
 from edugym.training.train import train
+from tests.experiments import experiments
 
 
 @pytest.fixture
@@ -36,15 +37,8 @@ def trained(monkeypatch: pytest.MonkeyPatch) -> list[int]:
 
 def small(folder: Path | None, **changes: Any) -> Results:
     """Three runs on a low wall."""
-    arguments: dict[str, Any] = {
-        "agents": {"Q": QLearning.create},
-        "n_steps": 300,
-        "repetitions": 3,
-        "parameters": {"height": 4},
-        "jobs": 1,
-        "checkpoints": folder,
-    } | changes
-    return repeat("Boulder", **arguments)
+    low: dict[str, Any] = {"n_steps": 300, "parameters": {"height": 4}, "checkpoints": folder}
+    return experiments.small(**low | {"agents": {"Q": QLearning.create}} | changes)
 
 
 def test_finished_runs_are_not_computed_again(tmp_path: Path, trained: list[int]) -> None:
@@ -114,31 +108,19 @@ def test_a_folder_that_cannot_be_made_is_said_before_the_first_run(tmp_path: Pat
     assert trained == []
 
 
-def local_class(task: Any) -> Any:
-    """An agent of a class that no other process finds."""
+@pytest.mark.parametrize("kind", ["local", "lock"])
+def test_what_cannot_be_kept_is_said(kind: str, tmp_path: Path) -> None:
+    """Once, and the results are complete all the same; where nothing was to be kept, there is nothing to say."""
+    lock = threading.Lock()  # cannot be told from another one
 
-    class Local(QLearning):
-        """Made here."""
-
+    class Local(QLearning):  # no other process finds it
         __slots__ = ()
 
-    return Local(*QLearning.create(task))
-
-
-def with_a_lock() -> Any:
-    """A function that holds what cannot be told from another one."""
-    lock = threading.Lock()
-
-    def make(task: Any) -> Any:
+    def locked(task: Any) -> Any:
         with lock:
             return QLearning.create(task)
 
-    return make
-
-
-@pytest.mark.parametrize("make", [local_class, with_a_lock()])
-def test_what_cannot_be_kept_is_said(make: Any, tmp_path: Path) -> None:
-    """Once, and the results are complete all the same; where nothing was to be kept, there is nothing to say."""
+    make = locked if kind == "lock" else lambda task: Local(*QLearning.create(task))
     for folder, path in ((tmp_path / "runs", None), (None, tmp_path / "results.csv")):
         with pytest.warns(UserWarning, match="runs of 'Q' cannot be kept .*(lock|local)") as said:
             assert small(folder, agents={"Q": make}, save_to=path).complete
@@ -171,19 +153,6 @@ def test_a_full_disk_loses_no_finished_run(tmp_path: Path, trained: list[int], m
     assert sorted(file.name for file in tmp_path.iterdir()) == ["results.csv", "results.csv.json"]
 
 
-def test_nothing_is_kept_beside_a_device(tmp_path: Path) -> None:
-    """A pipe gets the whole table as one file."""
-    pipe = tmp_path / "pipe"
-    os.mkfifo(pipe)
-    with subprocess.Popen(["cat", pipe], stdout=subprocess.PIPE) as reader:
-        results = small(None, save_to=pipe)
-        assert reader.stdout is not None
-        read = reader.stdout.read()
-    (tmp_path / "copy.csv").write_bytes(read)
-    pd.testing.assert_frame_equal(Results.load(tmp_path / "copy.csv").table, results.table)
-    assert sorted(file.name for file in tmp_path.iterdir()) == ["copy.csv", "pipe"]
-
-
 CHILD = """
 import sys
 from edugym import CountBased, QLearning, repeat
@@ -214,9 +183,5 @@ def test_kill_9_loses_no_finished_run(tmp_path: Path) -> None:
     assert begin(killed).wait(timeout=120) == 0
     assert killed.read_bytes() == whole.read_bytes()
     assert Path(f"{killed}.json").read_bytes() == Path(f"{whole}.json").read_bytes()
-    assert sorted(path.name for path in tmp_path.iterdir()) == [
-        "killed.csv",
-        "killed.csv.json",
-        "whole.csv",
-        "whole.csv.json",
-    ]
+    files = ["killed.csv", "killed.csv.json", "whole.csv", "whole.csv.json"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == files

@@ -3,7 +3,7 @@
 import copy
 from functools import partial
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import gymnasium
 import numpy as np
@@ -14,7 +14,7 @@ from edugym import EpsilonGreedy, GoExplore, QLearning, Results, make_mdp, repea
 from edugym.envs.boulder import Boulder
 from edugym.experiments.configuration import described
 from edugym.experiments.results.tables import MEASURED
-from edugym.mdp.protocol import Random, Reals
+from tests.compiled.cells import cell
 from tests.experiments.experiments import AGENTS, runs, small
 
 
@@ -74,43 +74,6 @@ def test_any_gymnasium_environment() -> None:
     assert by_id.curves("Q").equals(given.curves("Q"))
 
 
-class Fader(NamedTuple):
-    """An agent with state in a second array: the more often it is asked, the less it explores."""
-
-    Q: Reals
-    asked: Reals
-
-    def act(self, state: int, rng: Random) -> int:
-        """Explore ever less."""
-        self.asked[0] += 1
-        explores = rng.random() < 1 / self.asked[0]
-        return int(rng.random() * self.Q.shape[1]) if explores else int(self.Q[state].argmax())
-
-    def learn(self, state: int, action: int, reward: float, next_state: int) -> None:
-        """Learn a little."""
-        self.Q[state, action] += 0.1 * (reward - self.Q[state, action])
-
-
-def test_runs_share_nothing() -> None:
-    """An array inside a partial or a closure is that of one run, so results do not depend on `jobs`."""
-
-    def run(jobs: int) -> list[pd.DataFrame]:
-        asked = np.zeros(1)
-        agents = {
-            "partial": partial(lambda task, asked: Fader(np.zeros((6, 2)), asked), asked=asked),
-            "closure": lambda task: Fader(np.zeros((6, 2)), asked),
-        }
-        results = small(300, jobs=jobs, agents=agents)
-        assert asked[0] == 0
-        assert all(agent.asked[0] >= 300 for runs in results.agents.values() for agent in runs.values())
-        return [results.curves(method, "training_return") for method in agents]
-
-    for alone, parallel in zip(run(1), run(4), strict=True):
-        pd.testing.assert_frame_equal(alone, parallel)
-    first, second = run(1)
-    pd.testing.assert_frame_equal(first, second)
-
-
 def test_an_error_ends_all_runs_at_its_line() -> None:
     """The last frame is the student's, and joblib's are not shown."""
     made: list[Any] = []
@@ -157,43 +120,63 @@ def test_saved_and_loaded_is_the_same(tmp_path: Path) -> None:
     assert sorted(file.name for file in path.parent.iterdir()) == ["results.csv", "results.csv.json"]
 
 
+CLASSES = """
+class Fader(NamedTuple):  # the more often it is asked, the less it explores: it has state in a second array
+    Q: object
+    asked: object
+    def act(self, state, rng):
+        self.asked[0] += 1
+        explores = rng.random() < 1 / self.asked[0]
+        return int(rng.random() * self.Q.shape[1]) if explores else int(self.Q[state].argmax())
+    def learn(self, state, action, reward, next_state):
+        self.Q[state, action] += 0.1 * (reward - self.Q[state, action])
+
 class Optimist(NamedTuple):
-    """A value that holds another, tables long and short, and nothing."""
-
-    inner: QLearning
-    twice: QLearning
-    table: Reals
-    blank: Reals
-    short: Reals
-    limit: int | None
-
+    inner: object
+    twice: object
+    table: object
+    blank: object
+    short: object
+    limit: object
 
 class Plain:
-    """An agent that is an ordinary object."""
+    def __init__(self):
+        self.rate, self._hidden, self.memory = 0.5, 1, [1, 2]
+"""
+NOTEBOOK = cell(CLASSES)
+Fader, Optimist, Plain = (NOTEBOOK[name] for name in ("Fader", "Optimist", "Plain"))
 
-    def __init__(self) -> None:
-        """With a setting, a hidden one, and something else."""
-        self.rate = 0.5
-        self._hidden = 1
-        self.memory = [1, 2]
+
+def test_runs_share_nothing() -> None:
+    """An array inside a partial or a closure is that of one run, so results do not depend on `jobs`."""
+
+    def run(jobs: int) -> list[pd.DataFrame]:
+        asked = np.zeros(1)
+        agents = {
+            "partial": partial(lambda task, asked: Fader(np.zeros((6, 2)), asked), asked=asked),
+            "closure": lambda task: Fader(np.zeros((6, 2)), asked),
+        }
+        results = small(300, jobs=jobs, agents=agents)
+        assert asked[0] == 0
+        assert all(agent.asked[0] >= 300 for runs in results.agents.values() for agent in runs.values())
+        return [results.curves(method, "training_return") for method in agents]
+
+    first, second = run(1)
+    for other in (*run(4), second):
+        pd.testing.assert_frame_equal(first, other)
 
 
 def test_settings_are_flat() -> None:
     """Each part once, under the path that leads to it; empty tables and None are no settings."""
     inner = QLearning.create((40, 2), exploration=EpsilonGreedy(0.2), initial_value=2.0)
-    value = Optimist(inner, inner, np.arange(40.0), np.zeros(50), np.array([1.0, 2.0]), None)
+    value: Any = Optimist(inner, inner, np.arange(40.0), np.zeros(50), np.array([1.0, 2.0]), None)
     settings = described(value, "agent")
     table = settings.pop("agent.table")
     assert settings == {
-        "agent": "Optimist",
-        "agent.inner": "QLearning",
-        "agent.inner.Q": '{"shape": [40, 2], "filled_with": 2.0}',
-        "agent.inner.learning_rate": 0.1,
-        "agent.inner.discount": 0.99,
-        "agent.inner.exploration": "EpsilonGreedy",
-        "agent.inner.exploration.epsilon": 0.2,
-        "agent.short": "[1.0, 2.0]",
-    }
+        "agent": "Optimist", "agent.inner": "QLearning", "agent.inner.Q": '{"shape": [40, 2], "filled_with": 2.0}',
+        "agent.inner.learning_rate": 0.1, "agent.inner.discount": 0.99, "agent.inner.exploration": "EpsilonGreedy",
+        "agent.inner.exploration.epsilon": 0.2, "agent.short": "[1.0, 2.0]",
+    }  # fmt: skip
     assert table == described(copy.deepcopy(value), "agent")["agent.table"]
     assert table != described(value._replace(table=np.arange(40.0) + 1), "agent")["agent.table"]
     assert described(Plain(), "agent") == {"agent": "Plain", "agent.rate": 0.5}

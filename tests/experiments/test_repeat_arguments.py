@@ -47,24 +47,16 @@ def test_the_runs_come_in_order() -> None:
     assert rows == [[i, method, step] for i in (0, 1) for method in ("SARSA", "Q") for step in (0, 10)]
 
 
-def test_an_experiment_that_is_stopped_before_it_begins() -> None:
-    """Has no rows and no agents, and warns of nothing; its methods are known."""
-    stop = threading.Event()
-    stop.set()
-    results = repeat(Ring(), AGENTS, 50, repetitions=2, jobs=1, stop=stop)
-    assert results.methods == ["Q", "SARSA"]
-    assert results.agents == {"Q": {}, "SARSA": {}}
-    assert len(results.table) == 0
-    assert not results.complete
-
-
-def test_what_was_finished_before_it_was_stopped_is_not_loaded(tmp_path: Path) -> None:
-    """Nor does it get lost."""
+def test_an_experiment_that_is_stopped_before_it_begins(tmp_path: Path) -> None:
+    """Has no rows and no agents, and warns of nothing; its methods are known. What was finished is not lost."""
     arguments: dict[str, Any] = {"n_steps": 50, "repetitions": 1, "jobs": 1, "checkpoints": tmp_path}
     whole = repeat(Ring(), AGENTS, **arguments)
     stop = threading.Event()
     stop.set()
-    assert len(repeat(Ring(), AGENTS, stop=stop, **arguments).table) == 0
+    for kept in (tmp_path, None):
+        results = repeat(Ring(), AGENTS, stop=stop, **arguments | {"checkpoints": kept})
+        assert (results.methods, results.agents) == (["Q", "SARSA"], {"Q": {}, "SARSA": {}})
+        assert (len(results.table), results.complete) == (0, False)
     pd.testing.assert_frame_equal(repeat(Ring(), AGENTS, **arguments).table, whole.table)
 
 
@@ -109,47 +101,6 @@ def test_wrong_arguments_are_named(changes: dict[str, Any], names: str) -> None:
         repeat(**arguments | changes)
 
 
-BOULDER = {"environment": "edugym/Boulder-v0", "environment.height": 10, "environment.n_grips": 2}
-
-
-@pytest.mark.parametrize(
-    ("environment", "parameters", "settings", "has_layout"),
-    [
-        ("Boulder", None, BOULDER, True),
-        (
-            "Boulder",
-            {"height": 3, "max_steps": 7},
-            BOULDER | {"environment.height": 3, "environment.max_steps": 7},
-            True,
-        ),
-        ("Boulder", {"layout_seed": 4}, BOULDER | {"layout_seed": 4}, False),
-        (
-            "MemoryCorridor",
-            {},
-            {
-                "environment": "edugym/MemoryCorridor-v0",
-                "environment.num_doors": 3,
-                "environment.max_steps": 1000,
-            },
-            False,
-        ),
-        (SlipperyWalk(), None, {"environment": "SlipperyWalk"}, False),
-        (
-            lambda layout_seed: Boulder.create(4, max_steps=9, layout_seed=layout_seed),
-            None,
-            {"environment": "Boulder", "environment.height": 4, "environment.n_grips": 2, "environment.max_steps": 9},
-            True,
-        ),
-    ],
-)
-def test_how_a_task_is_described(
-    environment: Any, parameters: dict[str, Any] | None, settings: dict[str, Any], has_layout: bool
-) -> None:
-    """By the parameters that all its layouts have in common; the layout only where it is fixed."""
-    described = task(environment, parameters)
-    assert (described.settings, described.has_layout) == (settings, has_layout)
-
-
 def test_the_plan() -> None:
     """Repetition by repetition, each with its own two seeds, the same in every longer plan."""
     plan = planned_runs(["a", "b"], 3, 5)
@@ -158,3 +109,26 @@ def test_the_plan() -> None:
     assert len({seed for pair in seeds for seed in pair}) == 6
     assert planned_runs(["b"], 2, 5) == [plan[1], plan[3]]
     assert planned_runs(["a"], 1, 6)[0].repetition.seed != plan[0].repetition.seed
+
+
+BOULDER = {"environment": "edugym/Boulder-v0", "environment.height": 10, "environment.n_grips": 2}
+MADE = {"environment": "Boulder", "environment.height": 4, "environment.n_grips": 2, "environment.max_steps": 9}
+HIGHER = BOULDER | {"environment.height": 3, "environment.max_steps": 7}
+CORRIDOR = {"environment": "edugym/MemoryCorridor-v0", "environment.num_doors": 3, "environment.max_steps": 1000}
+
+
+@pytest.mark.parametrize(
+    ("environment", "parameters", "settings", "has_layout"),
+    [
+        ("Boulder", None, BOULDER, True),
+        ("Boulder", {"height": 3, "max_steps": 7}, HIGHER, True),
+        ("Boulder", {"layout_seed": 4}, BOULDER | {"layout_seed": 4}, False),
+        ("MemoryCorridor", {}, CORRIDOR, False),
+        (SlipperyWalk(), None, {"environment": "SlipperyWalk"}, False),
+        (lambda layout_seed: Boulder.create(4, max_steps=9, layout_seed=layout_seed), None, MADE, True),
+    ],
+)
+def test_how_a_task_is_described(environment: Any, parameters: Any, settings: Any, has_layout: bool) -> None:
+    """By the parameters that all its layouts have in common; the layout only where it is fixed."""
+    described = task(environment, parameters)
+    assert (described.settings, described.has_layout) == (settings, has_layout)

@@ -42,21 +42,10 @@ for package in (edugym, edugym_course):
             print(module.name)
 """
 NEED_ONE = {
-    *(
-        f"edugym.compiled.{name}"
-        for name in (
-            "arithmetic",
-            "compiler_pipelines",
-            "draws",
-            "interrupt_polling",
-            "random_generators",
-            "typed_checks",
-            "untyped_checks",
-        )
-    ),
+    *(f"edugym.compiled.{name}" for name in ("arithmetic", "compiler_pipelines", "draws", "interrupt_polling")),
+    *(f"edugym.compiled.{name}" for name in ("random_generators", "typed_checks", "untyped_checks")),
     *(f"edugym.deep.{name}" for name in ("baselines", "curves", "ppo", "vec_env")),
-    "edugym_course.lessons.dimensionality.layers",
-    "edugym_course.notebook",
+    *("edugym_course.lessons.dimensionality.layers", "edugym_course.notebook"),
 }
 """The modules that are about a library, and are imported where that is there."""
 ROOT = Path(__file__).parents[2]

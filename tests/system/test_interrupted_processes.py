@@ -30,20 +30,6 @@ while True:
     env = gymnasium.make("CliffWalking-v1")
     train(env, QLearning.create(env), 20_000, max_steps=100)
 """,
-    "many updates a step": """
-from typing import NamedTuple
-import numpy as np
-from edugym import make_mdp, train
-class Sweeping(NamedTuple):
-    Q: np.ndarray
-    def act(self, state, rng):
-        return int(rng.random() * 2)
-    def learn(self, state, action, reward):
-        for k in range(1100):
-            self.Q[state, action] += 0.001 * (reward - self.Q[state, action])
-while True:
-    train(make_mdp("Boulder"), Sweeping(np.zeros((11, 2))), 30_000)
-""",
     "repeat": """
 from edugym import CountBased, QLearning, repeat
 for i in range(1_000):
@@ -65,13 +51,8 @@ def test_ctrl_c_ends_the_work(kind: str, seed: int, tmp_path: Path) -> None:
     """Whether it imports, compiles, trains or saves, the process ends and does not crash; some have a cold cache."""
     moment = np.random.default_rng([seed, list(WORK).index(kind)]).uniform(0, 3)
     environment = os.environ | ({"EDUGYM_CACHE_DIR": str(tmp_path / "cache")} if seed == 0 else {})
-    with subprocess.Popen(
-        [sys.executable, "-c", START + WORK[kind], str(tmp_path)],
-        env=environment,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    ) as child:
+    command, pipe = [sys.executable, "-c", START + WORK[kind], str(tmp_path)], subprocess.PIPE
+    with subprocess.Popen(command, env=environment, stdout=pipe, stderr=pipe, text=True) as child:
         try:
             assert child.stdout is not None
             assert child.stdout.readline() == "begun\n"
@@ -127,27 +108,18 @@ print((agent.Q != 1.0).any())
     [
         ("compiled", "edugym/Golf-v0"),
         ("gymnasium", "FrozenLake-v1"),
-        *(
-            pytest.param(how, f"edugym/{name}-v0", marks=pytest.mark.slow)
-            for how, name in (
-                ("compiled", "Boulder"),
-                ("compiled", "MemoryCorridor"),
-                ("alarm", "Golf"),
-                ("interpreted", "Boulder"),
-            )
-        ),
+        pytest.param("compiled", "edugym/MemoryCorridor-v0", marks=pytest.mark.slow),
+        pytest.param("alarm", "edugym/Golf-v0", marks=pytest.mark.slow),
+        pytest.param("interpreted", "edugym/Boulder-v0", marks=pytest.mark.slow),
     ],
 )
-def test_a_signal_ends_a_run(how: str, env_id: str, tmp_path: Path) -> None:
+def test_a_signal_ends_a_run(how: str, env_id: str) -> None:
     """What is done is kept, and the interpreter goes on; a handler of another signal raises its own error.
 
     States that are numbers, NamedTuples, and hold arrays: the latter two crash where the signal is not waited for.
     """
-    script = tmp_path / "script.py"
-    script.write_text(SCRIPT)
-    done = subprocess.run(
-        [sys.executable, script, how, env_id], capture_output=True, text=True, timeout=120, check=False
-    )
+    command = [sys.executable, "-c", SCRIPT, how, env_id]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
     assert done.stderr == ""
     *said, learned = done.stdout.splitlines()
     if how == "alarm":

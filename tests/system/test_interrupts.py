@@ -7,7 +7,7 @@ import signal
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -34,6 +34,12 @@ def came() -> Iterator[list[int]]:
     before = signal.signal(signal.SIGINT, lambda number, frame: numbers.append(number))
     yield numbers
     signal.signal(signal.SIGINT, before)
+
+
+@pytest.fixture
+def interrupting() -> None:
+    """Ctrl-C interrupts, also where the tests run in the background, which ignores it."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def ctrl_c() -> None:
@@ -101,35 +107,24 @@ def test_a_work_in_a_work(came: list[int]) -> None:
     assert not asked_to_stop(5)
 
 
-class Late(Exception):
-    """What a handler of a student's own raises."""
-
-
-@pytest.fixture
-def alarm() -> Iterator[None]:
-    """A signal whose handler raises an error of its own."""
-
-    def expire(number: int, frame: Any) -> None:
-        raise Late
-
-    before = signal.signal(signal.SIGALRM, expire)
-    yield
-    signal.signal(signal.SIGALRM, before)
-
-
-@pytest.mark.usefixtures("alarm")
 def test_what_a_handler_raises_waits_for_the_end_of_the_loop() -> None:
     """Machine code hears that it is to stop; the error comes when the work ends. It orders no run to stop."""
+
+    def expire(number: int, frame: Any) -> None:
+        raise TimeoutError
+
+    before = signal.signal(signal.SIGALRM, expire)
     ordered: list[bool] = []
-    with contextlib.suppress(Late), SignalGuard() as guard:
+    with contextlib.suppress(TimeoutError), SignalGuard() as guard:
         guard.defer(machine_code=True)
         signal.raise_signal(signal.SIGALRM)
         assert asked_to_stop(7)
         ordered.append(False)
     assert (guard.loop, ordered.pop()) == (7, False)
-    with pytest.raises(Late), SignalGuard() as guard, guard.on_ctrl_c(lambda: ordered.append(True)):
+    with pytest.raises(TimeoutError), SignalGuard() as guard, guard.on_ctrl_c(lambda: ordered.append(True)):
         signal.raise_signal(signal.SIGALRM)
     assert (ordered, guard.stop_ordered) == ([], False)
+    signal.signal(signal.SIGALRM, before)
 
 
 def test_other_errors_that_python_ignores_are_told_as_before(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -137,61 +132,38 @@ def test_other_errors_that_python_ignores_are_told_as_before(monkeypatch: pytest
 
     class Failing:
         def __del__(self) -> None:
-            raise Late
+            raise EOFError
 
     told: list[Any] = []
     monkeypatch.setattr(sys, "unraisablehook", lambda unraisable: told.append(unraisable.exc_type))
     with SignalGuard():
         Failing()
-    assert told == [Late]
+    assert told == [EOFError]
 
 
-class Careless:
-    """What presses Ctrl-C where Python ignores errors."""
-
-    def __del__(self) -> None:
-        """At its end."""
-        ctrl_c()
-
-
-def ignored_by_python(guard: SignalGuard) -> None:
-    """An error in `__del__`: what comes after it is interrupted."""
-    Careless()
-    threading.Event().wait(10)
-    raise AssertionError
-
-
-def ignored_by_a_student(guard: SignalGuard) -> None:
-    """An `except` that is too wide."""
-    with contextlib.suppress(BaseException):
-        ctrl_c()
-    guard.should_stop()
-    raise AssertionError
-
-
-def ignored_at_the_end(guard: SignalGuard) -> None:
-    """The same, just before the work ends."""
-    with contextlib.suppress(BaseException):
-        ctrl_c()
-
-
-@pytest.mark.parametrize("ignored", [ignored_by_python, ignored_by_a_student, ignored_at_the_end])
+@pytest.mark.parametrize("ignored", ["by Python", "by a student", "at the end"])
 @pytest.mark.usefixtures("interrupting")
-def test_what_is_swallowed_is_raised_again(ignored: Callable[[SignalGuard], None]) -> None:
-    """No Ctrl-C is lost."""
+def test_what_is_swallowed_is_raised_again(ignored: str) -> None:
+    """No Ctrl-C is lost: neither in `__del__`, nor in an `except` that is too wide, just before the end or earlier."""
+
+    class Careless:
+        def __del__(self) -> None:
+            ctrl_c()
 
     def work() -> None:
         with SignalGuard() as guard:
-            ignored(guard)
+            if ignored == "by Python":
+                Careless()
+                threading.Event().wait(10)
+                raise AssertionError
+            with contextlib.suppress(BaseException):
+                ctrl_c()
+            if ignored == "by a student":
+                guard.should_stop()
+                raise AssertionError
 
     with pytest.raises(KeyboardInterrupt):
         work()
-
-
-@pytest.fixture
-def interrupting() -> None:
-    """Ctrl-C interrupts, also where the tests run in the background, which ignores it."""
-    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.mark.usefixtures("interrupting")
@@ -326,10 +298,3 @@ def test_the_order_to_stop(by_event: bool) -> None:
         assert (stop.is_set(), copy.is_set(), event.is_set()) == (True, True, by_event)
     assert not folder.exists()
     assert stop.is_set()  # as a run asks that goes on while nobody waits for it
-
-
-def test_where_no_signal_can_be_sent_to_a_thread(came: list[int], monkeypatch: pytest.MonkeyPatch) -> None:
-    """As on Windows."""
-    monkeypatch.delattr(signal, "pthread_kill")
-    interrupts._press_ctrl_c()
-    assert came == [signal.SIGINT]

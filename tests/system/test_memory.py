@@ -9,17 +9,10 @@ from edugym.system.memory import ASSUMED, in_digits, in_words, memory, require_m
 
 @pytest.mark.parametrize(
     ("n_bytes", "words"),
-    [
-        (0, "0 bytes"),
-        (999, "999 bytes"),
-        (1_000, "1 kilobytes"),
-        (2_500_000, "2.5 megabytes"),
-        (123_456_000_000, "123 gigabytes"),
-        (10**23, "100 zettabytes"),
-        (4**25 * 3 * 8, "27 petabytes"),
-        (10**24, "about 10^24 bytes"),
-    ],
-)
+    [(0, "0 bytes"), (999, "999 bytes"), (1_000, "1 kilobytes"), (2_500_000, "2.5 megabytes"),
+     (123_456_000_000, "123 gigabytes"), (10**23, "100 zettabytes"), (4**25 * 3 * 8, "27 petabytes"),
+     (10**24, "about 10^24 bytes")],
+)  # fmt: skip
 def test_in_words(n_bytes: int, words: str) -> None:
     """The largest unit that fits; powers of ten beyond all units."""
     assert in_words(n_bytes) == words

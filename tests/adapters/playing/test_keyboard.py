@@ -12,16 +12,18 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
+from unittest.mock import Mock
 
 import pytest
 from gymnasium.spaces import Discrete
 from PIL import Image
 
-from edugym.adapters.keys import keys_of
 from edugym.adapters.playing import play
 from edugym.adapters.playing.game import TERMINATED
-from edugym.adapters.playing.keyboard import CLEAR, key_presses, windows_keys
+from edugym.adapters.playing.keyboard import CLEAR, windows_keys
 from tests.adapters.playing.tasks import Still, Walk
+
+SLOW = pytest.mark.slow
 
 
 def lines_of(keys: list[str], **options: Any) -> list[str]:
@@ -33,7 +35,7 @@ def lines_of(keys: list[str], **options: Any) -> list[str]:
 
 def test_play_through_a_pipe() -> None:
     """Keys and names both work, wrong ones are named, a finished episode waits for r, the end of the input ends it."""
-    lines = lines_of(["1", "x", "", "right", "0", "r", "left"])
+    lines = lines_of(["1", "x", "", " right ", "0", "r", "left"])
     scores = [line for line in lines if line.startswith(("start", "step"))]
     assert [score.split(",")[0] for score in scores] == [
         *["start", "step 1: right", "step 1: right", "step 1: right", "step 2: right", "step 2: right"],
@@ -52,16 +54,8 @@ def test_play_through_a_pipe() -> None:
 
 def test_interrupts_end_the_game_with_its_score(monkeypatch: pytest.MonkeyPatch) -> None:
     """Ctrl-C while the game waits for a key is no error."""
-    screen = io.StringIO()
-    keyboard = io.StringIO()
-    lines = iter(["1\n", "1\n"])
-
-    def interrupted(size: int = -1) -> str:
-        for line in lines:
-            return line
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr(keyboard, "readline", interrupted)
+    screen, keyboard = io.StringIO(), io.StringIO()
+    monkeypatch.setattr(keyboard, "readline", Mock(side_effect=["1\n", "1\n", KeyboardInterrupt]))
     game = play(Walk(), keyboard=keyboard, screen=screen)
     assert game.returns == [1.5]
     assert screen.getvalue().endswith("Episodes finished: 1. Totals: 1.5. Mean: 1.5.\n")
@@ -103,14 +97,9 @@ class Terminal:
         self.before = termios.tcgetattr(self.slave)
         controlled = f"{CONTROL}\n{code}"
         environment = {key: value for key, value in os.environ.items() if key != "NO_COLOR"}
-        self.process = subprocess.Popen(
-            [sys.executable, "-c", controlled],
-            stdin=self.slave,
-            stdout=self.slave,
-            stderr=self.slave,
-            start_new_session=True,
-            env=environment,
-        )
+        command = [sys.executable, "-c", controlled]
+        ends: dict[str, Any] = dict.fromkeys(("stdin", "stdout", "stderr"), self.slave)
+        self.process = subprocess.Popen(command, start_new_session=True, env=environment, **ends)
         self.written = ""
 
     def type(self, keys: str, until: str) -> str:
@@ -125,7 +114,7 @@ class Terminal:
 
     def end(self) -> int:
         """Wait for the end; the exit status, once the terminal was found as it had been."""
-        status = self.process.wait(60)
+        status: int = self.process.wait(60)
         assert termios.tcgetattr(self.slave) == self.before
         os.close(self.master)
         os.close(self.slave)
@@ -190,7 +179,7 @@ ENDS: dict[str, tuple[str, Dialogue, int]] = {
 """What the program does, what happens to it, and its exit status."""
 
 
-@pytest.mark.parametrize("name", [pytest.param(name, marks=[pytest.mark.slow] * (name != "killed")) for name in ENDS])
+@pytest.mark.parametrize("name", [pytest.param(name, marks=[SLOW] * (name != "killed")) for name in ENDS])
 def test_every_end_leaves_the_terminal_as_it_was(name: str) -> None:
     """And the program ends as any other."""
     code, dialogue, status = ENDS[name]
@@ -205,7 +194,7 @@ def test_every_end_leaves_the_terminal_as_it_was(name: str) -> None:
     assert terminal.end() == status
 
 
-@pytest.mark.slow
+@SLOW
 def test_a_terminal_that_goes_away_ends_the_program() -> None:
     """Closing its window hangs up."""
     terminal = Terminal(GAME)
@@ -215,31 +204,20 @@ def test_a_terminal_that_goes_away_ends_the_program() -> None:
     assert terminal.process.wait(60) == -signal.SIGHUP
 
 
-def command(arguments: str) -> subprocess.CompletedProcess[str]:
-    """Run `edugym` in a shell, where EDUGYM stands for it."""
-    code = f"{sys.executable} -c 'from edugym_course.cli import main; main()'"
-    line = arguments.replace("EDUGYM", code)
-    return subprocess.run(["bash", "-c", line], capture_output=True, text=True, timeout=60, check=False)
-
-
 @pytest.mark.parametrize(
     ("line", "status", "output", "error"),
     [
         ("yes 0 | (EDUGYM play Boulder; echo $? >&2) | head -1", 0, "\n", "1\n"),
-        *(
-            pytest.param(*case, marks=pytest.mark.slow)
-            for case in (
-                ("EDUGYM play Boulder <&-", 0, "No episode finished yet.\n", ""),
-                ("EDUGYM play Boulder </dev/null >&-", 2, "", "standard output"),
-                ("EDUGYM play Boulder </dev/null >/dev/full", 2, "", "No space left on device"),
-                ("EDUGYM list >/dev/full", 1, "", "No space left on device\n"),
-            )
-        ),
+        pytest.param("EDUGYM play Boulder <&-", 0, "No episode finished yet.\n", "", marks=SLOW),
+        pytest.param("EDUGYM play Boulder </dev/null >&-", 2, "", "standard output", marks=SLOW),
+        pytest.param("EDUGYM play Boulder </dev/null >/dev/full", 2, "", "No space left on device", marks=SLOW),
+        pytest.param("EDUGYM list >/dev/full", 1, "", "No space left on device\n", marks=SLOW),
     ],
 )
 def test_inputs_and_outputs_that_end(line: str, status: int, output: str, error: str) -> None:
     """No traceback, and an exit status that says how it went."""
-    result = command(line)
+    code = line.replace("EDUGYM", f"{sys.executable} -c 'from edugym_course.cli import main; main()'")
+    result = subprocess.run(["bash", "-c", code], capture_output=True, text=True, timeout=60, check=False)
     assert result.returncode == status
     assert result.stdout.endswith(output)
     assert error in result.stderr if error else result.stderr == ""
@@ -270,25 +248,6 @@ def test_keys_of_a_windows_console() -> None:
     assert list(windows_keys(typed("1\xe0K\x00;a\x04b"))) == ["1", "left", "", "a"]
     with pytest.raises(KeyboardInterrupt):
         list(windows_keys(typed("1\x03")))
-
-
-def test_keys_of_actions() -> None:
-    """Numbers, then letters, or the names themselves; never the keys that quit and begin again."""
-    assert keys_of(["putt", "chip"]) == {"0": "putt", "1": "chip"}
-    assert keys_of(["5", "6"]) == {"5": "5", "6": "6"}
-    assert keys_of(["q", "r"]) == {"0": "q", "1": "r"}
-    many = keys_of([f"action {k}" for k in range(34)])
-    assert len(many) == 34
-    assert not {"q", "r"} & set(many)
-    assert many["a"] == "action 10"
-    with pytest.raises(ValueError, match="at most 34"):
-        keys_of([str(k) for k in range(35)])
-
-
-def test_lines_are_keys_where_there_is_no_terminal() -> None:
-    """Without the blanks around them."""
-    with key_presses(io.StringIO("1\n go out \n\nq")) as presses:
-        assert list(presses) == ["1", "go out", "", "q"]
 
 
 @pytest.mark.parametrize(

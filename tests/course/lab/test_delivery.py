@@ -25,11 +25,18 @@ def names(path: Path) -> list[str]:
     return sorted(place.name for place in path.parent.glob("*.ipynb"))
 
 
-def test_a_new_version_takes_the_place_of_an_untouched_one(path: Path) -> None:
-    """Nothing is put beside it."""
+def test_whose_file_it_is(path: Path) -> None:
+    """An untouched one is replaced, one without a record is the student's, and one that was deleted comes back."""
     assert deliver(SECOND, path) == path
     assert path.read_text() == SECOND
     assert names(path) == ["lesson.ipynb"]
+    (path.parent / DELIVERED).write_bytes(b"\xff")  # damaged: it costs nobody's work
+    assert deliver(SECOND, path) == path
+    assert deliver(THIRD, path) != path
+    assert path.read_text() == SECOND
+    path.unlink()
+    deliver(THIRD, path)
+    assert path.read_text() == THIRD
 
 
 def test_what_the_student_changed_stays(path: Path) -> None:
@@ -76,18 +83,3 @@ def test_a_folder_or_a_broken_link_in_its_place_stays(path: Path) -> None:
     path.unlink()
     path.mkdir()
     assert deliver(SECOND, path).name == "lesson_new_version.ipynb"
-
-
-def test_without_the_record_every_other_file_is_the_students(path: Path) -> None:
-    """A lost or damaged record costs nobody's work."""
-    (path.parent / DELIVERED).write_bytes(b"\xff")
-    assert deliver(FIRST, path) == path
-    assert deliver(SECOND, path) != path
-    assert path.read_text() == FIRST
-
-
-def test_a_lesson_that_was_deleted_comes_back(path: Path) -> None:
-    """Deleting is the way to a fresh copy."""
-    path.unlink()
-    deliver(FIRST, path)
-    assert path.read_text() == FIRST

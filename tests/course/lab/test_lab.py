@@ -5,33 +5,19 @@ import signal
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
 
 import pytest
-from typer.testing import CliRunner, Result
 
-from edugym_course.commands import app
 from edugym_course.lab import server
 from edugym_course.lab.warm_up import warming_up
 from tests.course.lab.browser import PATIENCE, running_lab, until
+from tests.course.test_commands import run
 
 
-def run(*arguments: str) -> Result:
-    """The command in this process, on a wide terminal."""
-    return CliRunner(env={"COLUMNS": "200"}).invoke(app, ["lab", *arguments])
-
-
-@pytest.fixture
-def served(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
-    """What JupyterLab is started with, in place of starting it."""
-    calls: list[Any] = []
-    monkeypatch.setattr(server, "serve", lambda folder, options: calls.append((folder, options)))
-    return calls
-
-
-def test_what_comes_into_a_folder(served: list[Any], tmp_path: Path) -> None:
+def test_what_comes_into_a_folder(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """The lessons, and no solution."""
-    assert run(str(tmp_path)).exit_code == 0
+    monkeypatch.setattr(server, "serve", lambda folder, options: None)
+    assert run("lab", str(tmp_path)).exit_code == 0
     files = [path for path in tmp_path.rglob("*") if path.is_file()]
     assert tmp_path / "01_exploration.ipynb" in files
     for path in files:

@@ -39,14 +39,9 @@ DOUBLING = Lesson(
 def test_what_a_lesson_says_of_itself() -> None:
     """In one line each; a part ends at the next label or at the end of its paragraph."""
     assert (DOUBLING.number, DOUBLING.title, DOUBLING.exercises) == (1, "Doubling #2: by `x + x`", 2)
-    assert [DOUBLING.part(label) for label in ("The challenge", "Time", "Before you start", "Author")] == [
-        "One line.",
-        "5 minutes.",
-        "Read **this**.",
-        "",
-    ]
-    long = DOUBLING._replace(name="12_x")
-    assert long.number == 12
+    labels = ("The challenge", "Time", "Before you start", "Author")
+    assert [DOUBLING.part(label) for label in labels] == ["One line.", "5 minutes.", "Read **this**.", ""]
+    assert DOUBLING._replace(name="12_x").number == 12
 
 
 def test_the_lessons_are_in_order(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -126,11 +121,10 @@ def test_what_is_compiled_in_the_background(monkeypatch: pytest.MonkeyPatch) -> 
     def fails() -> None:
         raise RuntimeError
 
-    modules = {
-        "edugym_course.lessons.a.experiments": SimpleNamespace(warm_up=fails),
-        "edugym_course.lessons.b.experiments": SimpleNamespace(warm_up=lambda: done.append("b"), report=fails),
-        "edugym_course.lessons.c.experiments": SimpleNamespace(report=lambda **how: done.append(how)),
-    }
+    kinds: list[Any] = [{"warm_up": fails}, {"warm_up": lambda: done.append("b"), "report": fails}]
+    kinds += [{"report": lambda **how: done.append(how)}]
+    names = [f"edugym_course.lessons.{name}.experiments" for name in "abc"]
+    modules = {name: SimpleNamespace(**kind) for name, kind in zip(names, kinds, strict=True)}
     monkeypatch.setattr(warnings, "simplefilter", done.append)
     monkeypatch.setattr(importlib, "import_module", modules.__getitem__)
     monkeypatch.setattr(os, "nice", lambda by: done.append(by))

@@ -12,13 +12,13 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import pytest
-from matplotlib.figure import Figure
 from PIL import Image
 
 from edugym.experiments.figures import Sheet
 from edugym.rendering.scene import Circle, Scene
 from edugym_course.notebook import sliders
 from edugym_course.notebook.controls import call
+from tests.compiled.cells import cell
 from tests.course.notebook.widgets import texts
 
 
@@ -69,22 +69,13 @@ def test_exploring_with_sliders() -> None:
 
 @pytest.mark.parametrize(
     ("allowed", "kind", "value"),
-    [
-        ((0, 4), ipywidgets.IntSlider, 2),
-        ((0, 2), ipywidgets.IntSlider, 2),
-        ((2, 4), ipywidgets.IntSlider, 2),
-        ((-1, 1), ipywidgets.IntSlider, 0),
-        ([1, 0], ipywidgets.SelectionSlider, 0),
-        (["a", ""], ipywidgets.Dropdown, ""),
-        (True, ipywidgets.Checkbox, False),
-        ((0, 4.0), ipywidgets.FloatSlider, 2.0),
-        ((0, 4, 2), ipywidgets.IntSlider, 2),
-        ([1, 2, 5], ipywidgets.SelectionSlider, 2),
-        (range(4), ipywidgets.SelectionSlider, 2),
-        ([2, "two"], ipywidgets.Dropdown, 2),
-        ([2, True], ipywidgets.Dropdown, 2),
-    ],
-)
+    [((0, 4), ipywidgets.IntSlider, 2), ((0, 2), ipywidgets.IntSlider, 2), ((2, 4), ipywidgets.IntSlider, 2),
+     ((-1, 1), ipywidgets.IntSlider, 0), ([1, 0], ipywidgets.SelectionSlider, 0),
+     (["a", ""], ipywidgets.Dropdown, ""), (True, ipywidgets.Checkbox, False),
+     ((0, 4.0), ipywidgets.FloatSlider, 2.0), ((0, 4, 2), ipywidgets.IntSlider, 2),
+     ([1, 2, 5], ipywidgets.SelectionSlider, 2), (range(4), ipywidgets.SelectionSlider, 2),
+     ([2, "two"], ipywidgets.Dropdown, 2), ([2, True], ipywidgets.Dropdown, 2)],
+)  # fmt: skip
 def test_kinds_of_controls(allowed: Any, kind: type[Any], value: Any) -> None:
     """Each starts from the function's default, also from one that is empty, and counts only when it is let go."""
     control = sliders(lambda x=value: None, x=allowed).controls["x"]
@@ -150,47 +141,38 @@ def test_wrong_controls_are_named(controls: dict[str, Any], message: str) -> Non
         sliders(never, **controls)
 
 
-def grid_of_axes() -> Any:
-    """Two axes in an array, as `plt.subplots` returns them."""
-    return plt.subplots(1, 2)[1]
+DRAWING = """
+import matplotlib.pyplot as plt
+from matplotlib.figure import Figure
 
-
-def axes_in_a_subfigure() -> Any:
-    """Axes in a part of a figure."""
-    part: Any = plt.figure().subfigures()
-    axes = part.subplots()
+def grid_of_axes(): return plt.subplots(1, 2)[1]
+def axes_in_a_subfigure():
+    axes = plt.figure().subfigures().subplots()
     axes.set_title("a part")
     return axes
-
-
-def figure_without_pyplot() -> Figure:
-    """A figure that no list of open figures knows."""
+def figure_without_pyplot():  # no list of open figures knows it
     figure = Figure()
     figure.subplots().set_title("drawn apart")
     return figure
-
-
-def nothing_returned() -> None:
-    """Figures that are only made, of which the last one is shown."""
+def nothing_returned():  # the last figure that is made is shown
     plt.figure().suptitle("made first")
     plt.figure().suptitle("made")
-
-
-def text_beside_a_figure() -> str:
-    """What is returned counts, not what was drawn on the way."""
+def text_beside_a_figure():  # what is returned counts
     plt.figure()
     return "done"
+"""
+FUNCTIONS = cell(DRAWING)
 
 
 @pytest.mark.parametrize(
     ("function", "mime_type", "data", "description"),
     [
         (curve, "image/png", "iVBOR", "slope 1"),
-        (grid_of_axes, "image/png", "iVBOR", "grid_of_axes"),
-        (axes_in_a_subfigure, "image/png", "iVBOR", "a part"),
-        (figure_without_pyplot, "image/png", "iVBOR", "drawn apart"),
-        (nothing_returned, "image/png", "iVBOR", "made"),
-        (text_beside_a_figure, "text/html", "<pre>done</pre>", "text_beside_a_figure"),
+        (FUNCTIONS["grid_of_axes"], "image/png", "iVBOR", "grid_of_axes"),
+        (FUNCTIONS["axes_in_a_subfigure"], "image/png", "iVBOR", "a part"),
+        (FUNCTIONS["figure_without_pyplot"], "image/png", "iVBOR", "drawn apart"),
+        (FUNCTIONS["nothing_returned"], "image/png", "iVBOR", "made"),
+        (FUNCTIONS["text_beside_a_figure"], "text/html", "<pre>done</pre>", "text_beside_a_figure"),
         (lambda: Sheet("made", []), "image/png", "iVBOR", "<lambda>"),
         (lambda: ("two", [1, 2]), "text/html", "<pre>(&#x27;two&#x27;, [1, 2])</pre>", "<lambda>"),
         (lambda: [[]], "text/html", "<pre>[[]]</pre>", "<lambda>"),

@@ -84,7 +84,7 @@ def test_what_stands_where_no_kernel_runs() -> None:
 
 
 def test_a_film_of_an_agent() -> None:
-    """The slider shows each step of what the agent does, and the player is tied to it."""
+    """The slider shows each step, at most 200 unless told otherwise, and the player is tied to it."""
     agent = QLearning.create(make_mdp("Golf"))
     agent.Q[:, 1] = 1.0
     film = frames("Golf", agent, stochasticity_level=0.0, frames_per_second=5)
@@ -99,27 +99,21 @@ def test_a_film_of_an_agent() -> None:
         seen.add(texts(film.widget)[0])
     assert len(seen) == 4
     assert frames("Golf", agent, frames_per_second=0.1).player.interval == 10_000  # milliseconds
-    with pytest.raises(ValueError, match="frames_per_second must be greater than 0"):
-        frames("Golf", agent, frames_per_second=0)
-
-
-def test_a_film_is_as_long_as_the_episode() -> None:
-    """At most 200 steps, unless told otherwise."""
     fails: dict[str, Any] = {"actor": lambda state: 1, "height": 30}
     assert len(frames("Boulder", **fails).frames) == len(play_episode("Boulder", **fails)) == 201
     assert len(frames("Boulder", **fails, max_steps=3).frames) == 4
+    with pytest.raises(ValueError, match="frames_per_second must be greater than 0"):
+        frames("Golf", agent, frames_per_second=0)
 
 
 def test_a_film_without_its_widget() -> None:
     """A few frames side by side, the first and the last among them; the film itself stays out of the page."""
     still = ElementTree.fromstring(frames("Boulder", lambda state: 0, max_steps=50).still()["image/svg+xml"])
     inner = still.findall("{http://www.w3.org/2000/svg}svg")
-    lines = ["".join(picture.itertext()) for picture in inner]
-    assert len(inner) == 4
-    assert "start" in lines[0]
-    assert "step 50" in lines[-1]
-    lefts = [float(picture.get("x", "")) for picture in inner]
-    widths = [float(picture.get("width", "")) for picture in inner]
+    first, _, _, last = ("".join(picture.itertext()) for picture in inner)
+    assert "start" in first
+    assert "step 50" in last
+    lefts, widths = ([float(picture.get(name, "")) for picture in inner] for name in ("x", "width"))
     assert lefts == [0, *np.cumsum(widths)[:-1]]
     assert still.get("viewBox") == f"0 0 {sum(widths):.0f} {inner[0].get('height')}"
     page: Any = ElementTree.fromstring(side_by_side([Scene(20, 10, ()), Scene(10, 20, ())]))

@@ -17,19 +17,9 @@ def answer(prediction: Any, value: Any) -> None:
 
 @pytest.mark.parametrize(
     ("typed", "number"),
-    [
-        ("40", 40.0),
-        (" 12.5 ", 12.5),
-        ("12,5", 12.5),
-        ("30%", 30.0),
-        ("1/4", 0.25),
-        ("1/0", None),
-        ("70 grips", 70.0),
-        ("", None),
-        ("  ", None),
-        ("many", None),
-    ],
-)
+    [("40", 40.0), (" 12.5 ", 12.5), ("12,5", 12.5), ("30%", 30.0), ("1/4", 0.25), ("1/0", None), ("70 grips", 70.0),
+     ("", None), ("  ", None), ("many", None)],
+)  # fmt: skip
 def test_a_number(typed: str, number: float | None) -> None:
     """People type numbers in several ways; what is no number counts as no prediction."""
     prediction = predict("How high does it get?", unit="grips")

@@ -51,22 +51,17 @@ def test_smoothing_looks_back() -> None:
         Curves(made_results(), smooth=0).draw(new_axes())
 
 
-def test_smoothed_training_returns_weigh_episodes() -> None:
-    """Three episodes with return 1 and one with return 5 average to 2; a point without an episode changes nothing."""
-    table = made_results(repetitions=1).table
-    table["training_return"] = table["step"].map({0: np.nan, 100: 1.0, 200: np.nan, 300: 5.0})
-    table["episodes"] = table["step"].map({0: 0, 100: 3, 200: 0, 300: 1})
-    ax = Curves(Results(table), column="training_return", methods=["A"], smooth=4).draw(new_axes())
-    assert heights(ax.lines[0])[1:] == [1.0, 1.0, 2.0]
-    assert len(ax.collections[0].get_paths()) == 0  # one repetition says nothing about others: it has no band
-
-
-def test_smoothing_leaves_out_what_is_missing() -> None:
-    """A return that was not measured is no return of 0."""
+def test_smoothing_of_what_is_not_measured_at_each_point() -> None:
+    """A return that is missing is no return of 0. Training returns weigh by episodes: (3 · 1 + 5) / 4 is 2."""
     table = made_results(repetitions=1).table
     table["return"] = table["step"].map({0: 3.0, 100: np.nan, 200: np.nan, 300: 5.0})
-    curves = Curves(Results(table), methods=["A"], smooth=2).points("A")
-    assert curves[0].tolist() == pytest.approx([3.0, 3.0, np.nan, 5.0], nan_ok=True)
+    table["training_return"] = table["step"].map({0: np.nan, 100: 1.0, 200: np.nan, 300: 5.0})
+    table["episodes"] = table["step"].map({0: 0, 100: 3, 200: 0, 300: 1})
+    curves = Curves(Results(table), methods=["A"], smooth=2)
+    assert curves.points("A")[0].tolist() == pytest.approx([3.0, 3.0, np.nan, 5.0], nan_ok=True)
+    ax = curves._replace(column="training_return", smooth=4).draw(new_axes())
+    assert heights(ax.lines[0])[1:] == [1.0, 1.0, 2.0]
+    assert len(ax.collections[0].get_paths()) == 0  # one repetition says nothing about others: it has no band
 
 
 def test_optima_are_lines_to_compare_with() -> None:

@@ -57,33 +57,9 @@ def test_lines_of_methods_and_of_theory(name: str) -> None:
     dashes = [line._dash_pattern[1] for line in theory]
     assert name == "lines" or dashes[0] != dashes[1]
     assert name != "against" or dashes[2] == dashes[0]
-
-
-def test_the_palette_is_the_palette() -> None:
-    """Its colours differ; after the last one the first comes again. The two looks of references differ in dashes."""
     assert len({one.color for one in STROKES}) == len(STROKES)
-    assert [stroke(k) for k in range(9)] == [*STROKES, *STROKES[:2]]
+    assert [stroke(k) for k in range(9)] == [*STROKES, *STROKES[:2]]  # after the last one the first comes again
     assert {key for key in REFERENCE if REFERENCE[key] != SOFT_REFERENCE[key]} == {"linestyle"}
-
-
-def test_what_is_measured_against_a_parameter() -> None:
-    """Means with bands, and a tick at each place on a logarithmic axis only."""
-    ax = PANELS["against"]().draw(new_axes())
-    assert [(line.get_label(), heights(line)) for line in ax.lines[:2]] == [("A", [0.5, 1.5, 2.5]), ("B", [3, 3, 3])]
-    assert (ax.get_xscale(), ax.get_yscale()) == ("linear", "linear")
-    assert ax.get_xticks().tolist() != [0.1, 0.2, 0.4]
-    ax = Against([0.003, 0.01, 1.0], ROWS, log=True).draw(new_axes())
-    assert (ax.get_xscale(), ax.get_yscale()) == ("log", "linear")
-    assert [label.get_text() for label in ax.get_xticklabels()] == ["0.003", "0.01", "1"]
-    assert ax.get_xticks(minor=True).tolist() == []
-
-
-def test_lines_of_values() -> None:
-    """As given; their scale can be logarithmic, for shares that shrink by powers."""
-    ax = PANELS["lines"]().draw(new_axes())
-    assert [heights(line) for line in ax.lines[:3]] == [[0, 1, 2], [0, 2, 4], [0, 1, 2]]
-    assert (ax.get_xscale(), ax.get_yscale()) == ("linear", "linear")
-    assert Lines(X, {"A": 0.5**X}, log=True).draw(new_axes()).get_yscale() == "log"
 
 
 def test_steps_are_labelled_by_a_few_round_numbers() -> None:
@@ -127,3 +103,17 @@ def test_other_arrays_are_no_visits(visits: Any) -> None:
     """The message names the shape."""
     with pytest.raises(ValueError, match=r"visits .*\(n_intervals, n_states\)"):
         VisitMap(visits, 10).draw(new_axes())
+
+
+def test_values_and_scales() -> None:
+    """Means against a parameter, or values as given; on a logarithmic axis of parameters a tick at each place."""
+    for name, heights_of in (("against", [[0.5, 1.5, 2.5], [3, 3, 3]]), ("lines", [[0, 1, 2], [0, 2, 4]])):
+        ax = PANELS[name]().draw(new_axes())
+        assert [heights(line) for line in ax.lines[:3]] == [*heights_of, [0, 1, 2]]
+        assert (ax.get_xscale(), ax.get_yscale()) == ("linear", "linear")
+        assert ax.get_xticks().tolist() != [0.1, 0.2, 0.4]
+    assert Lines(X, {"A": 0.5**X}, log=True).draw(new_axes()).get_yscale() == "log"
+    ax = Against([0.003, 0.01, 1.0], ROWS, log=True).draw(new_axes())
+    assert (ax.get_xscale(), ax.get_yscale()) == ("log", "linear")
+    assert [label.get_text() for label in ax.get_xticklabels()] == ["0.003", "0.01", "1"]
+    assert ax.get_xticks(minor=True).tolist() == []

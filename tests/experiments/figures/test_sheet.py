@@ -6,6 +6,7 @@ import subprocess
 import sys
 from io import BytesIO
 from pathlib import Path
+from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 import matplotlib as mpl
@@ -45,14 +46,6 @@ def test_panels_are_in_their_places() -> None:
     assert len(drawn.axes) == 5  # one scale of colours
 
 
-def test_empty_results_leave_empty_axes() -> None:
-    """As after an interruption before the first run."""
-    empty = Results(made_results().table.iloc[:0], {"A": {}})
-    drawn = Sheet("figure", [[Curves(empty, "nothing")], []]).draw()
-    assert [ax.axison for ax in drawn.axes] == [True, False]
-    assert len(Sheet("figure", []).draw().axes) == 1
-
-
 def test_a_sheet_shows_itself_in_a_notebook() -> None:
     """As a picture, and in few words elsewhere; nothing global changes."""
     before = dict(mpl.rcParams)
@@ -63,28 +56,24 @@ def test_a_sheet_shows_itself_in_a_notebook() -> None:
     assert pyplot.get_fignums() == []
 
 
-class Labelled:
-    """A panel with some labels."""
+class Labelled(SimpleNamespace):
+    """A panel with n labels."""
 
     title = "labelled"
-
-    def __init__(self, n: int, y_label: str = "y") -> None:
-        """With so many labels."""
-        self.n, self.y_label = n, y_label
 
     def draw(self, ax: "Axes | None" = None, place: Place = ALONE) -> "Axes":
         """Draw lines without points."""
         assert ax is not None
         for k in range(self.n):
             ax.plot([], [], label=f"{9 - k}")
-        ax.set(ylabel=self.y_label, xlabel=f"last: {place.last}")
+        ax.set(ylabel=getattr(self, "y_label", "y"), xlabel=f"last: {place.last}")
         return ax
 
 
 @pytest.mark.parametrize(("columns", "labels", "in_a_row"), [(1, 0, 0), (1, 3, 2), (2, 3, 3), (3, 6, 5)])
 def test_the_size_of_a_sheet(columns: int, labels: int, in_a_row: int) -> None:
     """It grows with its panels, and with the lines of its legend, in which a label takes two inches."""
-    rows: Any = [[Labelled(labels) for _ in range(columns)]] * 2
+    rows: Any = [[Labelled(n=labels) for _ in range(columns)]] * 2
     drawn: Any = Sheet("sheet", rows).draw()
     width, height = drawn.get_size_inches()
     assert width == pytest.approx(max(columns, 1.4) * PANEL_SIZE[0])
@@ -97,17 +86,17 @@ def test_the_size_of_a_sheet(columns: int, labels: int, in_a_row: int) -> None:
 
 
 def test_a_label_of_the_y_axis_is_left_out_only_where_it_is_the_same() -> None:
-    """As that of the first panel of its row."""
-    rows: Any = [[Labelled(0, "a"), Labelled(0, "b"), Labelled(0, "a")], [Labelled(0, "a")]]
+    """As that of the first panel of its row. Where there is no panel, axes are empty."""
+    a, b = (Labelled(n=0, y_label=label) for label in "ab")
+    rows: Any = [[a, b, a], [a]]
     drawn = Sheet("sheet", rows).draw()
     assert [ax.get_ylabel() for ax in drawn.axes if ax.axison] == ["a", "b", "", "a"]
     assert [ax.axison for ax in drawn.axes] == [True] * 4 + [False] * 2
-
-
-def test_panels_in_pairs() -> None:
-    """Two in a row, the last one by itself if their number is odd."""
-    panels: Any = [Labelled(k) for k in range(5)]
-    assert in_pairs("name", panels) == Sheet("name", [panels[:2], panels[2:4], panels[4:]])
+    assert in_pairs("name", [*rows[0], a, b]) == Sheet("name", [[a, b], [a, a], [b]])
+    empty = Results(made_results().table.iloc[:0], {"A": {}})  # as after an interruption before the first run
+    drawn = Sheet("figure", [[Curves(empty, "nothing")], []]).draw()
+    assert [ax.axison for ax in drawn.axes] == [True, False]
+    assert len(Sheet("figure", []).draw().axes) == 1
 
 
 SAVE = """
@@ -123,10 +112,8 @@ def test_the_same_figure_is_the_same_file(tmp_path: Path) -> None:
     """In another process too: there is no date and no random name in it. Axes stand for their figure."""
     map_of_six = Sheet("map", [[VisitMap(np.arange(6.0).reshape(2, 3), 10)]])
     for name in ("one", "two"):
-        assert save_figure(map_of_six.draw().axes[0], tmp_path / f"{name}.x") == (
-            tmp_path / f"{name}.png",
-            tmp_path / f"{name}.svg",
-        )
+        files = tmp_path / f"{name}.png", tmp_path / f"{name}.svg"
+        assert save_figure(map_of_six.draw().axes[0], tmp_path / f"{name}.x") == files
     environment = {**os.environ, "PYTHONHASHSEED": "1", "SOURCE_DATE_EPOCH": "1"}
     subprocess.run([sys.executable, "-c", SAVE, str(tmp_path / "two.pdf")], check=True, env=environment)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["one.png", "one.svg", "two.png", "two.svg"]

@@ -18,40 +18,25 @@ from edugym.experiments.results.statistics import (
 )
 
 
-def test_mean_has_students_interval() -> None:
-    """1, 2, 3, 4, 5: mean 3, s = √2.5, t(4) = 2.7764, so the margin is 2.7764 √(2.5 / 5)."""
-    estimate, low, high, n = mean_interval([1, 2, 3, 4, 5])
-    assert (estimate, n) == (3.0, 5)
-    margin = 2.776445 * math.sqrt(0.5)
-    assert (low, high) == pytest.approx((3 - margin, 3 + margin), abs=1e-5)
-
-
 @pytest.mark.parametrize(
-    ("found", "margin"),
+    ("found", "estimate", "margin", "n"),
     [
-        (mean_interval([1, 2, 3, 4, 5], 0.5), 0.523752),
-        (paired_difference([1, 2, 3, 4, 5], [0, 0, 0, 0, 0], 0.5), 0.523752),
-        (proportion_interval(2, 4, 0.5), 0.159781),
-        (share_interval([1, 0, 1, 0], 0.5), 0.159781),
+        (mean_interval([1, 2, 3, 4, 5]), 3, 2.776445 * math.sqrt(0.5), 5),  # s is √2.5, t(4) 2.7764
+        (mean_interval([1, 2, 3, 4, 5], 0.5), 3, 0.740697 * math.sqrt(0.5), 5),  # t(4) for half the confidence
+        (paired_difference([11, 22, 33], [10, 20, 30]), 2, 4.302653 / math.sqrt(3), 3),  # s is 1, t(2) 4.3027
+        (paired_difference([1, 2, 3, 4, 5], [0, 0, 0, 0, 0], 0.5), 3, 0.523752, 5),
+        (proportion_interval(2, 4, 0.5), 0.5, 0.159781, 4),
+        (share_interval([1, 0, 1, 0], 0.5), 0.5, 0.159781, 4),
+        (mean_interval([7.0]), 7, math.inf, 1),  # a single run has no bounds
+        (mean_interval([]), math.nan, math.inf, 0),
+        (mean_interval([1, math.nan, 3]), 2, mean_interval([1, 3]).high - 2, 2),  # NaN: a run that was interrupted
     ],
 )
-def test_half_confidence(found: Interval, margin: float) -> None:
-    """By hand: t(4) is 0.740697 then, and z is 0.674490."""
-    assert [found.high - found.estimate, found.estimate - found.low] == pytest.approx([margin, margin], abs=1e-5)
-
-
-def test_one_value_says_nothing_of_its_spread() -> None:
-    """A single run has a mean, and no bounds; none has neither."""
-    assert mean_interval([7.0]) == (7.0, -math.inf, math.inf, 1)
-    nothing = mean_interval([])
-    assert math.isnan(nothing.estimate)
-    assert nothing[1:] == (-math.inf, math.inf, 0)
-
-
-def test_missing_values_do_not_count() -> None:
-    """A run that was interrupted is NaN, not zero."""
-    assert mean_interval([1, math.nan, 3]) == mean_interval([1, 3])
-    assert share_interval([1, math.nan, 0]) == share_interval([1, 0])
+def test_intervals_by_hand(found: Interval, estimate: float, margin: float, n: int) -> None:
+    """Student's, and for shares Wilson's: as wide below as above the estimate; missing values do not count."""
+    assert found.estimate == pytest.approx(estimate, nan_ok=True)
+    middle = 0 if math.isnan(estimate) else estimate
+    assert (found.low, found.high, found.n) == pytest.approx((middle - margin, middle + margin, n), abs=1e-5)
 
 
 @pytest.mark.parametrize(
@@ -68,6 +53,7 @@ def test_share_has_wilsons_interval(successes: int, n: int, low: float, high: fl
     interval = proportion_interval(successes, n)
     assert interval.estimate == successes / n if n else math.isnan(interval.estimate)
     assert (interval.low, interval.high) == pytest.approx((low, high), abs=1e-6)
+    assert n == 0 or share_interval([1] * successes + [0] * (n - successes) + [math.nan]) == interval
 
 
 @pytest.mark.parametrize(
@@ -87,13 +73,6 @@ def test_what_cannot_be_is_refused(call: Callable[[], Interval], names: str) -> 
         call()
 
 
-def test_paired_difference_is_that_of_the_pairs() -> None:
-    """Differences 1, 2, 3: mean 2, s = 1, t(2) = 4.3027."""
-    interval = paired_difference([11, 22, 33], [10, 20, 30])
-    assert interval.estimate == 2.0
-    assert interval.high - 2 == pytest.approx(4.302653 / math.sqrt(3), abs=1e-5)
-
-
 def test_points_of_a_curve() -> None:
     """One row a point; a point with a single value has no band."""
     values = np.array([[0.0, 1.0, 1.0], [math.nan, math.nan, 1.0]])
@@ -106,16 +85,10 @@ def test_points_of_a_curve() -> None:
 
 @pytest.mark.parametrize(
     ("expected", "low", "high", "holds"),
-    [
-        (Above(0.5), 0.51, 1.0, True),
-        (Above(0.5), 0.5, 1.0, False),
-        (Below(0.5), 0.0, 0.5, False),
-        (Below(0.5), 0.0, 0.49, True),
-        (Within(1, 2), 1, 2, True),
-        (Within(1, 2), 0.9, 1.9, False),
-        (Within(1, 2), 1.1, 2.1, False),
-    ],
-)
+    [(Above(0.5), 0.51, 1.0, True), (Above(0.5), 0.5, 1.0, False), (Below(0.5), 0.0, 0.5, False),
+     (Below(0.5), 0.0, 0.49, True), (Within(1, 2), 1, 2, True), (Within(1, 2), 0.9, 1.9, False),
+     (Within(1, 2), 1.1, 2.1, False)],
+)  # fmt: skip
 def test_claims_ask_the_whole_interval(expected: Above | Below | Within, low: float, high: float, holds: bool) -> None:
     """An estimate on the right side is not enough."""
     interval = Interval((low + high) / 2, low, high, 10)

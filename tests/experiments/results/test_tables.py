@@ -65,12 +65,8 @@ def test_values_of_each_run(method: str, column: str, final: Any, at_10: Any, la
     equal(RESULTS.at(method, 10, column), at_10)
     equal(RESULTS.late(method, 2, column), late_2)
     equal(RESULTS.late(method, 1, column), final)
-
-
-def test_late_takes_five_points() -> None:
-    """Unless told otherwise; and one point at least."""
     seven = Results(table({"Q": [([64, 32, 16, 8, 4, 2, 1], [NAN] * 7, [0] * 7)]}, [*range(7)]))
-    equal(seven.late("Q"), [31 / 5])
+    equal(seven.late("Q"), [31 / 5])  # five points, unless told otherwise
     with pytest.raises(ValueError, match=r"points .* 0"):
         seven.late("Q", 0)
 
@@ -175,20 +171,11 @@ def test_saving_keeps_everything(results: Results, tmp_path: Path) -> None:
 
 def test_the_table_is_short(tmp_path: Path) -> None:
     """What is the same in all rows, in those of a method, or in those of a repetition, is in the file beside."""
-    RESULTS.save(tmp_path / "results.csv")
-    header, first = (tmp_path / "results.csv").read_text(encoding="utf-8").splitlines()[:2]
-    assert header == "method,repetition,step,return,training_return,episodes,own"
-    assert first == "1,0,0,0.0,,0,1 0"
-    about = json.loads((tmp_path / "results.csv.json").read_text(encoding="utf-8"))
-    assert about["columns"] == list(RESULTS.table.columns)
-    assert about["all"] == {"": {"environment": "Walk", "n_steps": 30, "repetitions": 3, "runs": 6}}
-    assert about["method"] == {
-        "1": {"agent.rate": 0.5, "agent.greedy": True}, "NA": {"agent.rate": None, "agent.greedy": False}
-    }  # fmt: skip
-    Results(RESULTS.table.assign(own=float("nan"))).save(tmp_path / "results.csv")  # every JSON reader takes this gap
-    assert '"own": null' in (tmp_path / "results.csv.json").read_text(encoding="utf-8")
-    assert about["repetition"]["1"] == {"seed": 101, "layout_seed": None, "complete": True}
-    assert about["repetition"]["2"] == {"seed": 102, "layout_seed": 14, "complete": False}
+    path, beside = RESULTS.save(tmp_path / "results.csv"), tmp_path / "results.csv.json"
+    assert path.read_text(encoding="utf-8").startswith("method,repetition,step,return,training_return,episodes,own\n")
+    assert json.loads(beside.read_text(encoding="utf-8"))["columns"] == list(RESULTS.table.columns)
+    Results(RESULTS.table.assign(own=float("nan"))).save(path)
+    assert '"own": null' in beside.read_text(encoding="utf-8")  # every JSON reader takes this gap
 
 
 def test_two_files_that_do_not_belong_together(tmp_path: Path) -> None:
