@@ -7,11 +7,12 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import gymnasium
 import pytest
 
-from edugym.adapters.registration import ENVIRONMENTS, Entry
-from edugym.rendering.scene import Scene
+from edugym.adapters.registration import Entry, make_environment
+from edugym.rendering.ansi import to_text
+from edugym.rendering.palette import STONE
+from edugym.rendering.scene import Circle, Scene
 from tests.contract.parameters import PARAMETERS
 from tests.contract.play import Player, every_environment
 
@@ -107,11 +108,6 @@ def test_pictures(entry: Entry) -> None:
     assert now.splitlines() == path.read_text(encoding="utf-8").splitlines()
 
 
-def test_every_file_is_of_an_environment() -> None:
-    """Or it would be left behind."""
-    assert {path.stem for path in FOLDER.glob("*.txt")} == {entry.name for entry in ENVIRONMENTS}
-
-
 @pytest.mark.parametrize(
     ("name", "parameter", "most", "others", "glyph", "shown", "beyond"),
     [
@@ -133,8 +129,53 @@ def test_how_much_is_shown(
 
     def count(value: int) -> int:
         parameters: dict[str, Any] = {parameter: value, **others}
-        env: Any = gymnasium.make(f"edugym/{name}-v0", **parameters).unwrapped
+        env: Any = make_environment(name, **parameters)
         env.reset(seed=0)
         return sum(glyph in (shape.glyph, type(shape).__name__) for shape in env.scene().shapes)
 
     assert (count(most), count(most + 1)) == (shown, beyond)
+
+
+LARGEST: list[tuple[str, dict[str, Any]]] = [
+    ("Boulder", {"height": 10**6, "n_grips": 1000}),
+    ("Roadrunner", {"size": 10**6, "stop_zone": 10**6 - 2}),
+    ("Roadrunner", {"size": 50, "stop_zone": 48}),
+    ("Study", {"total_days": 10**5, "lecture_days": 50_000, "n_actions": 1000}),
+    ("Catch", {"rows": 1000, "columns": 1000}),
+    ("MemoryCorridor", {"num_doors": 1000, "max_steps": 2**62}),
+    ("Tamagotchi", {"max_msg_length": 56, "vocab_size": 2}),
+    ("Tamagotchi", {"vocab_size": 2**31}),
+    ("Trashbot", {"n_bins": 2**31}),
+    ("Trashbot", {"n_bins": 100}),
+    ("Golf", {"width": 1001, "length": 1001}),
+    ("Golf", {"stochasticity_level": 1000}),
+    ("Golf", {"stochasticity_level": 1000, "width": 3, "length": 1001, "max_hits": 10**6}),
+]
+MOST_SHAPES, MOST_CHARACTERS = 2_000, 50_000
+
+
+@pytest.mark.parametrize(("name", "parameters"), LARGEST, ids=str)
+def test_pictures_of_large_tasks(name: str, parameters: dict[str, Any]) -> None:
+    """They have few enough shapes and characters to be drawn in much less than a second."""
+    env = make_environment(name, **parameters)
+    env.action_space.seed(0)
+    env.reset(seed=0)
+    for _ in range(5):
+        scene = env.scene()
+        assert len(scene.shapes) <= MOST_SHAPES
+        assert len(to_text(scene)) <= MOST_CHARACTERS
+        *_, terminated, truncated, _ = env.step(env.action_space.sample())
+        if terminated or truncated:
+            env.reset()
+
+
+def test_boulder_shows_the_climber_among_many_grips() -> None:
+    """The window of grips moves with the climber: the grip that it holds is in the picture."""
+    env = make_environment("Boulder", height=30, n_grips=1000)
+    env.reset(seed=0)
+    for _ in range(29):
+        env.step(env.info()["right_grip"])
+        scene = env.scene()
+        held = [shape for shape in scene.shapes if isinstance(shape, Circle) and shape.fill == STONE]
+        assert held
+        assert len(scene.shapes) < 2000
