@@ -91,24 +91,20 @@ def test_tables_come_back(task: Table) -> None:
     """The model of a task that is made from tables is these tables."""
     model = finite_model(task)
     n = len(task.weights)
-    order = [model.rows[state] for state in range(n + 1) if state in model.rows]
-    assert len(order) >= n
+    reached = [state for state in range(n + 1) if state in model.rows]
+    assert reached[:n] == list(range(n))
+    rows = [model.rows[state] for state in reached]
     p = task.weights / task.weights.sum(axis=2, keepdims=True)
-    expected = (p * task.rewards).sum(axis=2)
-    reachable = range(n + 1) if len(order) == n + 1 else range(n)
-    np.testing.assert_allclose(
-        model.p[np.ix_(order[:n], range(p.shape[1]), order)], p[:, :, list(reachable)], atol=1e-12
-    )
-    np.testing.assert_allclose(model.r[order[:n]], expected, atol=1e-12)
-    np.testing.assert_allclose(model.initial[order[:n]], 1 / n, atol=1e-15)
-    for state in range(n):
-        for action in range(p.shape[1]):
-            outcomes = {outcome.next_state: outcome for outcome in model.outcomes(state, action)}
-            assert set(outcomes) == set(np.flatnonzero(p[state, action]).tolist())
-            for next_state, outcome in outcomes.items():
-                assert outcome.probability == pytest.approx(p[state, action, next_state], abs=1e-12)
-                assert outcome.reward == pytest.approx(task.rewards[state, action, next_state], abs=1e-12)
-                assert outcome.terminated == (next_state == n)
+    np.testing.assert_allclose(model.p[np.ix_(rows[:n], range(p.shape[1]), rows)], p[:, :, reached], atol=1e-12)
+    np.testing.assert_allclose(model.r[rows[:n]], (p * task.rewards).sum(axis=2), atol=1e-12)
+    np.testing.assert_allclose(model.initial[rows[:n]], 1 / n, atol=1e-15)
+    for state, action in np.ndindex(p.shape[:2]):
+        outcomes = {outcome.next_state: outcome for outcome in model.outcomes(state, action)}
+        assert set(outcomes) == set(np.flatnonzero(p[state, action]).tolist())
+        for next_state, outcome in outcomes.items():
+            assert outcome.probability == pytest.approx(p[state, action, next_state], abs=1e-12)
+            assert outcome.reward == pytest.approx(task.rewards[state, action, next_state], abs=1e-12)
+            assert outcome.terminated == (next_state == n)
 
 
 @pytest.mark.parametrize("size", [1, 2, 7])

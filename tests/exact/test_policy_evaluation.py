@@ -87,7 +87,8 @@ def test_negative_probabilities() -> None:
 @pytest.mark.parametrize("model", [Walk(), None])
 def test_what_is_no_model(model: Any) -> None:
     """The message says how to make one."""
-    for ask in (lambda: policy_evaluation(model, [0]), lambda: policy_iteration(model), lambda: value_iteration(model)):
+    asks: list[Any] = [lambda: policy_evaluation(model, [0]), lambda: policy_iteration(model)]
+    for ask in (*asks, lambda: value_iteration(model)):
         with pytest.raises(ValueError, match=r"model must be a FiniteModel, as finite_model\(mdp\) makes it, but is"):
             ask()
 

@@ -1,6 +1,7 @@
 """What models and values are asked for: outcomes, samples, `P`, observations, values by state and by observation."""
 
 import math
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -16,43 +17,27 @@ from tests.exact.tasks import Hidden, Walk, random_model
 def test_P_is_that_of_toy_text() -> None:
     """A dictionary of dictionaries of lists of tuples of plain numbers, as FrozenLake has it."""
     P = finite_model(cell(SLIPPERY)["SlipperyWalk"](2, 0.25)).P
-    assert {s: {a: sorted(ways) for a, ways in by_action.items()} for s, by_action in P.items()} == {
-        0: {
-            0: [(0.25, 1, -0.25, False), (0.75, 0, -0.25, False)],
-            1: [(0.25, 0, -0.25, False), (0.75, 1, -0.25, False)],
-        },
-        1: {0: [(0.25, 2, 1.0, True), (0.75, 0, -0.25, False)], 1: [(0.25, 0, -0.25, False), (0.75, 2, 1.0, True)]},
-        2: {0: [(1.0, 2, 0.0, True)], 1: [(1.0, 2, 0.0, True)]},
-    }
-    for by_action in P.values():
-        for ways in by_action.values():
-            assert [tuple(map(type, way)) for way in ways] == [(float, int, float, bool)] * len(ways)
+    steps = {0: (0, 1, -0.25, False), 1: (0, 2, 1.0, True)}
+    for s, (left, right, pays, ends) in steps.items():
+        for a, p in ((0, 0.25), (1, 0.75)):
+            assert sorted(P[s][a]) == sorted([(p, right, pays, ends), (1 - p, left, -0.25, False)])
+            assert [tuple(map(type, way)) for way in P[s][a]] == [(float, int, float, bool)] * 2
+    assert P[2] == {0: [(1.0, 2, 0.0, True)], 1: [(1.0, 2, 0.0, True)]}
 
 
-def test_samples_come_as_often_as_the_model_says() -> None:
-    """Within six standard deviations; unused places of the tables are never drawn."""
-    model = finite_model(cell(SLIPPERY)["SlipperyWalk"](4, 0.25))
-    rng = np.random.default_rng(0)
+def test_samples() -> None:
+    """They come as often as the model says; unused places of the tables are never drawn."""
+    model, rng = finite_model(cell(SLIPPERY)["SlipperyWalk"](4, 0.25)), np.random.default_rng(0)
     drawn = [model.sample(2, 1, rng) for _ in range(4000)]
     assert {(3, -0.25, False), (1, -0.25, False)} == set(drawn)
     share = np.mean([sample.next_state == 1 for sample in drawn])
     assert abs(share - 0.25) < 6 * math.sqrt(0.25 * 0.75 / 4000)
     assert {model.sample(4, 0, rng) for _ in range(50)} == {(4, 0.0, True)}
     assert {model.sample(3, 1, rng) for _ in range(100)} == {(4, 1.0, True), (2, -0.25, False)}
-
-
-@pytest.mark.parametrize(("number", "next_state"), [(0.0, 1), (0.24, 1), (0.25, 3), (0.999, 3)])
-def test_a_sample_divides_the_unit_interval(number: float, next_state: int) -> None:
-    """The first outcome takes the numbers below its probability."""
-
-    class Fixed:
-        def random(self) -> float:
-            return number
-
-    rng: Any = Fixed()
-    model = finite_model(cell(SLIPPERY)["SlipperyWalk"](4, 0.25))
     assert [outcome[:2] for outcome in model.outcomes(2, 1)] == [(0.25, 1), (0.75, 3)]
-    assert model.sample(2, 1, rng).next_state == next_state
+    for number, next_state in ((0.0, 1), (0.24, 1), (0.25, 3), (0.999, 3)):
+        fixed: Any = SimpleNamespace(random=lambda number=number: number)
+        assert model.sample(2, 1, fixed).next_state == next_state
 
 
 def test_states_and_actions_that_are_not_there() -> None:

@@ -170,7 +170,8 @@ def test_late() -> None:
 def test_last_step(state: Robot, to: tuple[float, float], bend: float, outcome: int, reward: float) -> None:
     """What else happens in it counts: +1 for the box, all of a delivery, and a collision as ever."""
     after, paid = step(state, towards(state, *to, bend), DEFAULT._replace(time_limit=7))
-    assert (after.outcome, paid) == (outcome, pytest.approx(reward))
+    assert after.outcome == outcome
+    assert paid == pytest.approx(reward)
 
 
 TURNS = {"upper arm left": (1, 0), "upper arm right": (-1, 0), "forearm left": (0, 1), "forearm right": (0, -1)}
