@@ -157,9 +157,7 @@ def test_noise_comes_from_the_layout_seed() -> None:
 class FakeClock:
     """A clock that moves by a microsecond whenever it is looked at, and by somewhat more than asked in a sleep."""
 
-    def __init__(self) -> None:
-        """At some time."""
-        self.now, self.looks, self.asleep = 1000.0, 0, 0.0
+    now, looks, asleep = 1000.0, 0, 0.0
 
     def __call__(self) -> float:
         """Look at it."""
@@ -222,15 +220,14 @@ def test_what_is_not_allowed_need_not_wait() -> None:
     assert clock.asleep == slept
 
 
-def test_interrupted_wait() -> None:
+def test_interrupted_wait(monkeypatch: pytest.MonkeyPatch) -> None:
     """Who interrupts the wait with Ctrl-C finds everything as it was, and can go on."""
 
     def interrupted(seconds: float) -> None:
         raise KeyboardInterrupt
 
-    env = SupermarketEnv()
-    env.countdown = Countdown(5.0, FakeClock(), interrupted)
-    env.reset(seed=0)
+    monkeypatch.setattr(FakeClock, "sleep", staticmethod(interrupted))
+    env, _ = timed(5.0)
     with pytest.raises(KeyboardInterrupt):
         env.step(1)
     assert (env.state, env.steps, env.last_action) == (8, 0, None)

@@ -41,7 +41,9 @@ PARAMETERS = Parameters(
     bad=(
         *refused("tau", -0.1, -inf, nan, "0", None, True),
         *refused("max_msg_length", 0, -1, 29, *NO_WHOLE_NUMBER),
-        *refused("max_msg_length", 2, vocab_size=2**31),
+        *refused("max_msg_length", 2, vocab_size=2**31),  # at most 2^56 messages
+        *refused("max_msg_length", 57, vocab_size=2),
+        *refused("max_msg_length", 36, vocab_size=3),
         *refused("vocab_size", 0, -4, 2**31 + 1, *NO_WHOLE_NUMBER),
         *refused("steps_per_episode", None, *NO_STEPS),
     ),
@@ -93,16 +95,15 @@ def test_order_of_what_happens() -> None:
 
 
 def test_hit_points() -> None:
-    """A tenth of the happiness is added, and what comes out is rounded down and stays between 0 and 100."""
+    """A tenth of the happiness is added, what comes out is rounded down and stays from 0 to 100; 0 is the end."""
     variables, hp, reward, end = after((90, 90, 90, 90), 50, FEED, FEED)
     assert (variables, hp, end) == ((85, 85, 100, 85), 56, False)  # 50 + 6.327
     assert reward == pytest.approx(3 * 35 * E**-0.85 + 50 * E**-1)
     variables, hp, reward, end = after((0, 0, 0, 0), 50, PLAY, SLEEP)
     assert (variables, hp, end) == ((0, 20, 0, 0), 32, False)  # 50 - 17.456 = 32.54
     assert reward == pytest.approx(-150 - 30 * E**-0.2)
-    assert after((0, 0, 0, 0), 18, PLAY, SLEEP)[1::2] == (0, True)  # 0.54 is less than a hit point
-    assert after((0, 0, 0, 0), 19, PLAY, SLEEP)[1::2] == (1, False)
-    assert after((0, 0, 0, 0), 3, PLAY, SLEEP)[1::2] == (0, True)
+    for hp, left in ((19, 1), (18, 0), (3, 0)):  # 0.54 is less than a hit point
+        assert after((0, 0, 0, 0), hp, PLAY, SLEEP)[1::2] == (left, left == 0)
     assert after((100, 100, 100, 100), 99, PLAY, PLAY)[1::2] == (100, False)
 
 
@@ -180,23 +181,6 @@ def test_message() -> None:
     observation, _ = longest.reset(seed=0)
     assert longest.state.message == sum(int(word) * 4 ** (27 - k) for k, word in enumerate(observation[1:])) > 4**26
     assert {type(part) for part in longest.state} == {int, tuple}
-
-
-@pytest.mark.parametrize(("words", "longest"), [(4, 28), (2**31, 1), (3, 35)])
-def test_longest_message(words: int, longest: int) -> None:
-    """It has at most 2^56 meanings; who asks for one word more is told so."""
-    assert Tamagotchi.create(max_msg_length=longest, vocab_size=words).max_msg_length == longest
-    with pytest.raises(ValueError, match=rf"from 1 to {longest} where vocab_size is {words}, but is {longest + 1}$"):
-        Tamagotchi.create(max_msg_length=longest + 1, vocab_size=words)
-
-
-def test_death() -> None:
-    """A toy that is not cared for dies, which is an end."""
-    env = TamagotchiEnv(steps_per_episode=20)
-    env.reset(seed=0)
-    while not env.step(PLAY)[2]:
-        assert env.steps < 20
-    assert env.state.hp == 0
 
 
 class Obedient(NamedTuple):
