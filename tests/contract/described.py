@@ -13,13 +13,7 @@ Keywords = dict[str, Any]
 
 @dataclass(frozen=True)
 class Bad:
-    """A parameter value that must be refused.
-
-    Attributes:
-        name: of the parameter.
-        value: what it may not be.
-        given: the other parameters, where it is wrong only together with them.
-    """
+    """A parameter value that must be refused, alone or where the others are as given."""
 
     name: str
     value: Any

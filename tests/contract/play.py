@@ -25,6 +25,12 @@ Env = gymnasium.Env[Any, Any]
 MODES = [AutoresetMode.NEXT_STEP, AutoresetMode.SAME_STEP, AutoresetMode.DISABLED]
 
 
+def good_or_not(name: str, info: dict[str, Any], env: Any, actions: Any, rng: np.random.Generator) -> Any:
+    """A good action four times of five where it is known which are, and else any."""
+    informed, action, well = PARAMETERS[name].informed, actions.sample(), rng.random() < 0.8
+    return informed(info, env) if informed and well else action
+
+
 class Player:
     """Plays an environment, four of five actions well where it is known how, and resets it when an episode is over.
 
@@ -42,9 +48,7 @@ class Player:
 
     def choose(self) -> Any:
         """The next action."""
-        informed = PARAMETERS[self.name].informed
-        action, well = self.actions.sample(), self.rng.random() < 0.8
-        return informed(self.info, self.bare) if informed and well else action
+        return good_or_not(self.name, self.info, self.bare, self.actions, self.rng)
 
     def play(self, n_steps: int) -> list[Any]:
         """All that can be seen during some steps."""

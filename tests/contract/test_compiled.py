@@ -29,8 +29,7 @@ class Witness(NamedTuple):
     Attributes:
         n_actions: how many actions there are.
         time: shape (1,): how much was written down.
-        seen: shape (N_STEPS, ...): the observations.
-        next_seen: shape (N_STEPS, ...): those after the step.
+        seen, next_seen: shape (N_STEPS, ...): the observations before and after the step.
         told: shape (N_STEPS, 5): the action, the reward, the next action, and the two kinds of end.
     """
 
@@ -73,8 +72,11 @@ def witness(mdp: Any) -> Witness:
     return Witness(int(mdp.action_space.n), np.zeros(1, np.int64), seen, seen.copy(), np.zeros((N_STEPS, 5)))
 
 
-def as_table(mdp: Any) -> Any:
+def as_table(entry: Entry, **keywords: Any) -> Any:
     """The MDP with its observations as rows of a table, or as it is where they do not fit one."""
+    mdp = entry.load()(**keywords).mdp
+    if not isinstance(mdp.action_space, spaces.Discrete):
+        pytest.skip("agents in loops have whole numbers for actions")
     return mdp if isinstance(mdp.observation_space, spaces.Box) else tabular(mdp)
 
 
@@ -95,22 +97,14 @@ def both(loop: Any, n: int, *arguments: Any) -> tuple[Any, Any]:
     return outcomes[0], outcomes[1]
 
 
-def streams(n: int) -> Any:
-    """Random streams."""
-    return (np.random.default_rng([n, k]) for k in range(100))
-
-
 @every_corner
 def test_on_policy(entry: Entry, keywords: Keywords) -> None:
     """The on-policy loop shows an agent the same, step by step."""
-    mdp = as_table(entry.load()(**keywords).mdp)
-    if not isinstance(mdp.action_space, spaces.Discrete):
-        pytest.skip("agents in loops have whole numbers for actions")
-    agent, log = witness(mdp), new_log()
-    rng, agent_rng, start_rng, agent_start_rng, *_ = streams(1)
-    moment = start_on_policy(mdp, agent, start_rng, agent_start_rng)
-    limit = step_limit(mdp) or 50
-    interpreted, machine_code = both(on_policy, N_STEPS, mdp, agent, limit, rng, agent_rng, log, moment)
+    mdp = as_table(entry, **keywords)
+    agent, log, (rng, agent_rng, *others) = witness(mdp), new_log(), np.random.default_rng(1).spawn(4)
+    moment = start_on_policy(mdp, agent, *others)
+    arguments = (mdp, agent, step_limit(mdp) or 50, rng, agent_rng, log, moment)
+    interpreted, machine_code = both(on_policy, N_STEPS, *arguments)
     assert interpreted == machine_code
     _, (_, seen, *_) = interpreted
     assert seen[1] == bits(np.array([N_STEPS]))
@@ -119,44 +113,34 @@ def test_on_policy(entry: Entry, keywords: Keywords) -> None:
 @every_corner
 def test_off_policy(entry: Entry, keywords: Keywords) -> None:
     """Q-learning learns the same table."""
-    mdp = as_table(entry.load()(**keywords).mdp)
+    mdp = as_table(entry, **keywords)
     if isinstance(mdp.observation_space, spaces.Box):
         pytest.skip("Q-learning needs a table")
     if int(mdp.observation_space.n) * int(mdp.action_space.n) > LARGEST_TABLE:
         pytest.skip("its table would be too large")
-    agent, log = QLearning.create(mdp), new_log()
-    rng, agent_rng, start_rng, *_ = streams(2)
-    moment = start_off_policy(mdp, start_rng)
-    limit = step_limit(mdp) or 50
-    interpreted, machine_code = both(off_policy, N_STEPS, mdp, learner(agent), limit, rng, agent_rng, log, moment)
+    rng, agent_rng, start_rng = np.random.default_rng(2).spawn(3)
+    agent, moment = learner(QLearning.create(mdp)), start_off_policy(mdp, start_rng)
+    arguments = (mdp, agent, step_limit(mdp) or 50, rng, agent_rng, new_log(), moment)
+    interpreted, machine_code = both(off_policy, N_STEPS, *arguments)
     assert interpreted == machine_code
 
 
 @pytest.mark.parametrize("name", ["Golf", "MemoryCorridor"])
 def test_evaluation(name: str) -> None:
-    """An agent that has learned something is evaluated alike.
-
-    The loop knows nothing of its task, and every task is compiled with the other loops, so two will do.
-    """
+    """An agent that has learned something is evaluated alike; the loop knows nothing of its task, so two will do."""
     mdp = tabular(make_mdp(name))
-    agent, log = QLearning.create(mdp), new_log()
-    rng, agent_rng, *_ = streams(4)
-    off_policy(N_STEPS, mdp, learner(agent), 50, rng, agent_rng, log, start_off_policy(mdp, rng))
-    watch = (mdp, GreedyActor(agent), 50, rng, agent_rng, np.zeros(20))
-    interpreted, machine_code = both(play_episodes, 20, *watch)
+    agent, (rng, agent_rng) = QLearning.create(mdp), np.random.default_rng(4).spawn(2)
+    off_policy(N_STEPS, mdp, learner(agent), 50, rng, agent_rng, new_log(), start_off_policy(mdp, rng))
+    interpreted, machine_code = both(play_episodes, 20, mdp, GreedyActor(agent), 50, rng, agent_rng, np.zeros(20))
     assert interpreted == machine_code
 
 
 @every_environment
 def test_chunks(entry: Entry) -> None:
     """A run in pieces of any size is the same as one run."""
-    mdp = as_table(entry.load()().mdp)
-    if not isinstance(mdp.action_space, spaces.Discrete):
-        pytest.skip("agents in loops have whole numbers for actions")
-    outcomes = []
+    mdp, outcomes = as_table(entry), []
     for pieces in ([N_STEPS], [1, 2, 997, 700, 300]):
-        agent, log = witness(mdp), new_log()
-        rng, agent_rng, *_ = streams(3)
+        agent, log, (rng, agent_rng) = witness(mdp), new_log(), np.random.default_rng(3).spawn(2)
         moment = start_on_policy(mdp, agent, rng, agent_rng)
         arguments = (mdp, agent, step_limit(mdp) or 50, rng, agent_rng, log)
         run = compiled(on_policy, N_STEPS, *arguments, moment)

@@ -1,11 +1,12 @@
 """The exact model and `step` are one truth, and what is not finite has no model."""
 
+from operator import attrgetter
 from typing import Any
 
 import numpy as np
 import pytest
 
-from edugym.adapters.registration import Entry
+from edugym.adapters.registration import ENVIRONMENTS, Entry
 from edugym.exact.model import finite_model
 from edugym.exact.tables import FiniteModel, Outcome
 from tests.contract.parameters import PARAMETERS
@@ -19,7 +20,7 @@ SIGMAS = 6
 
 @every_environment
 def test_tables(entry: Entry) -> None:
-    """Probabilities are probabilities, and a terminal state leads to itself and pays nothing."""
+    """Probabilities are probabilities, a terminal state leads to itself and pays nothing, and all can be reached."""
     for keywords in PARAMETERS[entry.name].finite:
         mdp = entry.load()(**keywords).mdp
         model = finite_model(mdp)
@@ -27,9 +28,8 @@ def test_tables(entry: Entry) -> None:
         assert (n_states, n_actions) == (len(model.states), mdp.action_space.n)
         assert model.probabilities.shape == model.rewards.shape == (n_states, n_actions, width)
         assert (model.probabilities >= 0).all()
-        np.testing.assert_allclose(model.probabilities.sum(axis=2), 1, rtol=0, atol=1e-12)
-        np.testing.assert_allclose(model.p.sum(axis=2), 1, rtol=0, atol=1e-12)
-        np.testing.assert_allclose(model.initial.sum(), 1, rtol=0, atol=1e-12)
+        for whole in (model.probabilities, model.p, model.initial):
+            np.testing.assert_allclose(whole.sum(axis=-1), 1, rtol=0, atol=1e-12)
         assert [bool(mdp.terminal(state)) for state in model.states] == model.terminal.tolist()
         assert model.initial[model.terminal].sum() == 0
         ends = np.flatnonzero(model.terminal)
@@ -37,7 +37,7 @@ def test_tables(entry: Entry) -> None:
         assert (model.p[ends, :, ends] == 1).all()
         assert (model.r[ends] == 0).all()
         assert all(model.row(state) == s for s, state in enumerate(model.states))
-        assert (model.p[~model.terminal].sum(axis=(0, 1)) + model.initial > 0).all()  # every state can be reached
+        assert (model.p[~model.terminal].sum(axis=(0, 1)) + model.initial > 0).all()
 
 
 @every_environment
@@ -50,26 +50,19 @@ def test_steps_follow_the_model(entry: Entry) -> None:
         for s in np.flatnonzero(~model.terminal).tolist():
             for action in range(env.action_space.n):
                 outcomes = env.descriptive_model(model.states[s], action)
-                compare(outcomes, [stepped(env, model.states[s], action) for _ in range(tries(outcomes))])
-        starts: dict[Any, int] = dict.fromkeys(range(len(model.states)), 0)
+                steps = []
+                for _ in range(SAMPLES if len(outcomes) > 1 else 20):
+                    env.reset()
+                    env.state = model.states[s]
+                    _, reward, terminated, _, _ = env.step(action)
+                    steps.append((env.state, reward, terminated))
+                compare(outcomes, steps)
+        starts = np.zeros(len(model.states))
         for _ in range(SAMPLES):
             env.reset()
             starts[model.row(env.state)] += 1
-        for s, p in enumerate(model.initial):
-            assert abs(starts[s] - SAMPLES * p) <= SIGMAS * np.sqrt(SAMPLES * p * (1 - p))
-
-
-def stepped(env: Any, state: Any, action: int) -> tuple[Any, float, bool]:
-    """The next state, reward and end of one step from any state."""
-    env.reset()
-    env.state = state
-    _, reward, terminated, _, _ = env.step(action)
-    return env.state, reward, terminated
-
-
-def tries(outcomes: list[Outcome]) -> int:
-    """How many steps to compare: with a single outcome only the reward can vary."""
-    return SAMPLES if len(outcomes) > 1 else 20
+        p = model.initial
+        assert (np.abs(starts - SAMPLES * p) <= SIGMAS * np.sqrt(SAMPLES * p * (1 - p))).all()
 
 
 def compare(outcomes: list[Outcome], steps: list[tuple[Any, float, bool]]) -> None:
@@ -102,17 +95,15 @@ def test_ways_to_ask(entry: Entry) -> None:
                     assert drawn.probability == 1
                     assert drawn._replace(probability=0) in [outcome._replace(probability=0) for outcome in outcomes]
         assert plain(env.np_random) == before
-        state = env.state
-        for wrong in (-1, env.action_space.n, 0.5, None):
-            for ask in (env.model, env.descriptive_model, env.generative_model):
+        for ask in (env.model, env.descriptive_model, env.generative_model):
+            for wrong in (-1, env.action_space.n, 0.5, None):
                 with pytest.raises(ValueError, match="is not in the action space"):
-                    ask(state, wrong)
-        for wrong in ("nowhere", None, (), (10**9, 1, 2, 3)):
-            for ask in (env.model, env.descriptive_model, env.generative_model):
+                    ask(env.state, wrong)
+            for wrong in ("nowhere", None, (), (10**9, 1, 2, 3)):
                 with pytest.raises(ValueError, match=r"state must be one of the \d+ that can be reached .*, but is"):
                     ask(wrong, 0)
         with pytest.raises(ValueError, match="kind must be one of 'descriptive', 'generative', but is 'exact'"):
-            env.model(state, 0, kind="exact")
+            env.model(env.state, 0, kind="exact")
 
 
 @every_environment
@@ -132,10 +123,9 @@ def test_generative_model_is_seeded(entry: Entry) -> None:
         assert drawn[0] == drawn[1]
 
 
-@every_environment
-def test_whether_there_is_a_model(entry: Entry) -> None:
+@pytest.mark.parametrize("entry", [e for e in ENVIRONMENTS if not PARAMETERS[e.name].finite], ids=attrgetter("name"))
+def test_no_model(entry: Entry) -> None:
     """Tasks that are not in the table as finite say that they are not, and why; no other error gets through."""
     task = entry.load()().mdp
-    if not PARAMETERS[entry.name].finite:
-        with pytest.raises(ValueError, match=f"{type(task).__name__} has no finite model: "):
-            finite_model(task, max_states=100)
+    with pytest.raises(ValueError, match=f"{type(task).__name__} has no finite model: "):
+        finite_model(task, max_states=100)

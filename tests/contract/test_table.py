@@ -1,38 +1,33 @@
 """The contract tests cover the whole registry, and what the table of parameters says is refused is refused."""
 
-import inspect
+from typing import Any
 
 import numpy as np
 import pytest
 
-from edugym.adapters.registration import Entry, make_mdp
+from edugym.adapters.registration import Entry, make_mdp, parameters_of
 from edugym.checks.parameters import in_short
 from tests.contract.described import refused
 from tests.contract.parameters import PARAMETERS, Keywords
 from tests.contract.play import every_corner, every_environment
 
 
-def parameters_of(entry: Entry) -> set[str]:
-    """The names of an environment's own parameters."""
-    return set(inspect.signature(entry.load()).parameters) - {"render_mode"}
-
-
 @every_environment
 def test_table_describes_every_parameter(entry: Entry) -> None:
     """Every parameter of a constructor has an extreme value and a bad one in the table, and there are no others."""
-    table = PARAMETERS[entry.name]
-    assert {name for corner in table.corners for name in corner} == parameters_of(entry)
-    assert {bad.name for bad in table.bad} == parameters_of(entry)
+    table, names = PARAMETERS[entry.name], set(parameters_of(entry.load()))
+    assert {name for corner in table.corners for name in corner} == {bad.name for bad in table.bad} == names
 
 
 @every_corner
 def test_numpy_parameters(entry: Entry, keywords: Keywords) -> None:
-    """Whole numbers of the smallest type of NumPy's that holds them make the same task as Python's."""
-    defaults = {name: part.default for name, part in inspect.signature(entry.load()).parameters.items()}
-    given = {**defaults, **keywords}
-    small = {name: np.min_scalar_type(value).type(value) for name, value in given.items() if type(value) is int}
-    env, same = entry.load()(**keywords), entry.load()(**{**keywords, **small})
+    """NumPy's numbers, whole ones of the smallest type, make the same task as Python's, of Python's numbers."""
+    given = {**parameters_of(entry.load()), **keywords}
+    kinds: dict[Any, Any] = {int: lambda value: np.min_scalar_type(value).type(value), float: np.float64}
+    of_numpy = {name: kinds[type(value)](value) for name, value in given.items() if type(value) in kinds}
+    env, same = entry.load()(**keywords), entry.load()(**{**keywords, **of_numpy})
     assert repr(env.mdp) == repr(same.mdp)
+    assert [type(part) for part in env.mdp] == [type(part) for part in same.mdp]
     assert (env.observation_space, env.action_space) == (same.observation_space, same.action_space)
 
 
@@ -54,3 +49,15 @@ def test_bad_parameters(entry: Entry) -> None:
         with pytest.raises(ValueError, match=bad.name) as caught:
             pytest.fail(f"{entry.name} takes {bad}: {entry.load()(**bad.given, **{bad.name: bad.value})}")
         assert in_short(bad.value) in str(caught.value), bad
+
+
+@every_environment
+def test_huge_numbers(entry: Entry) -> None:
+    """A number of 5 000 digits is refused with a sentence that names the parameter; only seeds may be so large."""
+    for name in parameters_of(entry.load()):
+        if name != "layout_seed":
+            for huge in (10**5000, -(10**5000)):
+                with pytest.raises(ValueError, match=f"^{name} must be .*, but is (a whole number of .* digits|-?inf)"):
+                    entry.load()(**{name: huge})
+    if "layout_seed" in parameters_of(entry.load()):
+        assert entry.load()(layout_seed=10**5000)

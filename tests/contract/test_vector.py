@@ -15,24 +15,8 @@ from edugym.adapters.registration import Entry
 from edugym.adapters.vector_env import MDPVectorEnv
 from edugym.checks.parameters import in_short
 from tests.contract.parameters import PARAMETERS, Keywords
-from tests.contract.play import MODES, Copies, every_corner, every_environment, plain
+from tests.contract.play import MODES, Copies, every_corner, every_environment, good_or_not, plain
 from tests.envs.classes import BoulderEnv
-
-
-def choose(name: str, copies: Copies, rng: np.random.Generator) -> np.ndarray[Any, Any]:
-    """Actions, most of them good ones where it is known which are."""
-    informed = PARAMETERS[name].informed
-    actions = []
-    for env, info in zip(copies.envs, copies.infos, strict=True):
-        env.action_space.seed(int(rng.integers(2**31)))
-        good = informed and rng.random() < 0.8
-        actions.append(informed(info, env) if good and informed else env.action_space.sample())
-    return np.array(actions, copies.envs[0].action_space.dtype)
-
-
-def batch(space: spaces.Space[Any], values: Any) -> Any:
-    """Elements of a space, as the rows of one array."""
-    return plain(np.array(values, space.dtype).reshape(len(values), *(space.shape or ())))
 
 
 @every_corner
@@ -45,12 +29,20 @@ def test_copies(entry: Entry, keywords: Keywords) -> None:
         vector = gymnasium.make_vec(entry.id, n, autoreset_mode=mode, **keywords).unwrapped
         assert isinstance(vector, MDPVectorEnv)
         space = vector.single_observation_space
-        assert plain(vector.reset(seed=17)) == (batch(space, alone.observations), {})
+
+        def batch(values: Any, space: Any = space) -> Any:
+            return plain(np.array(values, space.dtype).reshape(n, *(space.shape or ())))
+
+        assert plain(vector.reset(seed=17)) == (batch(alone.observations), {})
+        for env in alone.envs:
+            env.action_space.seed(int(rng.integers(2**31)))
         for _ in range(40):
-            actions = choose(entry.name, alone, rng)
+            together = zip(alone.envs, alone.infos, strict=True)
+            chosen = [good_or_not(entry.name, info, env, env.action_space, rng) for env, info in together]
+            actions = np.array(chosen, vector.single_action_space.dtype)
             rewards, terminations, truncations, last = alone.step(actions)
             observations, *seen, infos = vector.step(actions)
-            assert plain(observations) == batch(space, alone.observations)
+            assert plain(observations) == batch(alone.observations)
             assert plain(seen) == plain([np.array(rewards), np.array(terminations), np.array(truncations)])
             assert vector.observation_space.contains(observations)
             assert plain([vector.state(i) for i in range(n)]) == plain([env.state for env in alone.envs])
@@ -66,7 +58,7 @@ def test_copies(entry: Entry, keywords: Keywords) -> None:
                 mask = np.array(alone.over)
                 for i in np.flatnonzero(mask):
                     alone.restart(int(i))
-                assert plain(vector.reset(options={"reset_mask": mask})) == (batch(space, alone.observations), {})
+                assert plain(vector.reset(options={"reset_mask": mask})) == (batch(alone.observations), {})
 
 
 @every_environment
@@ -77,8 +69,7 @@ def test_as_gymnasium(entry: Entry) -> None:
         ours = gymnasium.make_vec(entry.id, 1, autoreset_mode=mode, **keywords)
         theirs = gymnasium.make_vec(entry.id, 1, "sync", vector_kwargs={"autoreset_mode": mode}, **keywords)
         assert ours.single_observation_space == theirs.single_observation_space
-        assert ours.observation_space == theirs.observation_space
-        assert ours.action_space == theirs.action_space
+        assert (ours.observation_space, ours.action_space) == (theirs.observation_space, theirs.action_space)
         assert ours.metadata["autoreset_mode"] == theirs.metadata["autoreset_mode"] == mode
         assert plain(ours.reset(seed=4)[0]) == plain(theirs.reset(seed=4)[0])
         ours.action_space.seed(1)
@@ -104,21 +95,13 @@ def test_bad_actions(entry: Entry) -> None:
     with pytest.raises(ResetNeeded, match="before the first reset"):
         vector.step(vector.action_space.sample())
     vector.reset(seed=0)
-    good = vector.action_space.sample()
+    good, space = vector.action_space.sample(), vector.single_action_space
     bad: list[Any] = [None, "left", good[:2], good[0], [good] * 3, good.astype(complex), np.array(["a", "b", "c"])]
-    if isinstance(vector.single_action_space, spaces.Discrete):
-        n = int(vector.single_action_space.n)
-        bad += [
-            [0, 0, n],
-            [-1, 0, 0],
-            [0, 2**62, 0],
-            np.array([0, 2**64 - 1, 0], np.uint64),
-            [0.0, 0.0, 0.0],
-            [0, 0, 0.5],
-        ]
-        bad += [[True, False, True], [0, None, 0]]
-    elif isinstance(vector.single_action_space, spaces.MultiDiscrete):
-        bad += [-np.ones_like(good), good + vector.single_action_space.nvec]
+    if isinstance(space, spaces.Discrete):
+        bad += [[0, 0, int(space.n)], [-1, 0, 0], [0, 2**62, 0], np.array([0, 2**64 - 1, 0], np.uint64)]
+        bad += [[0.0, 0.0, 0.0], [0, 0, 0.5], [True, False, True], [0, None, 0]]
+    elif isinstance(space, spaces.MultiDiscrete):
+        bad += [-np.ones_like(good), good + space.nvec]
     else:
         bad += [good * np.nan, good * np.inf]
     before = plain(([vector.state(i) for i in range(3)], vector.np_random))
@@ -142,26 +125,24 @@ def test_bad_masks(entry: Entry) -> None:
             vector.reset(seed=5, options={"reset_mask": mask})
         assert in_short(mask) in str(caught.value)
         assert plain(([vector.state(i) for i in range(3)], vector.np_random)) == before
-    vector.reset(options={"reset_mask": np.array([False, False, False])})
+    vector.reset(options={"reset_mask": np.zeros(3, np.bool_)})
     assert plain(([vector.state(i) for i in range(3)], vector.np_random)) == before
-    vector.reset(options={"reset_mask": np.array([True, True, True])})
 
 
 @every_environment
 def test_what_is_given_is_kept(entry: Entry) -> None:
-    """Arrays that a step has given are not written to by later ones."""
+    """Later steps write neither to arrays that earlier ones have given nor to the actions."""
     vector = MDPVectorEnv(entry.load()(), 2, "SameStep")
-    given: list[tuple[Any, ...]] = [vector.reset(seed=0)]
-    kept = [plain(given[0])]
     vector.action_space.seed(0)
+    given: list[Any] = [vector.reset(seed=0)[0]]
+    kept = [plain(given[0])]
     for _ in range(10):
         actions = vector.action_space.sample()
-        action_before = plain(actions)
-        given.append(vector.step(actions))
-        assert plain(actions) == action_before
-        kept.append(plain(tuple(given[-1][:4])))
-    assert [plain(tuple(one[:4])) for one in given[1:]] == kept[1:]
-    assert plain(given[0]) == kept[0]
+        kept.append(plain(actions))
+        seen = vector.step(actions)[:4]
+        given += [actions, seen]
+        kept.append(plain(seen))
+    assert [plain(one) for one in given] == kept
 
 
 @every_environment
@@ -173,10 +154,9 @@ def test_copied(entry: Entry) -> None:
     plays = [vector.action_space.sample() for _ in range(20)]
     for actions in plays[:5]:
         vector.step(actions)
-    others = [copy.deepcopy(vector), pickle.loads(pickle.dumps(vector))]
-    runs = [[plain(one.step(actions)) for actions in plays] for one in (vector, *others)]
-    assert runs[1] == runs[0]
-    assert runs[2] == runs[0]
+    alike = (vector, copy.deepcopy(vector), pickle.loads(pickle.dumps(vector)))
+    runs = [[plain(one.step(actions)) for actions in plays] for one in alike]
+    assert runs == [runs[0]] * 3
 
 
 @every_environment
@@ -185,17 +165,14 @@ def test_pictures(entry: Entry) -> None:
     env = entry.load()(render_mode="ansi")
     env.reset(seed=3)
     own = plain((env.state, env.steps, env.np_random))
-    vector = MDPVectorEnv(env, 2)
+    vector, other = MDPVectorEnv(env, 2), MDPVectorEnv(entry.load()(), 2)
     with pytest.raises(ResetNeeded):
         vector.render()
     vector.reset(seed=0)
-    other = MDPVectorEnv(entry.load()(), 2)
     other.reset(seed=0)
     vector.action_space.seed(0)
     for _ in range(5):
-        frames = vector.render()
-        assert frames is not None
-        assert [type(frame) for frame in frames] == [str, str]
+        assert list(map(type, vector.render() or [])) == [str, str]
         actions = vector.action_space.sample()
         assert plain(vector.step(actions)) == plain(other.step(actions))
     assert plain((env.state, env.steps, env.np_random)) == own
@@ -204,10 +181,9 @@ def test_pictures(entry: Entry) -> None:
 
 def test_wrong_parameters() -> None:
     """The number of copies is 1 or more, and the mode is one of Gymnasium's."""
-    env = BoulderEnv()
     wrong: list[Any] = [0, -1, 1.0, "2", None, True]
     for n in wrong:
         with pytest.raises(ValueError, match="num_envs"):
-            MDPVectorEnv(env, n)
+            MDPVectorEnv(BoulderEnv(), n)
     with pytest.raises(ValueError, match="Sometimes"):
-        MDPVectorEnv(env, 2, "Sometimes")
+        MDPVectorEnv(BoulderEnv(), 2, "Sometimes")

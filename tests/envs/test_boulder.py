@@ -41,15 +41,9 @@ def test_an_episode() -> None:
     env = BoulderEnv(height=3)
     assert env.mdp.grips.tolist() == [1, 1, 1]
     assert env.reset(seed=0) == (0, {"right_grip": 1})
-    for action, seen in (
-        (1, (1, 0.0, False, False, {"right_grip": 1})),
-        (0, (0, 0.0, False, False, {"right_grip": 1})),
-        (0, (0, 0.0, False, False, {"right_grip": 1})),
-        (1, (1, 0.0, False, False, {"right_grip": 1})),
-        (1, (2, 0.0, False, False, {"right_grip": 1})),
-        (1, (3, 1.0, True, False, {"right_grip": -1})),
-    ):
-        assert env.step(action) == seen
+    for action, height in ((1, 1), (0, 0), (0, 0), (1, 1), (1, 2)):
+        assert env.step(action) == (height, 0.0, False, False, {"right_grip": 1})
+    assert env.step(1) == (3, 1.0, True, False, {"right_grip": -1})
 
 
 @pytest.mark.parametrize(
@@ -63,13 +57,6 @@ def test_an_episode() -> None:
 def test_layouts(parameters: dict[str, Any], grips: list[int]) -> None:
     """The walls that these parameters name are the same on every machine and in every version."""
     assert make_mdp("Boulder", **parameters).grips.tolist() == grips
-
-
-def test_grips_are_uniform() -> None:
-    """At every height each grip holds equally often, over layouts."""
-    layouts = np.array([make_mdp("Boulder", height=6, n_grips=3, layout_seed=seed).grips for seed in range(900)])
-    counts = np.array([(layouts == grip).sum(axis=0) for grip in range(3)])
-    assert np.abs(counts - 300).max() < 5 * np.sqrt(900 * (1 / 3) * (2 / 3))
 
 
 @pytest.mark.parametrize("n_grips", [2, 7])
@@ -94,21 +81,3 @@ def test_best_return() -> None:
         assert value_iteration(model, horizon=height).start == 1.0
         assert value_iteration(model, discount=0.5).start == pytest.approx(0.5 ** (height - 1))
     assert value_iteration(finite_model(make_mdp("Boulder")), horizon=9).start == 0.0
-
-
-@pytest.mark.parametrize(("parameters", "limit"), [({}, 100), ({"height": 3}, 30), ({"height": 5, "max_steps": 7}, 7)])
-def test_step_limit(parameters: dict[str, Any], limit: int) -> None:
-    """A climber who never gets up is stopped after 10 steps for each height, unless told otherwise."""
-    env = BoulderEnv(**parameters)
-    env.reset(seed=0)
-    wrong = 1 - int(env.mdp.grips[0])
-    seen = [env.step(wrong) for _ in range(limit)]
-    assert all(step == (0, 0.0, False, False, {"right_grip": 1 - wrong}) for step in seen[:-1])
-    assert seen[-1] == (0, 0.0, False, True, {"right_grip": 1 - wrong})
-
-
-def test_the_top_at_the_last_moment() -> None:
-    """Who reaches the top in the last step has reached it: terminated, not truncated."""
-    env = BoulderEnv(height=4, max_steps=4)
-    env.reset(seed=0)
-    assert [env.step(int(grip))[1:4] for grip in env.mdp.grips] == [(0.0, False, False)] * 3 + [(1.0, True, False)]

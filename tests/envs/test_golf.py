@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from hypothesis import strategies as st
 
-from edugym.adapters.registration import make_mdp
 from edugym.envs.golf import DISTANCES, Ball, Golf
 from edugym.exact.model import finite_model
 from edugym.exact.value_iteration import value_iteration
@@ -62,8 +61,7 @@ RNG = np.random.default_rng(0)  # for what draws nothing
 
 def golf(**parameters: Any) -> Golf:
     """The task."""
-    task: Golf = make_mdp("Golf", **parameters)
-    return task
+    return Golf.create(**parameters)
 
 
 def test_an_episode_without_noise() -> None:
@@ -71,14 +69,10 @@ def test_an_episode_without_noise() -> None:
     env = GolfEnv(stochasticity_level=0)
     observation, info = env.reset(seed=0)
     assert (observation.tolist(), info["ball"].tolist(), info["hits"]) == ([3, 0], [3.5, 0.0], 0)
-    for action, cell, reward, terminated, ball in (
-        (2, [3, 10], 0.0, False, (3.5, 10.0)),
-        (0, [3, 11], 0.0, False, (3.5, 11.0)),
-        (0, [3, 12], 1 - 2 / 10, True, (3.5, 12.0)),
-    ):
+    for action, y, reward, terminated in ((2, 10, 0.0, False), (0, 11, 0.0, False), (0, 12, 1 - 2 / 10, True)):
         observation, *seen, info = env.step(action)
-        assert observation.tolist() == cell
-        assert (*seen, tuple(info["ball"])) == (reward, terminated, False, ball)
+        assert (observation.tolist(), *seen) == ([3, y], reward, terminated, False)
+        assert info["ball"].tolist() == [3.5, y]
 
 
 def test_an_episode_with_noise() -> None:
@@ -116,37 +110,41 @@ def test_noise(swing: int, level: float) -> None:
         assert task.transition(start, swing, rng).hits == start.hits + 1
 
 
+BELOW_7, BELOW_17 = math.nextafter(7.0, 0.0), math.nextafter(17.0, 0.0)
+
+
 @pytest.mark.parametrize(
-    ("ball", "off_course"),
+    ("x", "y", "cell", "off_course"),
     [
-        ((0.0, 0.0), False),
-        ((-1e-12, 5.0), True),
-        ((3.5, -1e-12), True),
-        ((7.0, 5.0), True),
-        ((math.nextafter(7.0, 0.0), 5.0), False),
-        ((3.5, 17.0), True),
-        ((3.5, math.nextafter(17.0, 0.0)), False),
+        (0.0, 0.0, (0, 0), False),
+        (-1e-12, 5.0, (0, 5), True),
+        (3.5, -1e-12, (3, 0), True),
+        (7.0, 5.0, (6, 5), True),
+        (BELOW_7, 5.0, (6, 5), False),
+        (3.5, 17.0, (3, 16), True),
+        (3.5, BELOW_17, (3, 16), False),
+        (-3.0, 99.0, (0, 16), True),
+        (1e300, -1e300, (6, 0), True),
     ],
 )
-def test_edges_of_the_course(ball: tuple[float, float], off_course: bool) -> None:
-    """The near and the left edge belong to the course, the far and the right one do not."""
-    task = golf()
-    state = Ball(*ball, 1)
-    assert task.off_course(state) == off_course == task.terminal(state)
-    assert task.reward(Ball(3.5, 0.0, 0), 0, state, RNG) == (-1.0 if off_course else 0.0)
+def test_edges_of_the_course(x: float, y: float, cell: tuple[int, int], off_course: bool) -> None:
+    """The near and the left edge belong to it, the far and the right do not; off it the nearest cell is observed."""
+    task, ball = golf(), Ball(x, y, 4)
+    assert task.off_course(ball) == off_course == task.terminal(ball)
+    assert task.reward(Ball(3.5, 0.0, 3), 0, ball, RNG) == (-1.0 if off_course else 0.0)
+    assert task.observation(ball, RNG) == cell
+    assert golf(observe_hits=True).observation(ball, RNG) == (*cell, 4)
 
 
-@pytest.mark.parametrize(("distance", "on_green"), [(0.0, True), (2.0999, True), (2.1, False), (2.1001, False)])
-def test_edge_of_the_green(distance: float, on_green: bool) -> None:
+def test_edge_of_the_green() -> None:
     """The green is what is closer to the flag than its radius, all around."""
-    task = golf()
-    for x, y in ((3.5 + distance, 13.5), (3.5 - distance, 13.5), (3.5, 13.5 + distance), (3.5, 13.5 - distance)):
-        exactly = math.hypot(x - 3.5, y - 13.5) < 2.1  # 13.5 - 2.1 is not quite a number of the machine
-        if distance != 2.1:
-            assert exactly == on_green
-        assert task.on_green(Ball(x, y, 1)) == exactly == task.terminal(Ball(x, y, 1))
-    assert task._replace(green_radius=2.0).on_green(Ball(3.5, 15.5, 1)) is False
-    assert task._replace(green_radius=2.0).on_green(Ball(5.4, 13.5, 1)) is True
+    for radius in (2.0, 2.1):
+        task = golf()._replace(green_radius=radius)
+        for distance in (0.0, radius - 1e-9, radius + 1e-9):
+            for dx, dy in ((distance, 0), (-distance, 0), (0, distance), (0, -distance)):
+                ball = Ball(3.5 + dx, 13.5 + dy, 1)
+                assert task.on_green(ball) == (distance < radius) == task.terminal(ball)
+    assert not golf()._replace(green_radius=2.0).on_green(Ball(3.5, 15.5, 1))
 
 
 @pytest.mark.parametrize("hits", range(1, 11))
@@ -161,36 +159,17 @@ def test_rewards(hits: int) -> None:
 
 def test_green_beyond_the_edge() -> None:
     """A ball that is off the course is lost, also where it is close to the flag."""
-    task = golf(width=3, length=9, green_radius=4.0)
-    lost = Ball(-0.5, 7.5, 1)
+    task, lost = golf(width=3, length=9, green_radius=4.0), Ball(-0.5, 7.5, 1)
     assert task.on_green(lost)
     assert task.terminal(lost)
     assert task.reward(Ball(1.5, 0.0, 0), 0, lost, RNG) == -1.0
-
-
-@pytest.mark.parametrize(
-    ("ball", "cell"),
-    [
-        ((3.5, 0.0), (3, 0)),
-        ((6.999, 16.999), (6, 16)),
-        ((-3.0, 99.0), (0, 16)),
-        ((7.0, -0.1), (6, 0)),
-        ((1e300, -1e300), (6, 0)),
-    ],
-)
-def test_observations(ball: tuple[float, float], cell: tuple[int, int]) -> None:
-    """The cell of the ball; off the course, the nearest one."""
-    assert golf().observation(Ball(*ball, 4), RNG) == cell
-    assert golf(observe_hits=True).observation(Ball(*ball, 4), RNG) == (*cell, 4)
 
 
 def test_best_return_without_noise() -> None:
     """Without noise a drive and a chip end on the green, half a cell behind the flag: 0.9, and nothing is better."""
     task = golf(stochasticity_level=0)
     assert value_iteration(finite_model(task)).start == pytest.approx(0.9)
-    ball = task.transition(task.transition(task.initial(RNG), 2, RNG), 1, RNG)
-    assert ball == Ball(3.5, 14.0, 2)
-    assert task.on_green(ball)
+    assert task.transition(task.transition(task.initial(RNG), 2, RNG), 1, RNG) == Ball(3.5, 14.0, 2)
 
 
 @pytest.mark.slow

@@ -1,6 +1,7 @@
 """Study: days that a person can follow, the exam at its edges, the noise, and which plans are possible."""
 
 import itertools
+from contextlib import nullcontext
 from math import inf, nan
 from typing import Any
 
@@ -11,8 +12,6 @@ from hypothesis import strategies as st
 from edugym.envs.study import Student, Study
 from edugym.exact.value_iteration import value_iteration
 from edugym.rendering.ansi import to_text
-from edugym.rendering.palette import GREEN, RED, SHADE, WHITE, blend
-from edugym.rendering.scene import Rectangle, Scene
 from tests.contract.described import LAYOUT_SEEDS, NO_WHOLE_NUMBER, Keywords, Parameters, refused
 from tests.envs.classes import StudyEnv
 
@@ -159,7 +158,7 @@ def test_noise() -> None:
 
 
 def test_layout() -> None:
-    """Lecture days are drawn uniformly among those before the exam, and mean rewards uniformly from [-mean, 0]."""
+    """Lecture days are uniform among those before the exam, mean rewards in [-mean, 0]; more actions change neither."""
     n = 2_000
     tasks = [StudyEnv(layout_seed=seed, action_reward_noise_mean=0.8).mdp for seed in range(n)]
     lectures = np.array([mdp.lectures for mdp in tasks])
@@ -171,13 +170,8 @@ def test_layout() -> None:
     assert rewards.min() >= -0.8
     assert rewards.max() <= 0.0
     for share in (0.1, 0.5, 0.9):
-        assert (
-            np.abs((rewards < -0.8 * share).mean(axis=0) - (1 - share)).max() < 4.5 * (share * (1 - share) / n) ** 0.5
-        )
-
-
-def test_more_actions_leave_the_first_as_they_are() -> None:
-    """Adding actions that have nothing to do with the exam changes neither the lectures nor what the others pay."""
+        below = (rewards < -0.8 * share).mean(axis=0)
+        assert np.abs(below - (1 - share)).max() < 4.5 * (share * (1 - share) / n) ** 0.5
     few, many = StudyEnv(n_actions=4).mdp, StudyEnv(n_actions=12).mdp
     assert few.lectures.tolist() == many.lectures.tolist()
     assert few.action_rewards.tolist() == many.action_rewards[:4].tolist()
@@ -195,80 +189,39 @@ def can_pass(mdp: Study) -> bool:
 def test_impossible_plans_are_refused() -> None:
     """Exactly the plans that nobody can carry out are refused, and the layout never matters to that."""
     counts = {True: 0, False: 0}
-    for total_days, needed, energy in itertools.product(range(2, 8), range(1, 7), range(5)):
+    for total_days, needed, energy in itertools.product(range(2, 7), range(1, 6), range(5)):
         for lecture_days in range(1, total_days):
-            layouts = list(itertools.combinations(range(total_days - 1), lecture_days))
-            possible = set()
-            for layout in layouts:
-                lectures = [int(day in layout) for day in range(total_days)]
-                possible.add(can_pass(task(lectures, lectures_needed=needed, energy_needed=energy)))
-            assert len(possible) == 1
-            (expected,) = possible
-            plan: dict[str, Any] = {"lecture_days": lecture_days, "lectures_needed": needed, "energy_needed": energy}
-            try:
-                env = StudyEnv(total_days=total_days, **plan)
-            except ValueError:
-                accepted = False
-            else:
-                accepted = True
+            plan: dict[str, Any] = {"lectures_needed": needed, "energy_needed": energy}
+            layouts = itertools.combinations(range(total_days - 1), lecture_days)
+            tasks = (task([int(day in layout) for day in range(total_days)], **plan) for layout in layouts)
+            (possible,) = {can_pass(mdp) for mdp in tasks}
+            with nullcontext() if possible else pytest.raises(ValueError, match="but is"):
+                env = StudyEnv(total_days=total_days, lecture_days=lecture_days, **plan)
                 assert value_iteration(env.finite_model).start > 5
-            assert accepted == expected, (total_days, plan)
-            counts[accepted] += 1
-    assert counts[True] > 50
-    assert counts[False] > 50
+            counts[possible] += 1
+    assert min(counts.values()) > 20
 
 
 def test_info() -> None:
-    """There is a lecture on the days of the layout; the exam is passed when it is."""
+    """There is a lecture on the days of the layout; the exam is passed when it is; the others have numbers."""
     env = StudyEnv()
-    _, info = env.reset(seed=0)
-    infos = [info]
+    infos = [env.reset(seed=0)[1]]
     for day in range(10):
         action = STUDY if day == 9 or env.mdp.lectures[day] else SLEEP
         infos.append(env.step(action)[4])
     assert [info["lecture"] for info in infos] == [day in (2, 4, 5) for day in range(11)]
     assert [info["passed"] for info in infos] == [False] * 10 + [True]
-    _, info = env.reset()
-    assert not info["passed"]
-
-
-SHORT: dict[str, Any] = {"total_days": 5, "lecture_days": 2, "lectures_needed": 1, "energy_needed": 0}
+    assert not env.reset()[1]["passed"]
+    assert list(env.named_actions()) == ["study", "sleep", "go out", "other 1", "other 2"]
 
 
 def test_window_shows_the_last_action(monkeypatch: pytest.MonkeyPatch) -> None:
     """The picture drawn inside `step` shows what that step did."""
-    env = StudyEnv(render_mode="human", **SHORT)
+    env = StudyEnv(render_mode="human")
     frames: list[str] = []
     monkeypatch.setattr(env, "render", lambda: frames.append(to_text(env.scene())))
     env.reset(seed=0)
-    for days, action in enumerate((STUDY, SLEEP, GO_OUT)):
+    for days, (action, name) in enumerate(((STUDY, "study"), (SLEEP, "sleep"), (GO_OUT, "go out"))):
         assert len(frames) == days + 1
         env.step(action)
-        assert frames[-1] == to_text(env.scene())
-        assert ("study", "sleep", "go out")[action] in frames[-1]
-
-
-def colours(scene: Scene) -> list[str | None]:
-    """The colours behind what was done, day by day."""
-    return [shape.fill for shape in scene.shapes if isinstance(shape, Rectangle) and shape.height == 0.46]
-
-
-def test_colours() -> None:
-    """Green where it helped, red where it did harm, grey where it did neither; a failed exam is red."""
-    helped, harmed, neither = (blend(colour, WHITE, 0.3) for colour in (GREEN, RED, SHADE))
-    env = StudyEnv(**SHORT)
-    env.reset(seed=0)
-    for action in (STUDY, SLEEP, GO_OUT, SLEEP, STUDY):
-        env.step(action)
-    assert colours(env.scene()) == [helped, helped, harmed, helped, helped]
-    env.reset()
-    for action in (SLEEP, SLEEP, STUDY, STUDY, GO_OUT):
-        env.step(action)
-    # A second night is not needed, nor is a day of study without a lecture; the exam was missed.
-    assert colours(env.scene()) == [helped, neither, helped, neither, harmed]
-
-
-def test_names_of_actions() -> None:
-    """Study, sleep, go out, and the others by number."""
-    assert StudyEnv(n_actions=2, energy_needed=0).named_actions() == {"study": 0, "sleep": 1}
-    assert list(StudyEnv().named_actions()) == ["study", "sleep", "go out", "other 1", "other 2"]
+        assert name in frames[-1]

@@ -2,7 +2,6 @@
 
 import itertools
 import math
-import pickle
 from functools import partial
 from math import inf, nan
 from typing import Any, NamedTuple, get_args
@@ -42,7 +41,9 @@ PARAMETERS = Parameters(
     bad=(
         *refused("tau", -0.1, -inf, nan, "0", None, True),
         *refused("max_msg_length", 0, -1, 29, *NO_WHOLE_NUMBER),
-        *refused("max_msg_length", 2, vocab_size=2**31),
+        *refused("max_msg_length", 2, vocab_size=2**31),  # at most 2^56 messages
+        *refused("max_msg_length", 57, vocab_size=2),
+        *refused("max_msg_length", 36, vocab_size=3),
         *refused("vocab_size", 0, -4, 2**31 + 1, *NO_WHOLE_NUMBER),
         *refused("steps_per_episode", None, *NO_STEPS),
     ),
@@ -61,25 +62,23 @@ def task(tau: float = 0.0, max_msg_length: int = 1, vocab_size: int = 4) -> Tama
 
 def after(variables: tuple[int, int, int, int], hp: int, wanted: int, action: int) -> tuple[Any, ...]:
     """The variables, the hit points, the reward and whether it is the end, after an action."""
-    mdp, rng = task(), np.random.default_rng(0)
-    state = Toy(variables, hp, wanted, wanted)
+    mdp, rng, state = task(), np.random.default_rng(0), Toy(variables, hp, wanted, wanted)
     next_state = mdp.transition(state, action, rng)
-    reward = mdp.reward(state, action, next_state, rng)
-    return next_state.variables, next_state.hp, reward, mdp.terminal(next_state)
+    return next_state.variables, next_state.hp, mdp.reward(state, action, next_state, rng), mdp.terminal(next_state)
 
 
 def test_first_steps() -> None:
     """By hand, from a start at which it wants to sleep: sleep, which it wanted, then feed, which it did not."""
     env = TamagotchiEnv()
     observation, info = next(start for seed in range(100) if (start := env.reset(seed=seed))[1]["wanted"] == SLEEP)
-    assert (observation.tolist(), info["variables"].tolist(), info["wanted"]) == ([100, SLEEP], [100] * 4, SLEEP)
-    observation, reward, terminated, truncated, info = env.step(SLEEP)
+    assert (observation.tolist(), info["variables"].tolist()) == ([100, SLEEP], [100] * 4)
+    observation, reward, *_, info = env.step(SLEEP)
     assert info["variables"].tolist() == [95, 100, 95, 95]
     assert reward == pytest.approx(50 * E**-1 + 3 * 45 * E**-0.95)  # 70.6
     assert info["wanted"] in (PLAY, FEED, CLEAN)
     assert observation.tolist() == [100, info["wanted"]]
     env.state = env.state._replace(wanted=CLEAN)
-    observation, reward, terminated, truncated, info = env.step(FEED)
+    _, reward, terminated, truncated, info = env.step(FEED)
     assert info["variables"].tolist() == [80, 85, 100, 80]  # 95 + 30 - 10 is more than 100
     assert info["wanted"] in (PLAY, CLEAN)
     assert reward == pytest.approx(2 * 30 * E**-0.8 + 35 * E**-0.85 + 50 * E**-1)
@@ -96,30 +95,21 @@ def test_order_of_what_happens() -> None:
 
 
 def test_hit_points() -> None:
-    """A tenth of the happiness is added, and what comes out is rounded down and stays between 0 and 100."""
+    """A tenth of the happiness is added, what comes out is rounded down and stays from 0 to 100; 0 is the end."""
     variables, hp, reward, end = after((90, 90, 90, 90), 50, FEED, FEED)
     assert (variables, hp, end) == ((85, 85, 100, 85), 56, False)  # 50 + 6.327
     assert reward == pytest.approx(3 * 35 * E**-0.85 + 50 * E**-1)
     variables, hp, reward, end = after((0, 0, 0, 0), 50, PLAY, SLEEP)
     assert (variables, hp, end) == ((0, 20, 0, 0), 32, False)  # 50 - 17.456 = 32.54
     assert reward == pytest.approx(-150 - 30 * E**-0.2)
-    assert after((0, 0, 0, 0), 18, PLAY, SLEEP)[1::2] == (0, True)  # 0.54 is less than a hit point
-    assert after((0, 0, 0, 0), 19, PLAY, SLEEP)[1::2] == (1, False)
-    assert after((0, 0, 0, 0), 3, PLAY, SLEEP)[1::2] == (0, True)
+    for hp, left in ((19, 1), (18, 0), (3, 0)):  # 0.54 is less than a hit point
+        assert after((0, 0, 0, 0), hp, PLAY, SLEEP)[1::2] == (left, left == 0)
     assert after((100, 100, 100, 100), 99, PLAY, PLAY)[1::2] == (100, False)
 
 
 def test_what_it_wants() -> None:
     """The lowest variable; among equals each with the same probability, exactly."""
     mdp = task()
-    for variables, chances in (
-        ((50, 40, 60, 45), {SLEEP: 1.0}),
-        ((0, 100, 100, 100), {PLAY: 1.0}),
-        ((50, 40, 60, 40), {SLEEP: 0.5, CLEAN: 0.5}),
-        ((30, 30, 99, 30), {PLAY: 1 / 3, SLEEP: 1 / 3, CLEAN: 1 / 3}),
-        ((0, 0, 0, 0), {PLAY: 0.25, SLEEP: 0.25, FEED: 0.25, CLEAN: 0.25}),
-    ):
-        assert distribution(mdp, variables, "wanted") == pytest.approx(chances)
     for levels in itertools.product((10, 40, 70), repeat=4):  # in every order, also where a higher level comes first
         variables = (levels[0], levels[1], levels[2], levels[3])
         lowest = [need for need in range(4) if variables[need] == min(variables)]
@@ -149,21 +139,11 @@ def closed_form(variables: tuple[int, int, int, int], wanted: int, tau: float) -
 
 @pytest.mark.parametrize("tau", [1e-300, 1e-7, 0.01, 0.05, 0.3, 2.0, 1e300, math.inf])
 def test_words(tau: float) -> None:
-    """A word is about need i with probability softmax(u/tau): exactly, and in what is said (chi-squared, 0.001)."""
+    """A word is about need i with probability softmax(u/tau), exactly."""
     variables = (70, 55, 90, 60)
-    expected = closed_form(variables, SLEEP, tau)
     exact = distribution(task(tau), variables, "message")
+    expected = closed_form(variables, SLEEP, tau)
     assert [exact.get(word, 0.0) for word in range(4)] == pytest.approx(expected, abs=1e-12)
-    rng = np.random.default_rng(5)
-    said = [task(tau).settled(variables, 50, rng).message for _ in range(5_000)]
-    counts = np.bincount(said, minlength=4)
-    likely = expected * len(said) > 1
-    assert counts[~likely].sum() < 20
-    if likely.sum() > 1:
-        assert (
-            stats.chisquare(counts[likely], expected[likely] / expected[likely].sum() * counts[likely].sum()).pvalue
-            > 0.001
-        )
 
 
 def test_ties_in_the_message() -> None:
@@ -172,11 +152,9 @@ def test_ties_in_the_message() -> None:
     for tau in (0.0, 1e-300, 1e-9):
         for _, state in branches(partial(task(tau).settled, variables, 50)):
             assert state.message == state.wanted
-    mdp, rng = task(0.05), np.random.default_rng(0)
-    shares = np.array([mdp.weight(variables, need, FEED) for need in range(4)])
+    shares = np.array([task(0.05).weight(variables, need, FEED) for need in range(4)])
     assert shares / shares.sum() == pytest.approx(closed_form(variables, FEED, 0.05), abs=1e-15)
     assert 0.25 < shares[FEED] / shares.sum() < 0.25001
-    assert {mdp.settled(variables, 50, rng).message for _ in range(100)} == {0, 1, 2, 3}
 
 
 @pytest.mark.parametrize("vocab_size", [1, 2, 3, 4, 5, 6, 9, 12])
@@ -202,29 +180,7 @@ def test_message() -> None:
     longest = TamagotchiEnv(tau=1.0, max_msg_length=28)
     observation, _ = longest.reset(seed=0)
     assert longest.state.message == sum(int(word) * 4 ** (27 - k) for k, word in enumerate(observation[1:])) > 4**26
-    assert hash(longest.state) == hash(pickle.loads(pickle.dumps(longest.state)))
     assert {type(part) for part in longest.state} == {int, tuple}
-
-
-@pytest.mark.parametrize(("words", "longest"), [(4, 28), (2**31, 1), (3, 35)])
-def test_longest_message(words: int, longest: int) -> None:
-    """It has at most 2^56 meanings; who asks for one word more is told so."""
-    assert Tamagotchi.create(max_msg_length=longest, vocab_size=words).max_msg_length == longest
-    with pytest.raises(ValueError, match=rf"from 1 to {longest} where vocab_size is {words}, but is {longest + 1}$"):
-        Tamagotchi.create(max_msg_length=longest + 1, vocab_size=words)
-
-
-def test_step_limit() -> None:
-    """A toy that is cared for lives until the step limit, which truncates; one that is not dies, which is an end."""
-    env = TamagotchiEnv(steps_per_episode=7)
-    env.reset(seed=0)
-    ends = [env.step(env.state.wanted)[2:4] for _ in range(7)]
-    assert ends == [(False, False)] * 6 + [(False, True)]
-    env = TamagotchiEnv()
-    env.reset(seed=0)
-    while not env.step(PLAY)[2]:
-        assert env.steps < 20
-    assert env.state.hp == 0
 
 
 class Obedient(NamedTuple):
@@ -257,73 +213,32 @@ def test_numbers_in_the_docstring() -> None:
 
 def test_signal_from_memory() -> None:
     """A player that never looks, but takes the four actions in turn, gets 99 % of the best return."""
-    mdp, rng, totals = task(math.inf), np.random.default_rng(0), []
-    for _ in range(60):
-        state, total = mdp.initial(rng), 0.0
-        for step in range(100):
-            next_state = mdp.transition(state, step % 4, rng)
-            total += mdp.reward(state, step % 4, next_state, rng)
-            state = next_state
-            assert not mdp.terminal(state)
-        totals.append(total)
+    env, totals = TamagotchiEnv(tau=math.inf), []
+    for seed in range(60):
+        env.reset(seed=seed)
+        steps = [env.step(step % 4) for step in range(100)]
+        assert not any(terminated for _, _, terminated, *_ in steps)
+        totals.append(sum(float(reward) for _, reward, *_ in steps))
     assert np.mean(totals) / 6706.85 == pytest.approx(0.992, abs=0.002)
-
-
-def test_optimum() -> None:
-    """Exact planning with the whole state, written anew with NumPy, finds nothing better than to do what it says."""
-    levels = 5 * np.stack(np.meshgrid(*[np.arange(21)] * 4, indexing="ij"), axis=-1).reshape(-1, 4)
-    pay = ((levels - 50) * np.exp(-levels / 100)).sum(axis=1)
-    lowest = levels == levels.min(axis=1, keepdims=True)
-    chances = lowest / lowest.sum(axis=1, keepdims=True)
-
-    def successors(action: int, loss: int) -> np.ndarray[Any, Any]:
-        changed = np.clip(levels + np.where(np.arange(4) == action, 30, -5) - loss, 0, 100) // 5
-        rows: np.ndarray[Any, Any] = changed @ np.array([21**3, 21**2, 21, 1])
-        return rows
-
-    wished, other = ([successors(action, loss) for action in range(4)] for loss in (0, 10))
-    values = np.zeros(len(levels))
-    for _ in range(100):
-        gain = pay + values
-        unwanted = np.array([gain[rows] for rows in other])
-        values = sum(
-            chances[:, wanted] * np.maximum(gain[wished[wanted]], np.delete(unwanted, wanted, axis=0).max(axis=0))
-            for wanted in range(4)
-        )
-    assert values[-1] == pytest.approx(6706.85, abs=0.005)
 
 
 def test_meaning() -> None:
     """What a person reads in the bubble: synonyms by number, ambiguous words by all that they may mean."""
-    assert [meaning(word, 9) for word in range(9)] == [
-        "play",
-        "sleep",
-        "feed",
-        "clean",
-        "play2",
-        "sleep2",
-        "feed2",
-        "clean2",
-        "play3",
-    ]
+    names = ["play", "sleep", "feed", "clean"]
+    assert [meaning(word, 9) for word in range(9)] == [*names, *(f"{name}2" for name in names), "play3"]
     assert [meaning(word, 3) for word in range(3)] == ["play/clean", "sleep", "feed"]
     assert [meaning(word, 2) for word in range(2)] == ["play/feed", "sleep/clean"]
     assert meaning(0, 1) == "play/sleep/feed/clean"
-    assert TamagotchiEnv().named_actions() == {
-        "play": PLAY,
-        "sleep": SLEEP,
-        "feed": FEED,
-        "clean": CLEAN,
-    }
+    assert TamagotchiEnv().named_actions() == {name: action for action, name in enumerate(names)}
 
 
 def test_face() -> None:
     """It smiles above two thirds of its hit points, and is sad in the last third, where the bar is red."""
     env = TamagotchiEnv()
     env.reset(seed=0)
-    for hp, mood in ((100, "happy"), (67, "happy"), (66, "flat"), (34, "flat"), (33, "sad"), (0, "sad")):
+    for hp, mood in ((67, "happy"), (66, "flat"), (34, "flat"), (33, "sad")):
         env.state = env.state._replace(hp=hp)
-        mouths = {name: smiley(6.0, 7.9, 1.2, name)[-1] in env.scene().shapes for name in get_args(Mood)}
-        assert mouths == {name: name == mood for name in get_args(Mood)}
-        colours = {shape.fill for shape in env.scene().shapes if isinstance(shape, Rectangle)}
+        shapes = env.scene().shapes
+        assert [name for name in get_args(Mood) if smiley(6.0, 7.9, 1.2, name)[-1] in shapes] == [mood]
+        colours = {shape.fill for shape in shapes if isinstance(shape, Rectangle)}
         assert colours & {GREEN, RED} == {RED if mood == "sad" else GREEN}

@@ -10,7 +10,13 @@ from edugym.mdp.protocol import Random, Reals
 
 
 class Walk(NamedTuple):
-    """The random walk of example 6.2: from the middle of five states, left or right by chance; 1 for the right end."""
+    """The random walk of example 6.2: from the middle of five states, left or right by chance; 1 for the right end.
+
+    Attributes:
+        n_actions: how many names there are for the only thing that can be done.
+    """
+
+    n_actions: int = 1
 
     def initial(self, rng: Random) -> int:
         """The middle."""
@@ -39,8 +45,8 @@ class Walk(NamedTuple):
 
     @property
     def action_space(self) -> spaces.Discrete:
-        """There is nothing to choose."""
-        return spaces.Discrete(1)
+        """All the same here."""
+        return spaces.Discrete(self.n_actions)
 
 
 class Gambler(Walk):
@@ -65,11 +71,6 @@ class Gambler(Walk):
         """Ruin, or 100."""
         return state in (0, 100)
 
-    @property
-    def action_space(self) -> spaces.Discrete:
-        """The stake, from 1."""
-        return spaces.Discrete(50)
-
 
 class Loop(Walk):
     """One state that pays 1 for staying (action 1) and nothing for the end (action 0)."""
@@ -84,52 +85,8 @@ class Loop(Walk):
         """1 for staying."""
         return float(action)
 
-    @property
-    def action_space(self) -> spaces.Discrete:
-        """End or stay."""
-        return spaces.Discrete(2)
 
-
-def model_of(probabilities: Reals, rewards: Reals, initial: Reals) -> FiniteModel:
-    """A model in which every state leads to every state, but the last, which is the end."""
-    n, a, _ = probabilities.shape
-    terminal = np.arange(n) == n - 1
-    probabilities[-1], rewards[-1] = terminal, 0.0
-    successors = np.broadcast_to(np.arange(n), (n, a, n)).copy()
-    return FiniteModel(tuple(range(n)), {s: s for s in range(n)}, initial, terminal, successors, probabilities, rewards)
-
-
-def random_model(seed: int, n_states: int = 4, n_actions: int = 2) -> FiniteModel:
-    """One of these with random numbers in it."""
-    rng = np.random.default_rng(seed)
-    probabilities = rng.dirichlet(np.ones(n_states), (n_states, n_actions))
-    rewards = rng.normal(size=(n_states, n_actions, n_states))
-    return model_of(probabilities, rewards, rng.dirichlet(np.ones(n_states)))
-
-
-def value_of(model: FiniteModel, policy: Reals, discount: float) -> Reals:
-    """The values of a policy, shape (S, A), by solving its linear equations: V = r + γ P V."""
-    P = np.einsum("sa,san->sn", policy, model.p)
-    r = np.einsum("sa,sa->s", policy, model.r)
-    going_on = ~model.terminal
-    V = np.zeros(len(r))
-    inside = np.eye(going_on.sum()) - discount * P[np.ix_(going_on, going_on)]
-    V[going_on] = np.linalg.solve(inside, r[going_on])
-    return V
-
-
-class Ways(Walk):
-    """The random walk with four names for the only thing that can be done."""
-
-    __slots__ = ()
-
-    @property
-    def action_space(self) -> spaces.Discrete:
-        """All the same."""
-        return spaces.Discrete(4)
-
-
-class Hidden(Ways):
+class Hidden(Walk):
     """The random walk seen through fog: the agent observes only in which half it is, at the middle by chance."""
 
     __slots__ = ()
@@ -144,3 +101,29 @@ class Hidden(Ways):
     def observation_space(self) -> spaces.Discrete:
         """Left or right."""
         return spaces.Discrete(2)
+
+
+LOOP, GAMBLER = Loop(2), Gambler(50)
+
+
+def random_model(seed: int, n_states: int = 4, n_actions: int = 2) -> FiniteModel:
+    """A model with random numbers, in which every state leads to every state, but the last, which is the end."""
+    rng = np.random.default_rng(seed)
+    p = rng.dirichlet(np.ones(n_states), (n_states, n_actions))
+    rewards = rng.normal(size=p.shape)
+    initial, terminal = rng.dirichlet(np.ones(n_states)), np.arange(n_states) == n_states - 1
+    p[-1], rewards[-1] = terminal, 0.0
+    successors = np.broadcast_to(np.arange(n_states), p.shape).copy()
+    states = tuple(range(n_states))
+    return FiniteModel(states, dict(enumerate(states)), initial, terminal, successors, p, rewards)
+
+
+def value_of(model: FiniteModel, policy: Reals, discount: float) -> Reals:
+    """The values of a policy, shape (S, A), by solving its linear equations: V = r + γ P V."""
+    P = np.einsum("sa,san->sn", policy, model.p)
+    r = np.einsum("sa,sa->s", policy, model.r)
+    going_on = ~model.terminal
+    V = np.zeros(len(r))
+    inside = np.eye(going_on.sum()) - discount * P[np.ix_(going_on, going_on)]
+    V[going_on] = np.linalg.solve(inside, r[going_on])
+    return V

@@ -10,6 +10,7 @@ from edugym.exact.checking import FALSE_ALARM, divergence, global_randomness
 from edugym.exact.model import finite_model
 from tests.compiled.cells import SLIPPERY, WALK, cell
 
+START = "return 0\n"
 MOVE = "return max(0, state + 2 * action - 1)"
 PAY = "return 1.0 if next_state == self.size else -0.25"
 GLOBALS = "import random\nheld = np.random.default_rng(0)\nkept = []\ncounter = [0]\n"
@@ -18,81 +19,55 @@ GLOBALS = "import random\nheld = np.random.default_rng(0)\nkept = []\ncounter = 
 def slip(line: str, code: str) -> str:
     """The walk with one of its lines replaced by several."""
     assert line in WALK
-    return GLOBALS + WALK.replace(line, code.replace("\n", "\n        "))
+    return GLOBALS + WALK.replace(line, code.replace("\n", "\n        "), 1)
 
 
-WRONG = {
-    "the type of a number": (
-        slip(MOVE, "return min(4, state + 1) if type(rng.random()) is float else 0"),
-        r"after action 0 in state 0 a real step leads to 1, which the model does not know of: the model can",
-    ),
-    "its text": (slip(MOVE, "return 0 if str(rng.random())[2] < '5' else state + 1"), "not use their value"),
-    "its written form": (
-        slip(MOVE, "return 0 if repr(rng.random())[2] < '5' else state + 1"),
-        "a real step leads to 0",
-    ),
-    "a caught error": (
-        slip(
+CAUGHT = "try:\n    u = rng.random() % 0.5\nexcept TypeError:\n    u = 0.4\nreturn 0 if u < 0.25 else state + 1"
+NOW_AND_THEN = "counter[0] += 1\nif counter[0] % 2:\n    return int(rng.random() < 0.5)\nreturn state"
+OFTENER = "u = rng.random()\nreturn 0 if u < (0.9 if type(u) is float else 0.5) else state + 1"
+
+
+@pytest.mark.parametrize(
+    ("line", "code", "reason"),
+    [
+        (
             MOVE,
-            "try:\n    u = rng.random() % 0.5\nexcept TypeError:\n    u = 0.4\nreturn 0 if u < 0.25 else state + 1",
+            "return min(4, state + 1) if type(rng.random()) is float else 0",
+            "after action 0 in state 0 a real step leads to 1, which the model does not know of: the model can",
         ),
-        "cannot follow what is done with a random number",
-    ),
-    "a kept number": (
-        slip(MOVE, "kept.append(rng.random())\nreturn 0 if kept[0] < 0.5 else state + 1"),
-        "a random number kept from an earlier call: draw it where it is used",
-    ),
-    "a generator of its own": (
-        slip(MOVE, "return max(0, state + 2 * int(held.random() < 0.5) - 1)"),
-        "which the model does not know of",
-    ),
-    "now and then a coin": (
-        slip(MOVE, "counter[0] += 1\nif counter[0] % 2:\n    return int(rng.random() < 0.5)\nreturn state"),
-        r"the probabilities of what can happen after action 0 in state 0 sum to 1\.5",
-    ),
-    "np.random": (
-        slip(MOVE, "return max(0, state + 2 * int(np.random.random() < 0.5) - 1)"),
-        "draw from np.random or random: use the `rng`",
-    ),
-    "random": (slip(MOVE, "return state + random.randint(-1, 1)"), "draw from np.random or random: use the `rng`"),
-    "a reward by the type of a number": (
-        slip(PAY, "return 1.0 if type(rng.random()) is float else 2.0"),
-        r"a real step to 0 pays 1.0, but the model says \[2.0\]",
-    ),
-    "a reward by a generator of its own": (slip(PAY, "return held.random()"), r"a real step to 0 pays 0\.\d+, but"),
-    "another frequency": (
-        slip(MOVE, "u = rng.random()\nreturn 0 if u < (0.9 if type(u) is float else 0.5) else state + 1"),
-        r"after action 0 in state 0 \d+ of \d+ real steps lead to 0, but the model says that its probability is 0\.5",
-    ),
-    "another start": (
-        GLOBALS + WALK.replace("return 0\n", "return int(held.random() < 0.5)\n", 1),
-        "at the start a real step leads to",
-    ),
-}
-
-
-@pytest.mark.parametrize(("source", "reason"), WRONG.values(), ids=WRONG)
-def test_a_silently_wrong_model_is_refused(source: str, reason: str) -> None:
+        (MOVE, "return 0 if str(rng.random())[2] < '5' else state + 1", "not use their value"),
+        (MOVE, "return 0 if repr(rng.random())[2] < '5' else state + 1", "a real step leads to 0"),
+        (MOVE, CAUGHT, "cannot follow what is done with a random number"),
+        (MOVE, "kept.append(rng.random())\nreturn 0 if kept[0] < 0.5 else state + 1", "kept from an earlier call"),
+        (MOVE, "return max(0, state + 2 * int(held.random() < 0.5) - 1)", "which the model does not know of"),
+        (MOVE, NOW_AND_THEN, r"the probabilities of what can happen after action 0 in state 0 sum to 1\.5"),
+        (MOVE, "return max(0, state + 2 * int(np.random.random() < 0.5) - 1)", "draw from np.random or random"),
+        (MOVE, "return state + random.randint(-1, 1)", "draw from np.random or random: use the `rng`"),
+        (MOVE, OFTENER, r"0 \d+ of \d+ real steps lead to 0, but the model says that its probability is 0\.5"),
+        (
+            PAY,
+            "return 1.0 if type(rng.random()) is float else 2.0",
+            r"a real step to 0 pays 1.0, but the model says \[2.0\]",
+        ),
+        (PAY, "return held.random()", r"a real step to 0 pays 0\.\d+, but"),
+        (START, "return int(held.random() < 0.5)\n", "at the start a real step leads to"),
+    ],
+)
+def test_a_silently_wrong_model_is_refused(line: str, code: str, reason: str) -> None:
     """Whatever hides from the branching shows in real steps."""
     with pytest.raises(ValueError, match=f"Walk has no finite model: .*{reason}"):
-        finite_model(cell(source)["Walk"](4))
+        finite_model(cell(slip(line, code))["Walk"](4))
 
 
-def test_isinstance_float() -> None:
-    """A common question about a random number is answered as for a real one."""
-    code = (
-        "u = rng.random()\nassert isinstance(u, float) and not isinstance(u, int)\nreturn 0 if u < 0.5 else state + 1"
-    )
-    model = finite_model(cell(slip(MOVE, code))["Walk"](4))
-    assert model.outcomes(2, 0) == [(0.5, 0, -0.25, False), (0.5, 3, -0.25, False)]
-
-
-def test_rare_outcomes_are_no_contradiction() -> None:
-    """Correct models with small and large probabilities pass, and so does noise in rewards."""
+def test_correct_models_are_not_refused() -> None:
+    """Rare outcomes and noise in rewards are no contradiction; `isinstance` answers as for a real number."""
     for slipping in (1e-6, 0.001, 0.3, 0.999):
         assert len(finite_model(cell(SLIPPERY)["SlipperyWalk"](30, slipping)).states) == 31
     noisy = slip(PAY, "return rng.normal(state, 5.0) + rng.random() * (rng.integers(3) - 1)")
     assert finite_model(cell(noisy)["Walk"](4)).outcomes(2, 1) == [(1.0, 3, 2.0, False)]
+    code = "u = rng.random()\nassert isinstance(u, float) and not isinstance(u, int)\nreturn 0 if u < 0.5 else 3"
+    outcomes = finite_model(cell(slip(MOVE, code))["Walk"](4)).outcomes(0, 0)
+    assert outcomes == [(0.5, 0, -0.25, False), (0.5, 3, -0.25, False)]
 
 
 def test_divergence_bounds_the_tail_of_the_binomial_distribution() -> None:

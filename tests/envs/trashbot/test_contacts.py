@@ -15,16 +15,8 @@ from edugym.envs.trashbot.geometry import BASE, BOX, BOX_SIZE, MAGNET, SHOULDER_
 from edugym.envs.trashbot.task import COLLIDED, MOVING, STRIDE, Trashbot
 from tests.envs.trashbot.moves import DEFAULT, RNG, robot, step, towards
 
-
-def finely(state: Robot, action: Any, task: Trashbot, n: int = 60) -> list[Arm]:
-    """The arm at many moments of a move."""
-    turns = [task.action_scale * float(part) for part in action]
-    return [arm(state.shoulder + turns[0] * k / n, state.elbow + turns[1] * k / n) for k in range(n + 1)]
-
-
-def shrunk(block: Block, by: float) -> Block:
-    """What is deeper in a block than so much."""
-    return Block(block.left + by, block.bottom + by, block.right - by, block.top - by)
+GROUND = Block(-2.0, -1.0, 2.0, 0.0)
+BLOCKS = [*DEFAULT.obstacles, GROUND, BOX]
 
 
 def touches(now: Arm, block: Block, holding: bool) -> bool:
@@ -57,51 +49,40 @@ def test_lines_against_blocks(line: tuple[int, ...], left: int, bottom: int, wid
 
 
 @pytest.mark.parametrize(
-    ("line", "meets"),
-    [
-        ((-1, 1, 3, 1), True),  # through
-        ((0.5, 0.5, 1.5, 1), True),  # within
-        ((-1, 3, 3, -1), True),  # through the upper left half
-        ((-1, 1, 1, 3), True),  # at the corner
-        ((-1, 1.01, 1, 3.01), False),  # past the corner
-        ((2, -5, 2, 5), True),  # along the side
-        ((2.01, -5, 2.01, 5), False),
-        ((1, 2, 1, 2), True),  # a point
-        ((3, 3, 9, 9), False),
-    ],
+    ("x", "picked_up"),
+    [(-1.45, True), (BOX.left - 0.01, False), (BOX.left + 0.01, True), (BOX.right - 0.01, True)],
 )
-def test_lines_by_hand(line: tuple[float, float, float, float], meets: bool) -> None:
-    """Against the square from (0, 0) to (2, 2)."""
-    assert Block(0, 0, 2, 2).meets_line(*line) == meets
+def test_picked_up_from_above(x: float, picked_up: bool) -> None:
+    """The box comes to the magnet, which stays where it was, and the way up is free; beside it the magnet passes by."""
+    state = robot(x, BOX.top + MAGNET + 0.05, 1.0)
+    after, reward = step(state, towards(state, x, BOX.top + MAGNET - 0.05, 1.0))
+    assert (after.holding, reward, after.outcome, after.steps) == (picked_up, float(picked_up), MOVING, 1)
+    if picked_up:
+        assert after[:2] == state[:2]
+        up, reward = step(after, towards(after, x, BOX.top + MAGNET + 0.15, 1.0))
+        assert (up.holding, up.outcome, reward) == (True, MOVING, 0.0)
 
 
-def test_picked_up_from_above() -> None:
-    """The box comes to the magnet, which stays where it was; the way up is free."""
-    state = robot(-1.45, BOX.top + MAGNET + 0.05, 1.0)
-    after, reward = step(state, towards(state, -1.45, BOX.top + MAGNET - 0.05, 1.0))
-    assert (after, reward) == (state._replace(holding=True, steps=1), 1.0)
-    up, reward = step(after, towards(after, -1.45, BOX.top + MAGNET + 0.15, 1.0))
-    assert (up.holding, up.outcome, reward) == (True, MOVING, 0.0)
-
-
-ANGLES = st.floats(-math.pi, math.pi)
+BESIDE = robot(BOX.right + 0.06, BOX.top + MAGNET + 0.02, 1.0)
+BELOW, FLAT = Robot(3.1425, -0.2809, False, 0, MOVING), Robot(math.pi + 0.15, -0.3, False, 0, MOVING)
+WIDE = DEFAULT._replace(action_scale=1.0)
 
 
 @pytest.mark.parametrize(
-    ("x", "picked_up"), [(BOX.left - 0.01, False), (BOX.left + 0.01, True), (BOX.right - 0.01, True)]
+    ("state", "action", "task", "by_magnet"),
+    [
+        (BESIDE, towards(BESIDE, BOX.right - 0.06, BOX.top + MAGNET - 0.1, 1.0), DEFAULT, True),  # down at its side
+        (BELOW, (0.3746, -0.9696), WIDE, True),  # a swing that starts as low as the box stands, and ends from above
+        (FLAT, (1.0, 0.0), DEFAULT, False),  # the forearm comes down on it
+    ],
 )
-def test_width_of_the_box(x: float, picked_up: bool) -> None:
-    """Beside the box the magnet passes it by."""
-    state = robot(x, BOX.top + MAGNET + 0.05, 1.0)
-    after, reward = step(state, towards(state, x, BOX.top + MAGNET - 0.05, 1.0))
-    assert (after.holding, reward, after.outcome) == (picked_up, float(picked_up), MOVING)
-
-
-def test_box_from_above_but_at_its_side() -> None:
-    """The magnet starts higher than the box, but comes down beside it before it gets there."""
-    state = robot(BOX.right + 0.06, BOX.top + MAGNET + 0.02, 1.0)
-    after, reward = step(state, towards(state, BOX.right - 0.06, BOX.top + MAGNET - 0.1, 1.0))
+def test_the_box_is_hit(state: Robot, action: Any, task: Trashbot, by_magnet: bool) -> None:
+    """Whatever touches the box but the magnet from above is a collision."""
+    assert not task.collides(arm(*state[:2]), False)
+    after, reward = step(state, action, task)
     assert (after.holding, after.outcome, reward) == (False, COLLIDED, -2.0)
+    last = arm(*after[:2])
+    assert (last.magnet_meets(BOX), last.links_meet(BOX)) == (by_magnet, not by_magnet)
 
 
 def test_no_link_on_the_box_below_a_high_magnet() -> None:
@@ -111,26 +92,6 @@ def test_no_link_on_the_box_below_a_high_magnet() -> None:
     touching = [now.tip_y for now in arms if now.links_meet(BOX)]
     assert len(touching) > 1000
     assert max(touching) < BOX.top
-
-
-def test_down_onto_the_box_from_below() -> None:
-    """A wide swing that starts beside the box, as low as it stands, is no picking up, though it ends from above."""
-    state = Robot(3.1425, -0.2809, False, 0, MOVING)
-    assert arm(*state[:2]).tip_y < BOX.top
-    after, reward = step(state, (0.3746, -0.9696), DEFAULT._replace(action_scale=1.0))
-    assert (after.holding, after.outcome, reward) == (False, COLLIDED, -2.0)
-    last = arm(*after[:2])
-    assert last.magnet_meets(BOX)
-    assert not last.links_meet(BOX)
-
-
-def test_box_with_the_forearm() -> None:
-    """The forearm comes down on the box, the magnet beyond it."""
-    state = Robot(math.pi + 0.15, -0.3, False, 0, MOVING)
-    assert not DEFAULT.collides(arm(*state[:2]), False)
-    after, reward = step(state, (1.0, 0.0))
-    assert (after.holding, after.outcome, reward) == (False, COLLIDED, -2.0)
-    assert arm(*after[:2]).links_meet(BOX)
 
 
 @given(st.floats(-1.75, -1.25), st.floats(0.3, 1.2), st.floats(-1, 1), st.floats(-1, 1), st.sampled_from([-1.0, 1.0]))
@@ -147,47 +108,42 @@ def test_held_box_is_free(x: float, y: float, first: float, second: float, bend:
 
 
 @pytest.mark.parametrize(
-    ("wrist", "to", "bend", "holding"),
+    ("wrist", "to", "bend", "holding", "collides"),
     [
-        ((0.8, 0.25), (0.8, 0.15), -1, False),  # the magnet on the ground
-        ((0.8, 0.5), (0.8, 0.4), -1, True),  # the box on the ground
-        ((-0.9, 0.8), (-0.9, 0.85), 1, False),  # nothing
-        ((-1.15, 0.4), (-1.25, 0.4), 1, False),  # the magnet moves towards the box, not yet there
-        ((-1.25, 0.6), (-1.33, 0.6), 1, True),  # the held box at the stand
-        ((0.36, 0.6), (0.3, 0.6), -1, True),  # the box at the base
-        ((1.25, 0.8), (1.36, 0.8), -1, False),  # the magnet at the left wall, from the left
-        ((1.42, 0.8), (1.36, 0.8), -1, False),  # from within
-        ((1.15, 1.0), (1.22, 1.0), -1, True),  # the box at the left wall
-        ((1.5, 1.2), (1.5, 1.1), -1, True),  # the box on the edge of the left wall
-        ((1.66, 1.05), (1.71, 1.0), -1, True),  # the box at the right wall, from within
+        ((-0.9, 0.8), (-0.9, 0.85), 1, False, False),  # nothing there
+        ((-1.15, 0.4), (-1.25, 0.4), 1, False, False),  # the magnet moves towards the box, not yet there
+        ((0.8, 0.25), (0.8, 0.15), -1, False, True),  # the magnet on the ground
+        ((0.8, 0.5), (0.8, 0.4), -1, True, True),  # the box on the ground
+        ((-1.25, 0.6), (-1.33, 0.6), 1, True, True),  # the held box at the stand
+        ((0.36, 0.6), (0.3, 0.6), -1, True, True),  # the box at the base
+        ((1.25, 0.8), (1.36, 0.8), -1, False, True),  # the magnet at the left wall, from the left
+        ((1.42, 0.8), (1.36, 0.8), -1, False, True),  # from within
+        ((1.15, 1.0), (1.22, 1.0), -1, True, True),  # the box at the left wall
+        ((1.5, 1.2), (1.5, 1.1), -1, True, True),  # the box on the edge of the left wall
+        ((1.66, 1.05), (1.71, 1.0), -1, True, True),  # the box at the right wall, from within
     ],
 )
-def test_collisions(wrist: tuple[float, float], to: tuple[float, float], bend: float, holding: bool) -> None:
-    """What ends the episode with -2 where it is touched, and two moves that touch nothing."""
+def test_collisions(
+    wrist: tuple[float, float], to: tuple[float, float], bend: float, holding: bool, collides: bool
+) -> None:
+    """What ends the episode with -2 where it is touched."""
     state = robot(*wrist, bend, holding)
     assert not DEFAULT.collides(arm(*state[:2]), holding)
-    action = towards(state, *to, bend)
-    after, reward = step(state, action)
-    if to in ((-0.9, 0.85), (-1.25, 0.4)):
-        assert (after.outcome, reward) == (MOVING, 0.0)
-        return
-    assert (after.outcome, reward, after.holding) == (COLLIDED, -2.0, holding)
-    assert DEFAULT.terminal(after)
-    assert DEFAULT.collides(arm(*after[:2]), holding)
+    after, reward = step(state, towards(state, *to, bend))
+    assert (after.outcome, reward, after.holding) == ((COLLIDED, -2.0, holding) if collides else (MOVING, 0.0, holding))
+    assert DEFAULT.terminal(after) == collides == DEFAULT.collides(arm(*after[:2]), holding)
 
 
-def test_links_collide() -> None:
-    """The elbow on the ground, the upper arm on the base, the forearm at a wall."""
-    now = arm(math.pi + 0.55, -1.2)
+@pytest.mark.parametrize(
+    ("shoulder", "elbow", "block"),
+    [(math.pi + 0.55, -1.2, GROUND), (-0.5, 2.2, BASE), (0.12, 0.0, DEFAULT.obstacles[2])],
+)
+def test_links_collide(shoulder: float, elbow: float, block: Block) -> None:
+    """The elbow on the ground, the upper arm on the base, the forearm at a wall, the magnet nowhere."""
+    now = arm(shoulder, elbow)
     assert DEFAULT.collides(now, False)
-    assert now.elbow_y < 0 < now.tip_y
-    now = arm(-2.0, 3.0)
-    assert DEFAULT.collides(now, False)
-    assert now.links_meet(BASE)
-    now = arm(0.12, 0.0)
-    assert DEFAULT.collides(now, False)
-    assert now.links_meet(DEFAULT.obstacles[2])
-    assert not now.magnet_meets(DEFAULT.obstacles[2])
+    assert now.links_meet(block)
+    assert not now.magnet_meets(block)
 
 
 def missed(n_moves: int, seed: int) -> tuple[int, int]:
@@ -196,28 +152,27 @@ def missed(n_moves: int, seed: int) -> tuple[int, int]:
     Deep is half a stride. Each free move is looked at sixty times.
     """
     task, rng = DEFAULT._replace(action_scale=0.3), np.random.default_rng(seed)
+    solid = {block: Block(block[0] + 0.02, block[1] + 0.02, block[2] - 0.02, block[3] - 0.02) for block in BLOCKS}
     free = deep = tried = 0
     while tried < n_moves:
-        blocks = [*task.obstacles, Block(-2.0, -1.0, 2.0, 0.0), BOX]
-        near, holding = blocks[rng.integers(len(blocks))], bool(rng.integers(2))
+        near, holding = BLOCKS[rng.integers(len(BLOCKS))], bool(rng.integers(2))
         x = rng.uniform(near.left - 0.4, near.right + 0.4)
         y = rng.uniform(near.bottom, near.top + 0.4) + MAGNET + holding * BOX_SIZE
         if not 0.21 < math.hypot(x, y - SHOULDER_Y) < 1.79:
             continue
         state = robot(x, y, float(rng.choice([-1, 1])), holding)
-        start = arm(*state[:2])
-        if task.collides(start, holding) or (not holding and touches(start, BOX, False)):
+        blocks = [block for block in BLOCKS if not (holding and block == BOX)]
+        if any(touches(arm(*state[:2]), block, holding) for block in blocks):
             continue
         tried += 1
         action = rng.uniform(-1, 1, 2) if rng.random() < 0.5 else rng.choice([-1.0, 1.0], 2)
         after = task.transition(state, action, rng)
         if after.outcome == COLLIDED:
-            now = arm(*after[:2])
-            assert task.collides(now, holding) or (not holding and touches(now, BOX, False))
+            assert any(touches(arm(*after[:2]), block, holding) for block in blocks)
         elif holding == after.holding:
             free += 1
-            solid = [shrunk(block, 0.02) for block in (*blocks[:-1], *([] if holding else [BOX]))]
-            deep += any(touches(now, block, holding) for now in finely(state, action, task) for block in solid)
+            way = [arm(*(np.array(state[:2]) + 0.3 * action * k / 60).tolist()) for k in range(61)]
+            deep += any(touches(now, solid[block], holding) for now in way for block in blocks)
     return free, deep
 
 
@@ -230,7 +185,7 @@ def test_nothing_is_passed_through(monkeypatch: pytest.MonkeyPatch) -> None:
     assert (free > 700, deep > 2) == (True, True)
 
 
-TURNS = st.floats(-0.3, 0.3)
+ANGLES, TURNS = st.floats(-math.pi, math.pi), st.floats(-0.3, 0.3)
 
 
 @given(ANGLES, ANGLES, TURNS, TURNS)

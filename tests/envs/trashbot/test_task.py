@@ -6,11 +6,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given
 from hypothesis import strategies as st
 
 from edugym.adapters.playing.game import Game
-from edugym.envs.trashbot.geometry import BOX, BOX_SIZE, CONTAINER_X, MAGNET, REACH, RIM_Y, Robot, arm
+from edugym.envs.trashbot.geometry import BOX, BOX_SIZE, CONTAINER_X, MAGNET, RIM_Y, Robot, arm
 from edugym.envs.trashbot.planning import ScriptedController, best_plan
 from edugym.envs.trashbot.task import COLLIDED, DELIVERED, LATE, MOVING, START, TrashbotInBins
 from tests.contract.described import NO_STEPS, Keywords, Parameters, refused
@@ -113,92 +112,69 @@ def test_moves() -> None:
 
 
 def test_positions() -> None:
-    """Stretched to the right; and up, then level to the left."""
+    """Stretched to the right; up, then level to the left; and what is observed, in units of the reach."""
     assert arm(0.0, 0.0) == pytest.approx((1.0, 0.5, 1.8, 0.5))
     assert arm(math.pi / 2, math.pi / 2) == pytest.approx((0.0, 1.5, -0.8, 1.5))
     assert arm(0.0, 0.0).tip_y == pytest.approx(0.3)
     assert arm(0.0, 0.0).load == pytest.approx((1.675, 0.05, 1.925, 0.3))
-
-
-def test_observation() -> None:
-    """From the shoulder, in units of the reach of 2: elbow, wrist, magnet, and whether the box is held."""
-    stretched = Robot(0.0, 0.0, True, 0, MOVING)
+    stretched, hanging = Robot(0.0, 0.0, True, 0, MOVING), Robot(-math.pi / 2, 0.0, False, 0, MOVING)
     assert DEFAULT.observation(stretched, RNG) == pytest.approx((0.5, 0, 0.9, 0, 0.9, -0.1, 1))
-    hanging = Robot(-math.pi / 2, 0.0, False, 0, MOVING)
     assert DEFAULT.observation(hanging, RNG) == pytest.approx((0, -0.5, 0, -0.9, 0, -1, 0))
-    assert REACH == 2.0
 
 
-@given(st.floats(-100, 100), st.floats(-100, 100), st.booleans())
-def test_observations_lie_in_the_space(shoulder: float, elbow: float, holding: bool) -> None:
-    """Whatever the angles."""
-    seen = np.array(DEFAULT.observation(Robot(shoulder, elbow, holding, 0, MOVING), RNG), np.float32)
-    assert seen in DEFAULT.observation_space
+OVER, RIM = RIM_Y + BOX_SIZE + MAGNET + 0.02, RIM_Y + BOX_SIZE + MAGNET
 
 
 @pytest.mark.parametrize(
-    ("width", "offset", "bonus"),
+    ("width", "offset", "depth", "bonus"),
     [
-        (0.45, 0.0, 2.0),
-        (0.45, 0.05, 1.0),
-        (0.45, -0.05, 1.0),
-        (0.45, 0.025, 1.5),
-        (0.45, -0.0999, 0.002),
-        (0.35, 0.025, 1.0),
-        (0.35, 0.047, 0.12),
-        (0.35, -0.047, 0.12),
+        (0.45, 0.0, 0.02, 2.0),
+        (0.45, 0.0, 0.001, 2.0),
+        (0.45, 0.0, -0.001, None),  # not below the rim
+        (0.45, 0.05, 0.02, 1.0),
+        (0.45, -0.05, 0.02, 1.0),
+        (0.45, -0.0999, 0.02, 0.002),
+        (0.35, 0.025, 0.02, 1.0),
+        (0.35, -0.047, 0.02, 0.12),
     ],
 )
-def test_centring(width: float, offset: float, bonus: float) -> None:
-    """2 in the middle, falling linearly to 0 where the box only just fits: in one of 0.45, at 0.1 from the middle."""
+def test_delivery(width: float, offset: float, depth: float, bonus: float | None) -> None:
+    """2 and at most 2 for the middle, falling linearly to 0 where the box only just fits: for 0.45, 0.1 off."""
     x, task = CONTAINER_X + offset, DEFAULT._replace(container_width=width)
-    state = robot(x, RIM_Y + BOX_SIZE + MAGNET + 0.02, holding=True)
-    after, reward = step(state, towards(state, x, RIM_Y + BOX_SIZE + MAGNET - 0.02), task)
-    assert (after.outcome, after.holding) == (DELIVERED, False)
-    assert reward == pytest.approx(2 + bonus)
-
-
-@pytest.mark.parametrize(("depth", "outcome"), [(0.001, DELIVERED), (-0.001, MOVING)])
-def test_rim(depth: float, outcome: int) -> None:
-    """Delivered once its lower side is below the rim."""
-    state = robot(CONTAINER_X, RIM_Y + BOX_SIZE + MAGNET + 0.02, holding=True)
-    assert step(state, towards(state, CONTAINER_X, RIM_Y + BOX_SIZE + MAGNET - depth))[0].outcome == outcome
+    state = robot(x, OVER, holding=True)
+    after, reward = step(state, towards(state, x, RIM - depth), task)
+    assert (after.outcome, after.holding) == ((MOVING, True) if bonus is None else (DELIVERED, False))
+    assert reward == pytest.approx(0 if bonus is None else 2 + bonus)
 
 
 def test_late() -> None:
     """The last step costs 1 and terminates; the clock is in the state, and not seen."""
     env = TrashbotEnv(5, max_steps=12)
     first, _ = env.reset()
-    for k in range(1, 12):
-        observation, *rest, info = env.step(np.array([2, 2]))
+    steps = [env.step(np.array([2, 2])) for _ in range(12)]
+    for k, (observation, *rest, info) in enumerate(steps[:-1], 1):
         assert (*rest, info["steps"], info["outcome"]) == (0.0, False, False, k, "moving")
         assert observation.tolist() == first.tolist()
-    *_, reward, terminated, truncated, info = env.step(np.array([2, 2]))
+    *_, reward, terminated, truncated, info = steps[-1]
     assert (reward, terminated, truncated, info["outcome"]) == (-1.0, True, False, "late")
-    assert env.state.outcome == LATE
 
 
-def test_last_step() -> None:
+@pytest.mark.parametrize(
+    ("state", "to", "bend", "outcome", "reward"),
+    [
+        (robot(-1.45, BOX.top + MAGNET + 0.05, 1.0, steps=6), (-1.45, BOX.top + MAGNET - 0.05), 1.0, LATE, 0.0),
+        (robot(CONTAINER_X, OVER, holding=True, steps=6), (CONTAINER_X, RIM - 0.02), -1.0, DELIVERED, 4.0),
+        (robot(0.8, 0.25, steps=6), (0.8, 0.15), -1.0, COLLIDED, -2.0),
+    ],
+)
+def test_last_step(state: Robot, to: tuple[float, float], bend: float, outcome: int, reward: float) -> None:
     """What else happens in it counts: +1 for the box, all of a delivery, and a collision as ever."""
-    task = DEFAULT._replace(time_limit=7)
-    state = robot(-1.45, BOX.top + MAGNET + 0.05, 1.0, steps=6)
-    after, reward = step(state, towards(state, -1.45, BOX.top + MAGNET - 0.05, 1.0), task)
-    assert (after.outcome, after.holding, reward) == (LATE, True, 0.0)
-    state = robot(CONTAINER_X, RIM_Y + BOX_SIZE + MAGNET + 0.02, holding=True, steps=6)
-    after, reward = step(state, towards(state, CONTAINER_X, RIM_Y + BOX_SIZE + MAGNET - 0.02), task)
-    assert after.outcome == DELIVERED
-    assert reward == pytest.approx(4)
-    state = robot(0.8, 0.25, steps=6)
-    after, reward = step(state, towards(state, 0.8, 0.15), task)
-    assert (after.outcome, reward) == (COLLIDED, -2.0)
+    after, paid = step(state, towards(state, *to, bend), DEFAULT._replace(time_limit=7))
+    assert after.outcome == outcome
+    assert paid == pytest.approx(reward)
 
 
-TURNS: dict[str, tuple[float, float]] = {
-    "upper arm left": (1, 0),
-    "upper arm right": (-1, 0),
-    "forearm left": (0, 1),
-    "forearm right": (0, -1),
-}
+TURNS = {"upper arm left": (1, 0), "upper arm right": (-1, 0), "forearm left": (0, 1), "forearm right": (0, -1)}
 BOTH = {"both": (1, 1), "forearm against upper arm": (-1, 1)}
 
 
