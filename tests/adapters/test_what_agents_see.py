@@ -11,7 +11,7 @@ from edugym import LinearQLearning, make_environment, make_mdp, train
 from edugym.compiled import execution
 from edugym.mdp.protocol import Random
 from edugym.training import trainers
-from tests.agents.case import same
+from tests.agents.cases import same
 
 TWO, FORCE = spaces.Discrete(2), spaces.Box(-9.0, 9.0, (2,), np.float32)
 PLANE, BOARD = spaces.Box(-9.0, 9.0, (2,), np.float32), spaces.Box(-9.0, 9.0, (2, 2), np.float32)

@@ -5,11 +5,13 @@ from functools import cache
 from typing import Any
 
 import gymnasium
+import numpy as np
 import pytest
 
 from edugym import (
     SARSA,
     DynaQ,
+    EpsilonGreedy,
     ExpectedSARSA,
     Identity,
     LinearDecay,
@@ -22,6 +24,7 @@ from edugym import (
     SARSALambda,
     ScheduledEpsilonGreedy,
     SemiGradientSARSA,
+    TileCoding,
     train,
 )
 
@@ -112,3 +115,16 @@ def test_frozen_lake(name: str) -> None:
     run = trained(make("FrozenLake", is_slippery=True), create, n_steps, 1_000, 2)
     assert 0.65 < run.returns[-1] < 0.78
     assert run.returns[0] < 0.1
+
+
+@pytest.mark.slow
+def test_mountain_car_with_tiles() -> None:
+    """To under 150 steps (figure 10.2 has some 130 to 150 then); without learning it never gets out of the valley."""
+
+    def last_return(learning_rate: float, seed: int) -> float:
+        env = make("MountainCar")
+        how = {"features": TileCoding.create(env), "exploration": EpsilonGreedy(0.0)}
+        return float(trained(env, plain(LinearQLearning, learning_rate, **how), 30_000, 10, seed).returns[-1])
+
+    assert np.mean([last_return(0.5, seed) for seed in range(3)]) > -150
+    assert last_return(NOTHING, 0) == -200
