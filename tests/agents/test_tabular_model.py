@@ -15,9 +15,9 @@ from tests.agents.walk import Walk, exact_values
 
 def chain(model: TabularModel, first: int, following: Any) -> list[tuple[Any, ...]]:
     """The outcomes of a chain: state, action, next state, whether it ends, weight, reward."""
-    m, found = model, []
+    numbers = (model.states, model.actions, model.next_states, model.ends, model.weights, model.rewards)
+    found = []
     while first >= 0:
-        numbers = (m.states, m.actions, m.next_states, m.ends, m.weights, m.rewards)
         found.append(tuple(array[first].item() for array in numbers))
         first = following[first]
     return sorted(found)
