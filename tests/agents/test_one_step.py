@@ -169,7 +169,7 @@ def test_update_of_double_q_learning(coin: int, Q1: Any, terminated: bool, value
     agent.learn(0, 1, 1.0, 1, terminated)
     after = [np.array(Q1, float), np.array(TWO, float)]
     after[coin][0, 1] = value
-    assert [agent.Q1, agent.Q2] == [pytest.approx(table, rel=1e-15) for table in after]
+    assert [pytest.approx(table, rel=1e-15) for table in after] == [agent.Q1, agent.Q2]
     assert np.array_equal(agent.Q, (agent.Q1 + agent.Q2) / 2)
 
 

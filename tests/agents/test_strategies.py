@@ -88,7 +88,7 @@ def test_known_probabilities_are_those_of_the_choices(make: Any, values: list[fl
 
 
 def test_what_has_no_probabilities_is_refused() -> None:
-    """UCB: its choice depends on counts that the choice itself changes. The message names it, and those that will do."""
+    """UCB: its choice depends on counts that the choice changes. The message names it, and those that will do."""
     known = {type(make((2, 2))) for make in KNOWN.values()}
     assert known == set(package_classes("expected_value")) == set(package_classes("probability"))
     message = r"exploration must be a strategy that knows .*EpsilonGreedy\(0\.1\) \(.*or Softmax\), but is UCB$"
