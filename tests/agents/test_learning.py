@@ -1,7 +1,4 @@
-"""What the agents achieve: exact values in the limit, and what they are for, each claim with a control that fails.
-
-A claim is about a share of runs, and its interval is the exact one of Clopper and Pearson at 95 %.
-"""
+"""What the agents achieve: exact values in the limit, and what they are for, each claim with a control that fails."""
 
 from collections.abc import Callable
 from typing import Any
@@ -39,27 +36,26 @@ from tests.agents.walk import Walk, exact_values
 NOTHING = 5e-324
 """A learning rate so small that nothing is learned: the smallest number above 0."""
 
-LIMITS: dict[str, tuple[Callable[..., Any], float, float]] = {
-    "Double Q-learning": (lambda **how: DoubleQLearning.create(Walk(), learning_rate=0.005, **how), 1.0, 0.0),
-    "Tree backup": (lambda **how: TreeBackup.create(Walk(), learning_rate=0.001, **how), 1.0, 0.0),
-    "SARSA": (lambda **how: SARSA.create(Walk(), learning_rate=0.002, **how), 0.3, 0.3),
-    "Q-learning": (lambda **how: QLearning.create(Walk(), learning_rate=0.002, **how), 0.3, 0.0),
-    "Q(λ)": (lambda **how: QLambda.create(Walk(), learning_rate=0.002, **how), 0.3, 0.0),
-    "Q(λ), Dutch": (lambda **how: QLambda.create(Walk(), learning_rate=0.002, traces=Dutch(), **how), 0.3, 0.0),
-    "Q(λ), accumulating": (
-        lambda **how: QLambda.create(Walk(), learning_rate=0.002, traces=Accumulating(), **how), 0.3, 0.0
-    ),
-}  # fmt: skip
-"""Agents, the ε with which they act, and the ε of the policy whose values they learn."""
+LIMITS: dict[str, tuple[Any, dict[str, Any], float, float]] = {
+    "Double Q-learning": (DoubleQLearning, {"learning_rate": 0.005}, 1.0, 0.0),
+    "Tree backup": (TreeBackup, {"learning_rate": 0.001}, 1.0, 0.0),
+    "SARSA": (SARSA, {}, 0.3, 0.3),
+    "Q-learning": (QLearning, {}, 0.3, 0.0),
+    "Q(λ)": (QLambda, {}, 0.3, 0.0),
+    "Q(λ), Dutch": (QLambda, {"traces": Dutch()}, 0.3, 0.0),
+    "Q(λ), accumulating": (QLambda, {"traces": Accumulating()}, 0.3, 0.0),
+}
+"""Agents and settings, the ε with which they act, and the ε of the policy whose values they learn."""
 
 
 @pytest.mark.parametrize(
-    ("create", "acting", "learned"),
+    ("kind", "settings", "acting", "learned"),
     [pytest.param(*case, id=name, marks=pytest.mark.slow if "," in name else ()) for name, case in LIMITS.items()],
 )
-def test_exact_values_in_the_limit(create: Callable[..., Any], acting: float, learned: float) -> None:
+def test_exact_values_in_the_limit(kind: Any, settings: dict[str, Any], acting: float, learned: float) -> None:
     """Of many small steps: those of the best ε-soft policy, and not those of another one."""
-    agent = create(discount=0.9, exploration=EpsilonGreedy(acting))
+    settings = {"learning_rate": 0.002, "discount": 0.9, "exploration": EpsilonGreedy(acting)} | settings
+    agent = kind.create(Walk(), **settings)
     train(Walk(), agent, 400_000, seed=1, evaluate_every=400_000)
     for table in (agent.Q1, agent.Q2, agent.Q) if hasattr(agent, "Q1") else (agent.Q,):
         assert pytest.approx(exact_values(Walk(), 0.9, epsilon=learned), abs=0.08) == table
@@ -67,7 +63,7 @@ def test_exact_values_in_the_limit(create: Callable[..., Any], acting: float, le
 
 
 def interval(run: Callable[[int], bool], n: int = 12) -> tuple[float, float]:
-    """Between which shares of runs succeed, judged by `n` of them."""
+    """Between which shares of runs succeed, judged by `n` of them: exactly, by Clopper and Pearson at 95 %."""
     ends = binomtest(sum(map(run, range(n))), n).proportion_ci()
     return ends.low, ends.high
 
@@ -106,18 +102,16 @@ def test_it_climbs_a_wall(height: int, n_steps: int, create: Any, worse: dict[st
 def test_exploration_that_fades_earns_more_while_it_learns() -> None:
     """With ε falling to 0 the training episodes become perfect; with a constant ε = 0.5 they stay long."""
 
-    def last_return(exploration: Callable[[], Any]) -> np.ndarray[Any, Any]:
+    def last_returns(exploration: Callable[[], Any]) -> list[float]:
         returns = []
         for seed in range(10):
             mdp = make_mdp("Boulder", height=5, max_steps=10, layout_seed=seed)
             agent = QLearning.create(mdp, exploration=exploration(), initial_value=1.0)
-            returns.append(train(mdp, agent, 20_000, seed=seed, evaluate_every=2_000).training_returns[-1])
-        return np.array(returns)
+            returns.append(float(train(mdp, agent, 20_000, seed=seed, evaluate_every=2_000).training_returns[-1]))
+        return returns
 
-    fading = last_return(lambda: ScheduledEpsilonGreedy.create(ExponentialDecay(0.5, 0.0, 0.999)))
-    constant = last_return(lambda: EpsilonGreedy(0.5))
-    assert fading.min() > 0.99
-    assert constant.max() < 0.6
+    assert min(last_returns(lambda: ScheduledEpsilonGreedy.create(ExponentialDecay(0.5, 0.0, 0.999)))) > 0.99
+    assert max(last_returns(lambda: EpsilonGreedy(0.5))) < 0.6
 
 
 SHOPPERS: dict[str, tuple[int, Callable[[Any], Any], Callable[[Any], Any]]] = {
