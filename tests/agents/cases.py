@@ -13,7 +13,7 @@ import gymnasium
 import numpy as np
 from gymnasium.wrappers import FlattenObservation
 
-import edugym as e
+import edugym as eg
 from edugym import agents
 from edugym.adapters.fitting import tabular
 from edugym.checks.contract import takes_vectors
@@ -56,57 +56,57 @@ def _halves(kind: Any, **settings: Any) -> Case:
     return _case(kind, learning_rate=0.5, discount=0.5, **settings)._replace(estimates_return=True)
 
 
-def small_dqn(environment: Any, **settings: Any) -> e.DQN:
+def small_dqn(environment: Any, **settings: Any) -> eg.DQN:
     """Five hidden units, and learning from the start."""
     few: dict[str, Any] = {"hidden": 5, "memory_size": 64, "batch_size": 4, "learn_from": 8, "copy_every": 3}
-    return e.DQN.create(environment, **{**few, **settings})
+    return eg.DQN.create(environment, **{**few, **settings})
 
 
-def small_gaussian(environment: Any, **settings: Any) -> e.GaussianActorCritic:
+def small_gaussian(environment: Any, **settings: Any) -> eg.GaussianActorCritic:
     """With two tiles a number."""
-    features = e.TileCoding.create(environment, 2) if hasattr(environment, "action_space") else None
-    return e.GaussianActorCritic.create(environment, features=features, **settings)
+    features = eg.TileCoding.create(environment, 2) if hasattr(environment, "action_space") else None
+    return eg.GaussianActorCritic.create(environment, features=features, **settings)
 
 
 DESCRIBED: dict[str, Case] = {
-    "QLearning": _halves(e.QLearning),
-    "SARSA": _halves(e.SARSA),
-    "ExpectedSARSA": _halves(e.ExpectedSARSA),
-    "ExpectedSARSA, softmax": _case(e.ExpectedSARSA, exploration=e.Softmax(0.3)),
-    "CountBased": _halves(e.CountBased, bonus=0.0),
-    "CountBased with its bonus": _case(e.CountBased),
-    "RiskSensitiveQLearning, neutral": _halves(e.RiskSensitiveQLearning, risk=0),
-    "RiskSensitiveQLearning, averse": _case(e.RiskSensitiveQLearning, risk=-2),
-    "RiskSensitiveQLearning, seeking": _case(e.RiskSensitiveQLearning, risk=1),
-    "NStepSARSA": _halves(e.NStepSARSA, n=3),
-    "Monte Carlo": _case(e.NStepSARSA, n=math.inf, longest=25),
-    "TreeBackup": _halves(e.TreeBackup, n=3),
-    "TreeBackup, soft target": _case(e.TreeBackup, target_policy=e.EpsilonGreedy(0.3)),
-    "SARSALambda": _halves(e.SARSALambda),
-    "SARSALambda, accumulating": _case(e.SARSALambda, traces=e.Accumulating()),
-    "SARSALambda, Dutch": _case(e.SARSALambda, traces=e.Dutch()),
-    "QLambda": _halves(e.QLambda),
-    "QLambda, accumulating": _case(e.QLambda, traces=e.Accumulating()),
-    "QLambda, Dutch": _case(e.QLambda, traces=e.Dutch()),
-    "DynaQ without planning": _halves(e.DynaQ, planning_steps=0),
-    "DynaQ": _case(e.DynaQ),
-    "Dyna-Q+, expected": _case(e.DynaQ, exploration_bonus=0.1, expected_updates=True),
-    "PrioritisedSweeping": _case(e.PrioritisedSweeping),
-    "PrioritisedSweeping, sampled": _case(e.PrioritisedSweeping, expected_updates=False, planning_steps=3),
-    "RMax": _case(e.RMax),
-    "RMax, known after 3": _case(e.RMax, known_after=3, planning_steps=4),
-    "GoExplore": _case(e.GoExplore, explore_steps=3, longest=50),
-    "REINFORCE": _case(e.REINFORCE, longest=200),
-    "GaussianActorCritic": Case(e.GaussianActorCritic, small_gaussian, real_actions=True),
-    "DQN": Case(e.DQN, small_dqn),
+    "QLearning": _halves(eg.QLearning),
+    "SARSA": _halves(eg.SARSA),
+    "ExpectedSARSA": _halves(eg.ExpectedSARSA),
+    "ExpectedSARSA, softmax": _case(eg.ExpectedSARSA, exploration=eg.Softmax(0.3)),
+    "CountBased": _halves(eg.CountBased, bonus=0.0),
+    "CountBased with its bonus": _case(eg.CountBased),
+    "RiskSensitiveQLearning, neutral": _halves(eg.RiskSensitiveQLearning, risk=0),
+    "RiskSensitiveQLearning, averse": _case(eg.RiskSensitiveQLearning, risk=-2),
+    "RiskSensitiveQLearning, seeking": _case(eg.RiskSensitiveQLearning, risk=1),
+    "NStepSARSA": _halves(eg.NStepSARSA, n=3),
+    "Monte Carlo": _case(eg.NStepSARSA, n=math.inf, longest=25),
+    "TreeBackup": _halves(eg.TreeBackup, n=3),
+    "TreeBackup, soft target": _case(eg.TreeBackup, target_policy=eg.EpsilonGreedy(0.3)),
+    "SARSALambda": _halves(eg.SARSALambda),
+    "SARSALambda, accumulating": _case(eg.SARSALambda, traces=eg.Accumulating()),
+    "SARSALambda, Dutch": _case(eg.SARSALambda, traces=eg.Dutch()),
+    "QLambda": _halves(eg.QLambda),
+    "QLambda, accumulating": _case(eg.QLambda, traces=eg.Accumulating()),
+    "QLambda, Dutch": _case(eg.QLambda, traces=eg.Dutch()),
+    "DynaQ without planning": _halves(eg.DynaQ, planning_steps=0),
+    "DynaQ": _case(eg.DynaQ),
+    "Dyna-Q+, expected": _case(eg.DynaQ, exploration_bonus=0.1, expected_updates=True),
+    "PrioritisedSweeping": _case(eg.PrioritisedSweeping),
+    "PrioritisedSweeping, sampled": _case(eg.PrioritisedSweeping, expected_updates=False, planning_steps=3),
+    "RMax": _case(eg.RMax),
+    "RMax, known after 3": _case(eg.RMax, known_after=3, planning_steps=4),
+    "GoExplore": _case(eg.GoExplore, explore_steps=3, longest=50),
+    "REINFORCE": _case(eg.REINFORCE, longest=200),
+    "GaussianActorCritic": Case(eg.GaussianActorCritic, small_gaussian, real_actions=True),
+    "DQN": Case(eg.DQN, small_dqn),
 }
 STRATEGIES: dict[str, Callable[[Any], Any]] = {
-    "greedy": lambda environment: e.Greedy(),
-    "epsilon-greedy": lambda environment: e.EpsilonGreedy(0.2),
-    "linear decay": lambda environment: e.ScheduledEpsilonGreedy.create(e.LinearDecay(1.0, 0.1, 500)),
-    "exponential decay": lambda environment: e.ScheduledEpsilonGreedy.create(e.ExponentialDecay(1.0, 0.05, 0.99)),
-    "softmax": lambda environment: e.Softmax(0.3),
-    "ucb": lambda environment: e.UCB.create(environment, 0.5),
+    "greedy": lambda environment: eg.Greedy(),
+    "epsilon-greedy": lambda environment: eg.EpsilonGreedy(0.2),
+    "linear decay": lambda environment: eg.ScheduledEpsilonGreedy.create(eg.LinearDecay(1.0, 0.1, 500)),
+    "exponential decay": lambda environment: eg.ScheduledEpsilonGreedy.create(eg.ExponentialDecay(1.0, 0.05, 0.99)),
+    "softmax": lambda environment: eg.Softmax(0.3),
+    "ucb": lambda environment: eg.UCB.create(environment, 0.5),
 }
 
 
@@ -126,7 +126,7 @@ def _described(kind: Any) -> dict[str, Case]:
 
 
 def _exploring(make: Callable[[Any], Any]) -> Case:
-    return Case(e.QLearning, lambda environment: e.QLearning.create(environment, exploration=make(environment)))
+    return Case(eg.QLearning, lambda environment: eg.QLearning.create(environment, exploration=make(environment)))
 
 
 AGENTS = {name: case for kind in package_classes("learn") for name, case in _described(kind).items()}

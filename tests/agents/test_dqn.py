@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from edugym import DQN, LinearDecay, ScheduledEpsilonGreedy, make_mdp, train
-from edugym.agents.dqn import adam, backward, forward, slope_of_loss
+from edugym.agents.dqn import adam
 from edugym.agents.vectors import input_scale
 from edugym.mdp.protocol import Reals
 from tests.agents.cases import same
@@ -61,28 +61,6 @@ def test_the_gradient_is_that_of_the_loss(seed: int, error_clip: float) -> None:
                 losses.append(loss(agent, rows))
             layer[place] = kept
             assert gradient[place] == pytest.approx((losses[0] - losses[1]) / (2 * h), abs=1e-7)
-
-
-def test_forward_by_hand() -> None:
-    """Two inputs, two hidden units of which one is cut off at 0, two actions: x = (1, 2).
-
-    h = max(0, (1·1 + 2·0 + 1, 1·-1 + 2·-1 + 0)) = (2, 0); Q = (2·3 + 0.5, 2·-1 - 0.5) = (6.5, -2.5).
-    """
-    agent = small((2, 2), hidden=2)
-    agent.weights.first[:] = [[1, -1], [0, -1], [1, 0]]
-    agent.weights.second[:] = [[3.0, -1.0], [9.0, 9.0], [0.5, -0.5]]
-    forward(agent.weights, np.array([1.0, 2.0]), agent.h, agent.Q)
-    assert agent.h.tolist() == [2, 0]
-    assert agent.Q.tolist() == [[6.5, -2.5]]
-    backward(agent.weights, agent.gradient, np.array([1.0, 2.0]), agent.h, np.array([2.0, 0.0]), agent.dh)
-    assert agent.gradient.second.tolist() == [[4, 0], [0, 0], [2, 0]]
-    assert agent.gradient.first.tolist() == [[6, 0], [12, 0], [6, 0]]  # the unit that is cut off passes nothing on
-
-
-@pytest.mark.parametrize(("c", "slopes"), [(1.0, [-1, -1, -0.3, 0, 0.5, 1]), (math.inf, [-7, -1, -0.3, 0, 0.5, 2])])
-def test_the_loss_is_hubers(c: float, slopes: list[float]) -> None:
-    """The error itself, from -c to c."""
-    assert [slope_of_loss(error, c) for error in (-7.0, -1.0, -0.3, 0.0, 0.5, 2.0)] == slopes
 
 
 def test_adam_by_hand() -> None:

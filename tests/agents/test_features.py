@@ -103,14 +103,6 @@ def test_every_state_has_a_tile_in_every_tiling(state: list[float], x: int, y: i
     assert [tile // each for tile in tiles_of(features, *state)] == list(range(tilings))
 
 
-def test_nearer_states_share_more_tiles() -> None:
-    """With 8 tilings, states an eighth of a tile apart share 7 tiles, and those two tiles apart none."""
-    features = TileCoding.create((1, 2), tiles=4, tilings=8)
-    here = {*tiles_of(features, 0.5 + 1e-9)}
-    shared = [len(here & {*tiles_of(features, 0.5 + 1e-9 + k / 32)}) for k in range(10)]
-    assert shared == [8, 7, 6, 5, 4, 3, 2, 1, 0, 0]
-
-
 @pytest.mark.parametrize(
     ("n_inputs", "settings", "message"),
     [

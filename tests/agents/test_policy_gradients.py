@@ -98,20 +98,6 @@ def test_a_long_episode_is_learned_from_in_parts() -> None:
     assert agent.episode.length[0] == 0
 
 
-def test_the_baseline_makes_updates_less_noisy() -> None:
-    """Rewards are 10 and noise; the preferences wander less far with a baseline, though they are worth the same."""
-
-    def wandering(value_learning_rate: float, seed: int) -> float:
-        agent = REINFORCE.create((1, 2), learning_rate=0.01, value_learning_rate=value_learning_rate)
-        rng = np.random.default_rng(seed)
-        for _ in range(500):
-            agent.learn(0, agent.act(0, rng), 10 + rng.normal(), 0, True, False)
-        return float(abs(agent.preferences[0, 0]))
-
-    without, with_one = (np.mean([wandering(rate, seed) for seed in range(20)]) for rate in (0.0, 0.1))
-    assert with_one < without / 2
-
-
 @pytest.mark.parametrize(("terminated", "error"), [(False, 1 + 0.5 * (3 * 2 + 1) - 3), (True, 1 - 3)])
 def test_update_of_real_actions(terminated: bool, error: float) -> None:
     """W = (1, 2, 1), S = (2, 0), S' = (0, 3), a constant of 1; μ(S) = (0.5, 0), drawn (0.9, -0.2), σ = 0.4."""

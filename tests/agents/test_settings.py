@@ -10,23 +10,8 @@ from typing import Annotated, Any, NamedTuple, get_type_hints
 import numpy as np
 import pytest
 
-from edugym import (
-    DQN,
-    REINFORCE,
-    UCB,
-    Dutch,
-    DynaQ,
-    GoExplore,
-    Greedy,
-    NStepSARSA,
-    PrioritisedSweeping,
-    QLambda,
-    QLearning,
-    RMax,
-    SARSALambda,
-    TreeBackup,
-    agents,
-)
+import edugym as eg
+from edugym import agents
 from edugym.agents.settings import Range, check, new, settings_of
 from edugym.envs.boulder import Boulder
 from tests.agents.cases import AGENTS
@@ -77,7 +62,7 @@ def test_what_is_given_out_may_be_changed() -> None:
 )
 def test_what_is_no_environment_is_refused(environment: Any, message: str) -> None:
     """Whatever agent is made for it, and the strategy too."""
-    makers: tuple[Any, ...] = (QLearning.create, NStepSARSA.create, PrioritisedSweeping.create, UCB.create)
+    makers: tuple[Any, ...] = (eg.QLearning.create, eg.NStepSARSA.create, eg.PrioritisedSweeping.create, eg.UCB.create)
     for make in makers:
         with pytest.raises(ValueError, match=message):
             make(environment)
@@ -87,14 +72,14 @@ def test_an_unknown_setting_is_answered_with_all_that_there_are() -> None:
     """Those that `create` itself takes are among them."""
     known = "planning_steps, planning_seconds, model, memory, learning_rate"
     with pytest.raises(ValueError, match=f"PrioritisedSweeping has no setting 'planing_steps'; it has {known}"):
-        PrioritisedSweeping.create((2, 2), planing_steps=3)
+        eg.PrioritisedSweeping.create((2, 2), planing_steps=3)
 
 
 class Half(NamedTuple):
     """A strategy that holds another one, and a class."""
 
-    inner: UCB
-    kind: Any = UCB
+    inner: eg.UCB
+    kind: Any = eg.UCB
 
     def choose(self, Q: Any, state: int, rng: Any) -> int:
         """Do as the other one does."""
@@ -104,9 +89,9 @@ class Half(NamedTuple):
 def test_tables_of_a_strategy_within_a_strategy() -> None:
     """They must be those of the agent's environment too; its shape may come from spaces, whose `n` is NumPy's."""
     shape = np.int64(3), np.int64(2)
-    assert QLearning.create(shape, exploration=Half(UCB.create((3, 2)))).Q.shape == (3, 2)
+    assert eg.QLearning.create(shape, exploration=Half(eg.UCB.create((3, 2)))).Q.shape == (3, 2)
     with pytest.raises(ValueError, match="UCB was made for 4 states, but the agent has 3: give each environment its"):
-        QLearning.create((3, 2), exploration=Half(UCB.create((4, 2))))
+        eg.QLearning.create((3, 2), exploration=Half(eg.UCB.create((4, 2))))
 
 
 RANGES = {
@@ -176,19 +161,19 @@ def test_settings_out_of_range_are_refused(kind: Any) -> None:
 
 
 OWN: list[tuple[Any, dict[str, tuple[Any, ...]]]] = [
-    (DQN, {"hidden": (0, 2.5, "8"), "memory_size": (0, 2.5), "batch_size": (0, 2.5)}),
-    (DynaQ, {"planning_steps": (math.inf, -1, 2.5), "planning_seconds": (0,)}),
-    (DynaQ, {"memory": (0,), "expected_updates": (1,)}),
-    (GoExplore, {"longest": (0,)}),
-    (NStepSARSA, {"n": (0, 2.5), "longest": (0,)}),
-    (PrioritisedSweeping, {"planning_steps": (-1, 2.5, 2**70), "planning_seconds": (-1.0,)}),
-    (PrioritisedSweeping, {"expected_updates": ("yes",)}),
-    (QLambda, {"traces": (Dutch,)}),
-    (QLearning, {"initial_value": ("1", None, math.nan, math.inf, True)}),
-    (REINFORCE, {"longest": (0,)}),
-    (RMax, {"planning_seconds": (0,), "lowest_return": (101.0,)}),
-    (SARSALambda, {"traces": ("replacing",)}),
-    (TreeBackup, {"n": (1.5,)}),
+    (eg.DQN, {"hidden": (0, 2.5, "8"), "memory_size": (0, 2.5), "batch_size": (0, 2.5)}),
+    (eg.DynaQ, {"planning_steps": (math.inf, -1, 2.5), "planning_seconds": (0,)}),
+    (eg.DynaQ, {"memory": (0,), "expected_updates": (1,)}),
+    (eg.GoExplore, {"longest": (0,)}),
+    (eg.NStepSARSA, {"n": (0, 2.5), "longest": (0,)}),
+    (eg.PrioritisedSweeping, {"planning_steps": (-1, 2.5, 2**70), "planning_seconds": (-1.0,)}),
+    (eg.PrioritisedSweeping, {"expected_updates": ("yes",)}),
+    (eg.QLambda, {"traces": (eg.Dutch,)}),
+    (eg.QLearning, {"initial_value": ("1", None, math.nan, math.inf, True)}),
+    (eg.REINFORCE, {"longest": (0,)}),
+    (eg.RMax, {"planning_seconds": (0,), "lowest_return": (101.0,)}),
+    (eg.SARSALambda, {"traces": ("replacing",)}),
+    (eg.TreeBackup, {"n": (1.5,)}),
 ]
 """What `create` itself looks at."""
 
@@ -202,8 +187,8 @@ def test_other_settings_are_refused(kind: Any, settings: dict[str, tuple[Any, ..
                 kind.create((4, 2), **{name: value})
 
 
-@pytest.mark.parametrize(("policy", "given"), [(UCB.create((4, 2)), "UCB"), (Greedy, "the class Greedy")])
+@pytest.mark.parametrize(("policy", "given"), [(eg.UCB.create((4, 2)), "UCB"), (eg.Greedy, "the class Greedy")])
 def test_a_target_policy_has_probabilities(policy: Any, given: str) -> None:
     """UCB has none, and a class is none."""
     with pytest.raises(ValueError, match=f"target_policy must be a strategy that knows .*but is {given}$"):
-        TreeBackup.create((4, 2), target_policy=policy)
+        eg.TreeBackup.create((4, 2), target_policy=policy)

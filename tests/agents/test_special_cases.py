@@ -5,23 +5,30 @@ from typing import Any
 import numpy as np
 import pytest
 
-import edugym as e
+import edugym as eg
 from edugym.checks.contract import is_on_policy, learner
 
 SHAPE = (5, 2)
-ONE_HOT = e.Identity.create(SHAPE, constant=0.0)  # features that are a table: a 1 in the place of each state
+ONE_HOT = eg.Identity.create(SHAPE, constant=0.0)  # features that are a table: a 1 in the place of each state
+TRACES = (eg.Accumulating(), eg.Replacing(), eg.Dutch())
 SPECIAL: list[tuple[Any, dict[str, Any], Any]] = [
-    (e.CountBased, {"bonus": 0}, e.QLearning),
-    (e.DynaQ, {"planning_steps": 0}, e.QLearning),
-    (e.ExpectedSARSA, {"exploration": e.Greedy()}, e.QLearning),
-    (e.TreeBackup, {"n": 1}, e.QLearning),
-    (e.TreeBackup, {"n": 1, "target_policy": e.EpsilonGreedy(0.1)}, e.ExpectedSARSA),
-    (e.RiskSensitiveQLearning, {"risk": 0}, e.QLearning),
-    (e.NStepSARSA, {"n": 1}, e.SARSA),
-    (e.LinearQLearning, {"features": ONE_HOT}, e.QLearning),
-    (e.SemiGradientSARSA, {"features": ONE_HOT}, e.SARSA),
-    *((e.QLambda, {"trace_decay": 0, "traces": z}, e.QLearning) for z in (e.Accumulating(), e.Replacing(), e.Dutch())),
-    *((e.SARSALambda, {"trace_decay": 0, "traces": z}, e.SARSA) for z in (e.Accumulating(), e.Replacing(), e.Dutch())),
+    (eg.CountBased, {"bonus": 0}, eg.QLearning),
+    (eg.DynaQ, {"planning_steps": 0}, eg.QLearning),
+    (eg.ExpectedSARSA, {"exploration": eg.Greedy()}, eg.QLearning),
+    (eg.TreeBackup, {"n": 1}, eg.QLearning),
+    (eg.TreeBackup, {"n": 1, "target_policy": eg.EpsilonGreedy(0.1)}, eg.ExpectedSARSA),
+    (eg.RiskSensitiveQLearning, {"risk": 0}, eg.QLearning),
+    (eg.NStepSARSA, {"n": 1}, eg.SARSA),
+    (eg.LinearQLearning, {"features": ONE_HOT}, eg.QLearning),
+    (eg.SemiGradientSARSA, {"features": ONE_HOT}, eg.SARSA),
+    *(
+        (eg.QLambda, {"trace_decay": 0, "traces": z}, eg.QLearning)
+        for z in (eg.Accumulating(), eg.Replacing(), eg.Dutch())
+    ),
+    *(
+        (eg.SARSALambda, {"trace_decay": 0, "traces": z}, eg.SARSA)
+        for z in (eg.Accumulating(), eg.Replacing(), eg.Dutch())
+    ),
 ]
 
 

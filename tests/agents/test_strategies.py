@@ -10,18 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from edugym import (
-    UCB,
-    CountBased,
-    EpsilonGreedy,
-    ExpectedSARSA,
-    ExponentialDecay,
-    Greedy,
-    LinearDecay,
-    QLearning,
-    ScheduledEpsilonGreedy,
-    Softmax,
-)
+import edugym as eg
 from edugym.exact.branching import branches
 from edugym.mdp.protocol import Random
 from tests.agents.cases import STRATEGIES, package_classes
@@ -55,9 +44,9 @@ def softmax(values: list[float], temperature: float) -> list[float]:
 @given(rows, st.floats(0.0, 1.0), st.sampled_from([0.1, 1.0, 7.0]))
 def test_closed_forms(values: list[float], epsilon: float, temperature: float) -> None:
     """Ties are broken at random, an exploring step may hit the best action too, and softmax is equation 2.11."""
-    assert exact(Greedy, values) == pytest.approx(epsilon_greedy(values, 0.0))
-    assert exact(lambda: EpsilonGreedy(epsilon), values) == pytest.approx(epsilon_greedy(values, epsilon))
-    assert exact(lambda: Softmax(temperature), values) == pytest.approx(softmax(values, temperature))
+    assert exact(eg.Greedy, values) == pytest.approx(epsilon_greedy(values, 0.0))
+    assert exact(lambda: eg.EpsilonGreedy(epsilon), values) == pytest.approx(epsilon_greedy(values, epsilon))
+    assert exact(lambda: eg.Softmax(temperature), values) == pytest.approx(softmax(values, temperature))
 
 
 @pytest.mark.parametrize(
@@ -74,7 +63,7 @@ def test_closed_forms(values: list[float], epsilon: float, temperature: float) -
 )
 def test_the_limits_of_softmax(temperature: float, values: list[float], expected: list[float]) -> None:
     """Tiny and huge temperatures and values (a warning would be an error here)."""
-    assert exact(lambda: Softmax(temperature), values) == pytest.approx(expected)
+    assert exact(lambda: eg.Softmax(temperature), values) == pytest.approx(expected)
 
 
 @given(rows)
@@ -93,16 +82,16 @@ def test_what_has_no_probabilities_is_refused() -> None:
     assert known == set(package_classes("expected_value")) == set(package_classes("probability"))
     message = r"exploration must be a strategy that knows .*EpsilonGreedy\(0\.1\) \(.*or Softmax\), but is UCB$"
     with pytest.raises(ValueError, match=message):
-        ExpectedSARSA.create((4, 2), exploration=UCB.create((4, 2)))
+        eg.ExpectedSARSA.create((4, 2), exploration=eg.UCB.create((4, 2)))
 
 
 @pytest.mark.parametrize(
     ("schedule", "values"),
     [
-        (LinearDecay(1.0, 0.2, 4), [1.0, 0.8, 0.6, 0.4, 0.2, 0.2]),
-        (LinearDecay(0.0, 1.0, 4), [0.0, 0.25, 0.5, 0.75, 1.0, 1.0]),
-        (ExponentialDecay(1.0, 0.1, 0.5), [1.0, 0.5, 0.25, 0.125, 0.1, 0.1]),
-        (ExponentialDecay(0.3, 0.0, 1.0), [0.3] * 6),
+        (eg.LinearDecay(1.0, 0.2, 4), [1.0, 0.8, 0.6, 0.4, 0.2, 0.2]),
+        (eg.LinearDecay(0.0, 1.0, 4), [0.0, 0.25, 0.5, 0.75, 1.0, 1.0]),
+        (eg.ExponentialDecay(1.0, 0.1, 0.5), [1.0, 0.5, 0.25, 0.125, 0.1, 0.1]),
+        (eg.ExponentialDecay(0.3, 0.0, 1.0), [0.3] * 6),
     ],
 )
 def test_schedules(schedule: Any, values: list[float]) -> None:
@@ -110,8 +99,8 @@ def test_schedules(schedule: Any, values: list[float]) -> None:
     assert [schedule.value(step) for step in range(6)] == pytest.approx(values)
     assert schedule.value(10_000) == pytest.approx(values[-1])
 
-    def made(step: int) -> ScheduledEpsilonGreedy:
-        return ScheduledEpsilonGreedy(schedule, np.array([step]))
+    def made(step: int) -> eg.ScheduledEpsilonGreedy:
+        return eg.ScheduledEpsilonGreedy(schedule, np.array([step]))
 
     for step, epsilon in enumerate(values):
         strategy, Q = made(step), np.array([[0.0, 1.0]])
@@ -124,7 +113,7 @@ def test_schedules(schedule: Any, values: list[float]) -> None:
 
 def ucb(values: list[float], counts: list[int], c: float) -> list[float]:
     """The exact probabilities of UCB's choice."""
-    return exact(lambda: UCB(np.array([[7] * len(counts), counts]), np.zeros((1, len(counts))), c), values)
+    return exact(lambda: eg.UCB(np.array([[7] * len(counts), counts]), np.zeros((1, len(counts))), c), values)
 
 
 @given(rows, st.data())
@@ -158,10 +147,10 @@ def test_ucb_is_equation_2_10(values: list[float], counts: list[int], c: float, 
 
 def test_ucb_counts_what_it_chooses() -> None:
     """One more for the chosen action of this state, and nothing else."""
-    strategy = UCB(np.array([[2, 7], [1, 1]]), np.zeros((1, 2)), 0.0)
+    strategy = eg.UCB(np.array([[2, 7], [1, 1]]), np.zeros((1, 2)), 0.0)
     assert strategy.choose(np.array([[0.0, 1.0], [5.0, 0.0]]), 0, np.random.default_rng(0)) == 1
     assert strategy.counts.tolist() == [[2, 8], [1, 1]]
-    assert UCB.create((3, 4)).counts.tolist() == [[0] * 4] * 3
+    assert eg.UCB.create((3, 4)).counts.tolist() == [[0] * 4] * 3
 
 
 class Swapped(NamedTuple):
@@ -178,16 +167,16 @@ class Swapped(NamedTuple):
     ("exploration", "message"),
     [
         (Swapped(0.1), r"choose of Swapped must take \(self, Q, state, rng\), but takes \(self, state, Q, rng\)"),
-        (EpsilonGreedy(2.0), "epsilon must be from 0 to 1, but is 2.0"),
-        (Softmax(0.0), "temperature must be greater than 0, but is 0.0"),
+        (eg.EpsilonGreedy(2.0), "epsilon must be from 0 to 1, but is 2.0"),
+        (eg.Softmax(0.0), "temperature must be greater than 0, but is 0.0"),
         (0.1, "exploration must be a strategy such as EpsilonGreedy\\(0.1\\), but is 0.1"),
-        (UCB.create((3, 2)), "UCB was made for 3 states, but the agent has 2"),
-        (UCB.create((2, 5)), "UCB was made for 5 actions, but the agent has 2"),
+        (eg.UCB.create((3, 2)), "UCB was made for 3 states, but the agent has 2"),
+        (eg.UCB.create((2, 5)), "UCB was made for 5 actions, but the agent has 2"),
     ],
 )
 def test_agents_refuse_strategies_that_make_no_sense(exploration: Any, message: str) -> None:
     """A tuple cannot check itself, so the agent that gets the strategy does."""
-    for kind in (QLearning, CountBased):
+    for kind in (eg.QLearning, eg.CountBased):
         with pytest.raises(ValueError, match=message):
             kind.create((2, 2), exploration=exploration)
 
@@ -195,12 +184,12 @@ def test_agents_refuse_strategies_that_make_no_sense(exploration: Any, message: 
 @pytest.mark.parametrize(
     ("schedule", "message"),
     [
-        (LinearDecay(1.5, 0.1, 10), "start must be from 0 to 1, but is 1.5"),
-        (ExponentialDecay(1.0, 0.1, 0.0), "rate must be greater than 0 and at most 1, but is 0.0"),
+        (eg.LinearDecay(1.5, 0.1, 10), "start must be from 0 to 1, but is 1.5"),
+        (eg.ExponentialDecay(1.0, 0.1, 0.0), "rate must be greater than 0 and at most 1, but is 0.0"),
         (0.1, r"schedule must have a method value\(step\), as LinearDecay\(1.0, 0.1, 1000\) has, but is 0.1"),
     ],
 )
 def test_schedules_that_make_no_sense_are_refused(schedule: Any, message: str) -> None:
     """Where the strategy that follows them is made."""
     with pytest.raises(ValueError, match=message):
-        ScheduledEpsilonGreedy.create(schedule)
+        eg.ScheduledEpsilonGreedy.create(schedule)

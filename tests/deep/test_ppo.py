@@ -20,7 +20,6 @@ from edugym.deep.ppo import (
     ActorCritic,
     Adam,
     Gaussian,
-    Network,
     Softmax,
     advantages_of,
     clipped_gain,
@@ -63,21 +62,6 @@ def test_the_objective_by_hand(ratio: float, advantage: float, gain: float, slop
     assert [float(value.detach()), float(torch.autograd.grad(value, r)[0])] == pytest.approx([gain, slope])
 
 
-def test_a_network_by_hand() -> None:
-    """One unit in each layer, x = 0, so that h₁ = h₂ = 0 but for biases: tanh' = 1, and the chain rule can be read off.
-
-    With W₂ = 2, W₃ = 3 and b₃ = 5, y = 5; it changes by W₃ = 3 with b₂, by W₃ W₂ = 6 with b₁, and not with the
-    weights, whose inputs are 0. With x = 1 and W₁ = 0 it changes by 6 with W₁ as well.
-    """
-    weights = [torch.tensor(numbers) for numbers in ([[0.0]], [0.0], [[2.0]], [0.0], [[3.0]], [5.0])]
-    net = Network(weights, [torch.empty_like(part) for part in weights])
-    *inputs, y = net.outputs(torch.tensor([[0.0], [1.0]]))
-    assert y.tolist() == [[5.0], [5.0]]
-    by_hand = [[[6.0]], [12.0], [[0.0]], [6.0], [[0.0]], [2.0]]  # sums over both states
-    net.backward(inputs, torch.ones(2, 1))
-    assert [part.tolist() for part in net.gradients] == by_hand
-
-
 def test_weights_begin_orthogonal() -> None:
     """W Wᵀ = 2 I in a hidden layer, last² I in the last one; b = 0."""
     with torch.random.fork_rng():
@@ -89,29 +73,14 @@ def test_weights_begin_orthogonal() -> None:
     assert not last_b.any()
 
 
-def test_a_gaussian_by_hand() -> None:
-    """With μ = 1, σ = 2 and a = 5, z = 2: log π = -2 - log 2 - log √2π; by μ it is z/σ = 1, by log σ z² - 1 = 3."""
-    policy = Gaussian(torch.tensor([[1.0]]), torch.tensor([2.0]).log())
-    a = torch.tensor([[5.0]])
-    assert float(policy.log_prob(a)) == pytest.approx(-2 - np.log(2) - np.log(np.sqrt(2 * np.pi)))
-    by_mean, by_log_std = policy.gradient(a, torch.tensor([10.0]), 0.5)
-    assert by_mean.tolist() == [[pytest.approx(10.0)]]
-    assert by_log_std.tolist() == [pytest.approx(30.0 + 0.5)]
-
-
-def test_a_softmax_by_hand() -> None:
-    """With p = (1/4, 3/4) and the first chosen, log π is log 1/4, and its derivatives by y are (1 - 1/4, -3/4)."""
-    p = torch.tensor([[0.25, 0.75]])
-    policy, a = Softmax([p.log()]), torch.tensor([[0]])
-    assert float(policy.log_prob(a)) == pytest.approx(np.log(0.25))
-    assert policy.gradient(a, torch.tensor([10.0]), 0.0)[0].tolist() == [pytest.approx([7.5, -7.5])]
+def test_draws() -> None:
+    """A softmax with p = (1/4, 3/4), and a Gaussian with μ = 1 and σ = 2."""
     torch.manual_seed(0)
-    drawn = Softmax([p.log().expand(10_000, 2)]).sample()
-    assert drawn.shape == (10_000, 1)
-    assert float(drawn.double().mean()) == pytest.approx(0.75, abs=0.02)
-    entropy = -0.25 * np.log(0.25) - 0.75 * np.log(0.75)
-    by_y = [-0.25 * (np.log(0.25) + entropy), -0.75 * (np.log(0.75) + entropy)]
-    assert policy.gradient(a, torch.tensor([0.0]), 2.0)[0].tolist() == [pytest.approx([2 * by_y[0], 2 * by_y[1]])]
+    chosen = Softmax([torch.tensor([[0.25, 0.75]]).log().expand(10_000, 2)]).sample()
+    assert chosen.shape == (10_000, 1)
+    assert float(chosen.double().mean()) == pytest.approx(0.75, abs=0.02)
+    drawn = Gaussian(torch.ones(10_000, 1), torch.tensor([2.0]).log()).sample()
+    assert [float(drawn.mean()), float(drawn.std())] == pytest.approx([1.0, 2.0], abs=0.1)
 
 
 def objective(ppo: PPO, net: ActorCritic, data: list[Tensor]) -> Tensor:
