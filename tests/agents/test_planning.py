@@ -173,7 +173,7 @@ def test_an_action_with_two_outcomes_counts_with_their_mean() -> None:
 @pytest.mark.parametrize("slip", [0.0, 0.25])
 def test_with_the_exact_model_one_act_finds_the_optimum(slip: float) -> None:
     """Without a step: until the queue of sweeping is empty, and in both tables of R-max."""
-    mdp, how = Walk(slip=slip), {"discount": 0.9, "threshold": 1e-12}
+    mdp, how = Walk(slip=slip), dict[str, Any](discount=0.9, threshold=1e-12)
     exact, model = exact_values(mdp, 0.9), finite_model(mdp)
     sweeping = PrioritisedSweeping.create(mdp, model=model, planning_steps=np.inf, learning_rate=1, **how)
     sweeping.act(1, RNG)
