@@ -10,7 +10,7 @@ from gymnasium.wrappers import FlattenObservation
 from edugym import LinearQLearning, make_environment, make_mdp, train
 from edugym.compiled import execution
 from edugym.training import trainers
-from tests.agents.case import same
+from tests.agents.cases import same
 from tests.compiled.cells import cell
 
 TWO, FORCE = spaces.Discrete(2), spaces.Box(-9.0, 9.0, (2,), np.float32)

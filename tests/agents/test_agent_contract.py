@@ -3,7 +3,7 @@
 import copy
 import inspect
 import itertools
-from typing import Any, NamedTuple
+from typing import Any
 
 import gymnasium
 import numpy as np
@@ -15,8 +15,7 @@ from edugym.agents.settings import settings_of
 from edugym.agents.traces import Replacing
 from edugym.checks.contract import is_on_policy, learner
 from edugym.mdp.protocol import Random
-from tests.agents.case import Case
-from tests.agents.cases import AGENTS, CASES, STRATEGIES, package_classes, same
+from tests.agents.cases import AGENTS, CASES, STRATEGIES, Case, package_classes, same
 
 KINDS = {case.kind: case for case in reversed(AGENTS.values())}
 """The first case of every agent."""
@@ -35,47 +34,27 @@ REAL = (*map(latest, ("Pendulum", "MountainCarContinuous")), "edugym/Trashbot-v0
 def in_turn() -> pytest.MarkDecorator:
     """Each agent in one Gymnasium environment with actions that it can take, of whole numbers or of real ones."""
     whole, real = itertools.cycle(WHOLE), itertools.cycle(REAL)
-    cases = [(label, case, next(real if case.real_actions else whole)) for label, case in CASES.items()]
-    return pytest.mark.parametrize(
-        ("case", "name"), [pytest.param(case, name, id=f"{label}-{name}") for label, case, name in cases]
-    )
+    names = [next(real if case.real_actions else whole) for case in CASES.values()]
+    return pytest.mark.parametrize(("case", "name"), [*zip(CASES.values(), names, strict=True)], ids=CASES)
 
 
-class Cycle(NamedTuple):
-    """One state and one action that pays 1; it ends the task, or goes on for ever."""
+class Cycle(gymnasium.Env[Any, Any]):
+    """One state and one action that pays 1; each step ends the task, or is the last before a truncation."""
 
-    ends: bool
-    max_steps: int = 1
+    observation_space = spaces.Discrete(2)
+    action_space: Any = spaces.Discrete(1)
 
-    def initial(self, rng: Random) -> int:
+    def __init__(self, ends: bool) -> None:
+        """Which of both."""
+        self.ends = ends
+
+    def reset(self, **how: Any) -> Any:
         """The one state."""
-        return 0
+        return 0, {}
 
-    def transition(self, state: int, action: int, rng: Random) -> int:
-        """Back to it, or to the end."""
-        return 1 if self.ends else 0
-
-    def reward(self, state: int, action: int, next_state: int, rng: Random) -> float:
-        """Always 1."""
-        return 1.0
-
-    def terminal(self, state: int) -> bool:
-        """The end."""
-        return state == 1
-
-    def observation(self, state: int, rng: Random) -> int:
-        """The state."""
-        return state
-
-    @property
-    def observation_space(self) -> spaces.Discrete:
-        """The state and the end."""
-        return spaces.Discrete(2)
-
-    @property
-    def action_space(self) -> spaces.Discrete:
-        """One action."""
-        return spaces.Discrete(1)
+    def step(self, action: int) -> Any:
+        """To the end, or back."""
+        return int(self.ends), 1.0, self.ends, not self.ends, {}
 
 
 def play_by_hand(env: gymnasium.Env[Any, Any], agent: Any, n_steps: int, agent_rng: Random, first_seed: int) -> Any:
@@ -154,10 +133,7 @@ class Unchanged(gymnasium.Wrapper[Any, Any, Any, Any]):
 
 @pytest.mark.parametrize(
     "case",
-    [
-        pytest.param(case, id=label, marks=() if case in KINDS.values() else pytest.mark.slow)
-        for label, case in CASES.items()
-    ],
+    [pytest.param(c, marks=() if c in KINDS.values() else pytest.mark.slow, id=name) for name, c in CASES.items()],
 )
 def test_the_gymnasium_loop_and_machine_code_are_one(case: Case) -> None:
     """In an environment without chance both give the same run to the last bit: resets, truncation and all."""
@@ -231,25 +207,18 @@ def test_an_agent_for_a_smaller_environment_is_refused(case: Case) -> None:
 
 
 @every_agent
-def test_agents_that_are_compared_have_the_same_defaults(case: Case) -> None:
-    """Whoever sets nothing compares algorithms, not settings. Agents without a table take smaller steps."""
+def test_settings(case: Case) -> None:
+    """Whoever sets nothing compares algorithms, not settings; agents without a table take smaller steps.
+
+    An environment is all that `create` needs. A learning rate of 1 and the discounts 0 and 1 are legitimate.
+    """
     expected = {"discount": 0.99, "exploration": EpsilonGreedy(0.1), "n": 4, "trace_decay": 0.9, "traces": Replacing()}
     if not case.vectors:
         expected |= {"learning_rate": 0.1, "value_learning_rate": 0.1}
-    parameters = inspect.signature(case.kind.create).parameters
-    for name in expected.keys() & parameters.keys():
-        assert parameters[name].default == expected[name], name
-
-
-@every_agent
-def test_settings_at_the_ends_of_their_ranges_are_accepted(case: Case) -> None:
-    """A learning rate of 1 and the discounts 0 and 1 are legitimate."""
+    signature = inspect.signature(case.kind.create)
+    signature.bind("environment")
+    for name in expected.keys() & signature.parameters.keys():
+        assert signature.parameters[name].default == expected[name], name
     for name, value in (("learning_rate", 1), ("discount", 0), ("discount", 1)):
         if name in settings_of(case.kind):
             assert getattr(case.kind.create((4, 2), **{name: value}), name) == value
-
-
-@every_agent
-def test_an_environment_is_all_that_create_needs(case: Case) -> None:
-    """And its signature says so, which help shows and `repeat` looks at."""
-    inspect.signature(case.kind.create).bind("environment")

@@ -1,10 +1,13 @@
-"""Features, and values that are linear in them, worked out by hand."""
+"""Features, tiles, and values that are linear in them, worked out by hand; and what it takes to make them."""
 
+import math
 from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from edugym import Identity, TileCoding, make_mdp
 from edugym.agents.features import check_features, follow_gradient, linear_value, linear_values
@@ -51,3 +54,78 @@ def test_features_of_something_else_are_refused() -> None:
     for wrong in (Identity, TileCoding, None, 8, SimpleNamespace(see=len), SimpleNamespace(n_features=50)):
         with pytest.raises(ValueError, match="features must be a value such as TileCoding"):
             check_features(wrong, 50)
+
+
+def tiles_of(features: TileCoding, *state: float) -> list[int]:
+    """The tiles of a state."""
+    features.see(np.array(state))
+    return [int(tile) for tile in features.active]
+
+
+def test_one_number() -> None:
+    """Two tilings of 4 tiles from 0 to 1, the second displaced by half a tile: 0.3 is 1.2 tiles from the start.
+
+    In the first tiling that is tile 1 of 0 to 4, in the second, 1.7, tile 1 too. Numbers begin at 0 and 5.
+    """
+    features = TileCoding.create((1, 2), tiles=4, tilings=2)
+    assert features.n_features == 2 * 5
+    assert tiles_of(features, 0.3) == [0 * 5 + 1, 1 * 5 + 1]
+    assert tiles_of(features, 0.4) == [1, 5 + 2]  # 1.6 and 2.1
+    assert tiles_of(features, 1.0) == [4, 5 + 4]  # 4.0 and 4.5
+    assert tiles_of(features, 0.0) == [0, 5 + 0]
+
+
+def test_two_numbers_are_displaced_by_1_and_3() -> None:
+    """Four tilings of 2 by 3 tiles at (0.5, 0.5), which is (1.0, 1.5) in tiles.
+
+    Displaced by k (1, 3) mod 4, in quarters of a tile: (0, 0), (1, 3), (2, 2), (3, 1), so that the places are (1.0,
+    1.5), (1.25, 2.25), (1.5, 2.0), (1.75, 1.75).
+    """
+    features = TileCoding.create((2, 2), tiles=[2, 3], tilings=4)
+    places = [(1, 1), (1, 2), (1, 2), (1, 1)]
+    assert tiles_of(features, 0.5, 0.5) == [(k * 3 + i) * 4 + j for k, (i, j) in enumerate(places)]
+    assert features.n_features == 4 * 3 * 4
+
+
+def test_a_number_may_be_left_out_and_bounds_given() -> None:
+    """Of (x, y, z) only y, from -2 to 2."""
+    features = TileCoding.create((3, 2), tiles=[1, 4, 1], tilings=1, low=[0, -2, 0], high=[0, 2, 0])
+    assert tiles_of(features, 9.0, -1.5, math.inf) == [0]
+    assert tiles_of(features, 9.0, -0.5, math.inf) == [1]
+    assert features.n_features == 5
+
+
+@given(st.lists(st.floats(), min_size=2, max_size=2), st.integers(1, 9), st.integers(1, 9), st.integers(1, 16))
+def test_every_state_has_a_tile_in_every_tiling(state: list[float], x: int, y: int, tilings: int) -> None:
+    """Also far outside the bounds; no two tilings share a tile, and there is none beyond the last."""
+    features = TileCoding.create((2, 2), tiles=[x, y], tilings=tilings)
+    each = features.n_features // tilings
+    assert [tile // each for tile in tiles_of(features, *state)] == list(range(tilings))
+
+
+@pytest.mark.parametrize(
+    ("n_inputs", "settings", "message"),
+    [
+        (7, {"tiles": 0}, "tiles must be 1 or more, but is 0"),
+        (7, {"tiles": [4]}, "tiles must have a number for each of 7, but has 1"),
+        (7, {"tiles": [2.5] * 7}, "tiles must be a whole number"),
+        (7, {"tiles": "8"}, "tiles must be a whole number, 1 or more, but is '8'"),
+        (7, {"tilings": 0}, "tilings must be 1 or more, but is 0"),
+        (7, {"low": [0.0]}, "low must have 7 numbers"),
+        (1, {"low": [0.0], "high": [0.0]}, "low and high must be the bounds .* number 0 is from 0.0 to 0.0"),
+        (1, {"low": [0.0], "high": [math.inf]}, r"number 0 is from 0.0 to inf: give low=\[...\] and high=\[...\]"),
+        (1, {"low": [0.0], "high": [1e9]}, "less than a billion apart, but number 0 is from 0.0 to 1"),
+        (7, {"tiles": 9}, r"tiles must make 10,000,000 tiles at most, but make 8e\+07: leave numbers out by 1"),
+        (1, {"tiles": 10_000, "tilings": 1_000}, "at most, but make 1e"),
+    ],
+)
+def test_what_makes_no_sense_is_refused(n_inputs: int, settings: dict[str, Any], message: str) -> None:
+    """The message names the parameter and what is allowed."""
+    with pytest.raises(ValueError, match=message):
+        TileCoding.create((n_inputs, 2), **settings)
+
+
+def test_the_most_that_is_allowed() -> None:
+    """Ten million tiles, and bounds nearly a billion apart."""
+    assert TileCoding.create((1, 2), tiles=9_999, tilings=1_000).n_features == 10_000_000
+    assert TileCoding.create((1, 2), low=[0.0], high=[0.99e9]).high.tolist() == [0.99e9]

@@ -1,104 +1,74 @@
-"""What the agents achieve: exact values in the limit, and what they are for, each claim with a control that fails.
-
-A claim is about a share of runs, and its interval is the exact one of Clopper and Pearson at 95 %.
-"""
+"""What the agents achieve: exact values in the limit, and what they are for, each claim with a control that fails."""
 
 from collections.abc import Callable
 from typing import Any
 
+import gymnasium
 import numpy as np
 import pytest
 from scipy.stats import binomtest
 
-from edugym import (
-    REINFORCE,
-    SARSA,
-    Accumulating,
-    ActorCritic,
-    CountBased,
-    DoubleQLearning,
-    Dutch,
-    DynaQ,
-    EpsilonGreedy,
-    ExponentialDecay,
-    GoExplore,
-    NStepSARSA,
-    PrioritisedSweeping,
-    QLambda,
-    QLearning,
-    RMax,
-    SARSALambda,
-    ScheduledEpsilonGreedy,
-    TreeBackup,
-    make_mdp,
-    mean_interval,
-)
-from edugym.training.train import train
+import edugym as eg
 from tests.agents.walk import Walk, exact_values
 
 NOTHING = 5e-324
 """A learning rate so small that nothing is learned: the smallest number above 0."""
 
-LIMITS: dict[str, tuple[Callable[..., Any], float, float]] = {
-    "Double Q-learning": (lambda **how: DoubleQLearning.create(Walk(), learning_rate=0.005, **how), 1.0, 0.0),
-    "Tree backup": (lambda **how: TreeBackup.create(Walk(), learning_rate=0.001, **how), 1.0, 0.0),
-    "SARSA": (lambda **how: SARSA.create(Walk(), learning_rate=0.002, **how), 0.3, 0.3),
-    "Q-learning": (lambda **how: QLearning.create(Walk(), learning_rate=0.002, **how), 0.3, 0.0),
-    "Q(λ)": (lambda **how: QLambda.create(Walk(), learning_rate=0.002, **how), 0.3, 0.0),
-    "Q(λ), Dutch": (lambda **how: QLambda.create(Walk(), learning_rate=0.002, traces=Dutch(), **how), 0.3, 0.0),
-    "Q(λ), accumulating": (
-        lambda **how: QLambda.create(Walk(), learning_rate=0.002, traces=Accumulating(), **how), 0.3, 0.0
-    ),
-}  # fmt: skip
-"""Agents, the ε with which they act, and the ε of the policy whose values they learn."""
+LIMITS: dict[str, tuple[Any, dict[str, Any], float, float]] = {
+    "Double Q-learning": (eg.DoubleQLearning, {"learning_rate": 0.005}, 1.0, 0.0),
+    "Tree backup": (eg.TreeBackup, {"learning_rate": 0.001}, 1.0, 0.0),
+    "SARSA": (eg.SARSA, {}, 0.3, 0.3),
+    "Q-learning": (eg.QLearning, {}, 0.3, 0.0),
+    "Q(λ)": (eg.QLambda, {}, 0.3, 0.0),
+    "Q(λ), Dutch": (eg.QLambda, {"traces": eg.Dutch()}, 0.3, 0.0),
+    "Q(λ), accumulating": (eg.QLambda, {"traces": eg.Accumulating()}, 0.3, 0.0),
+}
+"""Agents and settings, the ε with which they act, and the ε of the policy whose values they learn."""
 
 
 @pytest.mark.parametrize(
-    ("create", "acting", "learned"),
+    ("kind", "settings", "acting", "learned"),
     [pytest.param(*case, id=name, marks=pytest.mark.slow if "," in name else ()) for name, case in LIMITS.items()],
 )
-def test_exact_values_in_the_limit(create: Callable[..., Any], acting: float, learned: float) -> None:
+def test_exact_values_in_the_limit(kind: Any, settings: dict[str, Any], acting: float, learned: float) -> None:
     """Of many small steps: those of the best ε-soft policy, and not those of another one."""
-    agent = create(discount=0.9, exploration=EpsilonGreedy(acting))
-    train(Walk(), agent, 400_000, seed=1, evaluate_every=400_000)
+    settings = {"learning_rate": 0.002, "discount": 0.9, "exploration": eg.EpsilonGreedy(acting)} | settings
+    agent = kind.create(Walk(), **settings)
+    eg.train(Walk(), agent, 400_000, seed=1, evaluate_every=400_000)
     for table in (agent.Q1, agent.Q2, agent.Q) if hasattr(agent, "Q1") else (agent.Q,):
         assert pytest.approx(exact_values(Walk(), 0.9, epsilon=learned), abs=0.08) == table
         assert pytest.approx(exact_values(Walk(), 0.9, epsilon=learned + 0.5), abs=0.08) != table
 
 
 def interval(run: Callable[[int], bool], n: int = 12) -> tuple[float, float]:
-    """Between which shares of runs succeed, judged by `n` of them."""
+    """Between which shares of runs succeed, judged by `n` of them: exactly, by Clopper and Pearson at 95 %."""
     ends = binomtest(sum(map(run, range(n))), n).proportion_ci()
     return ends.low, ends.high
 
 
-def on_boulder(height: int, n_steps: int, create: Callable[[Any], Any]) -> Callable[[int], bool]:
-    """A run on a wall, whose layout and random streams come from the seed: does it always climb it in the end?"""
+FAST: dict[str, Any] = {"learning_rate": 0.5, "discount": 0.9}
+STILL = {"learning_rate": NOTHING}
+CLIMBERS: list[tuple[int, int, Any, dict[str, Any], dict[str, Any]]] = [
+    (5, 10_000, eg.QLearning, {}, STILL),
+    (4, 50_000, eg.ActorCritic, FAST, STILL),
+    (4, 50_000, eg.REINFORCE, FAST, STILL),
+    (25, 100_000, eg.CountBased, FAST, {"bonus": 0.0}),  # where random climbing takes 67 million steps on average
+    (100, 20_000, eg.GoExplore, {}, STILL),
+]
 
-    def climbs(seed: int) -> bool:
-        mdp = make_mdp("Boulder", height=height, layout_seed=seed)
-        run = train(mdp, create(mdp), n_steps, seed=seed, evaluate_every=n_steps, evaluation_episodes=20)
+
+@pytest.mark.parametrize(("height", "n_steps", "kind", "settings", "worse"), CLIMBERS)
+def test_it_climbs_a_wall(height: int, n_steps: int, kind: Any, settings: Any, worse: dict[str, Any]) -> None:
+    """Always, in the end, where it does not without what the method is about; layouts come from the seed."""
+
+    def climbs(seed: int, **more: Any) -> bool:
+        mdp = eg.make_mdp("Boulder", height=height, layout_seed=seed)
+        agent = kind.create(mdp, **{**settings, **more})
+        run = eg.train(mdp, agent, n_steps, seed=seed, evaluate_every=n_steps, evaluation_episodes=20)
         return bool(run.returns[-1] == 1.0)
 
-    return climbs
-
-
-FAST: dict[str, Any] = {"learning_rate": 0.5, "discount": 0.9}
-CLIMBERS: dict[str, tuple[int, int, Callable[..., Any], dict[str, Any]]] = {
-    "Q-learning": (5, 10_000, QLearning.create, {"learning_rate": NOTHING}),
-    "actor-critic": (4, 50_000, lambda mdp, **s: ActorCritic.create(mdp, **{**FAST, **s}), {"learning_rate": NOTHING}),
-    "REINFORCE": (4, 50_000, lambda mdp, **s: REINFORCE.create(mdp, **{**FAST, **s}), {"learning_rate": NOTHING}),
-    # where random climbing takes 67 million steps on average
-    "counting": (25, 100_000, lambda mdp, **s: CountBased.create(mdp, **{**FAST, **s}), {"bonus": 0.0}),
-    "Go-Explore": (100, 20_000, GoExplore.create, {"learning_rate": NOTHING}),
-}
-
-
-@pytest.mark.parametrize(("height", "n_steps", "create", "worse"), CLIMBERS.values(), ids=CLIMBERS)
-def test_it_climbs_a_wall(height: int, n_steps: int, create: Any, worse: dict[str, Any]) -> None:
-    """Where it does not without what the method is about."""
-    low, _ = interval(on_boulder(height, n_steps, create))
-    _, high = interval(on_boulder(height, n_steps, lambda mdp: create(mdp, **worse)))
+    low, _ = interval(climbs)
+    _, high = interval(lambda seed: climbs(seed, **worse))
     assert low > 0.7
     assert high < 0.3
 
@@ -106,41 +76,110 @@ def test_it_climbs_a_wall(height: int, n_steps: int, create: Any, worse: dict[st
 def test_exploration_that_fades_earns_more_while_it_learns() -> None:
     """With ε falling to 0 the training episodes become perfect; with a constant ε = 0.5 they stay long."""
 
-    def last_return(exploration: Callable[[], Any]) -> np.ndarray[Any, Any]:
+    def last_returns(exploration: Callable[[], Any]) -> list[float]:
         returns = []
         for seed in range(10):
-            mdp = make_mdp("Boulder", height=5, max_steps=10, layout_seed=seed)
-            agent = QLearning.create(mdp, exploration=exploration(), initial_value=1.0)
-            returns.append(train(mdp, agent, 20_000, seed=seed, evaluate_every=2_000).training_returns[-1])
-        return np.array(returns)
+            mdp = eg.make_mdp("Boulder", height=5, max_steps=10, layout_seed=seed)
+            agent = eg.QLearning.create(mdp, exploration=exploration(), initial_value=1.0)
+            returns.append(float(eg.train(mdp, agent, 20_000, seed=seed, evaluate_every=2_000).training_returns[-1]))
+        return returns
 
-    fading = last_return(lambda: ScheduledEpsilonGreedy.create(ExponentialDecay(0.5, 0.0, 0.999)))
-    constant = last_return(lambda: EpsilonGreedy(0.5))
-    assert fading.min() > 0.99
-    assert constant.max() < 0.6
+    assert min(last_returns(lambda: eg.ScheduledEpsilonGreedy.create(eg.ExponentialDecay(0.5, 0.0, 0.999)))) > 0.99
+    assert max(last_returns(lambda: eg.EpsilonGreedy(0.5))) < 0.6
 
 
-SHOPPERS: dict[str, tuple[int, Callable[[Any], Any], Callable[[Any], Any]]] = {
-    "planning": (2_000, lambda mdp: DynaQ.create(mdp, learning_rate=1), lambda mdp: QLearning.create(mdp, **FAST)),
-    "sweeping": (
-        500, lambda mdp: PrioritisedSweeping.create(mdp, learning_rate=1), lambda mdp: DynaQ.create(mdp, **FAST)
-    ),
-    "hope": (2_000, RMax.create, lambda mdp: RMax.create(mdp, highest_return=-100)),
-    "traces": (8_000, SARSALambda.create, lambda mdp: SARSALambda.create(mdp, trace_decay=0)),
-    "traces, off-policy": (8_000, QLambda.create, lambda mdp: QLambda.create(mdp, trace_decay=0)),
-    "several steps": (8_000, NStepSARSA.create, SARSA.create),
-    "several steps, off-policy": (8_000, lambda mdp: TreeBackup.create(mdp, n=8), QLearning.create),
-}  # fmt: skip
+SHOPPERS: list[tuple[int, tuple[Any, dict[str, Any]], tuple[Any, dict[str, Any]]]] = [
+    (2_000, (eg.DynaQ, {"learning_rate": 1}), (eg.QLearning, FAST)),
+    (500, (eg.PrioritisedSweeping, {"learning_rate": 1}), (eg.DynaQ, FAST)),
+    (2_000, (eg.RMax, {}), (eg.RMax, {"highest_return": -100})),
+    (8_000, (eg.SARSALambda, {}), (eg.SARSALambda, {"trace_decay": 0})),
+    (8_000, (eg.QLambda, {}), (eg.QLambda, {"trace_decay": 0})),
+    (8_000, (eg.NStepSARSA, {}), (eg.SARSA, {})),
+    (8_000, (eg.TreeBackup, {"n": 8}), (eg.QLearning, {})),
+]
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("n_steps", "better", "worse"), SHOPPERS.values(), ids=SHOPPERS)
+@pytest.mark.parametrize(("n_steps", "better", "worse"), SHOPPERS)
 def test_what_a_method_is_for_saves_steps(n_steps: int, better: Any, worse: Any) -> None:
     """Supermarket: its mean return over the first steps is higher than without, over seeds."""
-    mdp = make_mdp("Supermarket")
+    mdp, n = eg.make_mdp("Supermarket"), max(n_steps, 5_000)
 
-    def returns(create: Any) -> Any:
-        runs = [train(mdp, create(mdp), max(n_steps, 5_000), seed=s, evaluate_every=250).returns for s in range(10)]
+    def returns(kind: Any, settings: dict[str, Any]) -> Any:
+        runs = [eg.train(mdp, kind.create(mdp, **settings), n, seed=s, evaluate_every=250).returns for s in range(10)]
         return np.array(runs)[:, 1 : n_steps // 250 + 1].mean(axis=1)
 
-    assert mean_interval(returns(better) - returns(worse)).low > 0
+    assert eg.mean_interval(returns(*better) - returns(*worse)).low > 0
+
+
+def trained(name: str, kind: Any, n_steps: int, settings: dict[str, Any], **how: Any) -> eg.Run:
+    """A run in the newest version of an environment that this Gymnasium has, undiscounted if nothing else is said."""
+    newest = max(key for key in gymnasium.registry if key.startswith(f"{name}-v"))
+    env: Any = gymnasium.make(newest, disable_env_checker=True)
+    agent = kind.create(env, **{"discount": 1.0} | settings)
+    return eg.train(env, agent, n_steps, **{"evaluate_every": n_steps, "seed": 0} | how)
+
+
+ONE_HOT = {"features": eg.Identity.create((48, 4), constant=0.0)}
+OPTIMAL: list[tuple[Any, int, dict[str, Any]]] = [  # that learn of the best policy
+    (eg.QLearning, 15_000, {"learning_rate": 0.5}),
+    (eg.DynaQ, 3_000, {"learning_rate": 0.5}),
+    (eg.PrioritisedSweeping, 3_000, {"learning_rate": 0.5}),
+    (eg.RMax, 3_000, {"highest_return": 0.0, "lowest_return": -1_000.0}),
+    (eg.LinearQLearning, 15_000, {"learning_rate": 0.5, **ONE_HOT}),
+]
+SAFE: list[tuple[Any, dict[str, Any]]] = [  # that learn of the policy that they follow, slips included
+    (eg.SARSA, {"learning_rate": 0.2}),
+    (eg.ExpectedSARSA, {"learning_rate": 0.5}),
+    (eg.NStepSARSA, {"learning_rate": 0.1, "n": 2}),
+    (eg.SARSALambda, {"learning_rate": 0.2, "trace_decay": 0.5}),
+    (eg.SemiGradientSARSA, {"learning_rate": 0.2, **ONE_HOT}),
+]
+
+
+@pytest.mark.parametrize(
+    ("kind", "n_steps", "settings"),
+    [pytest.param(*case, marks=() if case[1] < 10_000 else pytest.mark.slow) for case in OPTIMAL],
+)
+def test_along_the_cliff(kind: Any, n_steps: int, settings: dict[str, Any]) -> None:
+    """CliffWalking: 13 steps along the edge (Sutton and Barto, example 6.6)."""
+    how = {"evaluation_episodes": 1, "max_steps": 200}
+    assert [trained("CliffWalking", kind, n_steps, settings, seed=s, **how).returns[-1] for s in range(2)] == [-13] * 2
+
+
+@pytest.mark.slow
+def test_away_from_the_cliff() -> None:
+    """A longer path, on which slips cost less: more than Q-learning earns while it explores (example 6.6)."""
+    how = {"evaluation_episodes": 1, "max_steps": 200, "evaluate_every": 5_000}
+    bold = trained("CliffWalking", eg.QLearning, 20_000, {"learning_rate": 0.5}, **how).training_returns[-1]
+    for kind, settings in SAFE:
+        runs = [trained("CliffWalking", kind, 20_000, settings, seed=seed, **how) for seed in range(3)]
+        assert all(-22 <= run.returns[-1] <= -15 for run in runs), kind
+        assert min(run.training_returns[-1] for run in runs) > bold, kind
+
+
+@pytest.mark.slow
+def test_frozen_lake() -> None:
+    """On slippery ice no policy crosses more than 74 % of the time (exactly, with 100 steps); random play 1 to 2 %."""
+    fading = eg.ScheduledEpsilonGreedy.create(eg.LinearDecay(1.0, 0.05, 100_000))
+    for kind, n_steps, settings in (
+        (eg.QLearning, 150_000, {"learning_rate": 0.05, "exploration": fading}),
+        (eg.RMax, 30_000, {"known_after": 50, "highest_return": 1.0, "lowest_return": 0.0}),
+    ):
+        run = trained("FrozenLake", kind, n_steps, {"discount": 0.99, **settings}, seed=2, evaluation_episodes=1_000)
+        assert 0.65 < run.returns[-1] < 0.78
+        assert run.returns[0] < 0.1
+
+
+@pytest.mark.slow
+def test_mountain_car_with_tiles() -> None:
+    """To under 150 steps (figure 10.2 has some 130 to 150 then); without learning it never gets out of the valley."""
+
+    def last_return(learning_rate: float, seed: int) -> float:
+        features = eg.TileCoding.create(gymnasium.make("MountainCar-v0"))
+        how = {"learning_rate": learning_rate, "features": features, "exploration": eg.EpsilonGreedy(0.0)}
+        run = trained("MountainCar", eg.LinearQLearning, 30_000, how, seed=seed, evaluation_episodes=10)
+        return float(run.returns[-1])
+
+    assert np.mean([last_return(0.5, seed) for seed in range(3)]) > -150
+    assert last_return(NOTHING, 0) == -200

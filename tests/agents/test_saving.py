@@ -45,23 +45,12 @@ def own_agent(Q: Any = ((np.nan, -np.inf, 5e-324), (np.inf, -0.0, 0.1 + 0.2))) -
     return OwnAgent(np.asanyarray(Q), Memory(np.array([2**62, -1]), None), float("inf"), False)
 
 
-def test_no_pickle_is_in_the_file(tmp_path: Path) -> None:
-    """NumPy reads all of it without being allowed to unpickle, and no array holds objects."""
-    save(QLearning.create((3, 2), exploration=UCB.create((3, 2))), tmp_path / "agent.npz")
-    with np.load(tmp_path / "agent.npz", allow_pickle=False) as file:
-        assert set(file.files) == {"structure", "agent.Q", "agent.exploration.counts", "agent.exploration.bounds"}
-        assert all(file[name].dtype.kind in "ifU" for name in file.files)
-
-
 @pytest.mark.parametrize(
     "agent",
     [
         own_agent(),
         own_agent([[True], [False]])._replace(memory=Memory(np.array([1, 2], np.int8), "ε")),
-        own_agent(np.zeros((0, 2))),
-        own_agent(np.zeros(())),
-        own_agent(np.asfortranarray(np.arange(6.0).reshape(3, 2))),
-        own_agent(np.arange(6.0)[::-2]),
+        *map(own_agent, (np.zeros((0, 2)), np.zeros(()), np.asfortranarray(np.ones((3, 2))), np.arange(6.0)[::-2])),
     ],
     ids=itertools.count(),
 )
@@ -73,13 +62,15 @@ def test_every_bit_of_an_agent_of_ones_own_comes_back(agent: OwnAgent, tmp_path:
     assert loaded.Q.flags.writeable
 
 
-def test_the_file_has_the_name_that_was_given(tmp_path: Path) -> None:
+def test_the_file_has_the_name_that_was_given_and_no_pickle(tmp_path: Path) -> None:
     """No ending is added, text will do, nothing else is left behind; a folder that is missing is made."""
-    save(QLearning.create((2, 2), learning_rate=np.float64(0.25)), str(tmp_path / "new folder" / "my agent"))
+    path = str(tmp_path / "new folder" / "my agent")
+    save(QLearning.create((3, 2), learning_rate=np.float64(0.25), exploration=UCB.create((3, 2))), path)
     assert os.listdir(tmp_path / "new folder") == ["my agent"]
-    loaded = load(str(tmp_path / "new folder" / "my agent"))
-    assert loaded.Q.shape == (2, 2)
-    assert type(loaded.learning_rate) is float
+    assert type(load(path).learning_rate) is float
+    with np.load(path, allow_pickle=False) as file:
+        assert set(file.files) == {"structure", "agent.Q", "agent.exploration.counts", "agent.exploration.bounds"}
+        assert all(file[name].dtype.kind in "ifU" for name in file.files)
 
 
 def test_what_cannot_be_saved_is_refused_and_named(tmp_path: Path) -> None:
@@ -116,23 +107,11 @@ def test_an_unknown_class_is_named(tmp_path: Path) -> None:
 
 
 class Trap:
-    """What a stranger may put into a file: something that writes a file when it is unpickled."""
-
-    def __init__(self, path: Path) -> None:
-        """Where to."""
-        self.path = path
+    """What a stranger may put into a file: something that does harm when it is unpickled."""
 
     def __reduce__(self) -> Any:
         """Called by whoever unpickles it."""
-        return Path.touch, (self.path,)
-
-
-def test_a_strangers_file_runs_no_code(tmp_path: Path) -> None:
-    """Objects are refused before they are made."""
-    np.savez(tmp_path / "agent.npz", structure=np.array([Trap(tmp_path / "trapped")], object))
-    with pytest.raises(ValueError, match="cannot be loaded"):
-        load(tmp_path / "agent.npz")
-    assert not (tmp_path / "trapped").exists()
+        return pytest.fail, ("unpickled",)
 
 
 def npz(**arrays: Any) -> bytes:
@@ -157,11 +136,8 @@ def header(shape: str, dtype: str = "<f8") -> bytes:
 
 def stored(compression: int = zipfile.ZIP_DEFLATED, raw: bytes = b"", **fields: Any) -> bytes:
     """The file of a Q-learner of which some fields are not as they should be, `raw` in the place of its table."""
-    right = {
-        "Q": {"array": "agent.Q"},
-        "learning_rate": {"value": 0.5},
-        "exploration": {"kind": "Greedy", "fields": {}},
-    }
+    exploration = {"kind": "Greedy", "fields": {}}
+    right = {"Q": {"array": "agent.Q"}, "learning_rate": {"value": 0.5}, "exploration": exploration}
     structure = json.dumps({"kind": "QLearning", "fields": right | fields})
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", compression) as archive:
@@ -176,6 +152,7 @@ BROKEN: list[tuple[bytes, str]] = [
     (b"PK\x03\x04 and then something else", "it is not in the .npz format"),
     (npy(np.zeros(3)), "it is not in the .npz format"),
     (npz(a=np.zeros(3)), "it holds no agent"),
+    (npz(structure=np.array([Trap()], object)), ".+"),  # objects are refused before they are made
     (npz(a=np.zeros(3, complex)), r"a.npy is not an array that save\(\) wrote"),
     (npz(structure=np.array("no JSON")), ".+"),
     (npz(structure=np.array("[" * 100_000)), ".+"),
@@ -186,8 +163,6 @@ BROKEN: list[tuple[bytes, str]] = [
     (stored(zeal={"value": 1}, aim={"value": 1}), "QLearning has other fields than the file: aim, zeal"),
     (stored(learning_rate={"value": "boom"}), "learning_rate must be a number, .* but is 'boom'"),
     (stored(learning_rate={"value": True}), "learning_rate must be a number.*"),
-    (stored(learning_rate={"array": "agent.Q"}), "learning_rate must be a number.*"),
-    (stored(Q={"value": None}), "Q must be an array of float64 with 2 axes.*"),
     (stored(Q={"array": "agent.whole"}), "Q must be an array of float64 with 2 axes.*"),
     (stored(Q={"array": "agent.raw"}), ".*damaged.*"),
     (stored(exploration={"value": 3}), "exploration must be a strategy.*"),
@@ -210,12 +185,12 @@ def test_what_is_no_saved_agent_is_refused(content: bytes, reason: str, tmp_path
     assert caught.value.__cause__ is None
 
 
-@pytest.mark.parametrize("content", [stored(), stored(zipfile.ZIP_STORED), stored(raw=header("(3, 2)") + bytes(48))])
-def test_a_field_that_is_missing_has_its_default(content: bytes, tmp_path: Path) -> None:
+def test_a_field_that_is_missing_has_its_default(tmp_path: Path) -> None:
     """As in a file of an earlier version."""
-    (tmp_path / "agent").write_bytes(content)
-    loaded = load(tmp_path / "agent")
-    assert (loaded.Q.shape, loaded.discount) == ((3, 2), QLearning.create((3, 2)).discount)
+    for content in (stored(), stored(zipfile.ZIP_STORED), stored(raw=header("(3, 2)") + bytes(48))):
+        (tmp_path / "agent").write_bytes(content)
+        loaded = load(tmp_path / "agent")
+        assert (loaded.Q.shape, loaded.discount) == ((3, 2), QLearning.create((3, 2)).discount)
 
 
 @given(data=st.data())

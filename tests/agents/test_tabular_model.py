@@ -13,22 +13,13 @@ from edugym.mdp.protocol import Random
 from tests.agents.walk import Walk, exact_values
 
 
-def chain(model: TabularModel, first: int, following: Any) -> list[tuple[int, int, int, bool, float, float]]:
-    """The outcomes of a chain."""
+def chain(model: TabularModel, first: int, following: Any) -> list[tuple[Any, ...]]:
+    """The outcomes of a chain: state, action, next state, whether it ends, weight, reward."""
+    numbers = (model.states, model.actions, model.next_states, model.ends, model.weights, model.rewards)
     found = []
     while first >= 0:
-        k = int(first)
-        found.append(
-            (
-                int(model.states[k]),
-                int(model.actions[k]),
-                int(model.next_states[k]),
-                bool(model.ends[k]),
-                float(model.weights[k]),
-                float(model.rewards[k]),
-            )
-        )
-        first = following[k]
+        found.append(tuple(array[first].item() for array in numbers))
+        first = following[first]
     return sorted(found)
 
 
@@ -54,12 +45,7 @@ def test_it_counts() -> None:
     assert model.last_visit.tolist() == [[0, 6], [0, 0], [4, 0], [0, 0]]
     assert model.n_tried.tolist() == [1, 0, 1, 0]
     assert model.known_states[: model.n_known[0]].tolist() == [0, 2]
-
-
-def test_it_knows_what_leads_to_a_state() -> None:
-    """Ends are not among them: the value there does not count."""
-    model = learned()
-    into = chain(model, model.first_into[1], model.following_into)
+    into = chain(model, model.first_into[1], model.following_into)  # without ends: the value there does not count
     assert into == [(0, 1, 1, False, 3.0, 2.0), (2, 0, 1, False, 1.0, 0.0)]
     assert chain(model, model.first_into[3], model.following_into) == []
 
@@ -81,21 +67,17 @@ def test_draws_come_by_their_weights() -> None:
 def test_states_and_tried_actions_are_drawn_evenly() -> None:
     """Only those that were met."""
     model, rng = empty_model((5, 4)), np.random.default_rng(0)
-    for action in (1, 3):
-        model.observe(2, action, 0.0, 0, False)
-    for _ in range(7):
-        model.observe(4, 0, 0.0, 0, False)
+    for state, action in ((2, 1), (2, 3), *[(4, 0)] * 7):
+        model.observe(state, action, 0.0, 0, False)
     states = [model.random_state(rng) for _ in range(2_000)]
-    assert set(states) == {2, 4}
-    assert states.count(2) / 2_000 == pytest.approx(0.5, abs=0.05)
     actions = [model.random_tried_action(2, rng) for _ in range(2_000)]
-    assert set(actions) == {1, 3}
-    assert actions.count(1) / 2_000 == pytest.approx(0.5, abs=0.05)
+    assert ({*states}, {*actions}) == ({2, 4}, {1, 3})
+    assert [states.count(2) / 2_000, actions.count(1) / 2_000] == pytest.approx([0.5, 0.5], abs=0.05)
 
 
 @pytest.mark.parametrize(
     ("n_states", "memory"),
-    [(4, 1_000), (62, 1_000), (63, 1_008), (6_250, 100_000), (7_000, 100_000), (30_000, 120_000)],
+    [(4, 1_000), (63, 1_008), (6_250, 100_000), (7_000, 100_000), (30_000, 120_000)],
 )
 def test_how_much_fits_by_default(n_states: int, memory: int) -> None:
     """Eight outcomes of each pair, or fewer where that is much; but never fewer than two."""
@@ -103,19 +85,12 @@ def test_how_much_fits_by_default(n_states: int, memory: int) -> None:
 
 
 def test_what_no_longer_fits_is_not_remembered() -> None:
-    """The outcomes that are known go on counting."""
-    model = empty_model((4, 2), memory=1)
+    """Known outcomes go on counting. Nobody plans with a pair that does not fit: it would have another's outcome."""
+    model, rng = empty_model((4, 2), memory=1), np.random.default_rng(0)
     assert [model.observe(0, 0, 1.0, n, False) for n in (1, 2, 1)] == [0, -1, 0]
     assert chain(model, model.first[0, 0], model.following) == [(0, 0, 1, False, 2.0, 1.0)]
-
-
-def test_a_pair_that_no_longer_fits_is_unknown() -> None:
-    """Nobody plans with it: it would have the outcome of another pair."""
-    model = empty_model((4, 2), memory=1)
-    model.observe(0, 0, 5.0, 3, True)
     assert model.observe(1, 1, -7.0, 2, False) == -1
-    assert model.visits.tolist() == [[1, 0], [0, 0], [0, 0], [0, 0]]
-    rng = np.random.default_rng(0)
+    assert np.argwhere(model.visits).tolist() == [[0, 0]]
     for _ in range(20):
         state = model.random_state(rng)
         assert (state, model.random_tried_action(state, rng)) == (0, 0)
@@ -123,8 +98,7 @@ def test_a_pair_that_no_longer_fits_is_unknown() -> None:
     agent.learn(0, 0, 5.0, 3, True)
     agent.learn(1, 1, -7.0, 2, False)
     agent.plan()
-    assert agent.optimistic[1, 1] == 100.0
-    assert agent.Q[1, 1] == -100.0
+    assert (agent.optimistic[1, 1], agent.Q[1, 1]) == (100.0, -100.0)
 
 
 @pytest.mark.parametrize("name", ["Roadrunner", "Supermarket", "Walk"])

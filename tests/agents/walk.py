@@ -1,4 +1,4 @@
-"""A small task with chance, a reward at each end, and an exact model, for the agents' oracles."""
+"""Small tasks with chance and known values, for the agents' oracles."""
 
 from typing import Any, NamedTuple
 
@@ -54,10 +54,46 @@ class Walk(NamedTuple):
         return spaces.Discrete(2)
 
 
+class Gamble(NamedTuple):
+    """Example 6.7: right (even actions) ends with 0; left leads to B, where every action pays N(mean, 1) and ends."""
+
+    mean: float
+    n_actions: int
+
+    def initial(self, rng: Random) -> int:
+        """A."""
+        return 0
+
+    def transition(self, state: int, action: int, rng: Random) -> int:
+        """A to B on the left, else the end."""
+        return 1 if state == 0 and action % 2 == 1 else 2
+
+    def reward(self, state: int, action: int, next_state: int, rng: Random) -> float:
+        """Only from B."""
+        return rng.normal(self.mean, 1.0) if state == 1 else 0.0
+
+    def terminal(self, state: int) -> bool:
+        """The end."""
+        return state == 2
+
+    def observation(self, state: int, rng: Random) -> int:
+        """The state."""
+        return state
+
+    @property
+    def observation_space(self) -> spaces.Discrete:
+        """A, B and the end."""
+        return spaces.Discrete(3)
+
+    @property
+    def action_space(self) -> spaces.Discrete:
+        """Many."""
+        return spaces.Discrete(self.n_actions)
+
+
 def exact_values(mdp: Any, discount: float, epsilon: float = 0.0) -> Reals:
     """The exact optimal Q (among ε-soft policies), by the states that the agent observes, 0 where it ends."""
     model = finite_model(mdp)
-    planned = value_iteration(model, discount, epsilon=epsilon).Q
     Q = np.zeros((mdp.observation_space.n, mdp.action_space.n))
-    Q[list(model.states)] = planned
+    Q[list(model.states)] = value_iteration(model, discount, epsilon=epsilon).Q
     return Q

@@ -8,8 +8,8 @@ import torch
 
 from edugym.deep import stable_baselines3_run
 from edugym.deep.baselines import _policy
-from edugym.deep.curves import Curve
 from edugym.training.run import Run
+from tests.deep.test_curves import measured
 
 FEW: dict[str, dict[str, Any]] = {
     "DQN": {"learning_starts": 10, "buffer_size": 100},
@@ -39,32 +39,28 @@ def test_the_seed_decides_which_episodes_evaluate() -> None:
     """A network that learns next to nothing plays those of a curve with this seed, and not those of another."""
     still: dict[str, Any] = {"learning_rate": 1e-12, "n_steps": 4, "evaluate_every": 8, "evaluation_episodes": 3}
     run = stable_baselines3_run("Tamagotchi", "A2C", 8, num_envs=2, seed=3, **still)
-
-    def evaluated(seed: int) -> list[float]:
-        curve = Curve("Tamagotchi", {}, lambda: _policy(run.agent, False), 8, 3, seed)
-        curve.measure(0)
-        returns: list[float] = curve.run(run.agent, 8, seed).returns.tolist()
-        return returns
-
-    assert run.returns.tolist() == evaluated(3) != evaluated(0)
+    evaluated = [measured("Tamagotchi", lambda: _policy(run.agent, False), 3, (0, 8), seed) for seed in (3, 0)]
+    assert run.returns.tolist() == evaluated[0] != evaluated[1]
 
 
 def test_parameters_and_own_policies() -> None:
     """Those of the environment reach training and evaluation."""
-    run = stable_baselines3_run(
-        "Trashbot", "A2C", 8, num_envs=2, parameters={"n_bins": 3}, evaluation_episodes=1, policy="MlpPolicy"
-    )
-    assert run.agent.action_space.nvec.tolist() == [3, 3]
+    how: dict[str, Any] = {"parameters": {"n_bins": 3}, "evaluation_episodes": 1, "policy": "MlpPolicy"}
+    assert stable_baselines3_run("Trashbot", "A2C", 8, num_envs=2, **how).agent.action_space.nvec.tolist() == [3, 3]
 
 
-def test_what_is_wrong_is_refused() -> None:
+@pytest.mark.parametrize(
+    ("algorithm", "n_steps", "how", "message"),
+    [
+        ("SAC", 100, {}, "algorithm must be one of 'DQN', 'PPO', 'A2C', 'RecurrentPPO', but is 'SAC'"),
+        ("PPO", 0, {}, "n_steps must be 1 or more, but is 0"),
+        ("PPO", 100, {"evaluate_every": 0}, "evaluate_every must be 1 or more, but is 0"),
+    ],
+)
+def test_what_is_wrong_is_refused(algorithm: str, n_steps: int, how: Any, message: str) -> None:
     """Other algorithms, no steps."""
-    with pytest.raises(ValueError, match="algorithm must be one of 'DQN', 'PPO', 'A2C', 'RecurrentPPO', but is 'SAC'"):
-        stable_baselines3_run("Catch", "SAC", 100)
-    with pytest.raises(ValueError, match="n_steps must be 1 or more, but is 0"):
-        stable_baselines3_run("Catch", "PPO", 0)
-    with pytest.raises(ValueError, match="evaluate_every must be 1 or more, but is 0"):
-        stable_baselines3_run("Catch", "PPO", 100, evaluate_every=0)
+    with pytest.raises(ValueError, match=message):
+        stable_baselines3_run("Catch", algorithm, n_steps, **how)
 
 
 @pytest.mark.slow

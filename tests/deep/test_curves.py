@@ -16,28 +16,38 @@ from tests.adapters.playing.tasks import Walk
 from tests.training.tasks import Ring, Stairs
 
 
+def measured(environment: Any, made: Any, episodes: int, points: Any = (0,), seed: int = 0, **parameters: Any) -> Any:
+    """The evaluation returns of a curve at some points; `made` makes a policy."""
+    curve = Curve(environment, parameters, made, 10, episodes, seed)
+    for steps in points:
+        curve.measure(steps)
+    return curve.run(None, points[-1], 0).returns.tolist()
+
+
+def always(action: int, n: int) -> Any:
+    """Makes a policy that takes one action in each of `n` copies."""
+    return lambda: lambda observations, first: np.full(n, action)
+
+
 @pytest.mark.parametrize(
-    ("environment", "steps"),
-    [(MDPEnv(Ring(1_200)), 1_200), (MDPEnv(Ring(7)), 7), (MDPEnv(Ring(None)), 1_000)],
+    ("environment", "parameters", "returned"),
+    [
+        (MDPEnv(Ring(1_200)), {}, 1_200),
+        (MDPEnv(Ring(7)), {}, 7),
+        (MDPEnv(Ring(None)), {}, 1_000),  # where it has no limit, as in `edugym.train`
+        ("Acrobot-v1", {}, -500),  # whose reward is -1 at every step
+        ("Acrobot-v1", {"max_episode_steps": 1_100}, -1_100),
+    ],
 )
-def test_an_episode_lasts_as_long_as_the_task(environment: Any, steps: int) -> None:
-    """And 1000 steps where it has no limit, as in `edugym.train`."""
-    curve = Curve(environment, {}, lambda: lambda observations, first: np.zeros(2, np.int64), 10, 2, 0)
-    curve.measure(0)
-    assert curve.run(None, 0, 0).returns.tolist() == [steps]
-
-
-def test_the_limit_of_a_gymnasium_id() -> None:
-    """Its own: Acrobot, whose reward is -1 at every step, ends after 500 steps, or 1100 where it is made so."""
-    for parameters, steps in (({}, 500), ({"max_episode_steps": 1_100}, 1_100)):
-        curve = Curve("Acrobot-v1", parameters, lambda: lambda observations, first: np.ones(1, np.int64), 10, 1, 0)
-        curve.measure(0)
-        assert curve.run(None, 0, 0).returns.tolist() == [-steps]
+def test_an_episode_lasts_as_long_as_the_task(environment: Any, parameters: Any, returned: int) -> None:
+    """By its own limit, that of a Gymnasium id, or what that is made to be."""
+    action = 1 if isinstance(environment, str) else 0
+    assert measured(environment, always(action, 2), 2, **parameters) == [returned]
 
 
 def test_the_curve_by_hand() -> None:
     """Two copies: points where they are due, with the episodes that ended since the one before."""
-    curve = Curve(MDPEnv(Stairs()), {}, lambda: lambda observations, first: np.zeros(2, np.int64), 4, 2, 0)
+    curve = Curve(MDPEnv(Stairs()), {}, always(0, 2), 4, 2, 0)
     curve.measure(0)
     for steps, rewards, over in (
         (2, [1, 10], [False, False]),
@@ -73,34 +83,16 @@ def test_one_episode_in_each_copy() -> None:
 
         return policy
 
-    curve = Curve(MDPEnv(Walk(max_steps=7)), {}, made, 10, 2, 0)
-    curve.measure(0)
-    curve.measure(10)
-    assert curve.run(None, 10, 0).returns.tolist() == [0.75, 0.75]
+    assert measured(MDPEnv(Walk(max_steps=7)), made, 2, (0, 10)) == [0.75, 0.75]
     assert policies == 2
-    assert begun == [
-        [True, True],
-        [False, False],
-        [True, False],
-        [False, False],
-        [True, False],
-        [False, False],
-        [True, False],
-    ]
+    assert begun == [[True, True], *[[False, False], [True, False]] * 3]
 
 
 def test_the_seed_of_a_curve() -> None:
     """It decides on the evaluation episodes, which are others at each point."""
-
-    def returns(seed: int) -> list[float]:
-        curve = Curve("Catch", {}, lambda: lambda observations, first: np.ones(40, np.int64), 10, 40, seed)
-        for steps in (0, 10, 20):
-            curve.measure(steps)
-        returns: list[float] = curve.run(None, 20, 0).returns.tolist()
-        return returns
-
-    assert returns(1) == returns(1)
-    assert len({*returns(1), *returns(2)}) > 3
+    one, again, two = (measured("Catch", always(1, 40), 40, (0, 10, 20), seed) for seed in (1, 1, 2))
+    assert one == again
+    assert len({*one, *two}) > 3
 
 
 @pytest.mark.parametrize("threads", [1, 2])

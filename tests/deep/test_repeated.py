@@ -35,11 +35,9 @@ def test_every_column() -> None:
     assert table[columns[:4]].drop_duplicates().to_numpy().tolist() == [[100, 2, 4, 9]]
     assert table["settings"].unique().tolist() == ['"pretend"', '["pretend", {"more": 0.5}]']
     assert repeated._settings(agent.train) == ["train", agent._asdict()]
-    expected = versions("torch", "stable-baselines3", "sb3-contrib")
-    assert table["versions"].unique().tolist() == [expected]
-    assert expected.endswith(
-        "".join(f", {name} {version(name)}" for name in ("torch", "stable-baselines3", "sb3-contrib"))
-    )
+    packages = ("torch", "stable-baselines3", "sb3-contrib")
+    assert table["versions"].unique().tolist() == [versions(*packages)]
+    assert versions(*packages).endswith("".join(f", {name} {version(name)}" for name in packages))
     seeds = [planned.repetition.seed for planned in planned_runs(["one"], 2, 9)]
     assert sorted(table["repetition"].unique()) == [0, 1]
     assert table["seed"].tolist() == [seeds[0]] * 4 + [seeds[1]] * 4
@@ -63,6 +61,8 @@ def test_steps_increase() -> None:
     assert results.curves("one", "training_return")[0].tolist()[1:] == [1, 3]
     assert results.table["episodes"].tolist() == [0, 2, 3]
     assert results.average("one")[0] == pytest.approx((60 * 0.5 + 40 * 2) / 100)
+    stopped = repeat_deep({"one": partial(rounds, complete=False)}, 10_000, repetitions=1, jobs=1)
+    assert stopped.table["step"].tolist() == [0, 60, 105, 108]  # its last point is where it stopped
 
 
 @pytest.mark.parametrize(
@@ -71,18 +71,11 @@ def test_steps_increase() -> None:
 )
 def test_points_without_an_episode(episodes: list[int], mean: float) -> None:
     """They do not count in the mean of the last point, which is none where no episode ended."""
-    training_returns = np.array([7.0, 5.0, np.nan, 2.0])
-    curve = np.array([0, 90, 102, 103]), np.arange(4.0), training_returns, np.array(episodes)
+    curve = np.array([0, 90, 102, 103]), np.arange(4.0), np.array([7.0, 5.0, np.nan, 2.0]), np.array(episodes)
     run = repeated._to(80, Run(*curve, None, 0, 0.1, complete=True))
     assert (run.steps.tolist(), run.returns.tolist()) == ([0, 80], [0.0, 3.0])
     assert run.episodes.tolist() == [episodes[0], sum(episodes[1:])]
     np.testing.assert_allclose(run.training_returns, [7.0, mean])
-
-
-def test_a_run_that_was_stopped_keeps_its_steps() -> None:
-    """Its last point is where it stopped."""
-    results = repeat_deep({"one": partial(rounds, complete=False)}, 10_000, repetitions=1, jobs=1)
-    assert results.table["step"].tolist() == [0, 60, 105, 108]
 
 
 @pytest.mark.parametrize("n_steps", [98, 121])
@@ -94,36 +87,26 @@ def test_many_more_or_fewer_steps_are_refused(n_steps: int) -> None:
 
 
 def test_finished_runs_are_not_done_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The same call goes on where it was stopped; another setting is another experiment."""
+    """The same call goes on where it was stopped, here by an error; another setting is another experiment."""
     done: list[Planned] = []
     do = repeated._do
 
     def counted(trainer: repeated.Trainer, n_steps: int, planned: Planned) -> tuple[Planned, Run]:
         done.append(planned)
+        if len(done) == 2:
+            raise OSError("no room")
         return do(trainer, n_steps, planned)
 
+    def repeat(repetitions: int, more: float = 0.0) -> int:
+        how: dict[str, Any] = {"repetitions": repetitions, "jobs": 1, "checkpoints": tmp_path}
+        repeat_deep({"one": partial(pretend, more=more)}, 100, **how)
+        return len(done)
+
     monkeypatch.setattr(repeated, "_do", counted)
-    repeat_deep({"one": pretend}, 100, repetitions=2, jobs=1, checkpoints=tmp_path)
-    assert len(done) == 2
-    repeat_deep({"one": pretend}, 100, repetitions=3, jobs=1, checkpoints=tmp_path)
-    assert len(done) == 3
-    repeat_deep({"one": partial(pretend, more=1.0)}, 100, repetitions=1, jobs=1, checkpoints=tmp_path)
-    assert len(done) == 4
-
-
-def test_each_run_is_kept_when_it_is_finished(tmp_path: Path) -> None:
-    """Not only when all are: here the second one fails."""
-
-    def failing(n_steps: int, *, seed: int) -> Run:
-        if tries:
-            raise OSError("no room")
-        tries.append(seed)
-        return pretend(n_steps, seed=seed)
-
-    tries: list[int] = []
     with pytest.raises(OSError, match="no room"):
-        repeat_deep({"own": failing}, 100, repetitions=2, jobs=1, checkpoints=tmp_path)
+        repeat(2)
     assert len(list(tmp_path.glob("*.run"))) == 1
+    assert [repeat(2), repeat(2), repeat(3), repeat(1, more=1.0)] == [3, 3, 4, 5]
 
 
 @pytest.mark.slow

@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 from edugym import QLearning, record_visits, train
-from tests.agents.case import Case, same
-from tests.agents.cases import AGENTS
+from tests.agents.cases import AGENTS, Case, same
 from tests.compiled.cells import cell
 from tests.training.tasks import Ring
 
