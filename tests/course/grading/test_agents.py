@@ -39,14 +39,15 @@ def test_a_class_and_a_function() -> None:
     """Each is no other, and a placeholder is not solved yet."""
     require_class("Mine", Player)
     require_function("f", len, "a list")
-    with pytest.raises(WrongAnswer, match="Mine should be the class itself, but is of the type Player"):
-        require_class("Mine", Player(None))
-    with pytest.raises(WrongAnswer, match=r"Player should be the class itself, but is what Player\(...\) makes: leave"):
-        require_class("Player", Player(None))
-    with pytest.raises(WrongAnswer, match="f should be a function of a list, but is the class Player"):
-        require_function("f", Player, "a list")
-    with pytest.raises(WrongAnswer, match="f should be a function of a list, but is of the type float"):
-        require_function("f", 2.0, "a list")
+    for name, says in (
+        ("Mine", "Mine should be the class itself, but is of the type Player"),
+        ("Player", r"Player should be the class itself, but is what Player\(...\) makes: leave"),
+    ):
+        with pytest.raises(WrongAnswer, match=says):
+            require_class(name, Player(None))
+    for answer, says in ((Player, "but is the class Player"), (2.0, "but is of the type float")):
+        with pytest.raises(WrongAnswer, match=f"f should be a function of a list, {says}"):
+            require_function("f", answer, "a list")
     with pytest.raises(Unsolved):
         require_class("Mine", ...)
     with pytest.raises(Unsolved):
@@ -68,29 +69,16 @@ def test_what_makes_no_agent() -> None:
         agent_created_by("Player", Player, "wall", None)
 
 
-class Named:
-    """A student's agent that takes whatever settings there are."""
-
-    def __init__(self, w: Any, **settings: float) -> None:
-        """Keep them."""
-        self.w, self.settings = w, settings
-
-    def learn(self) -> None:
-        """Learn nothing."""
-
-
-def test_settings_of_create() -> None:
-    """A wrong one is refused in the words of the agent itself."""
-    assert agent_created_by("QLearning", QLearning, "wall", (3, 2), {"learning_rate": 0.25}).learning_rate == 0.25
-    with pytest.raises(WrongAnswer, match="QLearning has no setting 'speed'; it has learning_rate"):
-        agent_created_by("QLearning", QLearning, "wall", (3, 2), {"speed": 1})
-
-
 def test_settings() -> None:
-    """They are given to a named tuple and to a plain object; a field that is gone is named."""
+    """They are given to a named tuple and a plain object; a field that is gone and a wrong setting are named."""
 
     class Plain:
         rate = 0.5
+
+        def __init__(self, w: Any = None, **settings: float) -> None:
+            self.w = w
+
+        def learn(self) -> None: ...
 
     assert with_settings("Player", Player(None), {"rate": 0.25}, "learn").rate == 0.25
     assert with_settings("Plain", Plain(), {"rate": 0.25}, "learn").rate == 0.25
@@ -98,13 +86,16 @@ def test_settings() -> None:
         with_settings("Player", Player(None), {"speed": 1.0}, "learn")
     made = agent_with_table("Player", Player, (3, 2), {"rate": 0.25})
     assert made.Q.shape == (3, 2)
-    assert agent_with_table("Named", Named, (3, 2), {"rate": 0.25}, "w").w.shape == (3, 2)
+    assert agent_with_table("Plain", Plain, (3, 2), {"rate": 0.25}, "w").w.shape == (3, 2)
     with pytest.raises(WrongAnswer, match="Player should keep its field `w`, the table that `learn` changes"):
         agent_with_table("Player", Player, (3, 2), {"rate": 0.25}, "w")
     with pytest.raises(WrongAnswer, match="Player should keep its field `speed`"):
         agent_with_table("Player", Player, (3, 2), {"speed": 1.0})
     with pytest.raises(WrongAnswer, match=r"^Table should have a method `learn`$"):
         agent_with_table("Table", NamedTuple("Table", [("Q", Any)]), (3, 2), {})
+    assert agent_created_by("QLearning", QLearning, "wall", (3, 2), {"learning_rate": 0.25}).learning_rate == 0.25
+    with pytest.raises(WrongAnswer, match="QLearning has no setting 'speed'; it has learning_rate"):
+        agent_created_by("QLearning", QLearning, "wall", (3, 2), {"speed": 1})
 
 
 def test_a_step_is_told_by_names() -> None:

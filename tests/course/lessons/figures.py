@@ -7,10 +7,7 @@ from edugym.experiments.figures import Sheet
 
 
 def check_legends(sheet: Sheet) -> None:
-    """A panel that is drawn by itself has a legend where it labels anything, with lines that look like its own.
-
-    Training steps have a space between their thousands.
-    """
+    """A panel by itself has a legend where it labels anything, with its own lines; training steps have thousands."""
     for panel in (panel for row in sheet.rows for panel in row):
         ax = panel.draw()
         if (ax.get_xlabel(), ax.get_xscale()) == ("training steps", "linear"):

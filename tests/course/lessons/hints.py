@@ -4,10 +4,8 @@ import ast
 from collections.abc import Iterator
 from pathlib import Path
 
-FEWEST_LETTERS = 10
-"""Shorter texts, and those without a space, are names and codes."""
-PART = 16
-"""Shorter parts of a sentence with numbers in it are too common to be looked for."""
+FEWEST_LETTERS = 10  # shorter texts, and those without a space, are names and codes
+PART = 16  # shorter parts of a sentence with numbers in it are too common to be looked for
 
 
 def hints(path: Path) -> dict[str, bool]:
@@ -27,11 +25,7 @@ def hints(path: Path) -> dict[str, bool]:
 
 
 def _no_hints(node: ast.AST) -> Iterator[ast.AST]:
-    """Yield the parts of a node that no wrong answer is told.
-
-    They are docstrings, praise, and the codes of mistakes: values of a dictionary, keys of one that is looked up at
-    once, what something is compared with, default arguments. The open challenge has tests of its own.
-    """
+    """Yield the parts of a node that no wrong answer is told: docstrings, praise, the challenge, codes of mistakes."""
     match node:
         case ast.Expr(part):
             yield part

@@ -37,16 +37,7 @@ LEFT_OUT = (
 
 @contextlib.contextmanager
 def short_training(lesson: str, runs: int = 2, most: int = 50) -> Iterator[Any]:
-    """Let agents train for a few steps, in a few runs, with returns that depend on nothing but the arguments.
-
-    Args:
-        lesson: the name of the lesson.
-        runs: how many runs there are at most.
-        most: for how many steps agents really train.
-
-    Yields:
-        The module of the lesson.
-    """
+    """Yield a lesson's module whose agents train in `runs` runs for `most` steps at most, with made-up returns."""
     module: Any = load_experiments(lesson)
     made_up = partial(made_up_run, returns=RETURNS.get(lesson, ANY_RETURN), most=most)
 
@@ -72,10 +63,7 @@ def sheets_of_report(lesson: str, seed: int = 1, **short: int) -> list[Sheet]:
 
 
 def sheets_of_cells(lesson: str, **short: int) -> list[Sheet]:
-    """Return the figures that the cells of a lesson show, and what its sliders show where they start.
-
-    Checks are not made.
-    """
+    """Return the figures that the cells of a lesson show, and its sliders where they start; checks are not made."""
     shown: list[Any] = []
     namespace: dict[str, Any] = {"__name__": "__main__", "display": lambda *values: shown.extend(values)}
     with short_training(lesson, **short), contextlib.redirect_stdout(io.StringIO()):

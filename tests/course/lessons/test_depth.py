@@ -36,19 +36,8 @@ def test_target_against_samples() -> None:
     assert np.var(several) == pytest.approx(right.noise + right.exploration, rel=0.06)
 
 
-def test_target_at_the_fixed_point() -> None:
-    """With the values of the policy every n has the same mean; the variance grows with n."""
-    model = finite_model(Study.create())
-    policy = targets.soft_policy(model, 0.1)
-    Q = targets.true_values(model, policy)
-    several = [targets.target(model, policy, Q, n, 0.2) for n in range(1, targets.DAYS + 1)]
-    assert [one.mean for one in several] == pytest.approx([policy_evaluation(model, policy).start] * targets.DAYS)
-    variances = [one.noise + one.exploration for one in several]
-    assert variances == sorted(variances)
-
-
-def test_expected_returns_are_within_the_optimum() -> None:
-    """The exact greedy return of every run is at most the optimum of its layout, and differs between layouts."""
+def test_returns_of_layouts() -> None:
+    """The exact greedy return of every run is at most the optimum of its layout, which is that of planning."""
     results = methods.compare(n_steps=2_000, repetitions=3, seed=1)
     tasks = methods.layouts(results)
     assert len({task.lectures.tobytes() + task.action_rewards.tobytes() for task in tasks.values()}) == 3
@@ -58,6 +47,12 @@ def test_expected_returns_are_within_the_optimum() -> None:
         assert returns[repetition] <= optimum + 1e-9
     optimum, soft = methods.best_returns(tasks, 0.0, 0.1)
     assert soft < optimum
+    for seed in range(5):
+        task = Study.create(layout_seed=seed)
+        model = finite_model(task)
+        assert methods.best_returns({0: task}, 0.0, 0.1) == pytest.approx(
+            [value_iteration(model).start, value_iteration(model, epsilon=0.1).start]
+        )
 
 
 def test_hand_back_over_equal_episodes() -> None:
@@ -76,21 +71,24 @@ def test_hand_back_over_equal_episodes() -> None:
     assert figures.episodes_until(credit.handed_back(1, episodes=5)) == math.inf
 
 
-def test_parts_of_the_variance() -> None:
-    """They add up to the variance of the target, and more noise changes its own part only."""
+def test_bias_and_variance_of_targets() -> None:
+    """At the fixed point no n has a bias, and the variance, whose parts add up, grows with n."""
     low, high = figures.split(0.2), figures.split(1.0)
     noise, exploration = low
     np.testing.assert_allclose(low[exploration], high[exploration])
     np.testing.assert_allclose(high[noise], np.arange(1, targets.DAYS + 1))
     assert low[noise][-1] / (low[noise][-1] + low[exploration][-1]) == pytest.approx(targets.noise_share(0.2))
-
-
-def test_bias_is_zero_at_the_fixed_point_only() -> None:
-    """With values of 0 all but the last target miss the exam."""
     lines = figures.bias_series().lines
     np.testing.assert_allclose(lines["values learned"], 0.0, atol=1e-9)
     assert (lines["values still 0"][:-1] < -5).all()
     assert lines["values still 0"][-1] == pytest.approx(0.0)
+    model = finite_model(Study.create())
+    policy = targets.soft_policy(model, 0.1)
+    Q = targets.true_values(model, policy)
+    several = [targets.target(model, policy, Q, n, 0.2) for n in range(1, targets.DAYS + 1)]
+    assert [one.mean for one in several] == pytest.approx([policy_evaluation(model, policy).start] * targets.DAYS)
+    variances = [one.noise + one.exploration for one in several]
+    assert variances == sorted(variances)
 
 
 def test_uncorrected_targets() -> None:
@@ -108,29 +106,16 @@ def test_uncorrected_targets() -> None:
     assert off_policy.weighted_deviation(2.0, 2, 0.4, 4) == pytest.approx(2 * math.sqrt(1 / 0.7 - 1))
 
 
-def test_the_best_returns_are_those_of_planning() -> None:
-    """The optimum comes from a formula, the ε-soft one from the exact model."""
-    for seed in range(5):
-        task = Study.create(layout_seed=seed)
-        model = finite_model(task)
-        assert methods.best_returns({0: task}, 0.0, 0.1) == pytest.approx(
-            [value_iteration(model).start, value_iteration(model, epsilon=0.1).start]
-        )
-
-
-def test_who_met_the_exam() -> None:
-    """Whoever passes in the end has met it, and who never had time has not."""
+def test_pupils() -> None:
+    """Whoever passes has met the exam, who never had time has not; after many episodes a pupil passes."""
     results = methods.compare(depths=(1, math.inf), n_steps=3_000, repetitions=6, seed=2)
     for method in results.methods:
         assert (methods.passes(results, method) <= methods.met_exam(results, method)).all()
         short = methods.shortfall(results, method)
         assert math.isnan(short) or short >= 0
-    assert not methods.met_exam(methods.compare(depths=(1,), n_steps=10, repetitions=2), "n = 1").any()
-    assert math.isnan(methods.shortfall(methods.compare(depths=(1,), n_steps=10, repetitions=2), "n = 1"))
-
-
-def test_a_pupil_learns() -> None:
-    """After many episodes it passes on the layout that the lesson shows."""
+    too_short = methods.compare(depths=(1,), n_steps=10, repetitions=2)
+    assert not methods.met_exam(too_short, "n = 1").any()
+    assert math.isnan(methods.shortfall(too_short, "n = 1"))
     study = Study.create(layout_seed=5, action_reward_noise_sigma=0.2)
     early, late = (methods.greedy_return(study, methods.pupil(1, study, episodes)) for episodes in (60, 4_000))
     assert early < 0 < 5 < late

@@ -79,7 +79,7 @@ def test_every_claim_holds(lesson: str) -> None:
 
 
 def test_a_lesson_is_found_by_its_place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A new folder needs no list. Lessons come by their numbers, and those without one follow by name."""
+    """A new folder needs no list: lessons come by their numbers, then by name; one that is unknown is named."""
     for name, line in (("zebra", ""), ("first", '"""First (lesson 0): it comes first."""'), ("apple", "")):
         (tmp_path / name).mkdir()
         (tmp_path / name / "__init__.py").write_text(f"{line}\n")
@@ -90,9 +90,5 @@ def test_a_lesson_is_found_by_its_place(tmp_path: Path, monkeypatch: pytest.Monk
         "first", "exploration", "apple", "zebra"
     ]  # fmt: skip
     assert str(load_experiments("zebra").report) == "found here"
-
-
-def test_unknown_lessons_are_named() -> None:
-    """The message lists the lessons."""
     with pytest.raises(ValueError, match=r"lesson must be one of .*'exploration'.* but is 'explore'"):
         load_experiments("explore")

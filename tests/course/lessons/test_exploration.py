@@ -59,16 +59,14 @@ def test_random_search_formula() -> None:
     assert climbs.random_search_steps(2, 10) == 2046
 
 
-def test_share_of_climbs_by_hand() -> None:
-    """Four climbs: two fall at once, one from height 1, and one gets to the top of a wall of two."""
+def test_visits_by_hand() -> None:
+    """Of one wall and of two; with three grips random climbers fail more often."""
+    # Four climbs: two fall at once, one from height 1, and one gets to the top of a wall of two.
     visits = np.array([[3, 1, 0], [1, 1, 1]])
     assert climbs.share_of_climbs(visits).tolist() == [1.0, 0.5, 0.25]
     assert climbs.frontier(visits) == 2
     assert climbs.first_at_top(visits, 1_000) == 500.0
 
-
-def test_frontier_recorder_by_hand() -> None:
-    """On a wall of two: wrong, right at the ground; then from the ground up, wrong and right at height 1."""
     wall = make_mdp("Boulder", height=2)
     recorder = stalling.record_frontier(methods.METHODS[methods.EPSILON_GREEDY], wall)
     for state, next_state in ((0, 0), (0, 1), (1, 0), (0, 1), (1, 2)):
@@ -76,10 +74,21 @@ def test_frontier_recorder_by_hand() -> None:
     assert recorder.visits[:3].tolist() == [2, 2, 0]
     assert recorder.right[:3].tolist() == [0, 2, 0]
 
-
-def test_highest_so_far_by_hand() -> None:
-    """It never falls."""
     assert figures.highest_so_far(np.array([[3, 1, 0, 0], [2, 1, 1, 0], [4, 0, 0, 0]])).tolist() == [0, 1, 2, 2]
+
+    # Ground, two positions on the left, two on the right; the run turns twice and gives up the right top.
+    visits = np.array([[1, 3, 0, 1, 0], [1, 1, 0, 2, 1], [1, 4, 1, 1, 0], [1, 2, 0, 0, 0]])
+    left, right = fork.branches(visits)
+    assert left.tolist() == [[3, 0], [1, 0], [4, 1], [2, 0]]
+    assert right.tolist() == [[1, 0], [2, 1], [1, 0], [0, 0]]
+    assert fork.turns(visits) == 2
+    assert not fork.returns_to(visits)
+    visits[3, 4] = 1
+    assert fork.returns_to(visits)
+
+    assert methods.best_return(1, 1.0) == pytest.approx(1 - 0.5**10)
+    assert methods.best_return(1, 1.0, 3) == pytest.approx(1 - (2 / 3) ** 10)
+    assert methods.best_return(30) == 1.0
 
 
 def test_both_walls_of_the_fork() -> None:
@@ -93,25 +102,6 @@ def test_both_walls_of_the_fork() -> None:
     assert [forked.terminal(state) for state in range(7)] == [False] * 6 + [True]
     assert forked.reward(5, 0, 6, rng) == 1.0
     assert forked.reward(2, 0, 3, rng) == 0.0
-
-
-def test_visits_of_two_branches_by_hand() -> None:
-    """Ground, two positions on the left, two on the right; the run turns twice and gives up the right top."""
-    visits = np.array([[1, 3, 0, 1, 0], [1, 1, 0, 2, 1], [1, 4, 1, 1, 0], [1, 2, 0, 0, 0]])
-    left, right = fork.branches(visits)
-    assert left.tolist() == [[3, 0], [1, 0], [4, 1], [2, 0]]
-    assert right.tolist() == [[1, 0], [2, 1], [1, 0], [0, 0]]
-    assert fork.turns(visits) == 2
-    assert not fork.returns_to(visits)
-    visits[3, 4] = 1
-    assert fork.returns_to(visits)
-
-
-def test_best_returns_by_hand() -> None:
-    """On a wall of one a random climber fails ten times with probability 1 / 2^10; with three grips more often."""
-    assert methods.best_return(1, 1.0) == pytest.approx(1 - 0.5**10)
-    assert methods.best_return(1, 1.0, 3) == pytest.approx(1 - (2 / 3) ** 10)
-    assert methods.best_return(30) == 1.0
 
 
 def test_exploration() -> None:

@@ -9,10 +9,14 @@ from edugym_course.lessons.loop import exact, experiments, figures, methods, pan
 from tests.course.lessons.made_up import made_up, measured
 
 
-def test_discounted_by_hand() -> None:
-    """1 + 2/2 + 4/4; with discount 0 the first reward, with 1 the sum."""
+def test_returns() -> None:
+    """1 + 2/2 + 4/4, as backwards; with discount 0 the first reward, with 1 the sum."""
     rewards = np.array([1.0, 2.0, 4.0])
     assert [exact.discounted(rewards, discount) for discount in (0.0, 0.5, 1.0)] == [1.0, 3.0, 7.0]
+    assert exact.returns_along(rewards, 0.5).tolist() == [3.0, 4.0, 4.0]
+    way = exact.rewards_along(exact.best_way(0.95))
+    assert exact.returns_along(way, 0.95)[0] == pytest.approx(value_iteration(exact.model(), 0.95).start)
+    assert len(exact.best_way(0.0)) == methods.MAX_STEPS + 1
 
 
 @pytest.mark.parametrize(("discount", "items"), methods.ITEMS.items())
@@ -23,11 +27,6 @@ def test_best_way(discount: float, items: int) -> None:
         value_iteration(exact.model(), discount).start
     )
     assert exact.items_on(way) == items
-
-
-def test_without_a_future_there_is_no_way() -> None:
-    """With discount 0 all steps look the same."""
-    assert len(exact.best_way(0.0)) == methods.MAX_STEPS + 1
 
 
 def test_players() -> None:
@@ -47,19 +46,14 @@ def test_half_of_the_random_episodes_are_truncated() -> None:
     assert max(total for total, late in zip(totals, cut_off, strict=True) if late) <= -methods.MAX_STEPS + 75
 
 
-def test_returns_backwards() -> None:
-    """1 + (2 + 4/2)/2, as forwards."""
-    rewards = np.array([1.0, 2.0, 4.0])
-    assert exact.returns_along(rewards, 0.5).tolist() == [3.0, 4.0, 4.0]
-    way = exact.rewards_along(exact.best_way(0.95))
-    assert exact.returns_along(way, 0.95)[0] == pytest.approx(value_iteration(exact.model(), 0.95).start)
-
-
-def test_the_exact_table_makes_right_choices_only() -> None:
-    """An empty one makes them by chance, since all are equal."""
+def test_right_choices() -> None:
+    """The exact table makes no others, an empty one makes them by chance; the shares of the parts make the whole."""
     assert exact.right_choices(exact.best_table(methods.DISCOUNT), methods.DISCOUNT) == 1.0
     assert 0.25 < exact.right_choices(np.zeros((800, 4)), methods.DISCOUNT) < 0.45
     assert (exact.untried(exact.best_table(methods.DISCOUNT)), exact.untried(np.zeros((800, 4)))) == (0.0, 1.0)
+    Q = figures.agent_after(2_000).Q
+    share, parts = exact.untried(Q), [exact.right_choices(Q, methods.DISCOUNT, tried) for tried in (False, True)]
+    assert share * parts[0] + (1 - share) * parts[1] == pytest.approx(exact.right_choices(Q, methods.DISCOUNT))
 
 
 def test_an_agent_knows_its_way_and_not_the_shop() -> None:
@@ -75,13 +69,6 @@ def test_an_agent_knows_its_way_and_not_the_shop() -> None:
     assert unseen < 0.4 < 0.5 < seen < 0.65
 
 
-def test_shares_of_the_parts_make_the_whole() -> None:
-    """Tried states and the others, weighted by their numbers."""
-    Q = figures.agent_after(2_000).Q
-    share, parts = exact.untried(Q), [exact.right_choices(Q, methods.DISCOUNT, tried) for tried in (False, True)]
-    assert share * parts[0] + (1 - share) * parts[1] == pytest.approx(exact.right_choices(Q, methods.DISCOUNT))
-
-
 def test_arrows() -> None:
     """One for a single best action, a slanted one for two; none where more are equal, or nothing is known."""
     Q = np.full((800, 4), np.nan)
@@ -90,7 +77,7 @@ def test_arrows() -> None:
 
 
 def test_bags() -> None:
-    """The name of each says which items are in it; a map is that of the bag in its title."""
+    """The name of each says which items are in it, and a map is that of the bag in its title."""
     worth = {"empty": 0, "red": 4, "blue": 2, "green": 1, "all three": 7}
     assert {name: sum(worth[item] for item in name.split(" and ")) for name in figures.BAGS} == figures.BAGS
     assert sorted(figures.BAGS.values()) == [*range(8)]
@@ -98,10 +85,6 @@ def test_bags() -> None:
         maps = [panel for row in sheet.rows for panel in row if isinstance(panel, panels.ValueMap)]
         assert [("bag: blue" in panel.title, panel.items) for panel in maps] == [(True, 2)] * len(maps)
         assert maps
-
-
-def test_learned_beside_exact_names_the_bag_that_is_drawn() -> None:
-    """The value of the first state is the same for every bag; the map is not."""
     learned, right = figures.learned_beside_exact(20_000, "red").rows[0]
     start = value_iteration(exact.model(), methods.DISCOUNT).start
     assert learned.title == f"after 20 000 steps, bag: red\nvalue of the first state: {start:.1f}"

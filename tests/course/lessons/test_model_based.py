@@ -25,21 +25,23 @@ def test_plans() -> None:
     assert best.ends
     assert best.total == methods.OPTIMUM == value_iteration(methods.exact_model()).start
     wrong = [plans.follow_plan(1.5, seed) for seed in range(12)]
-    assert any(plan.bumps for plan in wrong)
     assert all(plan.total <= methods.OPTIMUM for plan in wrong)
     assert not any(plan.ends for plan in wrong if plan.bumps)
-
-
-def test_a_policy_that_ends_returns_more_than_lost() -> None:
-    """The longest way that visits no state twice costs less than 300; one that never ends costs 500.
-
-    (A way passes through at most 4 of the 8 bags.)
-    """
+    assert len(best.path) == 31
+    assert (best.path[0], best.path[-1]) == (8, 80 * 9 + 8 * 8 + 7)
+    lost = next(plan for plan in wrong if plan.bumps)
+    assert lost.path[-1] == lost.path[-2]
     assert -len(methods.exact_model().states) / 2 > methods.LOST > -500.0
 
 
-def test_a_given_model_needs_no_experience() -> None:
-    """Planned to the end before the first step; with a learned model one step teaches next to nothing."""
+def test_planning_with_the_right_model() -> None:
+    """No look ahead is needed with the optimal values; 30 sweeps are enough; a given model needs no experience."""
+    values = value_iteration(methods.exact_model(), 0.99).table()
+    assert plans.look_ahead(np.nan_to_num(values), 0) == methods.OPTIMUM
+    assert plans.look_ahead(None, 7) == -500.0
+    assert plans.look_ahead(None, 12) == methods.OPTIMUM
+    after_30, at_last = (value_iteration(methods.exact_model(), 0.99, horizon=sweeps).V for sweeps in (30, 200))
+    assert np.allclose(after_30, at_last)
     makers = {
         kind: partial(methods.make, PrioritisedSweeping, given=kind == "given", planning_steps=np.inf)
         for kind in ("given", "learned")
@@ -47,32 +49,6 @@ def test_a_given_model_needs_no_experience() -> None:
     results = methods.compare(makers, n_steps=1, repetitions=2)
     assert results.final("given").tolist() == [methods.OPTIMUM, methods.OPTIMUM]
     assert (results.final("learned") < methods.OPTIMUM).all()
-
-
-@pytest.mark.slow
-def test_without_planning_dyna_has_no_head_start() -> None:
-    """Negative control of the speed: with no updates it learns at the pace of Q-learning, which ten updates beat."""
-    updates = {"none": 0, methods.DYNA_10: 10}
-    makers = {label: partial(methods.make, DynaQ, planning_steps=n) for label, n in updates.items()}
-    results = methods.compare(makers, n_steps=4_000, repetitions=10, seed=2)
-    assert experiments.early(results, "none").mean() < -200.0 < experiments.early(results, methods.DYNA_10).mean()
-
-
-def test_a_plan_keeps_its_path() -> None:
-    """From the entrance to the exit with all items; a bump ends where it was."""
-    best = plans.follow_plan(0.0, 0)
-    assert len(best.path) == 31
-    assert (best.path[0], best.path[-1]) == (8, 80 * 9 + 8 * 8 + 7)
-    lost = next(plan for plan in (plans.follow_plan(1.5, seed) for seed in range(12)) if plan.bumps)
-    assert lost.path[-1] == lost.path[-2]
-
-
-def test_planning_to_act() -> None:
-    """With the optimal values no look ahead is needed; with none it must see the next reward."""
-    values = value_iteration(methods.exact_model(), 0.99).table()
-    assert plans.look_ahead(np.nan_to_num(values), 0) == methods.OPTIMUM
-    assert plans.look_ahead(None, 7) == -500.0
-    assert plans.look_ahead(None, 12) == methods.OPTIMUM
 
 
 def test_the_walk_of_the_maps() -> None:
@@ -85,23 +61,6 @@ def test_the_walk_of_the_maps() -> None:
     assert maps.who_knows_the_way(200) == ("prioritised sweeping",)
     assert np.nanmax(maps.after_walk(DynaQ, 0)) == 49.0
     assert np.isnan(maps.FloorMap(maps.after_walk(DynaQ, 0)).values()[7, 2])  # the blue item was never seen
-
-
-@pytest.mark.slow
-def test_planning_invents_no_knowledge() -> None:
-    """Perfect planning makes nothing more of what planners have seen, and something more of what Q-learning has."""
-    results = methods.compare(
-        {label: methods.LEARNED[label] for label in (methods.Q_LEARNING, methods.DYNA_10, methods.R_MAX)},
-        repetitions=20,
-        seed=4,
-    )
-    known = plans.used_and_seen(results)
-    for policy, seen in known.values():
-        assert (seen >= policy).mean() > 0.9  # the best by discounted returns
-    assert known[methods.DYNA_10][1].mean() - known[methods.DYNA_10][0].mean() < 1.0
-    assert known[methods.Q_LEARNING][1].mean() > known[methods.Q_LEARNING][0].mean()
-    assert plans.items_found(results, methods.R_MAX).tolist() == [1.0, 1.0, 1.0]
-    assert plans.best_by_what_was_seen(DynaQ.create((800, 4))) == -500.0
 
 
 def test_the_clock() -> None:
@@ -170,12 +129,6 @@ def test_a_difference_is_paired_by_the_runs_of_both(runs: int, others: int, mean
     one, other = finals({"a": [1.0, 4.0, 9.0, 20.0][:runs]}), finals({"b": [0.0, 0.0, 2.0, 4.0][:others]})
     found = experiments.difference(one, "a", other, "b")
     assert (found.estimate, found.n) == (mean, min(runs, others))
-
-
-def test_thirty_sweeps_are_enough() -> None:
-    """As the lesson says: with an empty bag, and with any other."""
-    after_30, at_last = (value_iteration(methods.exact_model(), 0.99, horizon=sweeps).V for sweeps in (30, 200))
-    assert np.allclose(after_30, at_last)
 
 
 def test_arrows_where_something_is_known() -> None:

@@ -16,7 +16,7 @@ from tests.course.lessons.made_up import made_up, measured
 
 
 def test_exact_returns() -> None:
-    """At ε = 0 the fast run returns -2 and the safe one -3; a soft policy is never better than the best one."""
+    """At ε = 0 the fast run returns -2 and the safe one -3; of the safe runs nearly all losses are stalls, ε/3."""
     model = finite_model(make_mdp("Roadrunner"))
     assert exact.best_soft_return(model, 0.0) == -2.0
     assert exact.soft_return_of(model, 0.0, planned_for=0.1) == -3.0
@@ -26,6 +26,13 @@ def test_exact_returns() -> None:
         assert max(runs) <= best + 1e-9
         assert best == pytest.approx(max(runs), abs=0.05)
     assert 0.03 < exact.switch(model) < 0.05
+    model = finite_model(exact.ROAD)
+    assert exact.share_lost(model, 0.0, 0.01) == exact.share_lost(model, 0.0, 0.1) == 0.0
+    assert exact.share_lost(model, 0.1, 0.01) == pytest.approx(0.068, abs=0.001)
+    assert exact.share_lost(model, 0.1, 0.1) == pytest.approx(0.041, abs=0.001)
+    assert exact.share_lost(model, 0.1, 0.1) > 0.1 / 3
+    with pytest.raises(ValueError, match="model must be that of a road, but is <model of Catch"):
+        exact.share_lost(finite_model(make_mdp("Catch", observation_type="vectorised")), 0.1, 0.1)
 
 
 def test_without_exploring_nobody_pays_for_slips() -> None:
@@ -50,17 +57,6 @@ def test_best_runs() -> None:
     assert deadly[2, 6] == 0
     assert deadly[3, 8] == 3
     assert np.isnan(deadly[3, 0])
-
-
-def test_share_lost() -> None:
-    """Nobody is lost without slips. Of the safe runs nearly all losses are stalls at the start, ε/3."""
-    model = finite_model(exact.ROAD)
-    assert exact.share_lost(model, 0.0, 0.01) == exact.share_lost(model, 0.0, 0.1) == 0.0
-    assert exact.share_lost(model, 0.1, 0.01) == pytest.approx(0.068, abs=0.001)
-    assert exact.share_lost(model, 0.1, 0.1) == pytest.approx(0.041, abs=0.001)
-    assert exact.share_lost(model, 0.1, 0.1) > 0.1 / 3
-    with pytest.raises(ValueError, match="model must be that of a road, but is <model of Catch"):
-        exact.share_lost(finite_model(make_mdp("Catch", observation_type="vectorised")), 0.1, 0.1)
 
 
 @pytest.fixture(scope="module")
@@ -112,7 +108,7 @@ def road(epsilon: float, **parameters: Any) -> QLearning:
 
 
 def test_on_off_policy_elsewhere() -> None:
-    """Every share counts the runs with the return that its claim names."""
+    """Every share counts the runs with the return that its claim names, and those that end in the zone."""
     q, sarsa, expected = methods.KINDS
     ends = {q: [-2.0, -2.0, -3.0, -3.0], sarsa: [-3.0, -2.0, -4.0, -5.0], expected: [-2.0, -2.0, -2.0, -3.0]}
     runs, cliff = (
@@ -124,10 +120,6 @@ def test_on_off_policy_elsewhere() -> None:
     ]  # fmt: skip
     ice = made_up({q: [{10: 0.0}] * 4}, agents={q: [road(0.1), road(0.1), road(0.1), road(0.0)]})
     assert measured(experiments.other_cliff_claims(ice, cliff)) == [0.75, 0.5, 0.5, 1.0, -0.5, -1.5]
-
-
-def test_on_off_policy_in_the_zone() -> None:
-    """Where the greedy runs of agents end that have learned the best run with slips and without."""
     q, sarsa, expected = methods.KINDS
     bold, careful = road(0.0, stop_zone=2), road(0.2, stop_zone=2)
     zone = made_up({method: [{10: 0.0}] for method in (q, sarsa, expected)}, agents={q: [bold], sarsa: [careful]})
