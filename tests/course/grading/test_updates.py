@@ -51,14 +51,9 @@ def said_of(body: Callable[..., Any], Q: Any = None) -> str:
 
 def by_rule(update: Update, settings: dict[str, Any]) -> Callable[..., None]:
     """A `learn` that does what the rule does with some settings."""
-
-    def learn(
-        self: Any, state: int, action: int, reward: float, next_state: int, next_action: int, terminated: bool
-    ) -> None:
-        now = Transition(state, action, reward, next_state, next_action, terminated, truncated=False)
-        update.rule({name: getattr(self, name) for name in self._fields}, now, **settings)
-
-    return learn
+    return lambda self, state, action, reward, next_state, next_action, terminated, truncated: update.rule(
+        self._asdict(), Transition(state, action, reward, next_state, next_action, terminated, truncated), **settings
+    )
 
 
 def test_the_packages_agent_is_right() -> None:

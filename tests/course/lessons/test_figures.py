@@ -15,8 +15,7 @@ import pytest
 from matplotlib.container import BarContainer
 
 from edugym.experiments.figures import Curves, Sheet
-from tests.course.lessons.figures import check_legends
-from tests.course.lessons.shown import NOTEBOOKS, sheets_of_cells, sheets_of_report
+from tests.course.lessons.shown import NOTEBOOKS, check_legends, sheets_of_cells, sheets_of_report
 
 IN_CELLS = "In the cells"  # the line of the file between the figures of the report and those that only cells show
 NUMBERS = re.compile(r" \[(\S+), (\S+)\]$")

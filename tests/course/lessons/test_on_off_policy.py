@@ -1,16 +1,12 @@
-"""On- and off-policy learning on Roadrunner: the claims hold with other seeds than those the lesson shows."""
+"""On- and off-policy learning on Roadrunner: exact returns, runs, and what the claims measure."""
 
 from typing import Any
 
 import numpy as np
 import pytest
 
-from edugym.adapters.registration import make_mdp
-from edugym.agents.q_learning import QLearning
+from edugym import QLearning, finite_model, make_mdp, value_iteration
 from edugym.envs.roadrunner import Roadrunner
-from edugym.exact.model import finite_model
-from edugym.exact.value_iteration import value_iteration
-from edugym.experiments.results.tables import Results
 from edugym_course.lessons.on_off_policy import exact, experiments, figures, methods
 from tests.course.lessons.made_up import made_up, measured
 
@@ -35,14 +31,6 @@ def test_exact_returns() -> None:
         exact.share_lost(finite_model(make_mdp("Catch", observation_type="vectorised")), 0.1, 0.1)
 
 
-def test_without_exploring_nobody_pays_for_slips() -> None:
-    """Negative control of the online lead: at ε = 0 there is none, and both find the optimum or no better."""
-    results = methods.compare(epsilon=0.0, n_steps=4_000, repetitions=4, seed=3)
-    assert methods.online_lead(results, methods.SARSA_).estimate == pytest.approx(0.0, abs=0.5)
-    for method in (methods.Q_LEARNING, methods.SARSA_):
-        assert (results.final(method) == exact.FAST).all()
-
-
 def test_best_runs() -> None:
     """The fast run passes the state where one action of three is deadly, and the safe one does not."""
     fast, safe = exact.best_run(0.0), exact.best_run(0.1)
@@ -59,14 +47,9 @@ def test_best_runs() -> None:
     assert np.isnan(deadly[3, 0])
 
 
-@pytest.fixture(scope="module")
-def trained() -> Results:
-    """The three methods, trained for a quarter of the lesson's steps."""
-    return methods.compare(n_steps=50_000, repetitions=4, seed=5)
-
-
-def test_runs_of_trained_agents(trained: Results) -> None:
+def test_runs_of_trained_agents() -> None:
     """Greedy runs are those of the text; a fall is found, and it ends beyond the edge."""
+    trained = methods.compare(n_steps=50_000, repetitions=4, seed=5)
     assert methods.greedy_run(trained.agents[methods.Q_LEARNING][0]) == exact.best_run(0.0)
     assert len(methods.greedy_run(trained.agents[methods.EXPECTED_SARSA][0])) == 6
     actions, episodes = methods.first_fall(trained.agents[methods.Q_LEARNING][0])
@@ -87,13 +70,27 @@ def test_another_cliff() -> None:
     assert methods.most_frequent([[(0, 0)], [(1, 1)], [(1, 1)]]) == [(1, 1)]
 
 
-def test_on_off_policy_at_the_edge() -> None:
-    """Longer runs count only if they are the safe one; the lead is that of the second half of training."""
+def test_claims() -> None:
+    """The lead is that of the second half of training; every share counts the runs with the return that it names."""
     q, sarsa, expected = methods.KINDS
     ends = {q: (-2.0, -3.0, -2.0, -2.0), sarsa: (-3.0, -2.0, -4.0, -3.0), expected: (-3.0, -3.0, -3.0, -100.0)}
     edge = made_up({method: [{0: -50.0, 5: -60.0, 10: end} for end in returns] for method, returns in ends.items()})
     leads = [-3.0 + 2.25, -27.25 + 2.25]
     assert measured(experiments.edge_claims(edge)) == [0.75, 0.5, 0.75, *leads]
+
+    elsewhere = {q: [-2.0, -2.0, -3.0, -3.0], sarsa: [-3.0, -2.0, -4.0, -5.0], expected: [-2.0, -2.0, -2.0, -3.0]}
+    runs, cliff = (
+        made_up({method: [{0: 0.0, 5: 0.0, 10: end} for end in found] for method, found in of.items()})
+        for of in (elsewhere, {q: [-13.0, -14.0], sarsa: [-15.0, -13.0], expected: [-15.0, -15.0]})
+    )
+    assert measured(experiments.condition_claims(runs, runs, runs, runs)) == [
+        -1.0, 0.25, 0.25, -1.0, 0.25, -1.0, 0.25, 0.75,
+    ]  # fmt: skip
+    ice = made_up({q: [{10: 0.0}] * 4}, agents={q: [road(0.1), road(0.1), road(0.1), road(0.0)]})
+    assert measured(experiments.other_cliff_claims(ice, cliff)) == [0.75, 0.5, 0.5, 1.0, -0.5, -1.5]
+    bold, careful = road(0.0, stop_zone=2), road(0.2, stop_zone=2)
+    zone = made_up({method: [{10: 0.0}] for method in (q, sarsa, expected)}, agents={q: [bold], sarsa: [careful]})
+    assert measured(experiments.zone_claims(zone)) == [9.0, -1.0]
 
 
 def road(epsilon: float, **parameters: Any) -> QLearning:
@@ -105,22 +102,3 @@ def road(epsilon: float, **parameters: Any) -> QLearning:
         if speed >= 0:
             agent.Q[x * (task.max_speed + 1) + speed] = values
     return agent
-
-
-def test_on_off_policy_elsewhere() -> None:
-    """Every share counts the runs with the return that its claim names, and those that end in the zone."""
-    q, sarsa, expected = methods.KINDS
-    ends = {q: [-2.0, -2.0, -3.0, -3.0], sarsa: [-3.0, -2.0, -4.0, -5.0], expected: [-2.0, -2.0, -2.0, -3.0]}
-    runs, cliff = (
-        made_up({method: [{0: 0.0, 5: 0.0, 10: end} for end in found] for method, found in of.items()})
-        for of in (ends, {q: [-13.0, -14.0], sarsa: [-15.0, -13.0], expected: [-15.0, -15.0]})
-    )
-    assert measured(experiments.condition_claims(runs, runs, runs, runs)) == [
-        -1.0, 0.25, 0.25, -1.0, 0.25, -1.0, 0.25, 0.75,
-    ]  # fmt: skip
-    ice = made_up({q: [{10: 0.0}] * 4}, agents={q: [road(0.1), road(0.1), road(0.1), road(0.0)]})
-    assert measured(experiments.other_cliff_claims(ice, cliff)) == [0.75, 0.5, 0.5, 1.0, -0.5, -1.5]
-    q, sarsa, expected = methods.KINDS
-    bold, careful = road(0.0, stop_zone=2), road(0.2, stop_zone=2)
-    zone = made_up({method: [{10: 0.0}] for method in (q, sarsa, expected)}, agents={q: [bold], sarsa: [careful]})
-    assert measured(experiments.zone_claims(zone)) == [9.0, -1.0]

@@ -17,7 +17,7 @@ from edugym.experiments.results.statistics import mean_interval
 from edugym.experiments.results.tables import Results
 from edugym.rendering.ansi import to_text
 from edugym_course.lessons.own_problem import bedroom, everything, exact, experiments, figures, morning
-from tests.course.lessons.figures import check_legends
+from tests.course.lessons.shown import check_legends
 
 
 def test_the_lesson_writes_the_same_class() -> None:
@@ -93,8 +93,16 @@ class Circle(NamedTuple):
     """A problem of a student's own: action 0 never ends an episode, and every step costs."""
 
     max_steps: int | None = None
-    observation_space = Discrete(5)
-    action_space = Discrete(2)
+
+    @property
+    def observation_space(self) -> Discrete:
+        """Five states."""
+        return Discrete(5)
+
+    @property
+    def action_space(self) -> Discrete:
+        """Stay or go."""
+        return Discrete(2)
 
     def initial(self, rng: Any) -> int:
         """The beginning."""
