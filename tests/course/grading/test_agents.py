@@ -61,10 +61,13 @@ REFUSED: list[tuple[Callable[[], Any], str]] = [
     (lambda: agent_made_by("mine(task)", lambda task: Player, None), r"gives the class Player: write Player\.create"),
     (lambda: agent_made_by("mine(task)", lambda task: object(), None), "of the type object, has no `act`"),
     (lambda: agent_made_by("mine(task)", lambda task: 1 / 0, None), "raises ZeroDivisionError"),
-    (lambda: agent_created_by("Player", Player, "wall", None), "`create`, which makes a new agent for a wall"),
+    (
+        lambda: agent_created_by("A", Player, "wall", None),
+        "A should keep its method `create`, which makes a new agent for a wall",
+    ),
     (lambda: agent_created_by("Q", QLearning, "wall", SIZE, {"speed": 1}), "no setting 'speed'; it has learning_rate"),
     (lambda: with_settings("A", Player(0), {"speed": 1.0}, "learn"), "`speed`, from which `learn` reads the number"),
-    (lambda: agent_with_table("A", Player, SIZE, RATE, "w"), "A should keep its field `w`, the table that `learn`"),
+    (lambda: agent_with_table("A", Player, SIZE, RATE, "w"), "keep its field `w`, the table that `learn` changes"),
     (lambda: agent_with_table("A", Player, SIZE, {"speed": 1.0}), "A should keep its field `speed`"),
     (lambda: agent_with_table("A", namedtuple("Table", "Q"), SIZE, {}), "^A should have a method `learn`$"),
 ]
